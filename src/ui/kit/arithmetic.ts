@@ -1,24 +1,24 @@
 /**
- * Numbers that people type, worked out:
+ * Evaluates typed expressions:
  *
  *     sum     = product { ("+" | "-") product }
  *     product = signed { ("*" | "/") signed }
  *     signed  = [ "+" | "-" ] amount
  *     amount  = ( number | "pi" | "(" sum ")" ) [ unit ]
  *
- * A plain number is read exactly as JavaScript reads it. A unit is a factor: what it is in the unit of the field.
+ * A plain number is read exactly as JavaScript reads it. A unit is a factor to the field's unit.
  */
 
-/** Names of units in small letters, and what one of each is in the unit of the field. */
+/** Unit names in lower case, with their factors to the field's unit. */
 export type Units = Readonly<Record<string, number>>;
 
 const NUMBER = /^(?:\d+(?:[.,]\d*)?|[.,]\d+)(?:e[+-]?\d+)?/i;
 const WORD = /^(?:[°π]|[a-z]+)/i;
 const PI: Readonly<Record<string, number>> = { pi: Math.PI, π: Math.PI };
-/** Nobody types more; a paste of a million parentheses is no number. */
+/** Maximum length: a paste of a million parentheses is no number. */
 const LONGEST = 200;
 
-/** What the text comes to; undefined where it is not of that grammar, or comes to no finite number. */
+/** The value of the text; undefined if it doesn't follow the grammar or isn't finite. */
 export function workedOut(text: string, units: Units): number | undefined {
   if (text.length > LONGEST) return undefined;
   const reader = new Reader(text.replaceAll('−', '-').replaceAll('×', '*').replaceAll('÷', '/'), units);
@@ -26,7 +26,7 @@ export function workedOut(text: string, units: Units): number | undefined {
   return reader.isAtEnd && Number.isFinite(value) ? value : undefined;
 }
 
-/** NaN is what nothing can be made of; it stays NaN whatever it is added to. */
+/** Errors are NaN, which propagates through all operations. */
 class Reader {
   private at = 0;
 
@@ -88,7 +88,7 @@ class Reader {
     return own(PI, word) ?? Number.NaN;
   }
 
-  /** What stands here of that form; empty where something else does. */
+  /** Matches a pattern at the current position; empty if it doesn't match. */
   private lookAt(form: RegExp): string {
     this.skipBlanks();
     return form.exec(this.text.slice(this.at))?.[0] ?? '';

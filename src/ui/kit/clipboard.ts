@@ -1,4 +1,4 @@
-/** Copying text, where the browser allows it only over https too. */
+/** Copies text; browsers allow the clipboard API over https only. */
 export async function copyText(text: string): Promise<boolean> {
   try {
     await navigator.clipboard.writeText(text);
@@ -8,7 +8,7 @@ export async function copyText(text: string): Promise<boolean> {
   }
 }
 
-/** What worked before there was a clipboard interface; still the only way on plain http. */
+/** The method from before the clipboard API; still the only one over plain http. */
 function copyBySelection(text: string): boolean {
   const area = document.createElement('textarea');
   area.value = text;

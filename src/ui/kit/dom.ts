@@ -1,6 +1,4 @@
-/**
- * Making elements, in one expression and never from markup: text that comes out of files stays text.
- */
+/** Creates elements, in one expression and never from markup: text from files stays text. */
 import { isTextField, leaveField } from './focus.ts';
 import { setTooltip } from './tooltip.ts';
 
@@ -23,7 +21,7 @@ export function element<K extends keyof HTMLElementTagNameMap>(
   return made;
 }
 
-/** A button that does something; `label` is what a screen reader says and what the tooltip shows. */
+/** A button; `label` is its accessible name and tooltip. */
 export function button(label: string, attributes: Attributes, content: Child, onClick: () => void): HTMLButtonElement {
   const made = element('button', { type: 'button', 'aria-label': label, tooltip: label, ...attributes }, content);
   made.addEventListener('click', onClick);
@@ -31,8 +29,8 @@ export function button(label: string, attributes: Attributes, content: Child, on
 }
 
 /**
- * A mouse click on it leaves the focus where it was, so that keys go on meaning what they meant. Tab still gets there.
- * Only a text field lets go, as it would of any other click: its typing is over, and keys are meant for the panel again.
+ * A mouse click on it keeps the focus elsewhere, so that shortcuts keep their meaning. Tab still reaches it. Only a
+ * text field loses the focus, as with any other click: editing ends, and keys belong to the panel again.
  */
 export function keepsFocusElsewhere<T extends HTMLElement>(target: T): T {
   target.addEventListener('mousedown', (event) => {
@@ -47,13 +45,13 @@ export function setText(target: Element, text: string): void {
   if (target.textContent !== text) target.textContent = text;
 }
 
-/** For state that changes at every frame: the DOM is only touched where it is different. */
+/** For state that changes every frame: touches the DOM only if it differs. */
 export function setAttribute(target: Element, name: string, value: string | undefined): void {
   if (value === undefined) target.removeAttribute(name);
   else if (target.getAttribute(name) !== value) target.setAttribute(name, value);
 }
 
-/** A unique id for what aria attributes point at. */
+/** A unique id for aria attributes to refer to. */
 export function uniqueId(prefix: string): string {
   return `${prefix}-${++ids}`;
 }

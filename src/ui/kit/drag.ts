@@ -1,16 +1,17 @@
-/** A pointer that is followed from the press on an element to its release, wherever it goes in between. */
+/** Follows a pointer from the press on an element to its release, wherever it moves in between. */
 
 export interface PointerDrag {
   move?(at: PointerEvent): void;
-  /** Keys while it lasts, before anyone else has them (see `waitOutDrag`). */
+  /** Keys during the drag, before any other listener (see `waitOutDrag`). */
   key?(event: KeyboardEvent): void;
-  /** The end, whichever comes to it. @param release absent where the browser took the pointer away */
+  /** The end of the drag. @param release absent if the browser cancelled the pointer */
   over(lost: PointerEvent, release: PointerEvent | undefined): void;
 }
 
 /**
  * Captures the pointer that has just been pressed.
- * @returns gives it up before the release: `over` is not called any more
+ *
+ * @returns ends the capture before the release; `over` is then not called
  */
 export function followPointer(target: HTMLElement, press: PointerEvent, drag: PointerDrag): () => void {
   const listening = new AbortController();

@@ -1,14 +1,14 @@
 /**
- * Where the focus goes when a text field is done with. A field that kept it would take the next K, Space or Ctrl+Z for
- * itself; so it lets go: to the element that has its panel's keys, or to the page.
+ * Where the focus moves after a text field. A field that kept it would swallow the next K, Space or Ctrl+Z; so the
+ * focus moves to the element that handles its panel's keys, or to the page.
  *
- * The browser remembers where the focus was, so that Tab goes on from the field all the same.
+ * Tab still continues from the field, since the browser remembers its position.
  */
 
-/** Marks the element that has a panel's keys: the plot of the curves, the dope sheet. */
+/** Marks the element that handles a panel's keys: the plot of the curves, the dope sheet. */
 export const HAS_KEYS = 'data-has-keys';
 
-/** Whether it takes typed characters. */
+/** Whether it accepts typed characters. */
 export function isTextField(target: Element | null): target is HTMLElement {
   if (target instanceof HTMLTextAreaElement) return true;
   if (target instanceof HTMLInputElement) return !NO_TEXT.test(target.type);
@@ -16,16 +16,16 @@ export function isTextField(target: Element | null): target is HTMLElement {
 }
 const NO_TEXT = /^(checkbox|radio|button|submit|reset|color|file|range|image)$/;
 
-/** Takes the focus from a field, which takes what was typed in it, for the panel that `near` is in. */
+/** Moves the focus from a field, which commits what was typed, to the panel of `near`. */
 export function leaveField(field: HTMLElement, near: Element = field): void {
   field.blur();
   focusPanel(near);
 }
 
-/** Gives the focus to whatever has the keys of the panel around `near`; false where that is the page. */
+/** Focuses the element that handles the keys of the panel around `near`; false if that is the page. */
 export function focusPanel(near: Element): boolean {
   const all = near.closest('[data-panel]')?.querySelectorAll<HTMLElement>(`[${HAS_KEYS}]`) ?? [];
-  // One for each tab, of which one is seen.
+  // One per tab, of which one is visible.
   const shown = [...all].find((one) => one.getClientRects().length > 0);
   shown?.focus({ preventScroll: true });
   return shown !== undefined;
@@ -33,7 +33,7 @@ export function focusPanel(near: Element): boolean {
 
 let typedIn: EventTarget | null | undefined;
 
-/** Notices what is typed, until the signal says otherwise. */
+/** Tracks typing in fields until aborted. */
 export function watchTyping(signal: AbortSignal): void {
   const options = { capture: true, signal };
   window.addEventListener('focusin', () => (typedIn = undefined), options);
@@ -46,19 +46,18 @@ export function isTypedIn(field: Element): boolean {
 }
 
 /**
- * A button or a box that was clicked with the mouse does not keep the focus, until the signal says otherwise: the next
- * Space is meant for what one works at, and plays. What the click has given the focus to, or what stands in a dialog,
- * keeps it, and so does whatever was gone to with Tab.
+ * Until aborted, buttons and boxes clicked with the mouse lose the focus again: the next Space is meant to play. What
+ * the click has focused, controls in dialogs, and anything reached by Tab keep it.
  */
 export function letGoOfClicked(signal: AbortSignal): void {
   window.addEventListener(
     'click',
     ({ target, detail }) => {
       const { activeElement } = document;
-      // Keys click too, with a detail of 0.
+      // Keys also click, with a detail of 0.
       if (detail === 0 || !(activeElement instanceof HTMLElement) || !(target instanceof Element)) return;
       if (!activeElement.matches(CLICKED) || activeElement.closest('dialog,[role=menu]')) return;
-      // A label's click is its box's.
+      // A click on a label clicks its box.
       if (activeElement.contains(target) || target.closest('label')?.contains(activeElement)) leaveField(activeElement);
     },
     { signal },

@@ -1,6 +1,6 @@
 /**
- * Work put off to the next frame: however often it is asked for, it is done once. Everything that follows playback
- * goes through here, and all of it is one request of the browser's: five of them, a frame, were felt.
+ * Defers work to the next frame, once however often it is requested. Everything that follows playback uses this, with a
+ * single request of the browser's: five of them per frame were measurable.
  */
 export function oncePerFrame(work: () => void): () => void {
   let asked = false;
@@ -15,9 +15,9 @@ export function oncePerFrame(work: () => void): () => void {
   };
 }
 
-/** In the order in which they were asked for. */
+/** In the order of their requests. */
 let waiting: (() => void)[] = [];
-/** Those that run now; what they ask for is for the frame after. */
+/** Running now; what they request runs in the next frame. */
 let running: (() => void)[] = [];
 
 function runAll(): void {
@@ -26,7 +26,7 @@ function runAll(): void {
   try {
     while (done < running.length) running[done++]();
   } finally {
-    // One that failed keeps none of the others from being done.
+    // If one throws, the others still run.
     if (done < running.length) {
       waiting.unshift(...running.slice(done));
       requestAnimationFrame(runAll);
@@ -35,7 +35,7 @@ function runAll(): void {
   }
 }
 
-/** The same at most every `intervalMs`, and always once more after the last time it was asked for. */
+/** The same, at most every `intervalMs`, and always once more after the last request. */
 export function atMostEvery(intervalMs: number, work: () => void): () => void {
   let last = -Infinity;
   let timer: ReturnType<typeof setTimeout> | undefined;
@@ -50,8 +50,9 @@ export function atMostEvery(intervalMs: number, work: () => void): () => void {
 }
 
 /**
- * For what is drawn while time runs, but is no movement that an eye follows: a number that changes sixty times a second
- * can't be read. Says whether so much time has gone by since it last said yes.
+ * For numbers shown while playing: one that changes sixty times a second can't be read. Returns true if the interval
+ * has passed since the last true.
+ *
  * @param now milliseconds
  */
 export function isTimeAgain(intervalMs: number, now: () => number = () => performance.now()): () => boolean {

@@ -1,6 +1,6 @@
 /**
- * The page's icons, drawn by us on one 16-unit grid with one line weight. Each is a list of paths; a path that starts
- * with `!` is filled instead of stroked.
+ * The page's icons, on one 16-unit grid with one line weight. Each is a list of paths; one that starts with `!` is
+ * filled instead of stroked.
  */
 const PATHS = {
   start: ['M3.5 3.5v9', '!M12.5 3.5v9L5.5 8z'],
@@ -101,7 +101,7 @@ export type IconName = keyof typeof PATHS;
 
 const SVG = 'http://www.w3.org/2000/svg';
 
-/** Decoration only: the control that holds it carries the name. */
+/** Decorative only: its control has the accessible name. */
 export function icon(name: IconName): SVGSVGElement {
   const svg = document.createElementNS(SVG, 'svg');
   svg.setAttribute('viewBox', '0 0 16 16');

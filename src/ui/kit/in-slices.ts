@@ -1,22 +1,22 @@
 /**
- * Work in steps (`edit/samples/steps.ts`), done a slice at a time between the page's frames: what is short is done at
- * once, and what is long keeps nobody from looking on, or from stopping it.
+ * Runs work in steps (`edit/samples/steps.ts`), a slice at a time between frames: short work finishes at once, and long
+ * work neither blocks the page nor prevents cancelling.
  */
 
-/** What a slice may take of a frame. */
+/** Milliseconds per slice. */
 const SLICE_MS = 12;
 
 export interface Slices<T> {
-  /** Whether nobody wants it any more; asked before each slice. */
+  /** Whether it was cancelled; checked before each slice. */
   isOver(): boolean;
-  /** After each slice but the last, with the part that is done. */
+  /** After each slice but the last, with the fraction done. */
   progress(part: number): void;
   done(value: T): void;
-  /** What the work threw, or `done`. */
+  /** An error thrown by the work or by `done`. */
   failed(error: unknown): void;
 }
 
-/** Does the first slice now. */
+/** Runs the first slice synchronously. */
 export function inSlices<T>(steps: Generator<number, T>, slices: Slices<T>): void {
   slice(slices, () => {
     const until = performance.now() + SLICE_MS;
@@ -28,7 +28,7 @@ export function inSlices<T>(steps: Generator<number, T>, slices: Slices<T>): voi
       return;
     }
     const { value } = step;
-    // What is done with a result takes its time too, and the slice may be used up.
+    // Handling the result takes time too: don't exceed the slice.
     if (performance.now() < until) slices.done(value);
     else setTimeout(() => slice(slices, () => slices.done(value)));
   });

@@ -1,10 +1,10 @@
-/** The platform's keyboard, and how it waits for the pointer. */
+/** The platform's keyboard, and blocking it during drags. */
 
 export const isMac = /mac|iphone|ipad/i.test(globalThis.navigator?.userAgent ?? '');
 
 /**
- * For a listener in the capture phase while something is dragged: the keyboard waits, for what is deleted or undone under
- * the hand can't be dragged on. Escape and what is only held go on.
+ * For a capturing listener during drags: blocks the keyboard, since what is deleted or undone can't be dragged on.
+ * Escape and modifiers pass.
  */
 export function waitOutDrag(event: KeyboardEvent): void {
   if (event.key === 'Escape') return;

@@ -1,6 +1,6 @@
 /**
- * A menu that floats: entries, lines, menus within, arrow keys, first letters, Escape. Used by the menu bar, by buttons
- * that offer a choice, and by context menus alike; what the entries do is the caller's.
+ * A popup menu: entries, separators, submenus, arrow keys, first letters, Escape. Used by the menu bar, menu buttons
+ * and context menus; what the entries do is up to the caller.
  */
 import { element, uniqueId } from './dom.ts';
 import { icon } from './icons.ts';
@@ -15,11 +15,11 @@ export interface MenuItem {
   readonly kind: 'item';
   readonly label: string;
   readonly detail?: string | undefined;
-  /** As text, for the right edge. */
+  /** Shown at the right edge. */
   readonly shortcut?: string | undefined;
   readonly ariaShortcut?: string | undefined;
   readonly enabled: boolean;
-  /** Absent: no tick at all. */
+  /** Absent: not checkable. */
   readonly checked?: boolean | undefined;
   readonly radio?: boolean | undefined;
   run(): void;
@@ -36,13 +36,13 @@ export type Anchor = DOMRect | { readonly x: number; readonly y: number };
 
 export interface MenuOptions {
   readonly label: string;
-  /** The button it belongs to; has the focus again after the keyboard was used. */
+  /** The button it belongs to; gets the focus back after keyboard use. */
   readonly opener?: HTMLElement;
-  /** Focuses the first entry: opened by the keyboard. */
+  /** Opened by keyboard: focuses the first entry. */
   readonly focusFirst?: boolean;
   /** Called once. */
   onClose?(): void;
-  /** Left or right arrow out of the menu: a menu bar goes to its neighbour. */
+  /** Left or right arrow out of the menu: the menu bar moves to its neighbour. */
   onLeave?(step: -1 | 1): void;
 }
 
@@ -51,11 +51,11 @@ const MARGIN = 4;
 const HOVER_OPENS_MS = 120;
 const TYPE_AHEAD_MS = 600;
 
-/** The one menu that is open on the page. */
+/** The page's open menu. */
 let open: Menu | undefined;
 
 export function openMenu(anchor: Anchor, entries: readonly MenuEntry[], options: MenuOptions): Menu {
-  // With the mouse the focus goes back to where it was, so that keys go on meaning what they meant.
+  // After mouse use the focus returns to where it was, so that shortcuts keep their meaning.
   const before = open?.returnTo ?? document.activeElement;
   open?.close(false);
   const menu = new Menu(entries, options);
@@ -68,7 +68,7 @@ export function openMenu(anchor: Anchor, entries: readonly MenuEntry[], options:
 export class Menu {
   private readonly element = element('div', { role: 'menu', class: 'menu', tabindex: -1 });
   private readonly items: HTMLElement[] = [];
-  /** What has the focus after it. */
+  /** Gets the focus when the menu closes. */
   returnTo: Element | null = null;
   private child: Menu | undefined;
   private timer: ReturnType<typeof setTimeout> | undefined;
@@ -109,7 +109,7 @@ export class Menu {
     if (refocus && this.returnTo instanceof HTMLElement) this.returnTo.focus({ preventScroll: true });
   }
 
-  /** All of them, from the root. */
+  /** Closes all of them, from the root. */
   private closeAll(refocus: boolean): void {
     if (this.parent) this.parent.closeAll(refocus);
     else this.close(refocus);
@@ -214,7 +214,7 @@ export class Menu {
   }
 
   private onKey(event: KeyboardEvent): void {
-    // A menu has the keyboard to itself; what it doesn't know goes nowhere.
+    // A menu captures the keyboard, including keys that it doesn't use.
     event.stopPropagation();
     if (event.key === 'Tab') {
       this.closeAll(true);
@@ -266,7 +266,7 @@ export class Menu {
   }
 }
 
-/** A button's menu: opens below it, goes away on the next press, and gives the focus back. */
+/** A menu button: the menu opens below it, closes on the next press outside, and returns the focus. */
 export function menuButton(target: HTMLButtonElement, label: string, entries: () => readonly MenuEntry[]): void {
   target.setAttribute('aria-haspopup', 'menu');
   target.setAttribute('aria-expanded', 'false');
@@ -289,7 +289,7 @@ export function menuButton(target: HTMLButtonElement, label: string, entries: ()
     });
   };
   target.addEventListener('click', (event) => {
-    // A press on the button has closed the menu already, as one outside of it.
+    // A press on the button has already closed the menu, as a press outside.
     if (wasOpen) wasOpen = false;
     else show(event.detail === 0);
   });
@@ -314,7 +314,7 @@ function place(menu: HTMLElement, anchor: Anchor, side: 'below' | 'beside'): voi
   } else {
     left = isRect ? anchor.left : anchor.x;
     top = isRect ? anchor.bottom + 2 : anchor.y;
-    // At the window's foot it opens upward, if that has room.
+    // Near the window's bottom it opens upwards, if there is room.
     if (isRect && top + height > innerHeight - MARGIN && anchor.top - height - 2 >= MARGIN)
       top = anchor.top - height - 2;
   }

@@ -1,6 +1,6 @@
 /**
- * A number to read and to type: rounded while it is only looked at, exact once it has the focus. Enter takes what was
- * typed and lets go, Escape lets go without.
+ * A number field: rounded for display, exact while focused. Enter commits and leaves the field, Escape leaves it
+ * without committing.
  */
 import type { Units } from './arithmetic.ts';
 import { element } from './dom.ts';
@@ -11,22 +11,22 @@ import { setTooltip } from './tooltip.ts';
 export interface NumberFieldOptions {
   readonly label: string;
   readonly class?: string;
-  /** What is shown without the focus. */
+  /** Text shown without the focus. */
   text(value: number): string;
-  /** Enter, or leaving the field. */
+  /** On Enter, or on leaving the field. */
   commit(value: number): void;
-  /** Why what was typed is not taken; the number that was there comes back. */
+  /** Why the input was refused; the previous number is shown again. */
   refuse(reason: string): void;
-  /** What an arrow key adds. */
+  /** Step of the arrow keys. */
   readonly step?: number;
-  /** What may be typed behind a number. */
+  /** Units that may be typed after a number. */
   units?(): Units;
 }
 
 export class NumberField {
   readonly element: HTMLInputElement;
   private value = Number.NaN;
-  /** The text that stands for the value: while the field holds another one, someone is typing. */
+  /** The value's text: while the field holds another one, the user is typing. */
   private own = '';
 
   constructor(private readonly options: NumberFieldOptions) {
@@ -51,19 +51,19 @@ export class NumberField {
     this.element.addEventListener('keydown', (event) => this.onKey(event));
   }
 
-  /** NaN: the field stands for no one number. */
+  /** NaN: no single number to show. */
   show(value: number): void {
     if (Object.is(value, this.value)) return;
     this.value = value;
     if (document.activeElement !== this.element) this.refresh();
-    // What was typed and taken, or changed elsewhere; what is being typed stays.
+    // Committed, or changed elsewhere; text being typed stays.
     else if (this.element.value === this.own) {
       this.write(this.exactText);
       this.element.select();
     }
   }
 
-  /** The same number in another manner. */
+  /** The same number in another format. */
   refresh(): void {
     this.write(Number.isNaN(this.value) ? '' : this.options.text(this.value));
   }
@@ -73,19 +73,19 @@ export class NumberField {
     if (this.element.value !== text) this.element.value = text;
   }
 
-  /** What is there to be edited. */
+  /** Text for editing. */
   private get exactText(): string {
     return Number.isNaN(this.value) ? '' : exact(this.value);
   }
 
-  /** Whoever takes it may be told of it later only: the text stays until then, and is not taken twice. */
+  /** The new value may arrive later: the text stays until then, and isn't committed twice. */
   private finish(): void {
     const text = this.element.value;
     if (text === this.own) return;
     this.own = text;
     const typed = this.parse(text);
     if (typed === undefined) {
-      // Emptied and left: given up, not mistyped.
+      // An emptied field was abandoned, not mistyped.
       if (text.trim()) this.options.refuse(notANumber(this.options.label, text));
     } else if (typed !== this.value) this.options.commit(typed);
   }

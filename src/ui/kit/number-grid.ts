@@ -1,6 +1,6 @@
 /**
- * A table of numbers that line up, each of which can be copied exactly as it is: click or Enter copies the number in
- * full, arrow keys go from one to the next, and the whole table is one stop of the Tab key.
+ * A table of aligned numbers that can each be copied exactly: click or Enter copies the number in full precision, arrow
+ * keys move between numbers, and the whole table is one tab stop.
  */
 import { copyText } from './clipboard.ts';
 import { element, setText } from './dom.ts';
@@ -11,14 +11,14 @@ export interface GridOptions {
   readonly label: string;
   readonly rows: number;
   readonly columns: number;
-  /** In front of each row. */
+  /** Before each row. */
   readonly rowLabels?: readonly string[];
   /** Above each column; `x y z` are coloured. */
   readonly columnLabels?: readonly string[];
 }
 
 const COPIED_MS = 700;
-/** What a quarter of the narrowest inspector has room for. */
+/** Characters that fit into a quarter of the narrowest inspector. */
 const CHARACTERS = 8;
 
 export class NumberGrid {
@@ -58,7 +58,7 @@ export class NumberGrid {
     setText(this.cells[index], aligned(value, decimalsWithin(value, CHARACTERS)));
   }
 
-  /** A 4×4 matrix that lies column-major at `offset`, shown with its columns as columns. */
+  /** A 4×4 matrix, column-major from `offset`, shown with its columns as columns. */
   setMatrix(matrix: Float64Array, offset = 0): void {
     for (let r = 0; r < 4; r++) for (let c = 0; c < 4; c++) this.set(r, c, matrix[offset + 4 * c + r]);
   }
@@ -67,7 +67,7 @@ export class NumberGrid {
     for (let c = 0; c < this.options.columns; c++) this.set(row, c, values[offset + c]);
   }
 
-  /** All of it as text, exact, a row a line. */
+  /** The table as text, exact, one line per row. */
   text(): string {
     const { rows, columns, rowLabels } = this.options;
     const lines: string[] = [];
@@ -119,7 +119,7 @@ export class NumberGrid {
   }
 }
 
-/** A limit that is none is copied as a word: `Infinity` is a number in no file. */
+/** An infinite limit is copied as a word: no file has the number `Infinity`. */
 function exactOrNone(value: number): string {
   return Math.abs(value) === Infinity ? 'none' : exact(value);
 }

@@ -1,6 +1,6 @@
 /**
- * Numbers as text, and back. The interface shows at most three decimals, with a true minus sign and never `-0`; full
- * precision is given where a number is copied or typed over, as the shortest decimal that reads back the same.
+ * Formats and parses numbers. The interface shows at most three decimals, with a true minus sign and never `-0`; a
+ * number that is copied or edited has full precision, as the shortest decimal that reads back the same.
  */
 import { type Units, workedOut } from './arithmetic.ts';
 
@@ -12,13 +12,13 @@ export function exact(value: number): string {
   return String(value === 0 ? 0 : value);
 }
 
-/** For fields, labels and messages: without trailing zeros, huge numbers as powers of ten. */
+/** For fields, labels and messages: no trailing zeros, huge numbers as powers of ten. */
 export function shown(value: number, decimals = MAX_DECIMALS): string {
   const text = aligned(value, decimals);
   return text.includes('.') && !text.includes('e') ? text.replace(/\.?0+$/, '') : text;
 }
 
-/** The same with trailing zeros, so that columns line up and a running number keeps its width. */
+/** With trailing zeros, so that columns line up and changing numbers keep their width. */
 export function aligned(value: number, decimals = MAX_DECIMALS): string {
   if (Number.isNaN(value)) return 'NaN';
   const size = Math.abs(value);
@@ -26,40 +26,40 @@ export function aligned(value: number, decimals = MAX_DECIMALS): string {
   return value < 0 && Number(text) !== 0 ? `−${text}` : text;
 }
 
-/** Decimals that leave a number within so many characters: fewer for larger numbers. */
+/** Number of decimals that fits a width in characters: fewer for larger numbers. */
 export function decimalsWithin(value: number, characters: number, decimals = MAX_DECIMALS): number {
   const whole = String(Math.trunc(Math.abs(value))).length + (value < 0 ? 2 : 1);
   return Math.max(0, Math.min(decimals, characters - whole));
 }
 
-/** How large an error or a difference is, 0 or more: `0.02`, `under 0.001` for what would read as 0 but is not. */
+/** The size of an error or difference, 0 or more: `0.02`, or `under 0.001` for what would round to 0. */
 export function errorSize(value: number): string {
   const least = 10 ** -MAX_DECIMALS;
   return value > 0 && value < least / 2 ? `under ${least}` : shown(value);
 }
 
-/** How long something lasts, where lists say it: `22.92 s`. */
+/** A duration for lists: `22.92 s`. */
 export function duration(lengthSeconds: number): string {
   return `${shown(lengthSeconds, 2)} s`;
 }
 
 /**
- * A number typed by a person: a decimal number, with a point or a comma, or something to be worked out (`20+5`, `-3/4`,
- * `2*(1-0.5)`), and with units where there are some. Undefined if it is none.
+ * Parses typed input: a decimal number, with a point or a comma, or an expression (`20+5`, `-3/4`, `2*(1-0.5)`), with
+ * units if there are any. Undefined if invalid.
  */
 export function parseNumber(text: string, units: Units = NO_UNITS): number | undefined {
   return workedOut(text, units);
 }
 const NO_UNITS: Units = {};
 
-/** Why a field shows what it showed before: `Frame: “ten” is not a number.` */
+/** Why a field has reverted: `Frame: “ten” is not a number.` */
 export function notANumber(label: string, typed: string): string {
   const text = typed.trim();
   return `${label}: “${text.length > MAX_QUOTED ? `${text.slice(0, MAX_QUOTED)}…` : text}” is not a number.`;
 }
 const MAX_QUOTED = 24;
 
-/** Made once: making one takes longer than all that it formats in a frame. */
+/** Created once: creating it costs more than all formatting in a frame. */
 const COUNTS = new Intl.NumberFormat('en-US');
 
 /** `1,042`. */

@@ -1,17 +1,17 @@
 /**
- * A value that tells when it changes. Small enough to be read in one glance; the document has a store of its own, with
- * history, and this is for everything beside it: transport, settings, messages, progress.
+ * A value with listeners. Deliberately tiny; the document has a store with history, and this is for everything else:
+ * transport, settings, messages, progress.
  */
 export interface Observable<T> {
   get(): T;
   set(next: T): void;
-  /** `set` of what `change` makes of the value. */
+  /** Sets the result of `change`. */
   update(change: (now: T) => T): void;
-  /** Calls back after each change, not at once. Returns the way out. */
+  /** Calls back after each change, not immediately. Returns an unsubscribe function. */
   subscribe(listener: (now: T, before: T) => void): () => void;
 }
 
-/** Setting the very same value tells nobody. */
+/** Setting the same value notifies nobody. */
 export function observable<T>(initial: T): Observable<T> {
   let value = initial;
   const listeners = new Set<(now: T, before: T) => void>();
@@ -20,7 +20,7 @@ export function observable<T>(initial: T): Observable<T> {
     const before = value;
     value = next;
     for (const listener of listeners) {
-      // A listener may have set it anew: whoever is left has then been told already.
+      // If a listener has set it again, the others have already been notified.
       if (!Object.is(value, next)) return;
       listener(next, before);
     }

@@ -1,9 +1,9 @@
-/** How long a passing message is shown: so many milliseconds in all in which the pointer is not on it. */
+/** How long a passing message is shown: a total time during which the pointer isn't on it. */
 
-/** `setTimeout` and its kin, so that a test can stand in for time. */
+/** `setTimeout` and related functions, replaceable in tests. */
 export interface Clock {
   now(): number;
-  /** Calls back once; gives the way to call it off. */
+  /** Calls back once; returns a function that cancels it. */
   after(ms: number, run: () => void): () => void;
 }
 
@@ -27,7 +27,7 @@ export class PassingTime {
     private readonly clock: Clock = PAGE_CLOCK,
   ) {}
 
-  /** From the beginning: another message. */
+  /** Restarts, for another message. */
   begin(): void {
     this.callOff?.();
     this.callOff = undefined;
@@ -35,7 +35,7 @@ export class PassingTime {
     this.goOn();
   }
 
-  /** The message is gone, and nobody is at it any more. */
+  /** The message was closed, and isn't hovered any more. */
   end(): void {
     this.callOff?.();
     this.callOff = undefined;
@@ -43,7 +43,7 @@ export class PassingTime {
     this.isHeld = false;
   }
 
-  /** While someone is at it, its time stands still. */
+  /** While hovered, its time is paused. */
   hold(isHeld: boolean): void {
     if (isHeld === this.isHeld) return;
     this.isHeld = isHeld;

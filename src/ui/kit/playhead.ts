@@ -1,11 +1,11 @@
-/** The playhead, drawn alike over the scrubber, the curves and the dope sheet: a line, and what time it is in the ruler. */
+/** The playhead, drawn alike over the scrubber, the curves and the dope sheet: a line, and its time in the ruler. */
 
 export interface Playhead {
-  /** Of the line's middle, in CSS pixels as everything here. */
+  /** Centre of the line, in CSS pixels like everything here. */
   readonly x: number;
   readonly text: string;
   readonly lineWidth: number;
-  /** How far the line goes down. */
+  /** Bottom end of the line. */
   readonly bottom: number;
 }
 
@@ -22,12 +22,12 @@ export interface PlayheadColours {
   readonly font: string;
 }
 
-/** By font and text; digits are all taken to be as wide as 0, which a label has room for. */
+/** By font and text; all digits are assumed to be as wide as 0. */
 const widths = new Map<string, number>();
-/** Fonts change with the theme at most, and texts by their length: it is never so many. */
+/** Fonts change only with the theme, and texts differ only in length: a few entries suffice. */
 const MAX_WIDTHS = 256;
 
-/** CSS pixels. Asked in every frame, and measuring text is slow. */
+/** CSS pixels. Cached, as measuring text every frame is slow. */
 function widthOf(g: CanvasRenderingContext2D, font: string, text: string): number {
   const key = `${font} ${text.replace(/\d/g, '0')}`;
   let width = widths.get(key);
@@ -51,7 +51,7 @@ export function drawPlayheadAt(
   const end = rulerHeight - 1 - inset;
   g.fillStyle = colours.playhead;
   g.fillRect(Math.round(x - lineWidth / 2), end, lineWidth, bottom - end);
-  // At the edges the label stays whole, and only the line goes on.
+  // At the edges the label stays in view, and only the line moves on.
   const middle = Math.max(half, Math.min(width - half, x));
   g.beginPath();
   g.roundRect(Math.round(middle - half), inset, 2 * half, end - inset, 3);

@@ -1,4 +1,4 @@
-/** A small line beside the pointer while something is dragged: for the eye alone, and gone with the drag. */
+/** A line of text beside the pointer during a drag; not for screen readers. */
 import { element, setText } from './dom.ts';
 
 /** CSS pixels. */
@@ -9,13 +9,13 @@ export class Readout {
   private readonly value = element('span');
   private readonly note = element('span', { class: 'hand-note' });
 
-  /** @param container what it stands in, which the viewport fills */
+  /** @param container the element that contains the viewport */
   constructor(private readonly container: HTMLElement) {
     this.element.append(this.value, this.note);
     container.append(this.element);
   }
 
-  /** @param note what is in the way, if anything */
+  /** @param note what limits the drag, if anything */
   show(clientX: number, clientY: number, value: string, note = ''): void {
     const { left, top, width, height } = this.container.getBoundingClientRect();
     this.element.hidden = false;

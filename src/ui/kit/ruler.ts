@@ -1,27 +1,27 @@
 /**
- * Ticks of the time ruler. Labels stand at 1, 2 or 5 times a power of ten, as near together as they have room; small
- * ticks divide that by five or two. In frames nothing is finer than a frame.
+ * Ticks of the time ruler. Labels are at 1, 2 or 5 times a power of ten, as dense as there is room; minor ticks divide
+ * that by five or two. In frames, nothing is finer than a frame.
  */
 import { shown } from './number-text.ts';
 
 export interface Tick {
   readonly timeSeconds: number;
-  /** Absent on the small ones. */
+  /** Absent on minor ticks. */
   readonly label?: string;
 }
 
 export interface RulerScale {
   readonly fromSeconds: number;
   readonly toSeconds: number;
-  /** Pixels between them. */
+  /** Width in pixels. */
   readonly width: number;
-  /** Pixels that labels are apart at least. */
+  /** Minimum distance of labels in pixels. */
   readonly spacing: number;
-  /** Frames a second to count in frames; absent for seconds. */
+  /** Frames per second to count in frames; absent for seconds. */
   readonly framesPerSecond?: number;
 }
 
-/** Never more than this, whatever the scale: a window of no size must not hang the page. */
+/** Safety limit: an empty time window must not hang the page. */
 const MAX_TICKS = 2000;
 
 export function rulerTicks(scale: RulerScale): Tick[] {

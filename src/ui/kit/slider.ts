@@ -1,9 +1,9 @@
 /**
- * lil-gui's number controller, in our manner: the slider is a line with a mark at zero and hatched ends where a limit
- * is, the field shows a rounded number until it is focused, and typing may go beyond what the slider spans.
+ * lil-gui's number controller with our behaviour: the slider is a line with a mark at zero and hatched ends beyond
+ * limits, the field shows a rounded number until it is focused, and typing may exceed the slider's span.
  *
- * lil-gui reads and writes `object[property]`; here that is a binding of this slider's own, whose value the inspector
- * fills from the pose at every frame.
+ * lil-gui reads and writes `object[property]`; here that is the slider's own binding, which the inspector updates from
+ * the pose every frame.
  */
 import type { GUI } from 'lil-gui';
 import { NumberController } from 'lil-gui';
@@ -14,20 +14,20 @@ import { exact, notANumber, parseNumber, shown } from './number-text.ts';
 import { setTooltip } from './tooltip.ts';
 
 export interface SliderOptions {
-  /** What the slider spans; absent for a field without a slider. */
+  /** Span of the slider; absent for a field without a slider. */
   readonly span?: readonly [number, number];
-  /** What may be typed at all; absent for any number. */
+  /** Range that may be typed; absent for any number. */
   readonly bounds?: readonly [number, number];
-  /** What to do about the bounds: said to who types beyond them. */
+  /** What to do about the bounds, told when typing beyond them. */
   readonly remedy?: string;
-  /** Where limits begin and end, to be hatched beyond; within or at the ends of the span. */
+  /** Limits, hatched beyond; within the span. */
   readonly limits?: readonly [number, number];
-  /** An arrow key's step is ten of it. */
+  /** The slider's step; an arrow key's is ten times that. */
   readonly step: number;
   readonly decimals: number;
-  /** Behind the number while it is not edited. */
+  /** Shown after the number while it isn't edited. */
   readonly suffix?: string;
-  /** What may be typed behind a number. */
+  /** Units that may be typed after a number. */
   readonly units?: Units;
 }
 
@@ -42,7 +42,7 @@ export class Slider extends NumberController {
   private before = 0;
   private takenBack: (() => void) | undefined;
 
-  /** @param refuse is told why what was typed is not taken, or not all the way */
+  /** @param refuse told why the input was refused or clamped */
   constructor(
     folder: GUI,
     label: string,
@@ -56,9 +56,9 @@ export class Slider extends NumberController {
     this.name(label);
     this.$input.setAttribute('type', 'text');
     this.$input.setAttribute('inputmode', 'decimal');
-    // Under a finger lil-gui begins with a field of type number, which takes no text such as `0°`.
+    // On touch devices lil-gui starts with a field of type number, which can't show text such as `0°`.
     this.updateDisplay();
-    // Why it can't be typed into is said of the whole row.
+    // Why it is disabled is in the row's tooltip.
     setTooltip(this.$input, () =>
       this.$input.disabled ? undefined : `${exact(this.object.value)}${options.suffix ?? ''}`,
     );
@@ -67,7 +67,7 @@ export class Slider extends NumberController {
       this.$input.value = exact(this.object.value);
       this.$input.select();
     });
-    // lil-gui would read `20+5` as 20, and stop at a comma, which is a decimal sign to half of the world.
+    // lil-gui would read `20+5` as 20, and stop at a comma, the decimal sign of many countries.
     this.$input.addEventListener(
       'input',
       (event) => {
@@ -78,7 +78,7 @@ export class Slider extends NumberController {
       },
       { capture: true },
     );
-    // So does its counting up and down, by arrow keys and by the wheel.
+    // The same for its stepping by arrow keys and wheel.
     for (const kind of ['keydown', 'wheel'] as const) {
       this.$input.addEventListener(
         kind,
@@ -89,7 +89,7 @@ export class Slider extends NumberController {
         { capture: true, passive: true },
       );
     }
-    // Before lil-gui puts its number in place of the text.
+    // Before lil-gui replaces the text by its number.
     this.$input.addEventListener('blur', () => this.judge(label), { capture: true });
     this.$input.addEventListener('keydown', (event) => {
       if (event.key !== 'Escape') return;
@@ -101,15 +101,15 @@ export class Slider extends NumberController {
   }
 
   /**
-   * Instead of setting the number of before, when what is being typed is no number: who previews an edit gives it up, so
-   * that nothing is left of it.
+   * Called instead of setting the previous number when the input is invalid: lets the owner cancel its edit, so that
+   * nothing is left of it.
    */
   onTakenBack(callback: () => void): this {
     this.takenBack = callback;
     return this;
   }
 
-  /** What was typed as far as here is not what is meant: `20` of `20 km`. */
+  /** The text so far isn't what is meant: `20` of `20 km`. */
   private takeBack(): void {
     if (Object.is(this.object.value, this.before)) return;
     if (!this.takenBack) this.setValue(this.before);
@@ -119,7 +119,7 @@ export class Slider extends NumberController {
     }
   }
 
-  /** Says why the number is not what was typed. */
+  /** Reports why the number isn't what was typed. */
   private judge(label: string): void {
     const text = this.$input.value;
     if (!isTypedIn(this.$input) || !text.trim() || text === exact(this.object.value)) return;
@@ -127,7 +127,7 @@ export class Slider extends NumberController {
     if (reason) this.refuse(reason);
   }
 
-  /** Shows another value, as if it had always been so. */
+  /** Shows another value without an edit. */
   showValue(value: number): void {
     if (Object.is(this.object.value, value)) return;
     this.object.value = value;
@@ -135,7 +135,7 @@ export class Slider extends NumberController {
   }
 
   override updateDisplay(): this {
-    // Called by lil-gui's constructor, before anything of ours is there but the binding.
+    // Called by lil-gui's constructor, before any of our fields but the binding exist.
     const { value, options } = this.object;
     const { span } = options;
     if (span) {
@@ -156,12 +156,12 @@ export class Slider extends NumberController {
     return range ? Math.min(range[1], Math.max(range[0], value)) : value;
   }
 
-  /** Onto whole steps from zero; lil-gui counts them from the lower end, which gives odd numbers. */
+  /** Steps from zero; lil-gui steps from the minimum, which gives odd numbers. */
   override _snap(value: number): number {
     return Number((Math.round(value / this._step) * this._step).toPrecision(12));
   }
 
-  /** lil-gui takes it from where it had put it; it may stand in a row with others since. */
+  /** lil-gui expects it where it was put; it may have moved to a row with others. */
   override destroy(): void {
     this.parent.$children.append(this.domElement);
     super.destroy();
@@ -177,7 +177,7 @@ export class Slider extends NumberController {
     const hatched = (side: string, width: string) => {
       const mark = element('span', { class: 'limit' });
       mark.style.setProperty(side, '0');
-      // Where the slider stops at the limit, a short end says that there is one.
+      // If the slider ends at the limit, a short end marks it.
       mark.style.width = `max(${width}, 5px)`;
       return mark;
     };
@@ -185,7 +185,7 @@ export class Slider extends NumberController {
   }
 }
 
-/** Why a text is not taken as it stands; undefined where it is. */
+/** Why a text is refused or clamped; undefined if it is accepted. */
 export function refusalOf(label: string, text: string, options: SliderOptions): string | undefined {
   const { bounds, suffix = '', remedy, units } = options;
   const typed = parseNumber(text, units);
@@ -193,7 +193,7 @@ export function refusalOf(label: string, text: string, options: SliderOptions): 
   if (!bounds || (typed >= bounds[0] && typed <= bounds[1])) return undefined;
   const inUnit = (value: number) => `${shown(value)}${suffix}`;
   const [low, high] = bounds;
-  // The other end may be none.
+  // One end may be unlimited.
   const end = typed < low ? `can’t go below ${inUnit(low)}` : `can’t go above ${inUnit(high)}`;
   const where = low === high ? `is limited to ${inUnit(low)}` : end;
   return `${label} ${where}; you entered ${inUnit(typed)}.${remedy ? ` ${remedy}` : ''}`;

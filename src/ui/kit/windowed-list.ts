@@ -1,13 +1,13 @@
 /**
- * A list of which only the rows in view are in the page, so that ten thousand scroll like ten.
+ * A list with only the visible rows in the page, so that ten thousand scroll like ten.
  *
- *     scroller ┌─ head ──────────────┐  stays on top, if there is one
+ *     scroller ┌─ head ──────────────┐  stays on top, if any
  *              ├─ row 3 ─────────────┤ ┐
- *              │  row 4              │ │ in the page, and a few beyond either edge
+ *              │  row 4              │ │ in the page, plus a few beyond the edges
  *              └─ row 5 ─────────────┘ ┘
  *
- * The scroller keeps the focus and points at the row that is meant (`aria-activedescendant`), for a row may leave the
- * page at any time. Only a row in which something has the focus itself, such as a field, stays.
+ * The scroller keeps the focus and refers to the current row (`aria-activedescendant`), since a row may be removed from
+ * the page at any time. Only a row that contains the focus, such as in a field, is kept.
  */
 import { setAttribute, uniqueId } from './dom.ts';
 
@@ -16,29 +16,29 @@ export interface WindowedRow {
 }
 
 export interface WindowedListOptions<Row extends WindowedRow> {
-  /** Holds the focus; whoever lists gives it its role and label. */
+  /** Has the focus; the owner sets its role and label. */
   readonly scroller: HTMLElement;
-  /** In the scroller: as high as all rows together, which are placed in it. */
+  /** In the scroller: as high as all rows together, which are positioned in it. */
   readonly space: HTMLElement;
-  /** In the scroller, above the space: has the first row, which stays. */
+  /** In the scroller, above the space: contains the first row, which doesn't scroll. */
   readonly pinned?: HTMLElement;
-  /** The custom property that has a row's height, and the pixels where it has none. */
+  /** Custom property with a row's height, and the default in pixels. */
   readonly rowHeight: readonly [property: string, pixels: number];
-  /** A grid's rows that are listed before these, such as its head; absent where rows are not numbered. */
+  /** Number of a grid's rows before these, such as its header; absent if rows aren't numbered. */
   readonly rowsAbove?: number;
-  /** Pixels at the top of the scroller that are covered by a head. */
+  /** Pixels at the top of the scroller covered by a header. */
   headHeight?(): number;
-  /** A row for that index, which `fill` is called for next. */
+  /** Creates a row for an index; `fill` is called next. */
   make(index: number): Row;
-  /** Shows that index in a row, which may have shown another. */
+  /** Shows an index in a row, which may have shown another. */
   fill(row: Row, index: number): void;
-  /** What a row stays with when indices change; the index by itself. */
+  /** Key by which a row is kept when indices change; default: the index. */
   keyOf?(index: number): string;
-  /** What of the row with the focus is meant; the row by itself. */
+  /** The active element in the focused row; default: the row. */
   meant?(row: Row): HTMLElement;
 }
 
-/** Rows beyond the edges, so that a quick turn of the wheel shows no gaps. */
+/** Rows beyond the edges, so that fast scrolling shows no gaps. */
 const SPARE_ROWS = 6;
 
 export class WindowedList<Row extends WindowedRow> {
@@ -48,7 +48,7 @@ export class WindowedList<Row extends WindowedRow> {
   private readonly drawn = new Map<string | number, { readonly row: Row; index: number }>();
   private readonly spare: Row[] = [];
   private readonly idPrefix = uniqueId('row');
-  /** How many rows are not in the space. */
+  /** Number of rows outside the space. */
   private readonly pinnedCount: number;
 
   constructor(private readonly options: WindowedListOptions<Row>) {
@@ -63,12 +63,12 @@ export class WindowedList<Row extends WindowedRow> {
     return this.height;
   }
 
-  /** Whole rows in view but one, which is what a page key goes by; at least 1. */
+  /** Rows per page key: the fully visible ones minus one; at least 1. */
   get page(): number {
     return Math.max(1, Math.floor(this.room / this.height) - 1);
   }
 
-  /** Fills all rows in view anew. */
+  /** Refills all rows in view. */
   show(count: number): void {
     this.count = count;
     const { scroller, space, rowsAbove } = this.options;
@@ -77,14 +77,14 @@ export class WindowedList<Row extends WindowedRow> {
     this.draw(true);
   }
 
-  /** The list or its rows have another size. */
+  /** The list or its rows have been resized. */
   resized(): void {
     const { scroller, rowHeight } = this.options;
     this.height = Number.parseFloat(getComputedStyle(scroller).getPropertyValue(rowHeight[0])) || rowHeight[1];
     this.show(this.count);
   }
 
-  /** Marks the row that keys are about; negative or undefined for none. */
+  /** Marks the row with the keyboard focus; negative or undefined for none. */
   focus(index: number | undefined): void {
     this.focused = index;
     this.point();
@@ -106,13 +106,13 @@ export class WindowedList<Row extends WindowedRow> {
     for (const { row, index } of this.drawn.values()) visit(row, index);
   }
 
-  /** The index of the row that an event has come from; -1 for none. */
+  /** The index of the row where an event occurred; -1 for none. */
   indexOf({ target }: Event): number {
     const row = target instanceof Element ? target.closest<HTMLElement>('[data-index]') : null;
     return row ? Number(row.dataset.index) : -1;
   }
 
-  /** The index at a height of the window, which may be beyond the last or negative. */
+  /** The index at a client height; may be negative or beyond the last. */
   indexAt(clientY: number): number {
     const { top } = this.options.space.getBoundingClientRect();
     return Math.floor((clientY - top) / this.height) + this.pinnedCount;
@@ -130,12 +130,12 @@ export class WindowedList<Row extends WindowedRow> {
     return this.options.keyOf?.(index) ?? index;
   }
 
-  /** @param anew fills also the rows that have been there before */
+  /** @param anew also refills rows that are already there */
   private draw(anew: boolean): void {
     const { scroller } = this.options;
     const { height, count, pinnedCount } = this;
     const room = scroller.clientHeight;
-    // Nothing in a panel that is not seen: once it is, it has another size, and is filled.
+    // Draws nothing while hidden; becoming visible resizes and fills it.
     const [first, end] = room ? windowOf(scroller.scrollTop, room, height, count - pinnedCount) : [0, 0];
     const wanted = new Map<string | number, number>();
     for (let i = 0; i < Math.min(count, pinnedCount); i++) wanted.set(this.keyOf(i), i);
@@ -173,7 +173,7 @@ export class WindowedList<Row extends WindowedRow> {
     if (!known) (isPinned ? (pinned ?? space) : space).append(element);
   }
 
-  /** Where a row is now that was drawn under that key. */
+  /** The current index of a row drawn under that key. */
   private find(key: string | number): number | undefined {
     for (let i = 0; i < this.count; i++) if (this.keyOf(i) === key) return i;
     return undefined;
@@ -188,7 +188,8 @@ export class WindowedList<Row extends WindowedRow> {
 }
 
 /**
- * The rows that are drawn, of those that reach into view.
+ * Rows to be drawn for the visible part.
+ *
  * @returns the first one and the one after the last
  */
 export function windowOf(
@@ -201,13 +202,13 @@ export function windowOf(
   return [first, Math.min(count, Math.ceil((scrollTop + room) / rowHeight) + SPARE_ROWS)];
 }
 
-/** How far a list is scrolled once the row at `top` is in view, having been at `scrollTop`: no farther than needed. */
+/** The scroll position that reveals the row at `top`, with the least movement from `scrollTop`. */
 export function revealed(scrollTop: number, room: number, top: number, rowHeight: number): number {
   if (top < scrollTop) return top;
   return Math.max(scrollTop, top + rowHeight - room);
 }
 
-/** Where a key goes to from a row: arrows, pages, both ends; undefined for any other key. */
+/** The row that a key moves to: arrows, pages, both ends; undefined for other keys. */
 export function rowAfterKey(key: string, from: number, count: number, page: number): number | undefined {
   const to = {
     ArrowUp: from - 1,

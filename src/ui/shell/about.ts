@@ -1,4 +1,4 @@
-/** What this is, in three sentences. */
+/** The About dialog. */
 import type { DialogContent } from '../kit/dialog.ts';
 import { element } from '../kit/dom.ts';
 

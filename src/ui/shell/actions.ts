@@ -1,6 +1,6 @@
 /**
- * THE one list of what the page can do, made of the lists of its editors. Menus, shortcuts, the `?` page and the command
- * search are all built from it, so none of them can forget or contradict another.
+ * The single list of everything the page can do, assembled from the lists of its editors. Menus, shortcuts, the `?`
+ * page and the command search are all built from it, so that they can't contradict each other.
  */
 import { DOPE_ACTIONS } from '../editors/dope/actions.ts';
 import { IK_ACTIONS } from '../editors/ik/actions.ts';
@@ -20,7 +20,7 @@ import { EDIT_ACTIONS } from './edit-actions.ts';
 import { FILE_ACTIONS, keptActions, sampleActions } from './file-actions.ts';
 import { PAGE_ACTIONS } from './page-actions.ts';
 
-/** Those that are always there, in the order in which menus show them. */
+/** Static actions, in menu order. */
 export const ACTIONS: readonly Action[] = [
   ...FILE_ACTIONS,
   ...EDIT_ACTIONS,
@@ -40,7 +40,7 @@ export const ACTIONS: readonly Action[] = [
   ...PAGE_ACTIONS,
 ];
 
-/** All of them on this page just now, with its samples and the work that an earlier page left behind. */
+/** All current actions, including examples and sessions left by an earlier page. */
 export function pageActions(wb: Workbench): readonly Action[] {
   return [...ACTIONS, ...keptActions(wb), ...sampleActions(wb)];
 }

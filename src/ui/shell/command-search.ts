@@ -1,4 +1,4 @@
-/** Find a command by typing a few letters of it: a list box under a text field, made of the list of actions. */
+/** The command search: a list box under a text field, built from the list of actions. */
 import type { DialogContent } from '../kit/dialog.ts';
 import { element, uniqueId } from '../kit/dom.ts';
 import { isMac } from '../kit/keyboard.ts';
@@ -77,18 +77,19 @@ function row(wb: Uses<'actions' | 'settings'>, action: Action, run: () => void):
   return made;
 }
 
-/** Their labels have the name of another command in them, which is not what they are found by. */
+/** Their labels contain the name of another command, which should not match. */
 const TRAVELS: readonly string[] = ['edit.undo', 'edit.redo'];
 
-/** With the menu it stands in: "Hidden" alone says nothing. */
+/** With its menu: "Hidden" alone says nothing. */
 function longLabel(wb: Uses<'actions'>, action: Action): string {
   const label = (TRAVELS.includes(action.id) && action.name) || actionLabel(wb, action);
   return `${action.menu?.replace('/', ' ') ?? action.group} ${label}`;
 }
 
 /**
- * Actions whose label has every word that was typed, those whose words begin so first.
- * @param isLast comes after others that are found as well: nobody should take a step back who meant to do something
+ * Actions whose label has every typed word; first those with words that start so.
+ *
+ * @param isLast sorts behind other matches, so that nobody undoes by accident
  */
 export function findActions<A>(
   actions: readonly A[],

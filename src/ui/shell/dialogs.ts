@@ -1,6 +1,6 @@
 /**
- * The page's dialogs: one at a time, named by `wb.dialog`. The browser's own `<dialog>` holds the focus and Escape. Their
- * scripts are fetched when they are asked for; until then the dialog counts as open, and the keyboard waits for it.
+ * The page's dialogs: one at a time, named by `wb.dialog`. The native `<dialog>` handles focus and Escape. Their
+ * scripts are loaded on first use; until then the dialog counts as open, and the keyboard is blocked.
  */
 import type { DialogContent } from '../kit/dialog.ts';
 import { button, element } from '../kit/dom.ts';
@@ -40,14 +40,14 @@ export function startDialogs(wb: Workbench, root: HTMLElement): void {
     const turn = ++asked;
     if (!name) return;
     const make = await onDemand(wb.messages, 'The dialog', LOAD[name]);
-    // Closed again by now, or another is open.
+    // It was closed meanwhile, or another one was opened.
     if (turn !== asked) return;
     if (make) shown = showDialog(root, make(wb, close), close, (dialog) => dialog === shown);
     else close();
   });
 }
 
-/** @param isShown whether it is open still, as far as the page is concerned */
+/** @param isShown whether the page still considers it open */
 function showDialog(
   root: HTMLElement,
   { title, body, kind, bare }: DialogContent,
@@ -65,13 +65,13 @@ function showDialog(
     dialog.remove();
     if (isShown(dialog)) close();
   });
-  // A press on the backdrop is one on the dialog itself, outside of its box.
+  // A press on the backdrop hits the dialog itself, outside its box.
   dialog.addEventListener('pointerdown', (event) => {
     if (event.target === dialog && !inside(dialog, event)) close();
   });
   root.append(dialog);
   dialog.showModal();
-  // The browser would begin with Close.
+  // The browser would focus Close.
   const first = body.querySelector<HTMLElement>('[autofocus], button:not(:disabled), input');
   (first ?? body).focus({ preventScroll: true });
   return dialog;

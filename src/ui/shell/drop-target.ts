@@ -1,4 +1,4 @@
-/** The whole page takes files: dropped anywhere, or pasted. What is in them is someone else's business. */
+/** The whole page accepts files: dropped anywhere, or pasted. Reading them is done elsewhere. */
 import { element } from '../kit/dom.ts';
 import type { Uses } from '../state/workbench.ts';
 
@@ -9,7 +9,7 @@ export function dropTarget(wb: Uses<'files'>, signal: AbortSignal): HTMLElement 
     element('p', {}, 'Drop to open'),
   );
   const hasFiles = (event: DragEvent) => event.dataTransfer?.types.includes('Files') ?? false;
-  // Every element that is dragged over enters and leaves: only their sum tells whether the page is left.
+  // Every element under the pointer is entered and left: only their count shows when the page is left.
   let inside = 0;
   const show = () => {
     veil.hidden = inside <= 0;
@@ -37,7 +37,7 @@ export function dropTarget(wb: Uses<'files'>, signal: AbortSignal): HTMLElement 
     inside = 0;
     show();
     if (!event.dataTransfer || !hasFiles(event)) return;
-    // Without this the browser leaves the page for the file.
+    // Otherwise the browser would navigate to the file.
     event.preventDefault();
     wb.files.drop(event.dataTransfer);
   });

@@ -1,4 +1,4 @@
-/** Changing the document, and what is selected in it. */
+/** Actions on the document and its selection. */
 import { addCopy, removeCharacter } from '../../edit/commands/characters.ts';
 import { resetPose, setClamping } from '../../edit/commands/pose.ts';
 import { setHidden } from '../../edit/commands/spaces.ts';
@@ -80,7 +80,7 @@ export const EDIT_ACTIONS: readonly Action[] = [
       const last = character.placements.at(-1) ?? DEFAULT_PLACEMENT;
       const [x, y, z] = last.position;
       const [width] = wb.viewport.sizeOf(character.id, character.placements.length - 1) ?? [1];
-      // A point has no width, and its copies would be one.
+      // A point has no width: its instances would coincide.
       const aside = 1.2 * (width || 1);
       wb.store.apply(addCopy, { characterId: character.id, placement: { ...last, position: [x + aside, y, z] } });
     },
@@ -133,7 +133,7 @@ export const EDIT_ACTIONS: readonly Action[] = [
     shortcuts: ['Down'],
     repeats: true,
     enabled: hasCharacter,
-    // Pre-order: a first child comes right after its parent.
+    // Pre-order: a first child directly follows its parent.
     run: (wb) => walk(wb, (joints, joint) => (joints[joint + 1]?.parent === joint ? joint + 1 : -1)),
   },
   {
@@ -172,8 +172,8 @@ function lowerFirst(text: string): string {
 }
 
 /**
- * What was said of a step in passing is not so any more. A step that takes characters away, or brings them, is more than
- * one may have meant: it is said.
+ * Messages about the previous step no longer apply. If undo or redo removes or restores characters, a message says so,
+ * since that may be unexpected.
  */
 function travel(wb: Uses<'store' | 'messages'>, way: 'undo' | 'redo'): void {
   const label = way === 'undo' ? wb.store.undoLabel : wb.store.redoLabel;
@@ -193,7 +193,7 @@ function reset(wb: Uses<'store' | 'transport' | 'timeline' | 'settings'>, to: 'f
   wb.store.apply(resetPose, { characterId: character.id, to, timeSeconds, key: autoKey(wb) });
 }
 
-/** Goes from the selected joint to another; the root first. A step of −1 or none stays. */
+/** Selects another joint from the selected one; the root first. A result of −1 or undefined changes nothing. */
 function walk(wb: Uses<'store'>, step: (joints: readonly Joint[], joint: number) => number): void {
   const character = currentCharacter(wb);
   const joints = character?.skeleton?.joints;
@@ -204,7 +204,7 @@ function walk(wb: Uses<'store'>, step: (joints: readonly Joint[], joint: number)
   if (to >= 0 && to < joints.length) wb.store.select({ characterId: character.id, joint: to });
 }
 
-/** The sibling before or after, round the corner. */
+/** The previous or next sibling, cyclically. */
 function sibling(joints: readonly Joint[], joint: number, step: 1 | -1): number {
   const parent = joints[joint].parent;
   const siblings: number[] = [];

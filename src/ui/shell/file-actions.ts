@@ -31,7 +31,7 @@ export const FILE_ACTIONS: readonly Action[] = [
     group: 'Files',
     menu: 'Open',
     section: 1,
-    // Ctrl+R is the browser's own, and stays so.
+    // Ctrl+R stays the browser's.
     shortcuts: ['Alt+R'],
     enabled(wb) {
       const character = currentCharacter(wb);
@@ -97,7 +97,7 @@ export const FILE_ACTIONS: readonly Action[] = [
   },
 ];
 
-/** Work of an earlier page, for as long as there is some: nothing that was put off is out of reach. */
+/** Sessions left by an earlier page, as long as there are any: postponed ones stay reachable. */
 export function keptActions(wb: Uses<'kept'>): Action[] {
   const offer = wb.kept.get();
   const [work] = offer?.works ?? [];
@@ -115,7 +115,7 @@ export function keptActions(wb: Uses<'kept'>): Action[] {
   ];
 }
 
-/** One for each sample that the page came with. */
+/** One for each example. */
 export function sampleActions(wb: Uses<'files'>): Action[] {
   return wb.files.samples.map((sample) => ({
     id: `sample.${sample.id}`,

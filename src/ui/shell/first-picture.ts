@@ -1,6 +1,6 @@
 /**
- * What the first picture takes: the viewport in the frame of `index.html`, in step with document, clock and theme, and
- * the files that are dropped on the page. Menus, panels and keys come after it (`rest-of-page.ts`).
+ * What the first frame needs: the viewport in the frame of `index.html`, in sync with document, clock and theme, and
+ * dropping files on the page. Menus, panels and keys follow (`rest-of-page.ts`).
  */
 import type { Document } from '../../model/document.ts';
 import { NO_TINTS, type ThemeName, type Tints } from '../../view/theme.ts';
@@ -15,13 +15,13 @@ type Shown = Uses<
   'store' | 'actions' | 'viewport' | 'viewportElement' | 'transport' | 'timeline' | 'settings' | 'messages' | 'files'
 >;
 
-/** Gives the theme that is shown. `signal` takes the listeners on window and document away again. */
+/** Returns the current theme. `signal` removes the listeners on window and document. */
 export function startFirstPicture(root: HTMLElement, wb: Shown, signal: AbortSignal): Observable<ThemeName> {
   const { viewport, viewportElement, store, settings } = wb;
   const theme = followTheme(wb, signal);
   viewportElement.classList.add('viewport');
   root.querySelector('.stage')?.prepend(viewportElement);
-  // Asked for while something is framed, and not watched: in every frame it would have the page laid out anew.
+  // Read only when something is framed: doing so every frame would force a layout.
   viewport.keepClear(() => {
     const head = root.querySelector<HTMLElement>('.stage-head');
     return head ? head.offsetTop + head.offsetHeight : 0;
@@ -50,7 +50,7 @@ export function startFirstPicture(root: HTMLElement, wb: Shown, signal: AbortSig
   return theme;
 }
 
-/** The two characters that are compared; none where they are not there, or there is nothing to be told apart. */
+/** Tints of the two compared characters; none unless both exist. */
 function tintsOf(document: Document, comparison: Comparison | undefined): Tints {
   const compared = comparedIn(document, comparison);
   if (!compared) return NO_TINTS;

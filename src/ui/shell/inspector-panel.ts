@@ -1,4 +1,4 @@
-/** The right panel, in its place from the start; what stands in it comes when the first picture is there. */
+/** The right panel, in place from the start; its content is loaded after the first frame. */
 import { element } from '../kit/dom.ts';
 import { onDemand, whenIdle } from '../state/on-demand.ts';
 import type { Workbench } from '../state/workbench.ts';

@@ -1,7 +1,7 @@
 /**
- * What was not finished when a page was closed, crashed or reloaded, as a line over the viewport's foot: offered, never
- * restored by itself, and no dialog, since whoever came for something else should get on with it. Once something else
- * is worked on it shrinks, and stays until it is answered.
+ * Offers to restore work from a page that was closed, crashed or reloaded, as a line at the bottom of the viewport:
+ * never automatically, and not as a dialog, so as not to interrupt. Once something else is being worked on it shrinks,
+ * and stays until answered.
  */
 import { button, element } from '../kit/dom.ts';
 import { icon } from '../kit/icons.ts';
@@ -13,7 +13,7 @@ import { contentText, whenText } from './kept-text.ts';
 
 export function keptSession(wb: Uses<'kept'>): HTMLElement {
   const line = element('section', { class: 'kept-session', 'aria-label': 'Unsaved work' });
-  // Told when it appears; the buttons outside of it are not read out again with each change.
+  // Announced when it appears; the buttons outside aren't read again with each change.
   const text = element('span', { class: 'kept-text', role: 'status' });
   const show = () => {
     const offer = wb.kept.get();
@@ -62,7 +62,7 @@ export function keptSession(wb: Uses<'kept'>): HTMLElement {
   return line;
 }
 
-/** `2 older`: a list of them. */
+/** `2 older`: opens a list of them. */
 function olderButton(offer: KeptOffer, others: readonly KeptWork[]): HTMLElement {
   const label = `${others.length} older`;
   const made = element('button', { type: 'button', class: 'link' }, label);

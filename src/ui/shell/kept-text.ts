@@ -1,8 +1,8 @@
-/** Work that an earlier page left behind, in words. */
+/** Texts about sessions left by an earlier page. */
 import { plural } from '../kit/number-text.ts';
 import type { KeptWork } from '../state/kept-offer.ts';
 
-/** `14:32`, `yesterday, 14:32`, `3 March, 14:32`; in the manner of the browser's language, for it is a clock. */
+/** `14:32`, `yesterday, 14:32`, `3 March, 14:32`; in the browser's locale, since it is a clock time. */
 export function whenText(atMs: number, now = new Date()): string {
   const at = new Date(atMs);
   const time = at.toLocaleTimeString([], { hour: '2-digit', minute: '2-digit' });
@@ -12,7 +12,7 @@ export function whenText(atMs: number, now = new Date()): string {
   return `${at.toLocaleDateString('en-GB', { day: 'numeric', month: 'long' })}, ${time}`;
 }
 
-/** `wasp, 31 joints, 2 clips`; of several characters the names. */
+/** `wasp, 31 joints, 2 clips`; for several characters their names. */
 export function contentText(characters: KeptWork['characters']): string {
   const [first] = characters;
   if (!first) return 'files without a character';

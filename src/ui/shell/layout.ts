@@ -1,17 +1,17 @@
 /**
- * Where everything stands:
+ * Layout of the page:
  *
  *     menu bar
- *     outliner | viewport | inspector        outliner and inspector fold away, and become drawers on a narrow page
+ *     outliner | viewport | inspector        outliner and inspector collapse, and become drawers on a narrow page
  *     transport
- *     timeline: curves or dope sheet         folds away; not there on a narrow page
+ *     timeline: curves or dope sheet         collapses; hidden on a narrow page
  */
 import { element } from '../kit/dom.ts';
 import { isPanelOpen, NARROW, openPanel } from '../state/panels.ts';
 import { clampSize, splitter } from '../state/splitter.ts';
 import type { Uses } from '../state/workbench.ts';
 
-/** What suits the page, until they are chosen. */
+/** Sizes chosen by the layout until the user sets them. */
 const HEIGHTS = [
   ['filesHeight', '--files-height'],
   ['timelineHeight', '--timeline-height'],
@@ -38,7 +38,7 @@ export function layout(wb: Uses<'settings'>, root: HTMLElement, parts: Parts, si
     parts.inspector,
     veil,
   );
-  // From here on the page's own: what was there is the frame of `index.html`.
+  // Replaces the frame of `index.html`.
   root.className = 'page';
   root.replaceChildren(parts.menuBar, body, parts.transport, parts.timeline);
 
@@ -56,7 +56,7 @@ export function layout(wb: Uses<'settings'>, root: HTMLElement, parts: Parts, si
     for (const name of ['outliner', 'inspector'] as const) {
       const open = isPanelOpen(settings, name);
       root.classList.toggle(`${name}-folded`, !open);
-      // What can't be seen can't have the focus either.
+      // Hidden panels can't have the focus either.
       parts[name].inert = !open;
     }
   };

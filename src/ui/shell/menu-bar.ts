@@ -1,4 +1,4 @@
-/** The bar on top: menus on the left, what is loaded on the right. */
+/** The bar at the top: menus on the left, what is loaded on the right. */
 import { type Document, shownClip, shownSkin } from '../../model/document.ts';
 import { vertexCount } from '../../model/skin.ts';
 import { button, element, keepsFocusElsewhere, setText } from '../kit/dom.ts';
@@ -100,10 +100,10 @@ function panelButton(
   return made;
 }
 
-/** Beside what is loaded, where nothing stands otherwise: what is not saved yet, and the button that saves it. */
+/** Unsaved parts, and the button that saves them. */
 function whatIsUnsaved(wb: Uses<'actions' | 'settings' | 'files'>): HTMLElement {
   const names = element('span');
-  // Where room is short the mark says it, and the word is only spoken.
+  // On a narrow page only the mark is visible, and the word is for screen readers.
   const word = element('span', { class: 'unsaved-word' }, 'Unsaved: ');
   const text = element('span', { class: 'unsaved-text', role: 'status' }, word, names);
   const save = keepsFocusElsewhere(
@@ -113,7 +113,7 @@ function whatIsUnsaved(wb: Uses<'actions' | 'settings' | 'files'>): HTMLElement 
   const all = element('div', { class: 'unsaved' }, text, save);
   const show = () => {
     const parts = wb.files.unsaved.get();
-    // Room is kept for nothing here, so appearing pushes nothing aside.
+    // Appears without moving anything else.
     all.hidden = parts.length === 0;
     setText(names, unsavedNames(parts));
     setTooltip(text, `Unsaved:\n${parts.map(({ name }) => name).join('\n')}`);
@@ -130,7 +130,7 @@ export function unsavedNames(parts: readonly { readonly name: string }[]): strin
   return `${first.name}${others.length ? ` and ${others.length} more` : ''}`;
 }
 
-/** On the right: what is loaded, or how far a file has come, in the same place so that nothing shifts. */
+/** On the right: what is loaded, or the progress of loading, in the same place so that nothing shifts. */
 function whatIsLoaded(wb: Uses<'store' | 'loading'>): HTMLElement {
   const text = element('span', { class: 'loaded-text' });
   const bar = element('progress', { class: 'loaded-progress', 'aria-label': 'Reading', max: 1, hidden: true });

@@ -1,6 +1,6 @@
 /**
- * The newest message that nobody has read, as a line over the viewport's foot. It stays until it is put away, a refusal
- * until something else is done (`stale-messages.ts`); only a confirmation goes by itself.
+ * The newest unread message, as a line at the bottom of the viewport. It stays until dismissed, a refusal until the
+ * next step (`stale-messages.ts`); only a confirmation disappears by itself.
  */
 import { button, element } from '../kit/dom.ts';
 import { icon } from '../kit/icons.ts';
@@ -12,7 +12,7 @@ const PASSING_MS = 10_000;
 
 export function messageLine(wb: Uses<'messages'>): HTMLElement {
   const { messages } = wb;
-  // Assertive for errors would need a second region; a line that stays can wait for the reader to finish.
+  // Assertive errors would need a second region; a line that stays can wait until the reader has finished.
   const region = element('div', { class: 'message-line', role: 'status', 'aria-live': 'polite' });
   const show = () => {
     const unread = messages.list.get().filter((m) => m.unread);

@@ -1,7 +1,7 @@
 /**
- * The viewport's tool in each mode. Each is a script of its own, fetched when its mode is first entered; FK, which the
- * page begins with, when the page is idle. A mode whose tool could not be fetched is left for FK, and asked for again
- * when it is chosen again.
+ * The viewport's tool in each mode. Each is a script of its own, loaded when its mode is first entered; FK, the initial
+ * one, when the page is idle. If loading fails, the mode switches to FK, and loading is retried when the mode is chosen
+ * again.
  */
 import type { CanvasTool } from '../editors/viewport/canvas-tools.ts';
 import type { ModeTool } from '../editors/viewport/mode-tool.ts';
@@ -23,8 +23,9 @@ async function fetchTool(wb: Workbench, mode: PosingMode): Promise<ModeTool> {
 const NAMES: Readonly<Record<PosingMode, string>> = { fk: 'Posing', ik: 'Inverse kinematics', rig: 'Rigging' };
 
 /**
- * The tool of the mode; undefined until it is there.
- * @param signal puts it down, with all that it listens to
+ * The mode's tool; undefined until loaded.
+ *
+ * @param signal removes it with its listeners
  */
 export function modeTools(wb: Workbench, signal: AbortSignal, load = fetchTool): () => CanvasTool | undefined {
   const loaded = new Map<PosingMode, Promise<ModeTool | undefined>>();
@@ -39,7 +40,7 @@ export function modeTools(wb: Workbench, signal: AbortSignal, load = fetchTool):
     const known = loaded.get(mode);
     if (known) return known;
     const loading = onDemand(wb.messages, NAMES[mode], () => load(wb, mode)).then((tool) => {
-      // What could not be fetched is asked for again the next time.
+      // Retried the next time.
       if (!tool) loaded.delete(mode);
       return tool;
     });
@@ -47,12 +48,12 @@ export function modeTools(wb: Workbench, signal: AbortSignal, load = fetchTool):
     return loading;
   };
   const enter = async (mode: PosingMode) => {
-    // The idle page comes to a mode that a person was quicker to enter.
+    // The user has entered the mode before the page was idle.
     if (entered === mode || signal.aborted) return;
     leave();
     entered = mode;
     const tool = await toolOf(mode);
-    // Left meanwhile, or left and entered again, and then someone else who waited was first.
+    // Left meanwhile, or left and entered again, in which case another call was first.
     if (entered !== mode || current) return;
     if (tool) {
       current = tool;
@@ -60,7 +61,7 @@ export function modeTools(wb: Workbench, signal: AbortSignal, load = fetchTool):
       return;
     }
     entered = undefined;
-    // Not to be shown as being in a mode in which nothing can be done.
+    // Don't stay in a mode without a tool.
     wb.posing.mode.set('fk');
   };
   const stop = wb.posing.mode.subscribe((mode) => void enter(mode));

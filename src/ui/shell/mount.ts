@@ -1,4 +1,4 @@
-/** Builds the page around a workbench and its first picture. */
+/** Builds the page around a workbench and its first frame. */
 import type { ThemeName } from '../../view/theme.ts';
 import { outliner } from '../editors/outliner/outliner.ts';
 import { followCharacter } from '../editors/timeline/follow-character.ts';
@@ -21,15 +21,15 @@ import { TABS } from './timeline-tabs.ts';
 import { viewportPane } from './viewport-pane.ts';
 
 export interface Beginnings {
-  /** The theme that is shown. */
+  /** The current theme. */
   readonly theme: Observable<ThemeName>;
-  /** Takes what the page can do, for `Workbench.actions`. */
+  /** Sets the actions, for `Workbench.actions`. */
   setActions(all: () => readonly Action[]): void;
 }
 
 /**
- * Builds the page in `root`, where the first picture is (`first-picture.ts`), and keeps it in step with the workbench.
- * `signal` takes the listeners on window and document away again.
+ * Builds the page in `root`, which has the first frame (`first-picture.ts`), and keeps it in sync with the workbench.
+ * `signal` removes the listeners on window and document.
  */
 export function mountWorkbench(
   root: HTMLElement,
@@ -37,7 +37,7 @@ export function mountWorkbench(
   { theme, setActions }: Beginnings,
   signal: AbortSignal,
 ): void {
-  // Before all that shows one.
+  // Before anything that shows actions.
   setActions(() => pageActions(wb));
   const scrubber = new Scrubber(wb);
   const tabs: TimelineTab[] = [];

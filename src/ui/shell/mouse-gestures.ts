@@ -1,12 +1,12 @@
 /**
- * What the mouse does, for the `?` page. No actions, for these begin at a place: the code that reads them is the view's
- * controls, `curves/tools/intent.ts`, `dope/gestures.ts` and their neighbours, and whoever changes one changes it here.
+ * Mouse gestures, for the `?` page. They aren't actions, since they start at a position. The code that implements them
+ * is the view's controls, `curves/tools/intent.ts`, `dope/gestures.ts` and others: keep this list in sync.
  */
 
 export interface MouseGestures {
   /** A heading of the page. */
   readonly where: string;
-  /** What it does, and how. `Ctrl` is the platform's own key for commands, as in shortcuts. */
+  /** What it does, and how. `Ctrl` means the platform's command key, as in shortcuts. */
   readonly lines: readonly (readonly [what: string, how: string])[];
 }
 
@@ -125,7 +125,7 @@ export const MOUSE_GESTURES: readonly MouseGestures[] = [
   },
 ];
 
-/** With a Mac's names of the keys. */
+/** With a Mac's key names. */
 export function macText(how: string): string {
   return how.replaceAll('Ctrl+wheel', '⌘ wheel or pinch').replaceAll('Ctrl+', '⌘ ').replaceAll('Alt+', '⌥ ');
 }

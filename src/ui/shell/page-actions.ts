@@ -1,4 +1,4 @@
-/** Panels, theme, units, help. */
+/** Actions for panels, theme, units and help. */
 import { isPanelOpen, openPanel } from '../state/panels.ts';
 import type { Settings } from '../state/settings.ts';
 import type { Action, Uses } from '../state/workbench.ts';

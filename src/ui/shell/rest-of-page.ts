@@ -1,7 +1,6 @@
 /**
- * Menus, panels and keys: one script, fetched when the first picture is there, or at the first press or key if that is
- * earlier. Until then the frame of `index.html` is in their place. Nothing that is pressed meanwhile is lost: it happens
- * again as soon as there is something to answer it.
+ * Menus, panels and keys: one script, loaded after the first frame, or on the first press or key if that is earlier.
+ * Until then the frame of `index.html` is shown. Input meanwhile isn't lost: it is replayed once the page is built.
  */
 import { element } from '../kit/dom.ts';
 
@@ -9,16 +8,16 @@ type Rest = typeof import('./mount.ts');
 
 export interface RestOfPage {
   readonly isHere: boolean;
-  /** Fetches it now. Resolves when it is mounted, or could not be fetched. */
+  /** Loads it now. Resolves when mounted, or when loading has failed. */
   fetch(): Promise<void>;
 }
 
-/** Longest that a file which takes long to read makes it wait. */
+/** Maximum delay while a large file is read. */
 const PATIENCE_MS = 2000;
 
 /**
- * @param firstPicture resolves when the document has what the page begins with
- * @param mount builds it
+ * @param firstPicture resolves when the document has its initial content
+ * @param mount builds the page
  */
 export function restOfPage(root: HTMLElement, firstPicture: Promise<unknown>, mount: (rest: Rest) => void): RestOfPage {
   const waiting = new AbortController();
@@ -31,7 +30,7 @@ export function restOfPage(root: HTMLElement, firstPicture: Promise<unknown>, mo
       isHere = true;
     } catch (error) {
       const why = error instanceof Error ? error.message : String(error);
-      // There is no line for messages as yet.
+      // There is no message line yet.
       root.querySelector('.outliner')?.append(element('p', { class: 'empty' }, `${FAILED} ${why}`));
     }
     waiting.abort();
@@ -60,14 +59,14 @@ export function restOfPage(root: HTMLElement, firstPicture: Promise<unknown>, mo
 
 const FAILED = 'Menus and panels could not be loaded; a reload of the page may help.';
 
-/** When what is there now has been drawn. */
+/** Resolves after the current state was drawn. */
 function nextFrame(): Promise<void> {
   return new Promise((resolve) => {
     requestAnimationFrame(() => setTimeout(resolve));
   });
 }
 
-/** What was pressed on the frame is pressed on what is in its place now. */
+/** Replays input on the element that replaced the frame's. */
 function repeat(event: Event): void {
   if (event instanceof KeyboardEvent) {
     (document.activeElement ?? document.body).dispatchEvent(new KeyboardEvent(event.type, event));

@@ -1,4 +1,4 @@
-/** The save dialog: each character, and every file it can be saved as. */
+/** The save dialog: each character, with every file format it can be saved as. */
 import { type Character, shownClip, shownSkin } from '../../model/document.ts';
 import { vertexCount } from '../../model/skin.ts';
 import { FORMAT_KINDS, KINDS, type Kind } from '../../project/kinds.ts';

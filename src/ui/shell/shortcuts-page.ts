@@ -1,6 +1,6 @@
 /**
- * The `?` page: every action by group, with its keys. Single keys can be given other keys or none, one by one or all
- * at once; what someone changed is marked, and can be put back.
+ * The `?` page: every action by group, with its shortcuts. Single keys can be remapped or switched off, one by one or
+ * all at once; changed ones are marked and can be reset.
  */
 import type { DialogContent } from '../kit/dialog.ts';
 import { button, element } from '../kit/dom.ts';
@@ -12,7 +12,7 @@ import { isSingleKey, shortcutsOf, shortcutText, withShortcut } from '../state/s
 import type { Action, Uses } from '../state/workbench.ts';
 import { MOUSE_GESTURES, macText } from './mouse-gestures.ts';
 
-/** Builds the page anew, with a sentence about what has just happened. */
+/** Rebuilds the page, with a sentence about the last change. */
 type Refresh = (news?: string) => void;
 
 export function shortcutsPage(wb: Uses<'actions' | 'settings'>): DialogContent {
@@ -49,7 +49,7 @@ function switches(wb: Uses<'settings'>, said: HTMLElement, refresh: Refresh): HT
   );
 }
 
-/** One section a group; what holds in one panel alone stands together under its name. */
+/** A section per group; shortcuts of a single panel are listed under its name. */
 function groups(wb: Uses<'actions' | 'settings'>, refresh: Refresh): HTMLElement[] {
   const actions = actionsOf(wb).filter((action) => action.shortcuts?.length);
   return GROUPS.flatMap((group) => {
@@ -86,7 +86,7 @@ function line(wb: Uses<'actions' | 'settings'>, action: Action, refresh: Refresh
   return element('div', { class: 'shortcut-line' }, element('span', {}, label), cell);
 }
 
-/** A key that waits for another one once it is pressed. */
+/** A button that waits for the new key once pressed. */
 function changeable(
   wb: Uses<'actions' | 'settings'>,
   action: Action,
@@ -130,7 +130,7 @@ function changeable(
   return key;
 }
 
-/** Gives an action keys; whoever had them has to say so. */
+/** Assigns keys to an action; reports which action has lost them. */
 function give(wb: Uses<'actions' | 'settings'>, action: Action, own: readonly string[]): string {
   const { keys, losers } = withShortcut(actionsOf(wb), wb.settings.get().keys, action, own);
   wb.settings.update((s) => ({ ...s, keys }));

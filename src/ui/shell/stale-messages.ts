@@ -1,24 +1,24 @@
 /**
- * A refusal stays in the line until the next thing is done: beyond that it would read as if that had been refused. What
- * is refused in the middle of a drag, or while a number is typed, is not left behind by the end of that very drag.
+ * A refusal stays in the line until the next step: after that it would seem to be about that step. A refusal during a
+ * drag, or while typing a number, isn't cleared by the end of that same edit.
  */
 import type { Document } from '../../model/document.ts';
 import type { Said } from '../state/messages.ts';
 import type { Uses } from '../state/workbench.ts';
 
-/** Follows the steps until it is ended. Subscribe it before others that say something of a step. */
+/** Follows steps until ended. Subscribe before listeners that add messages about a step. */
 export function leaveRefusalsBehind({ store, messages }: Uses<'store' | 'messages'>): () => void {
-  /** What had been said when the change began that is under way, and what it began from. */
+  /** Messages at the start of the running change, and the document it started from. */
   let begun: { readonly from: Document; readonly said: Said } | undefined;
   const stops = [
     store.subscribe((now, before) => {
       if (now.document === before.document) return;
-      // Given up: nothing was done.
+      // Cancelled: nothing was done.
       if (now.document === begun?.from) begun = undefined;
       else begun ??= { from: before.document, said: messages.said };
     }),
     store.onStep((_now, before) => {
-      // Else it is of a change that was no step: of files that were opened, of undo.
+      // Otherwise a change without a step: opening files, or undo.
       messages.leaveBehind(begun?.from === before.document ? begun.said : messages.said);
       begun = undefined;
     }),

@@ -1,9 +1,9 @@
-/** Dark or light: the system's, unless the person says otherwise. */
+/** Dark or light: the system's theme unless the user has chosen one. */
 import type { ThemeName } from '../../view/theme.ts';
 import { type Observable, observable } from '../kit/observable.ts';
 import type { Uses } from '../state/workbench.ts';
 
-/** Gives the theme that is shown, and tells when the page's colours have changed: for what is drawn rather than styled. */
+/** Returns the current theme, which notifies when the page's colours change: for what is drawn rather than styled. */
 export function followTheme(
   { settings, viewport }: Uses<'settings' | 'viewport'>,
   signal: AbortSignal,
@@ -17,7 +17,7 @@ export function followTheme(
   const show = () => {
     const theme = shown.get();
     document.documentElement.dataset.theme = theme;
-    // The browser's own bar goes on where the menu bar ends, also where the theme is not the system's.
+    // The browser's own bar matches the menu bar, even if the theme isn't the system's.
     const surface = getComputedStyle(document.documentElement).getPropertyValue('--surface');
     for (const meta of document.querySelectorAll<HTMLMetaElement>('meta[name=theme-color]')) meta.content = surface;
     viewport.setTheme(theme);

@@ -1,6 +1,6 @@
 /**
- * The panel below the transport: curve editor, dope sheet, takes and poses as tabs, with the edge that sets its height. The tabs are
- * scripts of their own: the page shows its character without waiting for them.
+ * The panel below the transport: curve editor, dope sheet, takes and poses as tabs, with a splitter for its height. The
+ * tabs are scripts of their own, so that the page shows its character first.
  */
 import { movedNotice } from '../editors/retarget/moved.ts';
 import { button, element, keepsFocusElsewhere, setText } from '../kit/dom.ts';
@@ -14,8 +14,8 @@ import type { Uses } from '../state/workbench.ts';
 import { TABS } from './timeline-tabs.ts';
 
 /**
- * @param load fetches and builds a tab; called once, when it is looked at first; for the tab that the page begins with not
- *   before it has nothing else to do: the first picture is the character's
+ * @param load loads and builds a tab; called once, when it is first shown; for the initial tab not before the page is
+ *   idle, since the first frame has priority
  */
 export function timelinePanel(
   wb: Uses<'store' | 'timeline' | 'settings' | 'messages' | 'loading' | 'dialog'>,
@@ -31,13 +31,13 @@ export function timelinePanel(
       ),
     );
     title.addEventListener('click', (event) => {
-      // With the mouse it means that one goes to work there, keys and all; the keyboard stays on the tabs.
+      // A click means working there, so the panel gets the focus; by keyboard it stays on the tabs.
       if (event.detail === 0) return;
       isGoneTo = true;
       show();
     });
     const tools = element('div', { class: 'timeline-tools' });
-    // Until it is here.
+    // Until loaded.
     const waiting = element('p', { class: 'empty' }, `${label} …`);
     const body = element('div', { class: 'timeline-body', role: 'tabpanel', 'aria-labelledby': title.id }, waiting);
     return { name, title, tools, body, waiting };
@@ -102,7 +102,7 @@ export function timelinePanel(
       body.hidden = tools.hidden = !chosen;
       built.get(name)?.setVisible(open && chosen);
     }
-    // What had the focus is hidden, and keys went nowhere. A tab that is on its way takes it when it is here.
+    // The focused element was hidden, so the keyboard would be dead. A tab being loaded gets the focus when ready.
     if ((handsOver || isGoneTo) && timeline.tab) {
       const { activeElement } = document;
       if (isGoneTo || panel.contains(activeElement) || activeElement === document.body) focusPanel(panel);

@@ -1,4 +1,4 @@
-/** The tabs below the viewport: what each is called, and its script, fetched when it is looked at first. */
+/** The tabs below the viewport: labels, and scripts, loaded when first shown. */
 import type { TimelineTab, TimelineTabName } from '../state/timeline.ts';
 import type { Workbench } from '../state/workbench.ts';
 

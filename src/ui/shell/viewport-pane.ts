@@ -1,7 +1,6 @@
 /**
- * The middle of the page: the viewport (`first-picture.ts`), a strip of what is drawn over its top edge, and
- * the message line over its foot. What the hand does in it is for the tool of the mode (`tools/`); what that leaves alone
- * picks, or is the camera's.
+ * The centre of the page: the viewport (`first-picture.ts`), the display controls along its top, and the message line
+ * at its bottom. Pointer input goes to the mode's tool; what that doesn't use picks, or moves the camera.
  */
 import { type Character, type Document, shownSkin } from '../../model/document.ts';
 import { type Display, NOTHING_SELECTED, type Selection } from '../../model/session.ts';
@@ -51,14 +50,14 @@ export function viewportPane(wb: Workbench, signal: AbortSignal): HTMLElement {
   );
 }
 
-/** What the tool of the mode leaves alone picks. */
+/** What the mode's tool doesn't use picks. */
 function handTools(wb: Workbench, signal: AbortSignal): void {
   listenToCanvas(
     wb.viewport.canvas,
     modeTools(wb, signal),
     ({ clientX, clientY }) => {
       const hit = wb.viewport.pick(clientX, clientY);
-      // On the ground the joint is let go of; the character stays the one that is worked on.
+      // A click on the ground deselects the joint; the character stays selected.
       const { characterId } = wb.store.selection;
       const otherwise = characterId === undefined ? NOTHING_SELECTED : { characterId };
       wb.store.select(hit ?? otherwise);
@@ -102,7 +101,7 @@ function displayStrip(wb: Uses<'store' | 'actions' | 'settings'>): HTMLElement {
     skin.replaceChildren(icon('skin'), element('span', {}, short), icon('fold'));
     skin.setAttribute('aria-label', hasSkin ? `Skin: ${label}` : 'Skin: none');
     skin.disabled = !hasSkin;
-    // Unless skinned is the rest state: lit, it would promise boxes where none are drawn.
+    // *Unless skinned* counts as off: pressed, it would suggest boxes where none are drawn.
     const hasBoxes = areBoxesVisible(wb);
     boxes.setAttribute('aria-pressed', String(hasBoxes && (display.boxes === 'wire' || display.boxes === 'solid')));
     boxes.classList.toggle('does-little', !hasBoxes);
@@ -137,7 +136,7 @@ function emptyHint(wb: Uses<'store' | 'actions' | 'files'>): HTMLElement {
   return hint;
 }
 
-/** What has to come before anything, or what was asked for, can be seen. */
+/** A hint when something is missing, or nothing that is shown can be visible. */
 function missingNote(wb: Uses<'store' | 'settings'>): HTMLElement {
   const note = element('p', { class: 'stage-note', role: 'status' });
   const show = () => {
@@ -151,7 +150,7 @@ function missingNote(wb: Uses<'store' | 'settings'>): HTMLElement {
   return note;
 }
 
-/** A skin that hangs on the root as a whole looks like one that is broken: what it wants is said, with the way there. */
+/** A skin bound to the root as a whole looks broken: the note says what is missing, with a button. */
 function weightsNote(wb: Uses<'store' | 'actions'>): HTMLElement {
   const text = element('span');
   const find = element('button', { type: 'button', class: 'link' }, 'Automatic skin weights…');
@@ -176,7 +175,7 @@ function weightsNote(wb: Uses<'store' | 'actions'>): HTMLElement {
   return note;
 }
 
-/** A character whose joints move nothing of the skin that it shows, for that has no weights; the one that is selected first. */
+/** A character whose shown skin isn't moved by its joints, since it has no weights; the selected one first. */
 export function withoutWeights({ characters }: Document, { characterId }: Selection): Character | undefined {
   const waits = (character: Character) => {
     const { skeleton, isHidden } = character;
@@ -186,7 +185,7 @@ export function withoutWeights({ characters }: Document, { characterId }: Select
   return characters.find((c) => c.id === characterId && waits(c)) ?? characters.find(waits);
 }
 
-/** A sentence, or nothing. */
+/** A sentence, or empty. */
 export function whatIsMissing(document: Document, selection: Selection, display: Display): string {
   const alone = document.characters.find((c) => !c.skeleton && !c.skins.length && c.clips.length > 0);
   if (alone) return `${alone.name} has only an animation. Drop its .skel file`;

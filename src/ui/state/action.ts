@@ -1,10 +1,10 @@
-/** Finding, reading and running what is on the page's list of actions (`Workbench.actions`). */
+/** Finds, inspects and runs the page's actions (`Workbench.actions`). */
 import { type Character, findCharacter } from '../../model/document.ts';
 import type { Action, Uses } from './workbench.ts';
 
 type ActionsOnPage = Uses<'actions'>;
 
-/** All of them on this page just now. */
+/** All current actions. */
 export function actionsOf({ actions }: ActionsOnPage): readonly Action[] {
   return actions.all();
 }
@@ -21,25 +21,25 @@ export function isEnabled({ actions }: ActionsOnPage, action: Action): boolean {
   return action.enabled?.(actions.page) ?? true;
 }
 
-/** Undefined where it is neither on nor off. */
+/** Undefined if it isn't checkable. */
 export function isChecked({ actions }: ActionsOnPage, action: Action): boolean | undefined {
   return action.checked?.(actions.page);
 }
 
-/** Why it can't run just now, in a sentence. */
+/** Why it is disabled, in a sentence. */
 export function whyNot({ actions }: ActionsOnPage, action: Action): string | undefined {
   return action.whyNot?.(actions.page);
 }
 
-/** The character that is meant where none is named: the selected one, else the first. */
+/** The default character: the selected one, else the first. */
 export function currentCharacter({ store }: Uses<'store'>): Character | undefined {
   const { document, selection } = store;
   return findCharacter(document, selection.characterId) ?? document.characters[0];
 }
 
 /**
- * Runs an action by its id, as a menu would; gives a promise where its script is fetched first. Throws where there is
- * none, or where it can't run just now.
+ * Runs an action by its id, as a menu would; returns a promise if its script is loaded first. Throws if there is no
+ * such action, or if it is disabled.
  */
 export function runAction(wb: ActionsOnPage, id: string, args?: unknown): Promise<void> | undefined {
   const action = findAction(wb, id);
@@ -48,7 +48,7 @@ export function runAction(wb: ActionsOnPage, id: string, args?: unknown): Promis
   return action.run(wb.actions.page, args) ?? undefined;
 }
 
-/** Runs it if it can run; a refusal becomes a message. */
+/** Runs it if enabled; a refusal becomes a message. */
 export function tryAction(wb: ActionsOnPage, action: Action, args?: unknown): void {
   if (!isEnabled(wb, action)) return;
   const { page } = wb.actions;

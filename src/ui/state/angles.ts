@@ -1,16 +1,16 @@
-/** Degrees stop here: the document, its commands and everything evaluated are in radians. */
+/** Conversion to degrees happens here: the document, its commands and all evaluation use radians. */
 import type { DofUnit } from '../../model/skeleton.ts';
 import type { Units } from '../kit/arithmetic.ts';
 import type { Settings } from './settings.ts';
 
 const DEGREES = 180 / Math.PI;
 
-/** What a document's value is multiplied by to be shown. */
+/** Factor from a document's value to the displayed one. */
 export function shownPerUnit(unit: DofUnit, angles: Settings['angles']): number {
   return unit === 'angle' && angles === 'degrees' ? DEGREES : 1;
 }
 
-/** Cuts the noise that the conversion there and back leaves in the last digits. */
+/** Removes rounding noise of converting back and forth. */
 export function withoutNoise(value: number): number {
   return Number(value.toPrecision(14));
 }
@@ -21,13 +21,13 @@ export function unitText(unit: DofUnit, angles: Settings['angles']): string {
   return angles === 'degrees' ? '°' : ' rad';
 }
 
-/** What may be typed behind a number of that unit: `deg`, `°` and `rad` behind angles. */
+/** Units that may be typed after a number: `deg`, `°` and `rad` for angles. */
 export function typedUnits(unit: DofUnit | undefined, angles: Settings['angles']): Units {
   if (unit !== 'angle') return NO_UNITS;
   return angles === 'degrees' ? IN_DEGREES : IN_RADIANS;
 }
 
-/** The same where only the words behind the field are known: `°`, `rad`, `s`, `cm`. */
+/** The same, from the text after the field: `°`, `rad`, `s`, `cm`. */
 export function unitsBehind(words: string): Units {
   if (words === '°') return IN_DEGREES;
   return words === 'rad' ? IN_RADIANS : { [words.toLowerCase()]: 1 };

@@ -1,4 +1,4 @@
-/** A change that may be refused: the refusal is a sentence for whoever asked, anything else is a fault. */
+/** Runs a change that may be refused: refusals become messages, other errors are bugs. */
 import { CommandError } from '../../edit/store.ts';
 import type { Messages } from './messages.ts';
 

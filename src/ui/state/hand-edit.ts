@@ -1,11 +1,10 @@
 /**
- * One change by hand, from the first touch to the release: previews through a gesture of the store, one undo step at
- * the end, Escape puts everything back. Sliders, fields and handles all edit through this.
+ * One edit by hand, from press to release: previews through a gesture of the store, one undo step on commit, Escape
+ * restores everything. Used by sliders, fields and handles.
  *
- * Something else may change the document meanwhile: undo, a script, a file that has been read. A slider's number means
- * the same afterwards, so that it goes on as a step of its own. A drag of keys can't: it knows them by their indices in
- * the old document, and its amounts count from the press. Such an edit ends there, as after Escape, with what it had
- * come to as its step.
+ * Something else may change the document meanwhile: undo, a script, a file that was read. A slider's value still means
+ * the same, so it continues in a new step. A drag of keys can't: it knows them by index in the old document, and its
+ * amounts count from the press. Such an edit ends there, with its result so far as a step.
  */
 import { type Command, CommandError, type Edit, type Gesture, type Store } from '../../edit/store.ts';
 import type { Document } from '../../model/document.ts';
@@ -16,8 +15,8 @@ export class HandEdit {
   private wasCancelled = false;
 
   /**
-   * @param stillHolds for a drag that is about the document as it was at the press: whether that is so still. Asked before
-   *   the first preview, and the drag ends when something else happens; without it the edit goes on.
+   * @param stillHolds for a drag that depends on the document at the press: whether that is still valid. Asked before
+   *   the first preview; the drag ends when something else changes the document. Without it the edit continues.
    */
   constructor(
     private readonly store: Store,
@@ -25,12 +24,12 @@ export class HandEdit {
     private readonly stillHolds?: () => boolean,
   ) {}
 
-  /** After Escape or an end from elsewhere, until the mouse is let go: what the control shows meanwhile is not so. */
+  /** After Escape, or an end from elsewhere, until release: what the control then shows isn't the document's value. */
   get cancelled(): boolean {
     return this.wasCancelled || (this.stillHolds !== undefined && this.gesture?.closed === true);
   }
 
-  /** Shows the document as the command would leave it. */
+  /** Shows the document as the command would change it. */
   preview<Args>(command: Command<Args, Document | Edit>, args: Args): void {
     if (!this.gesture && this.stillHolds?.() === false) this.wasCancelled = true;
     const { cancelled } = this;
@@ -75,7 +74,7 @@ export class HandEdit {
     event.stopPropagation();
     this.cancel();
     this.wasCancelled = true;
-    // A field that was typed in lets go, which is its release.
+    // A focused text field is blurred, which is its release.
     const focused = document.activeElement;
     if (focused instanceof HTMLInputElement && focused.type !== 'checkbox') {
       focused.blur();

@@ -1,6 +1,6 @@
 /**
- * What of inverse kinematics is in hand, beside the document: which pin is selected, where pins hold. The viewport's
- * tool and the inspector share it, and each is a script of its own.
+ * IK state outside the document: the selected pin, and where pins hold. Shared by the viewport's tool and the
+ * inspector, which are separate scripts.
  */
 import { HeldTargets } from '../../evaluate/ik/drag/held-targets.ts';
 import { type Observable, observable } from '../kit/observable.ts';
@@ -12,13 +12,13 @@ export interface PinRef {
 }
 
 export class IkHand {
-  /** It may be gone: ask `selectedPin`. */
+  /** May no longer exist: use `selectedPin`. */
   readonly selected: Observable<PinRef | undefined> = observable<PinRef | undefined>(undefined);
-  /** Lit up by a row of the inspector. */
+  /** Highlighted by a row of the inspector. */
   readonly pointedAt: Observable<PinRef | undefined> = observable<PinRef | undefined>(undefined);
   readonly targets = new HeldTargets();
-  /** Whether the hand has dragged anything yet: until then it is told what it could do. */
+  /** Whether anything was dragged yet: until then a hint is shown. */
   readonly hasDragged: Observable<boolean> = observable(false);
-  /** Whether the hand asks, or asked last, for what only a root that travels could give. */
+  /** Whether the current or last drag needed the root to move. */
   readonly wantsRoot: Observable<boolean> = observable(false);
 }

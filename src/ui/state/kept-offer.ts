@@ -1,6 +1,6 @@
-/** What the page is told of work that an earlier one left behind, and what it can answer. */
+/** Sessions left by an earlier page, as offered, and the possible answers. */
 
-/** A session that nobody works in. */
+/** A session that no page has open. */
 export interface KeptWork {
   readonly id: string;
   /** Milliseconds since 1970. */
@@ -9,24 +9,24 @@ export interface KeptWork {
 }
 
 export interface KeptOffer {
-  /** The one that is offered, then the others, newest first. */
+  /** The offered one, then the others, newest first. */
   readonly works: readonly KeptWork[];
-  /** Discarded a moment ago, and not gone yet. */
+  /** Just discarded, and still restorable. */
   readonly discarded?: KeptWork;
   /** Something else is being worked on meanwhile. */
   readonly isAside: boolean;
-  /** Answered with *Not now*: only the menu tells of it still. */
+  /** Answered with *Not now*: only listed in the menu. */
   readonly isPutOff: boolean;
-  /** By whoever was shown it a moment ago: the focus goes there. */
+  /** Requested from the menu: it gets the focus. */
   readonly isAskedFor: boolean;
   restore(id: string): void;
   discard(id: string): void;
-  /** Takes the last discarding back. */
+  /** Undoes the last discarding. */
   putBack(): void;
   /** Offers that one first. */
   choose(id: string): void;
-  /** Not now: it is offered again when it is asked for, and with the next page. */
+  /** Not now: offered again on request, and by the next page. */
   later(): void;
-  /** Brings what was put off before the person again. */
+  /** Shows a postponed offer again. */
   again(): void;
 }

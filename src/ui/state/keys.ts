@@ -1,18 +1,18 @@
-/** Listening to the keyboard for the whole page; what keys mean is decided in `shortcuts.ts`. */
+/** Keyboard listener of the page; `shortcuts.ts` decides what keys mean. */
 import { isTextField, isTypedIn, letGoOfClicked, watchTyping } from '../kit/focus.ts';
 import { isMac } from '../kit/keyboard.ts';
 import { actionsOf, tryAction } from './action.ts';
 import { actionFor, type FocusKind, shortcutsOf, swallows } from './shortcuts.ts';
 import type { Uses } from './workbench.ts';
 
-/** Listens until the signal says otherwise. */
+/** Listens until aborted. */
 export function listenToKeys(wb: Uses<'actions' | 'settings' | 'dialog'>, signal: AbortSignal): void {
   watchTyping(signal);
   letGoOfClicked(signal);
   window.addEventListener('keydown', (event) => handleKey(wb, event), { signal });
 }
 
-/** Runs the action that the key means, unless the focused control, a panel or a dialog has it. */
+/** Runs the key's action, unless the focused control, a panel or a dialog uses the key. */
 export function handleKey(wb: Uses<'actions' | 'settings' | 'dialog'>, event: KeyboardEvent): void {
   if (event.defaultPrevented || event.isComposing || wb.dialog.get() !== undefined) return;
   const target = event.target instanceof Element ? event.target : document.body;
@@ -22,17 +22,17 @@ export function handleKey(wb: Uses<'actions' | 'settings' | 'dialog'>, event: Ke
   const pressed = shortcutsOf(event, isMac);
   const action = actionFor(pressed, actionsOf(wb), panel, wb.settings.get());
   if (!action) {
-    // The browser would select every text on the page; it may where one is meant to be copied.
+    // The browser would select the whole page; allowed only in text meant to be copied.
     if (pressed.includes('Ctrl+A') && !isInCopiedText(target)) event.preventDefault();
     return;
   }
-  // Ours also where it can't run just now: Ctrl+S never opens the browser's dialog.
+  // Also if disabled: Ctrl+S never opens the browser's dialog.
   event.preventDefault();
   if (event.repeat && !action.repeats) return;
   tryAction(wb, action);
 }
 
-/** Whether the focus is in text that is there to be copied, or some of it is selected. */
+/** Whether the focus is in text meant to be copied, or some of it is selected. */
 function isInCopiedText(target: Element): boolean {
   const { anchorNode = null } = document.getSelection() ?? {};
   const selected = anchorNode instanceof Element ? anchorNode : anchorNode?.parentElement;

@@ -1,4 +1,4 @@
-/** How lengths of a character's files are called. */
+/** Names of length units. */
 import type { Character, LengthUnit } from '../../model/document.ts';
 
 const NAMES: Readonly<Record<LengthUnit, string>> = {
@@ -12,7 +12,7 @@ const NAMES: Readonly<Record<LengthUnit, string>> = {
   own: 'units',
 };
 
-/** What stands behind a length in the character's own unit: `cm`; `units` where that is one without a name. */
+/** Unit text after a length in the character's own unit: `cm`; `units` if it has no name. */
 export function lengthUnit({ space }: Pick<Character, 'space'>): string {
   return NAMES[space?.unit ?? 'asIs'];
 }

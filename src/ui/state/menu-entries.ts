@@ -1,4 +1,4 @@
-/** Menus made of the list of actions. */
+/** Builds menus from the list of actions. */
 import { isMac } from '../kit/keyboard.ts';
 import type { MenuEntry, MenuItem } from '../kit/menu.ts';
 import { actionLabel, actionsOf, isChecked, isEnabled, tryAction, whyNot } from './action.ts';
@@ -6,7 +6,7 @@ import type { MenuName } from './menus.ts';
 import { ariaShortcut, shortcutsFor, shortcutText } from './shortcuts.ts';
 import type { Action, Uses } from './workbench.ts';
 
-/** A menu's entries as things are now: build them when it opens. */
+/** A menu's current entries: build them when it opens. */
 export function menuEntries(wb: Uses<'actions' | 'settings'>, menu: MenuName): MenuEntry[] {
   const actions = actionsOf(wb).flatMap((action) => inMenu(action, menu));
   if (!actions.length) return [{ kind: 'note', text: `No ${menu.toLowerCase()} came with this page.` }];
@@ -29,14 +29,14 @@ export function menuEntries(wb: Uses<'actions' | 'settings'>, menu: MenuName): M
   return entries;
 }
 
-/** The action as it stands in this menu; none where it does not. */
+/** The action as it appears in this menu; empty if it doesn't. */
 function inMenu(action: Action, menu: MenuName): Action[] {
   if (action.menu === menu || action.menu?.startsWith(`${menu}/`)) return [action];
   const { alsoIn } = action;
   return alsoIn?.menu === menu ? [{ ...action, menu, section: alsoIn.section ?? 0 }] : [];
 }
 
-/** A menu within takes the place of its first entry, and the section that this has outside. */
+/** A submenu takes the place and section of its first entry. */
 function inSections(actions: readonly Action[]): Action[] {
   const placeOf = (action: Action) => {
     const first = action.menu?.includes('/') ? actions.find((a) => a.menu === action.menu) : undefined;

@@ -1,4 +1,4 @@
-/** How actions are ordered for whoever looks for one: menus, and the headings of the `?` page. */
+/** How actions are organised: menus, and headings of the `?` page. */
 
 /** The menus, left to right. */
 export const MENUS = ['Open', 'Save', 'Examples', 'Edit', 'Rig', 'Keys', 'View', 'Play', 'Help'] as const;

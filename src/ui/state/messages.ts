@@ -1,6 +1,6 @@
 /**
- * What the page has to say: problems in files, and short notices. Messages stay until someone has read them; nothing
- * here interrupts. A failed file is one message with all its diagnostics, so that a hundred warnings are one line.
+ * Messages: problems in files, and short notices. They stay until read; nothing here interrupts. A file's problems are
+ * one message with all diagnostics, so that a hundred warnings are one line.
  */
 import type { Diagnostic, Severity } from '../../model/diagnostic.ts';
 import { type Observable, observable } from '../kit/observable.ts';
@@ -12,29 +12,30 @@ export interface Message {
   readonly text: string;
   /** In the files' order; empty for a plain notice. */
   readonly diagnostics: readonly Diagnostic[];
-  /** What has become of the file that has errors: `not opened`. */
+  /** What happened to a file with errors: `not opened`. */
   readonly fate?: string;
   /** Still shown in the line over the viewport. */
   readonly unread: boolean;
-  /** A step that is made after it takes it out of the line: it was about what one did before. */
+  /** The next step removes it from the line, since it was about a previous attempt. */
   readonly isRefusal?: boolean;
 }
 
-/** How long a warning stays in the line: one that refuses something until something else is done. */
+/** How long a warning stays in the line: a refusal until the next step. */
 type Lasting = 'until a step' | 'until read';
 
 export class Messages {
   /** Oldest first. */
   readonly list: Observable<readonly Message[]> = observable<readonly Message[]>([]);
-  /** A confirmation that nobody need keep: shown for a moment, never listed. */
+  /** A confirmation: shown briefly, never listed. */
   readonly passing: Observable<string | undefined> = observable<string | undefined>(undefined);
-  /** Counts how often someone asked to see the list. */
+  /** Counts requests to show the list. */
   readonly listAsked: Observable<number> = observable(0);
   private nextId = 1;
 
   /**
-   * A notice in one sentence. A mere info passes by itself; anything worse is listed.
-   * @param lasting of a warning; an error stays in the line until it is read
+   * Adds a notice of one sentence. An info disappears by itself; anything worse is listed.
+   *
+   * @param lasting for warnings; an error stays in the line until read
    */
   note(text: string, severity: Severity = 'info', lasting: Lasting = 'until a step'): void {
     if (severity === 'info') this.passing.set(text);
@@ -44,12 +45,12 @@ export class Messages {
     }
   }
 
-  /** What has been said so far, to tell it from what is said later. */
+  /** A marker to tell earlier messages from later ones. */
   get said(): Said {
     return { lastId: this.nextId - 1, passing: this.passing.get() };
   }
 
-  /** Something was done: what was refused before, and what was said in passing, is not about that. It stays listed. */
+  /** After a step: earlier refusals and confirmations aren't about it. Refusals stay listed. */
   leaveBehind({ lastId, passing }: Said): void {
     if (passing !== undefined && this.passing.get() === passing) this.passing.set(undefined);
     const isLeft = (m: Message) => m.unread && m.isRefusal === true && m.id <= lastId;
@@ -58,12 +59,12 @@ export class Messages {
   }
 
   /**
-   * The problems of one opening, grouped by file, the worst last and so the newest. Mere infos are listed without a line
-   * of their own. What was said of the same files before goes, and what was said of others leaves the line: it speaks of
-   * the last opening, and the list keeps the rest.
+   * Problems of one opening, grouped by file, the worst last and so the newest. Infos alone are listed without a line.
+   * Earlier messages about the same files are removed, and those about others leave the line, which is about the last
+   * opening; the list keeps them.
    *
-   * @param files names of all files that were opened: those that are well now lose their messages too
-   * @param fateOf what has become of a file that has errors, in a few words: `not opened`
+   * @param files names of all opened files: those without problems lose their messages too
+   * @param fateOf what happened to a file with errors, in a few words: `not opened`
    */
   report(diagnostics: readonly Diagnostic[], files: readonly string[] = [], fateOf?: (file: string) => string): void {
     const well = new Set(files);
@@ -78,12 +79,12 @@ export class Messages {
     }
   }
 
-  /** Brings the list before the person. */
+  /** Requests to show the list. */
   askForList(): void {
     this.listAsked.update((times) => times + 1);
   }
 
-  /** Takes messages off the list: they have been dealt with. */
+  /** Removes a message from the list: it was dealt with. */
   dismiss(id: number): void {
     this.keep((m) => m.id !== id);
   }
@@ -92,7 +93,7 @@ export class Messages {
     if (this.list.get().length) this.list.set([]);
   }
 
-  /** Takes a message out of the line; it stays in the list. */
+  /** Removes a message from the line; it stays in the list. */
   markRead(id: number): void {
     this.list.update((all) => all.map((m) => (m.id === id && m.unread ? { ...m, unread: false } : m)));
   }
@@ -106,10 +107,10 @@ export class Messages {
   private add(message: Omit<Message, 'id' | 'unread'>, unread = true): void {
     const id = this.nextId++;
     if (unread) this.passing.set(undefined);
-    // Who is refused something else has gone on from what was refused before.
+    // A new refusal replaces an earlier one in the line.
     const isLeft = (m: Message) => message.isRefusal === true && m.isRefusal === true && m.unread;
     const others = this.list.get().map((m) => (isLeft(m) ? { ...m, unread: false } : m));
-    // The same notice again is not two, and a file that is read again is judged anew.
+    // The same notice isn't repeated, and a file that is read again replaces its message.
     this.list.set([...others.filter((m) => !isAbout(m, message)), { ...message, id, unread }]);
   }
 
@@ -118,7 +119,7 @@ export class Messages {
   }
 }
 
-/** A moment in the course of messages. */
+/** A point in the sequence of messages. */
 export interface Said {
   readonly lastId: number;
   readonly passing: string | undefined;
@@ -168,7 +169,7 @@ export function counts(diagnostics: readonly Diagnostic[]): string {
   return parts.join(', ');
 }
 
-/** A diagnostic as text, the way a compiler prints it; for copying into a mail to the teacher. */
+/** A diagnostic as text, in a compiler's format, for copying into a mail. */
 export function diagnosticText(d: Diagnostic): string {
   const lines = [`${placeOf(d)}${d.severity} ${d.code}: ${d.message}${d.assumed ? ` (${d.assumed})` : ''}`];
   if (d.excerpt) lines.push(`  ${d.excerpt.text}`, `  ${caretPad(d.excerpt.text, d.excerpt.caret)}^`);
@@ -182,13 +183,13 @@ export function messagesText(messages: readonly Message[]): string {
   return messages.flatMap(linesOf).join('\n');
 }
 
-/** `wasp.skel:3:11: `, as far as there is such a place. */
+/** `wasp.skel:3:11: `, as far as known. */
 function placeOf(d: Diagnostic): string {
   if (d.file === '') return '';
   return d.line > 0 ? `${d.file}:${d.line}:${d.column}: ` : `${d.file}: `;
 }
 
-/** Blanks that take as much room as the text before the caret: tabs stay tabs. */
+/** Whitespace as wide as the text before the caret: tabs stay tabs. */
 export function caretPad(text: string, caret: number): string {
   return text.slice(0, Math.max(0, caret)).replace(/[^\t]/g, ' ');
 }

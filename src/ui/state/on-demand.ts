@@ -1,18 +1,19 @@
 /**
- * Scripts that are not there from the start: the page begins with what its first picture takes. What is opened now and
- * then (dialogs, what writes files) is fetched when it is asked for, panels when the page has nothing else to do.
+ * Lazily loaded scripts: the page starts with what its first frame needs. Dialogs and writers are loaded on first use,
+ * panels when the page is idle.
  *
  *     const module = await onDemand(wb.messages, 'The inspector', () => import('../editors/inspector/inspector.ts'));
  *     module?.fillInspector(wb, panel);
  *
- * The browser fetches a module once; asking again costs nothing.
+ * The browser loads a module once; calling again costs nothing.
  */
 import type { Messages } from './messages.ts';
 import type { Uses } from './workbench.ts';
 
 /**
- * What `load` gives; undefined where that fails, which is said.
- * @param what as a sentence begins: `The dope sheet`
+ * The result of `load`; undefined, with a message, if it fails.
+ *
+ * @param what start of the message's sentence: `The dope sheet`
  */
 export async function onDemand<T>(
   messages: Pick<Messages, 'note'>,
@@ -28,14 +29,14 @@ export async function onDemand<T>(
   }
 }
 
-/** Longest that a busy page makes it wait. */
+/** Maximum delay on a busy page. */
 const PATIENCE_MS = 2000;
 
-/** Runs it when the page has nothing else to do; files that are on their way in come first, their picture with them. */
+/** Runs it when the page is idle; files being loaded come first, including their first frame. */
 export function whenIdle({ loading }: Uses<'loading'>, run: () => void): void {
   const until = performance.now() + PATIENCE_MS;
   const wait = () => {
-    // Safari has no such callback.
+    // Safari doesn't have it.
     if ('requestIdleCallback' in window) window.requestIdleCallback(look, { timeout: PATIENCE_MS });
     else setTimeout(look);
   };

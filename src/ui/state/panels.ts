@@ -1,6 +1,6 @@
 /**
- * The side panels: beside the viewport where there is room, and remembered so; drawers over it on a narrow page, of
- * which one at most is open, and none at first.
+ * The side panels: beside the viewport if there is room, and remembered so; on a narrow page drawers over it, at most
+ * one open, initially none.
  */
 import type { Settings } from './settings.ts';
 import type { Uses } from './workbench.ts';
@@ -15,7 +15,7 @@ export function isNarrow(): boolean {
 }
 
 export function isPanelOpen({ panels }: Settings, panel: PanelName): boolean {
-  // There is no room for it on a narrow page.
+  // Narrow pages have no room for it.
   if (panel === 'timeline') return panels.timelineOpen && !isNarrow();
   if (isNarrow()) return panels.drawer === panel;
   return panel === 'outliner' ? panels.outlinerOpen : panels.inspectorOpen;

@@ -1,6 +1,6 @@
 /**
- * How the viewport takes the hand, shared by its tools, the inspector and the keys. Beside the document: what is pinned
- * or locked is in there (`model/ik.ts`).
+ * State of posing in the viewport, shared by its tools, the inspector and shortcuts. Not part of the document: pins and
+ * locks are (`model/ik.ts`).
  */
 import type { DofValue } from '../../model/dofs.ts';
 import type { PoseByNames } from '../../model/pose-by-names.ts';
@@ -9,53 +9,53 @@ import { IkHand } from './ik-hand.ts';
 import { RigHand } from './rig-hand.ts';
 
 /**
- * `fk`: joints turn one by one. `ik`: points are pinned and dragged, and the joints follow. `rig`: the skeleton itself is
- * changed.
+ * `fk`: joints are rotated one by one. `ik`: points are pinned and dragged, and joints follow. `rig`: the skeleton
+ * itself is edited.
  */
 export const POSING_MODES = ['fk', 'ik', 'rig'] as const;
 export type PosingMode = (typeof POSING_MODES)[number];
 
-/** What the skin does when the skeleton is changed: it stays where it is, or follows as if posed. */
+/** What the skin does when the skeleton is edited: it stays in place, or follows as if posed. */
 export const RIG_SKINS = ['stays', 'follows'] as const;
 export type RigSkin = (typeof RIG_SKINS)[number];
 
-/** The DOF that the bone turns when it is dragged. */
+/** The DOF that dragging the bone changes. */
 export interface ChosenDof {
   readonly characterId: string;
   /** Into the character's DOFs. */
   readonly dof: number;
-  /** `rx`: on another joint the DOF of that name is meant. */
+  /** `rx`: on another joint the DOF of that name is active. */
   readonly name: string;
 }
 
-/** What else of a character changes where one DOF is changed by hand, from the first change of it to the release. */
+/** Other changes of a character that go with editing one DOF, from its first change to the release. */
 export interface BesideDof {
-  /** The DOF at a value and all that goes with it, for `setDofs`. */
+  /** The DOF at a value with all that changes with it, for `setDofs`. */
   at(value: number): readonly DofValue[];
-  /** Whenever the document has what `at` gave last. */
+  /** Call when the document has the last result of `at`. */
   shown(): void;
 }
 
-/** A pose by names, so that it goes onto other characters too. */
+/** A pose by joint names, so that it can be pasted on other characters. */
 export interface CopiedPose {
   readonly pose: PoseByNames;
-  /** The name of the character that it was copied from. */
+  /** Name of the character it was copied from. */
   readonly from: string;
 }
 
 export class Posing {
   readonly mode: Observable<PosingMode> = observable<PosingMode>('fk');
-  /** What the mode's tool puts beside the switch of modes (`mode-bar.ts`); the tool takes it away when it leaves. */
+  /** Controls of the mode's tool beside the mode switch (`mode-bar.ts`); the tool removes them when it leaves. */
   readonly controls: Observable<HTMLElement | undefined> = observable<HTMLElement | undefined>(undefined);
-  /** Of FK; see `active-dof.ts`. */
+  /** For FK; see `active-dof.ts`. */
   readonly chosenDof: Observable<ChosenDof | undefined> = observable<ChosenDof | undefined>(undefined);
-  /** While pins hold: what they make of a change of that DOF; undefined where it is no matter of theirs. */
+  /** While pins hold: how they adapt to a change of that DOF; undefined if they aren't affected. */
   beside: ((characterId: string, dof: number) => BesideDof | undefined) | undefined;
   readonly rigSkin: Observable<RigSkin> = observable<RigSkin>('stays');
   readonly ik = new IkHand();
   readonly rig = new RigHand();
-  /** The pose that was copied on this page, until another is. */
+  /** The last pose copied on this page. */
   readonly copied: Observable<CopiedPose | undefined> = observable<CopiedPose | undefined>(undefined);
-  /** Characters posed while another's take moves them, each with that other: what was said of them is said once. */
+  /** Retargeted characters that were posed, each with its source: the message is shown once. */
   readonly toldToFollow = new Set<string>();
 }

@@ -1,12 +1,12 @@
-/** How the hand works in rig mode: beside the document, and gone with the page. */
+/** State of rig mode outside the document, not remembered. */
 import { type Observable, observable } from '../kit/observable.ts';
 
 export const RIG_CHILDREN = ['follow', 'stay'] as const;
-/** What the joints below one do when it is dragged. */
+/** What the children of a dragged joint do. */
 export type RigChildren = (typeof RIG_CHILDREN)[number];
 
 const RIG_AXES = ['parent', 'world'] as const;
-/** Along which axes the arrows move a joint. */
+/** Axes along which the arrows move a joint. */
 export type RigAxes = (typeof RIG_AXES)[number];
 
 export class RigHand {
@@ -14,8 +14,8 @@ export class RigHand {
   readonly adding: Observable<boolean> = observable(false);
   readonly children: Observable<RigChildren> = observable<RigChildren>('follow');
   readonly axes: Observable<RigAxes> = observable<RigAxes>('parent');
-  /** What a drag comes to just now, as a sentence; empty between drags. */
+  /** Result of the current drag, as a sentence; empty between drags. */
   readonly readout: Observable<string> = observable('');
-  /** Counts how often someone asked to name the selected joint. */
+  /** Counts requests to rename the selected joint. */
   readonly renameAsked: Observable<number> = observable(0);
 }

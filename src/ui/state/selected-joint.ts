@@ -1,9 +1,9 @@
-/** The joint that is selected: what menus, tools and panels are about alike. */
+/** The selected joint, for menus, tools and panels. */
 import { type Character, findCharacter } from '../../model/document.ts';
 import type { Skeleton } from '../../model/skeleton.ts';
 import type { Uses } from './workbench.ts';
 
-/** A joint that is selected, of a character that has it. */
+/** A selected joint that exists. */
 export interface ResolvedJoint {
   readonly character: Character;
   readonly skeleton: Skeleton;
@@ -20,7 +20,7 @@ export function selectedJoint({ store }: Uses<'store'>): ResolvedJoint | undefin
   return { character, skeleton, joint };
 }
 
-/** Its index, where it is one of that character's. */
+/** Its index, if it belongs to that character. */
 export function selectedJointOf(wb: Uses<'store'>, characterId: string): number | undefined {
   const selected = selectedJoint(wb);
   return selected?.character.id === characterId ? selected.joint : undefined;

@@ -1,7 +1,7 @@
 /**
- * What the page remembers between visits: how things are drawn, units, panels, keys. Kept as one JSON text in
- * localStorage. A store that is forbidden, full, or holds something else than we wrote only means defaults: nobody
- * should be locked out of the page by what an older version left there.
+ * What the page remembers between visits: display, units, panels, shortcuts. Stored as one JSON text in localStorage.
+ * If storage is forbidden, full or has unexpected content, defaults are used: an older version's data must never lock
+ * anyone out.
  */
 import { DEFAULT_DISPLAY, type Display, GHOST_UNITS, MAX_GHOSTS } from '../../model/session.ts';
 import { type Observable, observable } from '../kit/observable.ts';
@@ -17,13 +17,13 @@ export interface Settings {
   readonly angles: (typeof ANGLES)[number];
   readonly timeDisplay: (typeof TIME_DISPLAYS)[number];
   readonly panels: Panels;
-  /** Of keys made by keying; on both sides. */
+  /** Tangents of new keys, on both sides. */
   readonly newKeyTangents: (typeof NEW_KEY_TANGENTS)[number];
-  /** Folders of the inspector and groups of the outliner that were folded or unfolded by hand: true is open. */
+  /** Sections of the inspector and groups of the outliner that the user has expanded (true) or collapsed. */
   readonly folds: Readonly<Record<string, boolean>>;
-  /** Shortcuts without Ctrl, Cmd or Alt; some people's speech input or switches can't live with them. */
+  /** Whether shortcuts without Ctrl, Cmd or Alt are enabled; speech input and switch devices may conflict with them. */
   readonly singleKeys: boolean;
-  /** Keys of an action that were changed, by its id; an empty list switches it off. */
+  /** Remapped shortcuts by action id; an empty list removes them. */
   readonly keys: Readonly<Record<string, readonly string[]>>;
 }
 
@@ -31,14 +31,14 @@ export interface Panels {
   /** Pixels. */
   readonly outlinerWidth: number;
   readonly inspectorWidth: number;
-  /** Of the files and messages below the tree; 0 until it is chosen: what leaves the tree the most. */
+  /** Height of files and messages below the tree; 0: the default, which leaves the tree most room. */
   readonly filesHeight: number;
-  /** 0 until it is chosen: what suits the window. */
+  /** 0: a default that depends on the window. */
   readonly timelineHeight: number;
   readonly outlinerOpen: boolean;
   readonly inspectorOpen: boolean;
   readonly timelineOpen: boolean;
-  /** The one that is open on a narrow page; not remembered. */
+  /** The open drawer on a narrow page; not remembered. */
   readonly drawer: 'none' | 'outliner' | 'inspector';
 }
 
@@ -64,12 +64,13 @@ export const DEFAULT_SETTINGS: Settings = {
 };
 
 const KEY = 'marrow.settings';
-/** Writing waits this long, so that a drag of a splitter is one write. */
+/** Debounces writing, so that dragging a splitter is one write. */
 const WRITE_DELAY_MS = 250;
 
 /**
- * The settings that were kept, and every later change kept too.
- * @param kept what of them is to be remembered
+ * The stored settings, with every later change stored too.
+ *
+ * @param kept the part of them to be stored
  */
 export function rememberedSettings(
   storage: () => Storage,
@@ -82,7 +83,7 @@ export function rememberedSettings(
     try {
       storage().setItem(KEY, JSON.stringify(kept(settings.get())));
     } catch {
-      // Forbidden or full: this visit goes on without memory.
+      // Forbidden or full: this visit isn't remembered.
     }
   };
   settings.subscribe(() => {
@@ -91,7 +92,7 @@ export function rememberedSettings(
   return settings;
 }
 
-/** Settings from a text that may be anything: each part that has the right shape is taken, the rest is the default. */
+/** Parses settings from any text: parts of the right shape are used, the rest are defaults. */
 export function parseSettings(text: string | null): Settings {
   const kept = asRecord(parseJson(text));
   const d = DEFAULT_SETTINGS;
@@ -121,18 +122,18 @@ function parseDisplay(kept: Record<string, unknown>): Display {
     ghostsBefore: count(kept.ghostsBefore, DEFAULT_DISPLAY.ghostsBefore),
     ghostsAfter: count(kept.ghostsAfter, DEFAULT_DISPLAY.ghostsAfter),
     ghostStepIn: oneOf(GHOST_UNITS, kept.ghostStepIn, DEFAULT_DISPLAY.ghostStepIn),
-    // A camera that follows from the first moment on looks like a fault.
+    // Not remembered: a camera that follows from the start looks like a fault.
     follow: DEFAULT_DISPLAY.follow,
   };
 }
 
-/** How many ghosts. */
+/** A number of ghosts. */
 function count(kept: unknown, otherwise: number): number {
   const fits = typeof kept === 'number' && Number.isInteger(kept) && kept >= 0 && kept <= MAX_GHOSTS;
   return fits ? kept : otherwise;
 }
 
-/** `defaults`, with what `kept` has of the same type. Sizes have to be sensible numbers. */
+/** `defaults`, overridden by fields of `kept` with the same type. Sizes must be sensible numbers. */
 function sameTypes<T extends object>(defaults: T, kept: Record<string, unknown>): T {
   const result: Record<string, unknown> = Object.fromEntries(Object.entries(defaults));
   for (const [key, value] of Object.entries(defaults)) {
@@ -141,7 +142,7 @@ function sameTypes<T extends object>(defaults: T, kept: Record<string, unknown>)
     if (typeof found === 'number' && !(found >= 0 && found <= 4096)) continue;
     result[key] = found;
   }
-  // The keys are those of `defaults`, and each value has its type.
+  // Has the keys of `defaults`, each with its type.
   return result as T;
 }
 
@@ -158,7 +159,7 @@ function isKeys(entry: [string, unknown]): entry is [string, string[]] {
 }
 
 function asRecord(value: unknown): Record<string, unknown> {
-  // Narrowed to an object that is no list; what its fields are is looked at one by one.
+  // Narrowed to a non-array object; its fields are checked one by one.
   return typeof value === 'object' && value !== null && !Array.isArray(value) ? (value as Record<string, unknown>) : {};
 }
 

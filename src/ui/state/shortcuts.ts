@@ -1,15 +1,15 @@
 /**
- * Keys. A shortcut is written as people say it, the platform's own key for commands always as `Ctrl`:
+ * Keyboard shortcuts, written as people say them, with the platform's command key always as `Ctrl`:
  *
  *     shortcut = { "Ctrl+" | "Alt+" | "Shift+" } key          on a Mac, Ctrl is Cmd
  *     key      = letter | digit | sign | "Space" | "Left" | "Home" | "F2" | …
  *
- * A key goes to the focused control first, then to the panel that has the focus, then to the page, and never to two of
- * them. Controls and panels that use a key say so with `preventDefault`; what `swallows` lists is the browser's own.
+ * A key is handled by the focused control first, then by the focused panel, then by the page, and never by two of them.
+ * Controls and panels that use a key call `preventDefault`; `swallows` lists what the browser handles.
  */
 import type { Settings } from './settings.ts';
 
-/** As much of a KeyboardEvent as deciding takes. */
+/** The part of a KeyboardEvent that is needed. */
 export interface KeyLike {
   readonly key: string;
   readonly code: string;
@@ -28,8 +28,8 @@ const NAMES: Readonly<Record<string, string>> = {
 };
 
 /**
- * What was pressed, as shortcuts, the likeliest first. A sign such as `?` has no Shift of its own, for keyboards differ
- * in how it is typed; a digit is also found by its place on the keyboard, for Shift makes a sign of it.
+ * The pressed key as possible shortcuts, most likely first. A sign such as `?` omits Shift, since keyboards differ in
+ * how it is typed; a digit is also found by its physical key, since Shift makes it a sign.
  */
 export function shortcutsOf(event: KeyLike, mac: boolean): string[] {
   if (mac ? event.ctrlKey : event.metaKey) return [];
@@ -45,18 +45,18 @@ export function shortcutsOf(event: KeyLike, mac: boolean): string[] {
   }
   const digit = /^(?:Digit|Numpad)(\d)$/.exec(event.code)?.[1];
   if (digit) found.push(mod + alt + shift + digit);
-  // Alt makes another letter of a letter on a Mac.
+  // On a Mac, Alt turns a letter into another character.
   const letter = /^Key([A-Z])$/.exec(event.code)?.[1];
   if (letter && event.altKey) found.push(mod + alt + shift + letter);
   return [...new Set(found)];
 }
 
-/** Whether it is one typed character, which can be remapped and switched off. */
+/** Whether it is a single character, which can be remapped and switched off. */
 export function isSingleKey(shortcut: string): boolean {
   return !/Ctrl\+|Alt\+/.test(shortcut) && /^(Shift\+)?(.|Space)$/u.test(shortcut);
 }
 
-/** What a menu shows: `Ctrl+Shift+Z`, or `⇧⌘Z` on a Mac. */
+/** Text for menus: `Ctrl+Shift+Z`, or `⇧⌘Z` on a Mac. */
 export function shortcutText(shortcut: string, mac: boolean): string {
   const parts = shortcut.split(/\+(?=.)/);
   const words = parts.map((part) => KEY_TEXT[part] ?? part);
@@ -69,7 +69,7 @@ export function shortcutText(shortcut: string, mac: boolean): string {
 const KEY_TEXT: Readonly<Record<string, string>> = { Left: '←', Right: '→', Up: '↑', Down: '↓', Delete: 'Del' };
 const MAC_TEXT: Readonly<Record<string, string>> = { Ctrl: '⌘', Alt: '⌥', Shift: '⇧' };
 
-/** As `aria-keyshortcuts` wants it. */
+/** Format of `aria-keyshortcuts`. */
 export function ariaShortcut(shortcut: string, mac: boolean): string {
   const names: Record<string, string> = {
     Ctrl: mac ? 'Meta' : 'Control',
@@ -84,23 +84,23 @@ export function ariaShortcut(shortcut: string, mac: boolean): string {
     .join('+');
 }
 
-/** Something that keys can be bound to. */
+/** Something with shortcuts. */
 export interface Bindable {
   readonly id: string;
   readonly shortcuts?: readonly string[];
-  /** Only while this panel has the focus; the page's otherwise. */
+  /** Only while this panel has the focus; otherwise everywhere. */
   readonly panel?: string;
 }
 
-/** The keys of an action as they are now, with what the person changed. */
+/** The current shortcuts of an action, including the user's changes. */
 export function shortcutsFor(action: Bindable, settings: Pick<Settings, 'keys' | 'singleKeys'>): readonly string[] {
   const keys = settings.keys[action.id] ?? action.shortcuts ?? [];
   return settings.singleKeys ? keys : keys.filter((key) => !isSingleKey(key));
 }
 
 /**
- * The action that a key means: one of the focused panel before one of the page. Of two with the same key the one that
- * was remapped wins, so that a key someone chose does what they chose.
+ * The action of a key: the focused panel's before the page's. If two have the same key the remapped one wins, as the
+ * user intended.
  */
 export function actionFor<A extends Bindable>(
   pressed: readonly string[],
@@ -120,9 +120,9 @@ export function actionFor<A extends Bindable>(
 }
 
 /**
- * Gives an action these keys, and takes them from whoever has them in the same scope: one key does one thing.
+ * Assigns shortcuts to an action, and removes them from others in the same scope: one key does one thing.
  *
- * @returns all changed keys, and who lost one
+ * @returns all changed shortcuts, and which action has lost one
  */
 export function withShortcut<A extends Bindable>(
   actions: readonly A[],
@@ -141,16 +141,16 @@ export function withShortcut<A extends Bindable>(
   return { keys: given, losers };
 }
 
-/** What kind of control has the focus, as far as keys go; `untyped` is a text field where nothing was typed as yet. */
+/** Kind of the focused control, as far as keys matter; `untyped` is a text field in which nothing was typed yet. */
 export type FocusKind = 'text' | 'untyped' | 'select' | 'range' | 'press' | 'none';
 
-/** Commands that a text field has itself, with Ctrl. */
+/** Commands that a text field handles itself, with Ctrl. */
 const TEXT_COMMANDS = new Set(['A', 'C', 'V', 'X', 'Z', 'Y', 'Left', 'Right', 'Up', 'Down', 'Home', 'End']);
 
-/** What moves a slider. */
+/** Keys that move a slider. */
 const RANGE_KEYS = new Set(['Left', 'Right', 'Up', 'Down', 'Home', 'End', 'PageUp', 'PageDown']);
 
-/** Whether the focused control uses the key itself, so that nobody else may have it. */
+/** Whether the focused control uses the key itself. */
 export function swallows(focus: FocusKind, event: KeyLike, mac: boolean): boolean {
   if (focus === 'none') return false;
   const key = NAMES[event.key] ?? event.key;
@@ -160,10 +160,10 @@ export function swallows(focus: FocusKind, event: KeyLike, mac: boolean): boolea
   const command = mac ? event.metaKey : event.ctrlKey;
   // AltGr types characters, and browsers report it as Ctrl+Alt.
   if (!command || event.altKey) return true;
-  // A list of choices has nothing to copy, paste or undo.
+  // A select has nothing to copy, paste or undo.
   if (focus === 'select') return RANGE_KEYS.has(key);
   const name = key.length === 1 ? key.toUpperCase() : key;
-  // With nothing typed there is nothing of the field's to undo: the person means what they did last.
+  // Nothing typed, so nothing to undo in the field: undo the last step.
   if (focus === 'untyped' && (name === 'Z' || name === 'Y')) return false;
   return TEXT_COMMANDS.has(name) || key === 'Backspace' || key === 'Delete';
 }

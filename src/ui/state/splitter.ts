@@ -1,4 +1,4 @@
-/** The edges between panels: dragged, or moved with the arrow keys; the sizes are remembered. */
+/** Splitters between panels: dragged, or moved with the arrow keys; sizes are remembered. */
 import { element } from '../kit/dom.ts';
 import { followPointer } from '../kit/drag.ts';
 import type { Panels } from './settings.ts';
@@ -13,7 +13,7 @@ const LIMITS: Readonly<Record<Size, { readonly min: number; readonly max: number
   timelineHeight: { min: 120, max: 900 },
 };
 
-/** Whether the panel grows when the edge goes right or down. */
+/** Whether the panel grows when the splitter moves right or down. */
 const GROWS: Readonly<Record<Size, 1 | -1>> = {
   outlinerWidth: 1,
   inspectorWidth: -1,
@@ -42,9 +42,9 @@ export function splitter(wb: Uses<'settings'>, size: Size, label: string): HTMLE
     wb.settings.update((s) => ({ ...s, panels: { ...s.panels, ...change } }));
   };
   const chosen = () => clampSize(size, wb.settings.get().panels[size]);
-  // What is not chosen as yet, or doesn't fit on the page, is moved on from where it is seen.
+  // A default size, or one that doesn't fit, starts from the displayed size.
   const sized = (): HTMLElement | null | undefined =>
-    // Files and messages come after their edge; the timeline has its edge within.
+    // Files and messages follow their splitter; the timeline contains its own.
     size === 'timelineHeight'
       ? edge.parentElement
       : size === 'filesHeight' && edge.nextElementSibling instanceof HTMLElement

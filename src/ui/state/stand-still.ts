@@ -1,8 +1,8 @@
 /**
- * Keys made while something plays. The moment of a key press lies anywhere between two frames, and a key there is one
- * that no frame shows and that is never met again. So playing stops there, as one does by hand before keying: on the
- * nearest frame, or where nothing is counted in frames at the very moment. What one sees then is what is keyed, under the
- * playhead. (To go on playing and key the nearest frame unseen would key another pose than the one on the screen.)
+ * Keying during playback. A key press falls between two frames, and a key there would be at a time that no frame shows.
+ * So playback stops, as one would do by hand before keying: on the nearest frame, or at the exact time if time isn't
+ * counted in frames. What is shown then is what is keyed. (Continuing playback and keying the nearest frame would key
+ * another pose than the one on screen.)
  */
 import { playsSamples } from '../../edit/frame-rate.ts';
 import { pause } from '../../edit/playback.ts';
@@ -11,14 +11,14 @@ import type { Uses, Workbench } from './workbench.ts';
 type Parts = Pick<Workbench, 'store' | 'transport' | 'timeline' | 'settings'>;
 
 /**
- * Whether what is paused stops on a frame: where one counts in frames, or what plays is frames of a file, for then it is
- * these that one wants to look at.
+ * Whether pausing snaps to a frame: if time is in frames, or if what plays is sampled, as then one wants to see those
+ * frames.
  */
 export function stopsOnFrame({ store, settings }: Uses<'store' | 'settings'>): boolean {
   return settings.get().timeDisplay === 'frames' || playsSamples(store.document);
 }
 
-/** Stops what plays, before a key is made at the moment shown. What stands still stays where it is. */
+/** Stops playback before a key is made at the current time. If paused, the time stays. */
 export function standStill(wb: Parts): void {
   const onFrame = wb.timeline.view.get().snapsToFrames || stopsOnFrame(wb);
   wb.transport.update((now) => (now.playing ? pause(now, onFrame) : now));

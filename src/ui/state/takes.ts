@@ -1,6 +1,6 @@
 /**
- * What the list of takes shows beside the document: its order, what is looked for and chosen in it, and the two takes
- * that are compared. None of it is remembered or undone.
+ * State of the list of takes outside the document: order, filter, selection, and the two takes being compared. Neither
+ * remembered nor undoable.
  */
 import type { TakeRef } from '../../edit/commands/takes.ts';
 import type { Alignment } from '../../evaluate/distance.ts';
@@ -18,13 +18,13 @@ export interface TakeOrder {
 }
 
 export interface TakesView {
-  /** The document's own order, where absent. */
+  /** Absent: the document's own order. */
   readonly order?: TakeOrder;
   /** Part of a name. */
   readonly filter: string;
   /** Keys of rows. */
   readonly chosen: ReadonlySet<string>;
-  /** The row that the keyboard is at. */
+  /** The row with the keyboard focus. */
   readonly focused?: string;
 }
 
@@ -34,23 +34,23 @@ export interface Comparison {
   readonly second: TakeRef;
 }
 
-/** What a comparison has changed, and what is needed to put it back. */
+/** What a comparison has changed, and what is needed to restore it. */
 export interface ComparisonOverlay {
   readonly comparison: Comparison;
   readonly before: Document;
   readonly after: Document;
-  /** What was played before, and what the comparison plays; seconds of the transport. */
+  /** Playback ranges before and during the comparison; seconds of the transport. */
   readonly playedBefore: readonly [number, number];
   readonly played: readonly [number, number];
-  /** Documents that undo and redo lead to, in which the two are compared, and in which they are not. */
+  /** Documents reached by undo and redo in which the takes are compared, and in which they aren't. */
   readonly compared: Document[];
   readonly apart: Document[];
 }
 
-/** How distances are looked at; stays from one comparison to the next. */
+/** How distances are shown; kept across comparisons. */
 export interface DistanceView {
   readonly alignment: Alignment;
-  /** Pairs of joints drawn by themselves, as rows of the distances. */
+  /** Pairs of joints drawn individually, as rows of the distances. */
   readonly picked: readonly number[];
   readonly order: 'most' | 'mean' | 'name';
 }
@@ -58,7 +58,7 @@ export interface DistanceView {
 export class Takes {
   readonly view: Observable<TakesView> = observable<TakesView>({ filter: '', chosen: new Set() });
   readonly comparison: Observable<Comparison | undefined> = observable<Comparison | undefined>(undefined);
-  /** Of the last comparison, under way or over: undo leads back into it. */
+  /** Of the current or last comparison: undo may re-enter it. */
   overlay: ComparisonOverlay | undefined;
   readonly distances: Observable<DistanceView> = observable<DistanceView>({
     alignment: 'world',
@@ -71,15 +71,15 @@ export class Takes {
   }
 }
 
-/** One of the two that are compared, as it plays there. */
+/** One of the two compared takes, as it plays. */
 export interface Compared {
-  /** Showing the take that is compared. */
+  /** Showing the compared take. */
   readonly character: Character;
-  /** How the picture knows it: its own id, or another where both takes are one character's. */
+  /** Id for drawing: its own, or another if both takes are the same character's. */
   readonly drawnAs: string;
 }
 
-/** The two characters; undefined where one of the takes is not there any more. */
+/** The two characters; undefined if one of the takes no longer exists. */
 export function comparedIn(
   document: Document,
   comparison: Comparison | undefined,
@@ -95,7 +95,7 @@ export function comparedIn(
   ];
 }
 
-/** A character as it is with each of its takes shown, by the index of the take. */
+/** A character showing each of its takes, by index of the take. */
 const showingEach = perObject((character: Character) =>
   character.clips.map((_, shownClip) => ({ ...character, shownClip })),
 );
@@ -108,7 +108,7 @@ function playing(document: Document, { characterId, clip }: TakeRef): Character 
   return showingEach(character)[clip];
 }
 
-/** The document as it is drawn: with a character twice, where two of its takes are compared. */
+/** The document as drawn: a character appears twice if two of its takes are compared. */
 export function drawnDocument(document: Document, comparison: Comparison | undefined): Document {
   const compared = comparedIn(document, comparison);
   if (!compared) return document;

@@ -1,7 +1,6 @@
 /**
- * What the timeline below the transport shows, shared by its tabs: curve editor, dope sheet and takes look at the
- * same stretch of time, the first two at the same channels and the same selected keys. The document knows nothing of it; the session
- * that is kept in the browser does, so it is plain data.
+ * What the timeline shows, shared by its tabs: curve editor, dope sheet and takes share the time window, the first two
+ * also channels and selected keys. Not part of the document, but saved with the session, so it is plain data.
  */
 import type { CopiedKeys } from '../../edit/keys/clipboard.ts';
 import type { Character } from '../../model/document.ts';
@@ -13,53 +12,53 @@ import { Takes } from './takes.ts';
 export const TIMELINE_TABS = ['curves', 'dope', 'takes', 'poses'] as const;
 export type TimelineTabName = (typeof TIMELINE_TABS)[number];
 
-/** Which channels are listed: the selected joint's (its root translation with the root), all, or those pinned. */
+/** Which channels are listed: the selected joint's (with the root translation for the root), all, or pinned ones. */
 export const CHANNEL_LISTS = ['selected', 'all', 'pinned'] as const;
 export type ChannelListKind = (typeof CHANNEL_LISTS)[number];
 
-/** What dragging one handle does to the other side: follows where both slopes are equal; never; always. */
+/** What dragging one handle does to the opposite one: moves it if both slopes are equal; never; always. */
 export const HANDLE_MODES = ['auto', 'alone', 'together'] as const;
 export type HandleMode = (typeof HANDLE_MODES)[number];
 
-/** What is picked out among one character's channels. Numbers of its DOFs: they mean nothing for another character. */
+/** Pinned, hidden and isolated channels of one character. Channel numbers mean nothing for another character. */
 export interface ChannelView {
-  /** Channels of the clip that is shown. */
+  /** Channels of the shown clip. */
   readonly pinned: readonly number[];
   /** Listed, but not drawn. */
   readonly hidden: readonly number[];
   /** Only these are drawn; absent: all that are listed and not hidden. */
   readonly isolated?: readonly number[];
   /**
-   * What is folded out in the dope sheet: joints by their index, −1 for the root's translation, −2 for the morphs, −3
-   * for channels past the character's DOFs.
+   * Expanded groups of the dope sheet: joints by index, −1 for the root translation, −2 for the morphs, −3 for channels
+   * beyond the character's DOFs.
    */
   readonly unfolded: readonly number[];
 }
 
-/** With what is picked out among the channels of the character that is shown. */
+/** Including pinned, hidden and isolated channels of the shown character. */
 export interface TimelineView extends ChannelView {
   readonly tab: TimelineTabName;
-  /** The character whose channels those are; absent until one is shown. */
+  /** The character of those channels; absent until one is shown. */
   readonly characterId?: string;
-  /** What was picked out of the other characters that were shown, by their ids. */
+  /** The same for characters shown earlier, by id. */
   readonly others: Readonly<Record<string, ChannelView>>;
   /** Seconds of the transport. */
   readonly window: TimeWindow;
   readonly list: ChannelListKind;
   /** Part of a channel's name. */
   readonly filter: string;
-  /** Every curve between −1 and 1, by its own smallest and largest key. */
+  /** Scales every curve to −1 … 1, by its own smallest and largest key. */
   readonly normalised: boolean;
   readonly snapsToFrames: boolean;
   readonly snapsToValues: boolean;
-  /** What a key does where another is already. */
+  /** What a key does when moved onto another. */
   readonly onCollision: 'replace' | 'step';
   readonly handles: HandleMode;
-  /** A frame around the selected keys, whose edges scale them. */
+  /** A box around the selected keys, whose edges scale them. */
   readonly scaleFrame: boolean;
-  /** The dope sheet lists what has no key too. */
+  /** The dope sheet also lists rows without keys. */
   readonly allRows: boolean;
-  /** Keys dragged in the dope sheet take all later keys of their channels along. */
+  /** Keys dragged in the dope sheet move all later keys of their channels too. */
   readonly ripples: boolean;
 }
 
@@ -82,29 +81,30 @@ export const DEFAULT_TIMELINE_VIEW: TimelineView = {
   ripples: false,
 };
 
-/** A tab as the panel around it sees it. */
+/** A tab's interface for the panel around it. */
 export interface TimelineTab {
   readonly element: HTMLElement;
-  /** Its buttons, for the row of the tabs. */
+  /** Its controls, for the row of tabs. */
   readonly tools?: HTMLElement;
-  /** Told when it comes into view or leaves it: what can't be seen draws nothing. */
+  /** Called when it is shown or hidden: a hidden tab draws nothing. */
   setVisible(visible: boolean): void;
   fitAll(): void;
   fitSelected(): void;
-  /** Zooms about the middle of what is selected or the playhead; factors above 1 show more. */
+  /** Zooms about the centre of the selection or about the playhead; factors above 1 zoom out. */
   zoom?(timeFactor: number, valueFactor: number): void;
-  /** Moves on by parts of what is shown: to later times, to larger values. */
+  /** Pans by fractions of the view: to later times, to larger values. */
   pan?(timePart: number, valuePart: number): void;
   /**
-   * Where on the page a point of a channel's curve is drawn, in CSS pixels; undefined where the channel is not.
+   * Page position, in CSS pixels, of a point on a channel's curve; undefined if the channel isn't drawn.
+   *
    * @param timeSeconds of the transport
    */
   placeOf?(channel: number, timeSeconds: number, value: number): { readonly x: number; readonly y: number } | undefined;
-  /** Another theme: colours are read anew. */
+  /** The theme has changed: reread colours. */
   recolour(): void;
 }
 
-/** Channels in view, and what they follow from. */
+/** Channels in view, with what they depend on. */
 export interface ChannelsInView {
   readonly character: Character;
   readonly selection: Selection;
@@ -114,19 +114,21 @@ export interface ChannelsInView {
 
 export class Timeline {
   readonly view: Observable<TimelineView> = observable(DEFAULT_TIMELINE_VIEW);
-  /** Keys follow every DOF that is changed by hand. Not remembered: found on by surprise, it would be a trap. */
+  /** Auto-key: every DOF changed by hand is keyed. Not remembered: finding it on would be a surprise. */
   readonly autoKey: Observable<boolean> = observable(false);
-  /** Counts how often someone asked to rename the take: the field for it is in the inspector. */
+  /** Counts requests to rename the take: its field is in the inspector. */
   readonly takeRenameAsked: Observable<number> = observable(0);
-  /** The next drag in the curve editor scales the selected keys: while its key is held, or once if it was asked for. */
+  /**
+   * The next drag in the curve editor scales the selected keys: while its key is held, or once if chosen from a menu.
+   */
   readonly scaling: Observable<boolean> = observable(false);
-  /** The list of takes, and the two of them that are compared. */
+  /** The list of takes, and the comparison. */
   readonly takes: Takes = new Takes();
-  /** Keys that were copied or cut, until others are. */
+  /** Keys that were copied or cut last. */
   copied: CopiedKeys | undefined;
-  /** The tab in view; none while the panel is folded. */
+  /** The visible tab; undefined while the panel is collapsed. */
   tab: TimelineTab | undefined;
-  /** What `editors/timeline/in-hand.ts` found last: every row and menu entry asks for the same. */
+  /** Last results of `editors/timeline/in-hand.ts`: every row and menu entry asks for the same. */
   readonly last: { keys?: readonly ChannelKeys[]; inView?: ChannelsInView } = {};
 
   change(change: Partial<TimelineView>): void {
@@ -134,8 +136,8 @@ export class Timeline {
   }
 
   /**
-   * Another character is shown: what was picked out of its channels comes back, and what is of the one before is kept
-   * for it. The first one takes over what there is.
+   * Another character is shown: restores its pinned, hidden and isolated channels and saves those of the previous one.
+   * The first character takes over the current ones.
    */
   showChannelsOf(characterId: string): void {
     const now = this.view.get();
@@ -150,7 +152,7 @@ export class Timeline {
     this.view.set({ ...rest, ...own, characterId, others: { ...further, [before]: left } });
   }
 
-  /** A character has other DOFs than it had: numbers of channels mean something else from now on. */
+  /** A character's DOFs have changed, so channel numbers no longer mean the same. */
   forgetChannelsOf(characterId: string): void {
     const { isolated, ...now } = this.view.get();
     const { [characterId]: gone, ...others } = now.others;

@@ -1,6 +1,6 @@
 /**
- * What every panel is given: the document's store, the viewport, and the page's own state beside them. `main.ts` builds
- * it; panels know nothing of files, workers or addresses, for those arrive as functions.
+ * What panels are given: the document's store, the viewport, and the page's other state. `main.ts` builds it; panels
+ * know nothing of files, workers or addresses, which are passed as functions.
  */
 import type { Playback } from '../../edit/playback.ts';
 import type { Store } from '../../edit/store.ts';
@@ -17,7 +17,7 @@ import type { Settings } from './settings.ts';
 import type { Bindable } from './shortcuts.ts';
 import type { Timeline } from './timeline.ts';
 
-/** What the page asks of the viewport, so that a test can stand in for it. */
+/** The part of the viewport that the page uses, replaceable in tests. */
 export type WorkbenchStage = Pick<
   Viewport,
   | 'show'
@@ -50,66 +50,66 @@ export interface Workbench {
   readonly store: Store;
   readonly actions: ActionList;
   readonly viewport: WorkbenchStage;
-  /** The element that the viewport was built in; the page gives it its place. */
+  /** The element that contains the viewport; the page places it. */
   readonly viewportElement: HTMLElement;
   readonly transport: Observable<Playback>;
   /** What the curve editor and the dope sheet show. */
   readonly timeline: Timeline;
-  /** How the viewport takes the hand. */
+  /** State of posing in the viewport. */
   readonly posing: Posing;
   readonly settings: Observable<Settings>;
   readonly messages: Messages;
-  /** A file on its way in. */
+  /** A file being loaded. */
   readonly loading: Observable<Loading | undefined>;
-  /** The one dialog that is open. */
+  /** The open dialog. */
   readonly dialog: Observable<DialogName | undefined>;
   readonly files: FileActions;
-  /** Work that an earlier page left behind, offered. */
+  /** Sessions left by an earlier page, on offer. */
   readonly kept: Observable<KeptOffer | undefined>;
 }
 
 /**
- * A part of the workbench: a panel takes what it uses, and says so by its type.
+ * A part of the workbench: a panel's type declares what it uses.
  *
  *     function takesPanel(wb: Uses<'store' | 'timeline'>): HTMLElement
  */
 export type Uses<Members extends keyof Workbench> = Pick<Workbench, Members>;
 
-/** All that the page can do just now. Only `action.ts` looks inside: there actions are found, told of and run. */
+/** All current actions. Only `action.ts` looks inside, to find, inspect and run them. */
 export interface ActionList {
   /** In the order of the menus. */
   all(): readonly Action[];
-  /** What the actions are about: they may use all of it, whoever runs them may not. */
+  /** What the actions operate on: they may use all of it, their callers may not. */
   readonly page: Workbench;
 }
 
-/** One record behind a menu entry, a shortcut, a line of the `?` page and a scripted call. */
+/** The single record behind a menu entry, a shortcut, a line of the `?` page and a scripted call. */
 export interface Action extends Bindable {
   /** Stable: `play.toggle`. */
   readonly id: string;
   readonly label: string | ((wb: Workbench) => string);
-  /** Where the label depends on something: what it is called apart from that. */
+  /** Its name if the label depends on state. */
   readonly name?: string;
   /** A second line in the menu. */
   readonly detail?: string;
   readonly group: GroupName;
-  /** `View`, or `View/Draw` for a menu within. Absent: only keys and search. */
+  /** `View`, or `View/Draw` for a submenu. Absent: only shortcuts and search. */
   readonly menu?: MenuName | `${MenuName}/${string}`;
-  /** A second menu that it stands in, for those who look for it there. */
+  /** A second menu that lists it, for those who look for it there. */
   readonly alsoIn?: { readonly menu: MenuName; readonly section?: number };
-  /** Entries of one menu with different sections have a line between them. */
+  /** Entries of one menu with different sections are separated by a line. */
   readonly section?: number;
   readonly icon?: IconName;
-  /** A held key runs it again and again. */
+  /** Repeats while its key is held. */
   readonly repeats?: boolean;
-  /** Always, where absent. */
+  /** Absent: always enabled. */
   enabled?(wb: Workbench): boolean;
-  /** Where it is not: the reason, in a sentence, in place of the detail. */
+  /** Why it is disabled, in a sentence, shown in place of the detail. */
   whyNot?(wb: Workbench): string | undefined;
-  /** Shows a tick; `radio` among alternatives. */
+  /** Shows a check mark; `radio` for alternatives. */
   checked?(wb: Workbench): boolean;
   readonly radio?: boolean;
-  /** A promise where its script is fetched first. */
+  /** Returns a promise if its script is loaded first. */
   run(wb: Workbench, args?: unknown): void | Promise<void>;
 }
 
@@ -122,9 +122,9 @@ export type DialogName =
   | 'holdPins'
   | 'skinWeights'
   | CurveToolName;
-/** The curve tools that ask for something. */
+/** The curve tools with a dialog. */
 export type CurveToolName = 'simplify' | 'resample' | 'bake' | 'scaleKeys' | SampleToolName;
-/** Those for sampled motion that do. */
+/** Those for samples with a dialog. */
 export type SampleToolName = 'convertToKeys' | 'smoothSamples' | 'resampleSamples';
 
 export interface Loading {
@@ -132,7 +132,7 @@ export interface Loading {
   readonly label: string;
   /** Bytes. */
   readonly done: number;
-  /** 0 while it is not known. */
+  /** 0 while unknown. */
   readonly of: number;
   cancel(): void;
 }
@@ -143,9 +143,9 @@ export interface SampleEntry {
   readonly description: string;
 }
 
-/** What the page can do with files. */
+/** The page's file operations. */
 export interface FileActions {
-  /** The browser's file dialog. */
+  /** Opens the browser's file dialog. */
   open(): void;
   openFolder(): void;
   openSample(id: string): void;
@@ -153,18 +153,18 @@ export interface FileActions {
   readonly samples: readonly SampleEntry[];
   drop(data: DataTransfer): void;
   paste(data: DataTransfer): void;
-  /** What is not saved yet; characters in their order. */
+  /** Unsaved parts, in the order of characters. */
   readonly unsaved: Pick<Observable<readonly UnsavedPart[]>, 'get' | 'subscribe'>;
-  /** Saves that: in place, or where the person says. */
+  /** Saves them: in place, or where the user chooses. */
   saveChanged(): void;
-  /** Reads a character's files again, where someone changed them beside the page. */
+  /** Reloads a character's files, if they have changed on disk. */
   reload(characterId: string): void;
   canReload(characterId: string): boolean;
   /**
-   * Parts of one kind, to a place that the person chooses. A kind that the character does not have is made: skeleton and
-   * animation of motion capture, and the other way round, at the transport's frame rate.
+   * Saves parts of one kind to a place that the user chooses. A kind that the character doesn't have is converted:
+   * skeleton and animation from motion capture, and the reverse, at the transport's frame rate.
    */
   save(characterId: string, kind: FormatKind): void;
-  /** A character as one zip. */
+  /** Saves a character as one zip. */
   saveAll(characterId: string): void;
 }
