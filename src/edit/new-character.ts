@@ -1,4 +1,4 @@
-/** A character that begins, and one that gets another skeleton. */
+/** Creating a character, and giving one another skeleton. */
 import { type Character, DEFAULT_PLACEMENT } from '../model/document.ts';
 import { filePose, rootDofCount } from '../model/dofs.ts';
 import { NO_MARKS } from '../model/part.ts';
@@ -25,7 +25,10 @@ export function newCharacter(id: string, name: string): Character {
   };
 }
 
-/** The new skeleton's own pose; root translation and morph weights stay, and what else goes by joints goes along. */
+/**
+ * Takes the new skeleton's file pose; root translation and morph weights are kept, and what refers to joints is carried
+ * over.
+ */
 export function withSkeleton(character: Character, skeleton: Skeleton): Character {
   const weights = character.morphs.length ? character.pose.slice(-character.morphs.length) : [];
   const kept = rootDofCount(skeleton) === rootDofCount(character.skeleton) ? rootDofCount(skeleton) : 0;

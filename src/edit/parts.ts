@@ -1,8 +1,9 @@
 /**
- * Which part is which after a change: the one place where parts are numbered. Commands replace content and know nothing
- * of parts; whoever puts a part from a file in (`project/open`) says which file, in marks that lie as its lists do.
+ * Identifies parts after a change; the only place where parts are numbered. Commands replace content without knowing
+ * about parts; code that adds parts from files (`project/open`) gives their files, as marks parallel to the character's
+ * lists.
  *
- * Marks are in the document, so undo brings an earlier revision back with the content that it is of.
+ * Marks are part of the document, so undo restores a revision together with its content.
  */
 import type { ChannelClip } from '../model/clip.ts';
 import { type Character, type Document, findCharacter, isBvh } from '../model/document.ts';
@@ -10,10 +11,10 @@ import { characterDofs } from '../model/dofs.ts';
 import { mapMarks, NO_MARKS, type PartMark, type PartMarks, UNMARKED } from '../model/part.ts';
 import { haveSameNames } from './pose/same-joints.ts';
 
-/** Gives a number that it has never given before. */
+/** Returns a number that was never returned before. */
 export type Count = () => number;
 
-/** The document with every part marked; the same object where all are. */
+/** The document with every part marked; the same object if all are. */
 export function withParts(before: Document, after: Document, count: Count): Document {
   if (before === after) return after;
   let changed = false;
@@ -28,7 +29,7 @@ export function withParts(before: Document, after: Document, count: Count): Docu
   return changed ? { ...after, characters } : after;
 }
 
-/** A document of another page, whose numbers are not this one's: to be numbered anew. */
+/** A document from another page, without that page's numbers, to be renumbered. */
 export function withoutNumbers(document: Document): Document {
   const bare = ({ file }: PartMark): PartMark => (file ? { ...UNMARKED, file } : UNMARKED);
   const characters = document.characters.map((c) => ({ ...c, parts: mapMarks(c.parts ?? NO_MARKS, bare) }));
@@ -38,7 +39,7 @@ export function withoutNumbers(document: Document): Document {
 function marksOf(was: Character | undefined, now: Character, count: Count): PartMarks {
   const before = was?.parts ?? NO_MARKS;
   const said = now.parts ?? NO_MARKS;
-  // What nobody said anything of is what a command has made of the character before.
+  // Marks that were not given explicitly follow from the character before the command.
   const isSaid = now.parts !== undefined && now.parts !== was?.parts;
   const numbered = (mark: PartMark): PartMark =>
     mark.id && mark.revision ? mark : { ...mark, id: mark.id || count(), revision: mark.revision || count() };
@@ -59,7 +60,7 @@ function marksOf(was: Character | undefined, now: Character, count: Count): Part
   let clips = list('clips', was?.clips ?? [], now.clips);
   let poses = one('poses', was?.poses, now.poses);
   if (was && was.skeleton !== now.skeleton && isBvh(now)) {
-    // A `.bvh` holds the skeleton with each of its takes.
+    // A `.bvh` contains the skeleton with each of its takes.
     clips = clips.map((mark) => (before.clips.includes(mark) && mark.file?.kind !== 'anim' ? changed(mark) : mark));
   }
   if (was && poses && poses === before.poses && !arePosedAlike(was, now)) poses = changed(poses);
@@ -73,7 +74,7 @@ function marksOf(was: Character | undefined, now: Character, count: Count): Part
     poses === said.poses;
   return isSame && now.parts ? now.parts : parts;
 
-  /** Content that is there still keeps its mark; other content in its place is another revision of the part. */
+  /** Unchanged content keeps its mark; other content in its place is a new revision of the part. */
   function followed<T extends Named>(a: readonly T[], marks: readonly PartMark[], b: readonly T[]): PartMark[] {
     if (a === b) return [...marks];
     const places = new Map(a.map((content, i) => [content, i]));
@@ -98,12 +99,12 @@ interface Named {
   readonly name: string;
 }
 
-/** A list of marks where another is not what was there already. */
+/** Keeps the known list of marks if it is equal. */
 function sameItems(list: readonly PartMark[], known: readonly PartMark[]): readonly PartMark[] {
   return list.length === known.length && list.every((mark, i) => mark === known[i]) ? known : list;
 }
 
-/** Whether two clips are one to a `.bvh`, which says neither what of it is played nor how between its frames. */
+/** Whether two clips are the same to a `.bvh`, which stores neither playback range nor interpolation. */
 function holdsTheSame(a: Named & Partial<ChannelClip>, b: Named & Partial<ChannelClip>): boolean {
   if (!a.samples || !b.samples || a.name !== b.name || a.channels !== b.channels) return false;
   const { interpolation: _a, ...before } = a.samples;
@@ -112,7 +113,7 @@ function holdsTheSame(a: Named & Partial<ChannelClip>, b: Named & Partial<Channe
   return keys.every((key) => before[key] === after[key]);
 }
 
-/** Whether poses of one are written as poses of the other: their joints, DOFs and morphs are called alike. */
+/** Whether poses of both are written the same: their joints, DOFs and morphs have the same names. */
 function arePosedAlike(a: Character, b: Character): boolean {
   if (a.skeleton === b.skeleton && a.morphs === b.morphs) return true;
   return (

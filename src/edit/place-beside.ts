@@ -1,4 +1,4 @@
-/** Where a new character stands: beside those that are there, so that fifty dropped at once are not one heap. */
+/** Placement of new characters: beside existing ones, so that fifty dropped at once don't overlap. */
 import { posedBounds, skinBounds } from '../evaluate/bounds.ts';
 import { compileSkin, skinMatrices } from '../evaluate/deform.ts';
 import { compileSkeleton, worldMatrices } from '../evaluate/kinematics.ts';
@@ -9,24 +9,24 @@ import { type Character, DEFAULT_PLACEMENT, type Placement, shownClip, shownSkin
 import type { SourceFile } from '../model/files.ts';
 import { perObject } from '../model/per-object.ts';
 
-/** Room left between two characters, as a part of the wider one. */
+/** Gap between two characters, relative to the wider one. */
 const GAP = 0.25;
-/** Characters in a row; all figures of a file count as one. */
+/** Characters per row; all figures of a file count as one. */
 const MAX_IN_ROW = 8;
-/** From one row to the next, as a multiple of the largest in both: one can walk between them. */
+/** Distance between rows, as a multiple of the largest character in both; leaves room to walk. */
 const ROW_STEP = 1.5;
-/** Roots so near to each other along z stand in one row, as a part of the larger character. */
+/** Distance of roots along z within one row, relative to the larger character. */
 const SAME_ROW = 0.2;
 
 /**
- * At the origin where nothing stands there yet; else to the right (+x) of those in the last one's row; and where the
- * row is full, at its left end in a new row before it (+z).
+ * At the origin if nothing is there; else to the right (+x) of the characters in the last one's row; if the row is
+ * full, at its left end in a new row in front (+z).
  *
  *     a  b  c  d  e  f  g  h
  *     i  j  k …                         z ↓ to the viewer
  *
- * All as they stand at the moment where their clips begin: who is somewhere else on the ground by then (captured motion)
- * is put into the row with its root. Figures of one file keep their places to each other: they were there together.
+ * Uses positions at the start of each clip: a character that starts elsewhere on the ground (motion capture) is aligned
+ * by its root. Figures of one file keep their relative positions.
  */
 export function placeBeside(others: readonly Character[], character: Character): Placement {
   const leaderOf = leadersOf(others);
@@ -49,7 +49,7 @@ export function placeBeside(others: readonly Character[], character: Character):
     const extent = extentOf(figure);
     widest = Math.max(widest, extent.max - extent.min);
     largest = Math.max(largest, sizeOf(figure));
-    // A turned copy is as wide as its depth may be; its own width is near enough for a gap.
+    // An upper bound for rotated instances would need the depth; the width is close enough for a gap.
     for (const { position, scale } of figure.placements) {
       left = Math.min(left, position[0] + scale * extent.min);
       right = Math.max(right, position[0] + scale * extent.max);
@@ -61,7 +61,7 @@ export function placeBeside(others: readonly Character[], character: Character):
   return { ...DEFAULT_PLACEMENT, position: [rounded(x), 0, rounded(z)] };
 }
 
-/** Tells of a figure the first one among `others` of the file that captured it; itself of everything else. */
+/** Maps a captured figure to the first of `others` from the same file, and everything else to itself. */
 function leadersOf(others: readonly Character[]): (character: Character) => Character {
   const first = new Map<SourceFile, Character>();
   for (const other of others) {
@@ -74,7 +74,7 @@ function leadersOf(others: readonly Character[]): (character: Character) => Char
   };
 }
 
-/** Where a character's row is along the scene's z. */
+/** Position of a character's row along the scene's z. */
 function rowOf(character: Character): number {
   const [{ position, scale }] = character.placements;
   return position[2] + (character.space ? scale * extentOf(character).depth : 0);
@@ -92,16 +92,16 @@ export interface Extent {
   /** Along the scene's x, before its placement. */
   readonly min: number;
   readonly max: number;
-  /** Where its root stands along the scene's z. */
+  /** Position of its root along the scene's z. */
   readonly depth: number;
-  /** The longest side of the box around it. */
+  /** The longest side of its bounding box. */
   readonly size: number;
 }
 
-/** Scratch, never escapes. */
+/** Scratch; never escapes. */
 const at = new Float64Array(3);
 
-/** At the moment where its clip begins; found once for each character. */
+/** At the start of its clip; cached per character. */
 export const extentOf = perObject(measure);
 
 function measure(character: Character): Extent {
@@ -123,7 +123,7 @@ function measure(character: Character): Extent {
     worldMatrices(compileSkeleton(skeleton), dofs, world);
     skeleton.joints.forEach((joint, j) => {
       const { box } = joint;
-      // The box's own reach, and the bone's, as if they lay along x: wide enough however they are turned.
+      // Extent of box and bone as if along x: an upper bound for any rotation.
       const boxReach = hasBox(joint) ? Math.max(...box.min.map(Math.abs), ...box.max.map(Math.abs)) : 0;
       const reach = Math.max(boxReach, joint.length ?? 0);
       const o = 16 * j + 12;

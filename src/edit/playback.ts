@@ -1,33 +1,32 @@
 /**
- * The transport: which moment is shown, and how it moves on. A value and pure functions over it, without a clock: the
- * page passes in the seconds that went by. (three.js's mixer wraps, reverts and inverts at its own ends, so it is only
- * ever told the time.)
+ * The transport: the current time and how it advances. A value and pure functions without a clock: the page passes the
+ * elapsed seconds. (three.js's mixer has its own wrapping at the ends, so it is only ever told the time.)
  */
 export const LOOP_MODES = ['once', 'loop', 'pingpong', 'continue'] as const;
-/** `continue` runs on past the range, so that extrapolation shows. */
+/** `continue` plays past the range, to show extrapolation. */
 export type LoopMode = (typeof LOOP_MODES)[number];
 
 export interface Playback {
   readonly timeSeconds: number;
   readonly playing: boolean;
-  /** First and last second that are played. */
+  /** First and last second that play. */
   readonly range: readonly [number, number];
   readonly loop: LoopMode;
-  /** Seconds shown per second passed, −4 to 4. */
+  /** Playback speed, −4 to 4. */
   readonly rate: number;
-  /** On the way back of a ping-pong; the rate itself stays as it was set. */
+  /** Whether ping-pong is on its way back; the speed itself is unchanged. */
   readonly turned: boolean;
-  /** Of the display in frames, and of steps by a frame; within `FRAME_RATES`. */
+  /** For display in frames and steps by frame; within `FRAME_RATES`. */
   readonly framesPerSecond: number;
 }
 
-/** What one can count in, frames per second. */
+/** Minimum and maximum FPS for display in frames. */
 export const FRAME_RATES = [1, 1000] as const;
 
 export const DEFAULT_PLAYBACK: Playback = {
   timeSeconds: 0,
   playing: false,
-  // Time to pose in before there is any clip.
+  // Some time for posing before there is any clip.
   range: [0, 2],
   loop: 'loop',
   rate: 1,
@@ -36,8 +35,8 @@ export const DEFAULT_PLAYBACK: Playback = {
 };
 
 /**
- * The transport after `elapsedSeconds` of the clock. `once` stops at the end it runs into; `pingpong` turns round at
- * both ends, and a pause in the middle goes on the same way.
+ * The transport after `elapsedSeconds` of the clock. `once` stops at the end; `pingpong` reverses at both ends, and
+ * continues in the same direction after a pause.
  */
 export function advance(playback: Playback, elapsedSeconds: number): Playback {
   if (!playback.playing || elapsedSeconds === 0) return playback;
@@ -51,7 +50,7 @@ export function advance(playback: Playback, elapsedSeconds: number): Playback {
   if (timeSeconds >= start && timeSeconds <= end) return { ...playback, timeSeconds };
   switch (loop) {
     case 'once':
-      // Playing away from the range would never end; playing back into it goes on.
+      // Playing away from the range continues forever; playing back towards it continues too.
       if (rate > 0 ? timeSeconds < start : timeSeconds > end) return { ...playback, timeSeconds };
       return { ...playback, timeSeconds: rate > 0 ? end : start, playing: false };
     case 'loop':
@@ -68,7 +67,7 @@ export function advance(playback: Playback, elapsedSeconds: number): Playback {
   }
 }
 
-/** Starts playing; from the other end when `once` has come to its end. */
+/** Starts playing; from the other end if `once` had reached its end. */
 export function play(playback: Playback): Playback {
   const [start, end] = playback.range;
   const atEnd = playback.rate >= 0 ? playback.timeSeconds >= end : playback.timeSeconds <= start;
@@ -77,8 +76,8 @@ export function play(playback: Playback): Playback {
 }
 
 /**
- * Stops playing: at this very moment, or on the frame that is nearest to it, where one counts in frames. In a range that
- * doesn't end on a frame that is the nearest one inside.
+ * Pauses at the current time, or on the nearest frame if times are shown in frames. If the range doesn't end on a
+ * frame, on the nearest one inside.
  */
 export function pause(playback: Playback, onFrame: boolean): Playback {
   const { timeSeconds, framesPerSecond, range } = playback;
@@ -86,23 +85,23 @@ export function pause(playback: Playback, onFrame: boolean): Playback {
   if (!onFrame) return stopped;
   const isInside = (time: number) => time >= range[0] && time <= range[1];
   const at = timeSeconds * framesPerSecond;
-  // Plus 0: no time is −0.
+  // Adding 0 avoids −0.
   const near = [Math.round(at), Math.floor(at), Math.ceil(at)].map((frame) => (frame + 0) / framesPerSecond);
   const found = isInside(timeSeconds) ? near.find(isInside) : near[0];
   return { ...stopped, timeSeconds: found ?? timeSeconds };
 }
 
-/** Counts in frames of this rate, where it is one that can be counted in; else, and without one, as before. */
+/** Uses this frame rate for display, if it is valid; otherwise unchanged. */
 export function countedAt(playback: Playback, framesPerSecond: number | undefined): Playback {
   const [least, most] = FRAME_RATES;
   if (framesPerSecond === undefined || framesPerSecond < least || framesPerSecond > most) return playback;
   return playback.framesPerSecond === framesPerSecond ? playback : { ...playback, framesPerSecond };
 }
 
-/** Steps by whole frames, onto the frame grid: from between two frames to the nearer side's next one. */
+/** Steps by whole frames on the frame grid; from between two frames, to the next one in that direction. */
 export function stepFrames(playback: Playback, frames: number): Playback {
   const at = playback.timeSeconds * playback.framesPerSecond;
-  // A time that is a frame but for rounding counts as that frame.
+  // A time that is a frame up to rounding counts as that frame.
   const from = Math.abs(at - Math.round(at)) < 1e-6 ? Math.round(at) : frames > 0 ? Math.floor(at) : Math.ceil(at);
   return { ...playback, timeSeconds: (from + frames) / playback.framesPerSecond, playing: false };
 }

@@ -1,8 +1,8 @@
-/** While another character's take moves one, its own take is not seen: nothing may change there unnoticed. */
+/** During retargeting a character's own take is not visible, so it must not change. */
 import type { Character } from '../model/document.ts';
 import { CommandError } from './store.ts';
 
-/** Refuses what would change a take that nobody sees, because another one moves the character. */
+/** Refuses to change a take that is hidden by retargeting. */
 export function refuseMoved({ name, driver }: Character): void {
   if (!driver) return;
   throw new CommandError(

@@ -1,11 +1,11 @@
 /**
- * Scaling keys about a point:
+ * Scales keys about a point:
  *
  *     time′ = pivot + (time − pivot) · timeFactor         value′ = pivot + (value − pivot) · valueFactor
  *     slope′ = slope · valueFactor / timeFactor
  *
- * A negative factor of time mirrors: the side a curve came in on is the one it leaves on, so the two tangents of each
- * key change places. (Slopes then change sign by the formula.)
+ * A negative time factor mirrors: the in and out tangents of each key are swapped. (By the formula, slopes then change
+ * sign.)
  */
 import type { KeyedChannel, Tangents } from '../../model/clip.ts';
 import { FIXED_TANGENT } from '../../model/clip.ts';
@@ -14,18 +14,18 @@ import { arrangeKeys, type Collision, type EditedChannel, timesFor } from './arr
 import { withValues } from './move.ts';
 
 export interface Scaling {
-  /** The moment of the clip that stays where it is. */
+  /** Clip time that stays fixed. */
   readonly pivotSeconds: number;
-  /** 0 puts all keys at the pivot, where the last one stays. */
+  /** 0 puts all keys at the pivot, where the last one is kept. */
   readonly timeFactor: number;
-  /** The value that stays what it is. */
+  /** The value that stays fixed. */
   readonly pivotValue: number;
   readonly valueFactor: number;
 }
 
 /**
- * The very same channel where nothing changes, the very same columns where they don't.
- * @param indices ascending, each once
+ * The same channel if nothing changes, and the same columns if these don't.
+ * @param indices ascending, unique
  */
 export function withKeysScaled(
   channel: KeyedChannel,
@@ -33,17 +33,17 @@ export function withKeysScaled(
   { pivotSeconds, timeFactor, pivotValue, valueFactor }: Scaling,
   collision: Collision = 'replace',
 ): EditedChannel {
-  // A factor of 1 leaves numbers alone: through a pivot far away they would come back rounded.
+  // A factor of 1 leaves numbers exact; with a distant pivot they would be rounded.
   const valued =
     valueFactor === 1 ? channel : withValues(channel, indices, (v) => pivotValue + (v - pivotValue) * valueFactor);
-  // Keys that all come to stand at one time have no slope to speak of; theirs stays as steep as it was.
+  // Keys that end at the same time have no meaningful slope; theirs are kept.
   const scaled = withScaledTangents(valued, indices, valueFactor / (timeFactor === 0 ? 1 : timeFactor), timeFactor < 0);
   if (timeFactor === 1) return { channel: scaled, indices };
   const times = timesFor(indices, (k) => pivotSeconds + (channel.times[k] - pivotSeconds) * timeFactor);
   return arrangeKeys(scaled, indices, times, collision);
 }
 
-/** The channel with some keys' slopes multiplied, and their two sides exchanged if `mirrored`. */
+/** The channel with some keys' slopes multiplied, and in and out swapped if `mirrored`. */
 function withScaledTangents(
   channel: KeyedChannel,
   indices: readonly number[],
@@ -56,7 +56,7 @@ function withScaledTangents(
   return into === tangentsIn && out === tangentsOut ? channel : { ...channel, tangentsIn: into, tangentsOut: out };
 }
 
-/** `own` with some keys' tangents taken from `from`; the very same, and the same columns, where nothing changes. */
+/** `own` with some keys' tangents from `from`; the same object and columns if nothing changes. */
 function scaledTangents(own: Tangents, from: Tangents, indices: readonly number[], factor: number): Tangents {
   let { kinds, slopes } = own;
   for (const k of indices) {

@@ -1,7 +1,7 @@
 /**
- * Sets of keys, as the selection holds them: `ChannelKeys` sorted by channel, none without a key, indices ascending.
- * Everything here keeps that order, and merges sorted lists rather than searching in them: all the keys of a long clip
- * are selected as fast as one.
+ * Sets of keys, as in the selection: `ChannelKeys` sorted by channel, none empty, indices ascending. All functions
+ * preserve that order and merge sorted lists instead of searching, so that selecting all keys of a long clip is as fast
+ * as selecting one.
  */
 import { firstNotBelow } from '../../math/search.ts';
 import { type ChannelClip, keysOf } from '../../model/clip.ts';
@@ -10,12 +10,12 @@ import { sameTime } from './same-time.ts';
 
 export const NO_KEY_SELECTION: readonly ChannelKeys[] = [];
 
-/** Every key of these channels (indices into the clip's), of all channels if none are given. */
+/** Every key of these channels (indices into the clip's); default: all channels. */
 export function allKeys(clip: ChannelClip, channels?: readonly number[]): readonly ChannelKeys[] {
   return collect(clip, channels, (times) => [0, times.length]);
 }
 
-/** The keys at a moment of the clip: of a step both. */
+/** The keys at a clip time; of a step both. */
 export function keysAtTime(
   clip: ChannelClip,
   channels: readonly number[] | undefined,
@@ -31,22 +31,22 @@ export function keysAtTime(
   });
 }
 
-/** Those in either. */
+/** Keys in either set. */
 export function unionKeys(a: readonly ChannelKeys[], b: readonly ChannelKeys[]): readonly ChannelKeys[] {
   return combine(a, b, (inA, inB) => inA || inB);
 }
 
-/** Those in one of them only: keys of `b` that `a` has leave it, the others join. */
+/** Keys in only one of the sets: keys of `b` are removed if in `a`, and otherwise added. */
 export function toggleKeys(a: readonly ChannelKeys[], b: readonly ChannelKeys[]): readonly ChannelKeys[] {
   return combine(a, b, (inA, inB) => inA !== inB);
 }
 
-/** Those of `a` that are not in `b`. */
+/** Keys of `a` that are not in `b`. */
 export function withoutKeys(a: readonly ChannelKeys[], b: readonly ChannelKeys[]): readonly ChannelKeys[] {
   return combine(a, b, (inA, inB) => inA && !inB);
 }
 
-/** Whether a key is among them. O(log), for picking and drawing. */
+/** Whether the set contains a key. O(log), for picking and drawing. */
 export function hasKey(keys: readonly ChannelKeys[] | undefined, channel: number, index: number): boolean {
   const indices = keys?.find((k) => k.channel === channel)?.indices;
   return indices !== undefined && indices[firstNotBelow(indices, index)] === index;
@@ -58,7 +58,7 @@ export function countKeys(keys: readonly ChannelKeys[] | undefined): number {
   return count;
 }
 
-/** The keys from one index up to, not including, another, of each of the channels. */
+/** The keys from one index up to (excluding) another, in each of the channels. */
 function collect(
   clip: ChannelClip,
   channels: readonly number[] | undefined,
@@ -73,7 +73,9 @@ function collect(
   return found;
 }
 
-/** The keys of two sets for which `keep` says so, by whether each set has them. A set that stays whole stays itself. */
+/**
+ * The keys for which `keep` returns true, given whether each set contains them. An unchanged set keeps its identity.
+ */
 function combine(
   a: readonly ChannelKeys[],
   b: readonly ChannelKeys[],

@@ -1,11 +1,11 @@
-/** Keys with exact, typed numbers. */
+/** Setting keys to exact, typed numbers. */
 import { FIXED_TANGENT, type KeyedChannel } from '../../model/clip.ts';
 import { arrangeKeys, type EditedChannel, timesFor } from './arrange.ts';
 import { tangent } from './columns.ts';
 import { withValues } from './move.ts';
 import { withTangents } from './tangents.ts';
 
-/** What is given is set, the rest stays. */
+/** Omitted numbers are not changed. */
 export interface TypedKey {
   /** Of the clip. */
   readonly timeSeconds?: number | undefined;
@@ -16,9 +16,9 @@ export interface TypedKey {
 }
 
 /**
- * The channel with these numbers at all of the given keys; the very same where nothing changes. A key that comes to
- * another's time replaces it; of several given keys that are put at one time the last stays.
- * @param indices ascending, each once
+ * The channel with these numbers at all given keys; the same object if nothing changes. A key that lands on another's
+ * time replaces it; of several given keys put at one time the last is kept.
+ * @param indices ascending, unique
  */
 export function withKeysSet(
   channel: KeyedChannel,
@@ -35,8 +35,8 @@ export function withKeysSet(
 }
 
 /**
- * The channel with keys moved to the nearest frame; of those that come to one frame the last stays.
- * @param offsetSeconds where frame 0 is, in seconds of the clip
+ * The channel with keys moved to the nearest frame; of several on one frame the last is kept.
+ * @param offsetSeconds time of frame 0, in seconds of the clip
  */
 export function withKeysSnapped(
   channel: KeyedChannel,
@@ -44,7 +44,7 @@ export function withKeysSnapped(
   framesPerSecond: number,
   offsetSeconds = 0,
 ): EditedChannel {
-  // Plus 0: frame −0 is frame 0.
+  // Adding 0 avoids −0.
   const toFrame = (time: number) =>
     Math.round((time - offsetSeconds) * framesPerSecond) / framesPerSecond + offsetSeconds + 0;
   return arrangeKeys(

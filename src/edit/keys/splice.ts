@@ -1,8 +1,8 @@
-/** One key more in a channel's columns. */
+/** Inserting a key into a channel's columns. */
 import type { KeyedChannel, Tangents } from '../../model/clip.ts';
 import type { Key, Tangent } from './columns.ts';
 
-/** The channel with a key more, which comes to be number `index`. All columns are new. */
+/** The channel with another key at `index`. All columns are new. */
 export function withKeyAt(channel: KeyedChannel, index: number, key: Key): KeyedChannel {
   return {
     ...channel,

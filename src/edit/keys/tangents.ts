@@ -1,21 +1,18 @@
-/**
- * Tangents of keys, a side at a time. Slopes that are asked for become numbers (FIXED); a kind by name follows the
- * neighbours from then on.
- */
+/** Editing tangents of keys, by side. Requested slopes become numbers (FIXED); other kinds follow the neighbours. */
 import { keySlope } from '../../evaluate/slopes.ts';
 import { FIXED_TANGENT, type KeyedChannel, type Tangents } from '../../model/clip.ts';
 import { type Tangent, tangent } from './columns.ts';
 
-/** The side a curve comes in on, or leaves on. */
+/** The side of a key that is edited. */
 export const TANGENT_SIDES = ['in', 'out', 'both'] as const;
 export type TangentSide = (typeof TANGENT_SIDES)[number];
 
-/** Slopes that differ by less, relative to the larger, are one slope. */
+/** Relative difference below which slopes are equal. */
 const SAME_SLOPE = 1e-12;
 
 /**
- * The channel with a tangent kind on one side of keys or both; the very same where nothing changes.
- * @param kind index into TANGENT_KINDS; FIXED keeps the slope there is, as a number
+ * The channel with a tangent kind on one or both sides of keys; the same object if nothing changes.
+ * @param kind index into TANGENT_KINDS; FIXED keeps the current slope as a number
  */
 export function setTangentKind(
   channel: KeyedChannel,
@@ -29,7 +26,7 @@ export function setTangentKind(
   });
 }
 
-/** Makes one side of keys, or both, a number: value per second. */
+/** Sets one or both sides of keys to a number: value per second. */
 export function setSlope(
   channel: KeyedChannel,
   indices: readonly number[],
@@ -41,7 +38,7 @@ export function setSlope(
   );
 }
 
-/** Gives both sides of each key one slope, the mean of the two. Keys whose slopes are equal stay as they are. */
+/** Unifies tangents: both sides of each key get the mean slope. Keys with equal slopes are not changed. */
 export function withTangentsUnified(channel: KeyedChannel, indices: readonly number[]): KeyedChannel {
   return withTangents(channel, indices, (k) => {
     const into = keySlope(channel, k, 'in');
@@ -51,14 +48,16 @@ export function withTangentsUnified(channel: KeyedChannel, indices: readonly num
   });
 }
 
-/** Makes both sides of each key numbers, the slopes they have: from then on each can be turned without the other. */
+/**
+ * Breaks tangents: both sides of each key become numbers with their current slopes, so that each can be changed alone.
+ */
 export function withTangentsBroken(channel: KeyedChannel, indices: readonly number[]): KeyedChannel {
   return withTangents(channel, indices, (k, at) => tangent(FIXED_TANGENT, keySlope(channel, k, at)));
 }
 
 /**
- * The channel with other tangents at some keys: `change` says which, `undefined` to leave one. Columns that do not
- * change stay the same objects, and the channel where none does.
+ * The channel with other tangents at some keys: `change` returns them, or `undefined` for no change. Unchanged columns
+ * keep their identity, and so does the channel if none changes.
  */
 export function withTangents(
   channel: KeyedChannel,

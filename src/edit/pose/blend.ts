@@ -1,6 +1,6 @@
 /**
- * A pose between two: rotations along the shortest arc at an even pace (Shoemake 1985), three Euler angles by way of their
- * quaternion and back to those that are nearest to where they began; everything else straight on.
+ * Blends two poses: rotations along the shortest arc at constant speed (Shoemake 1985), three Euler angles through
+ * their quaternion and back to the nearest angles; everything else linearly.
  */
 import { appliedDofs, eulerDofs, renamedAxes } from '../../evaluate/euler-dofs.ts';
 import { eulerNear, quaternionOfEuler } from '../../math/euler.ts';
@@ -12,7 +12,7 @@ import type { Skeleton } from '../../model/skeleton.ts';
 /**
  * @param from the character's DOFs
  * @param to as many
- * @param share 0: the one, 1: the other, both exactly
+ * @param share 0: exactly `from`, 1: exactly `to`
  */
 export function blendPoses(
   skeleton: Skeleton | undefined,
@@ -35,7 +35,7 @@ export function blendPoses(
   return out;
 }
 
-/** Scratch, never escapes. */
+/** Scratch; never escapes. */
 const p = new Float64Array(4);
 const q = new Float64Array(4);
 const angles = new Float64Array(3);
@@ -54,12 +54,12 @@ function blendQuaternions(
     q[k] = to[at + k] / lengths[1];
   }
   slerp(p, q, share, p);
-  // As long as both are, on the way from one length to the other.
+  // With interpolated length.
   const length = lengths[0] + share * (lengths[1] - lengths[0]);
   for (let k = 0; k < 4; k++) out[at + k] = length * p[k];
 }
 
-/** `sign` makes the angles, in the order in which they are applied, those of Rz(γ)·Ry(β)·Rx(α) with the axes renamed. */
+/** `sign` turns the angles, in order of application, into those of Rz(γ)·Ry(β)·Rx(α) with renamed axes. */
 function blendEulers(
   from: ArrayLike<number>,
   to: ArrayLike<number>,

@@ -1,6 +1,6 @@
 /**
- * Poses from a character's list of DOFs to names, and from names to any character's list. Between skeletons whose joints
- * have the same names in the same order, one goes to one. Otherwise joints go by name (`same-joints.ts`).
+ * Converts poses between a character's list of DOFs and names, and so between characters. If the joints have the same
+ * names in the same order, they correspond one to one; otherwise they are matched by name (`same-joints.ts`).
  */
 import type { Character } from '../../model/document.ts';
 import { characterDofs, firstDofs, rootDofCount } from '../../model/dofs.ts';
@@ -12,7 +12,7 @@ import { haveSameNames, sameNames } from './same-joints.ts';
 
 type Posed = Pick<Character, 'skeleton' | 'morphs'>;
 
-/** @param values one for each of the character's DOFs; what has no place in them is at rest */
+/** @param values one per DOF of the character; missing ones are at rest */
 export function poseByNames(character: Posed, { name, values }: NamedPose): PoseByNames {
   const all = characterDofs(character.skeleton, character.morphs);
   const joints: { name: string; dofs: NamedValue[] }[] = (character.skeleton?.joints ?? []).map((joint) => ({
@@ -35,15 +35,15 @@ export function poseByNames(character: Posed, { name, values }: NamedPose): Pose
 export interface TakenPose {
   /** By DOF of the character. */
   readonly values: ReadonlyMap<number, number>;
-  /** Joints of the pose that the character has, or has in part. */
+  /** Joints of the pose that the character has, at least in part. */
   readonly found: number;
-  /** Names of those that it has not. */
+  /** Names of those that it lacks. */
   readonly missing: readonly string[];
 }
 
 /**
- * What a pose comes to for a character; DOFs that it says nothing of, or that it has by another name, are in no value.
- * @param known of each of its joints the character's, or -1, where that is known; else names tell
+ * A pose applied to a character; DOFs that the pose lacks, or has under another name, get no value.
+ * @param known for each of its joints the character's, or -1, if known; else matched by name
  */
 export function takePose(character: Posed, pose: PoseByNames, known?: ArrayLike<number>): TakenPose {
   const all = characterDofs(character.skeleton, character.morphs);
@@ -78,7 +78,7 @@ export function takePose(character: Posed, pose: PoseByNames, known?: ArrayLike<
   return { values, found, missing };
 }
 
-/** Of each posed joint the character's joint, or -1; each of those once. Nameless ones go by their place in the list. */
+/** For each posed joint the character's joint, or -1; each used once. Unnamed ones are matched by index. */
 function matched(posed: readonly PosedJoint[], joints: readonly Joint[]): ArrayLike<number> {
   if (haveSameNames(posed, joints)) return posed.map((_, j) => j);
   const targets = sameNames(posed, joints);

@@ -1,38 +1,37 @@
 /**
- * The DOFs that bring a joint's own matrix J(φ) as near to a wanted one as its rule and its limits allow, whatever kind of
- * joint it is:
+ * Finds the DOFs that bring a joint's own matrix J(φ) as close to a wanted one as its type and limits allow:
  *
- *     minimise  |A(φ) − A|² + |t(φ) − t|² / size²        A: the 3×3 part, t: where the pivot is moved to
+ *     minimise  |A(φ) − A|² + |t(φ) − t|² / size²        A: the 3×3 part, t: the pivot's position
  *
- * by Levenberg and Marquardt's damped steps with the joint's own derivatives (Nielsen's rule for the damping, 1999), DOFs
- * held at a limit that they push against. From several beginnings, since angles have more than one valley.
+ * by Levenberg–Marquardt with the joint's derivatives (damping by Nielsen's rule, 1999), holding DOFs at limits that
+ * they push against. From several starting values, since angles have several local minima.
  */
 import type { JointMotion } from '../../evaluate/motions/motion.ts';
 
 const MAX_STEPS = 60;
 const DONE = 1e-28;
 const MAX_DAMPING = 1e12;
-/** An end is better than another by that part at least; else the earlier one stands. */
+/** A result must be better by this fraction; otherwise the earlier one is kept. */
 const BETTER = 1e-9;
 
 export interface LocalFit {
   readonly motion: JointMotion;
-  /** Into `dofs`. */
+  /** Index into `dofs`. */
   readonly first: number;
   readonly count: number;
-  /** J as it should be, 16 numbers. */
+  /** The wanted J, 16 numbers. */
   readonly wanted: Float64Array;
-  /** One for each DOF; infinite without limits, and both the same for one that is not to change. */
+  /** One per DOF; infinite without limits, and equal for a fixed DOF. */
   readonly lower: Float64Array;
   readonly upper: Float64Array;
-  /** What a length is measured by. */
+  /** Unit for lengths. */
   readonly size: number;
 }
 
 /**
  * Writes the joint's DOFs to `dofs`.
- * @param beginnings one value for each DOF each, at least one; taken into the limits first
- * @returns the sum of the squares that is left
+ * @param beginnings starting values, one per DOF each, at least one set; clamped to the limits first
+ * @returns the remaining sum of squares
  */
 export function fitLocal(fit: LocalFit, beginnings: readonly ArrayLike<number>[], dofs: Float64Array): number {
   const { first, count, lower, upper } = fit;
@@ -51,7 +50,7 @@ export function fitLocal(fit: LocalFit, beginnings: readonly ArrayLike<number>[]
   return best;
 }
 
-/** Scratch, never escapes. */
+/** Scratch; never escapes. */
 const matrix = new Float64Array(16);
 const ROWS = 12;
 
@@ -95,7 +94,7 @@ function descend(fit: LocalFit, dofs: Float64Array): number {
       return !((value <= lower[d] && gradient[d] > 0) || (value >= upper[d] && gradient[d] < 0));
     };
     const free = Array.from({ length: count }, (_, d) => d).filter(isFree);
-    // As flat as numbers can tell: down to there it was worth going, for a pose mirrored twice is to be itself.
+    // Down to the limit of precision, so that a pose mirrored twice is unchanged.
     if (free.every((d) => Math.abs(gradient[d]) < 1e-17)) break;
     for (let d = 0; d < count; d++) before[d] = dofs[first + d];
     let isLower = false;
@@ -123,7 +122,7 @@ function descend(fit: LocalFit, dofs: Float64Array): number {
   return error;
 }
 
-/** h = −(JᵀJ + λI)⁻¹·g over the free DOFs, by Cholesky. @returns how much that promises */
+/** h = −(JᵀJ + λI)⁻¹·g over the free DOFs, by Cholesky. @returns the predicted decrease */
 function solve(
   jacobian: Float64Array,
   gradient: Float64Array,

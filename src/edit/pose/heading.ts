@@ -1,26 +1,26 @@
 /**
- * Which way a figure faces, and what turns its mirror image back to face that way.
+ * The facing direction of a figure, and the rotation that restores it after mirroring.
  *
- * Mirrored across an upright plane, a figure at ψ to that plane is at −ψ to it; a turn about the up axis by 2ψ brings it
- * back. Then it is mirrored across the upright plane of its own, and mirrored twice it is itself, for its heading is kept:
- * T₂ψ·M·T₂ψ·M = T₂ψ·T₋₂ψ = 1. A turn by half a circle of ψ changes nothing, so left and right may be taken for each other.
+ * Mirrored across a vertical plane, a figure at angle ψ to the plane is at −ψ; a rotation about the up axis by 2ψ
+ * restores its heading. It is then mirrored across its own vertical plane, and mirroring twice is the identity:
+ * T₂ψ·M·T₂ψ·M = T₂ψ·T₋₂ψ = 1. Adding 180° to ψ changes nothing, so left and right may be confused.
  */
 import type { CompiledSkeleton } from '../../evaluate/kinematics.ts';
 import { turnAbout, writeRotationPart } from '../../math/mat3.ts';
 import { cross, dot, transformVector, unit, type Vec3 } from '../../math/vec3.ts';
 import type { Reflection } from './reflection.ts';
 
-/** Nearer to the plane than that (as a sine) it faces along it. */
+/** Closer to the plane than this (sine) counts as facing along it. */
 const ALONG = 1e-12;
-/** A direction that is steeper than that (as a cosine) says nothing of where a figure faces. */
+/** A direction steeper than this (cosine) gives no heading. */
 const STEEP = 0.3;
 
 /**
- * The turn about the up axis by 2ψ, nine numbers; undefined where the figure faces along the plane, and where the plane
- * does not stand upright. Its heading is that of its root: a head may look elsewhere.
+ * The rotation about the up axis by 2ψ, nine numbers; undefined if the figure faces along the plane, or the plane is
+ * not vertical. The heading is that of the root, since a head may look elsewhere.
  *
- * @param sides from one side of the figure to the other in the pose of reference, of length 1
- * @param dofs of the character, before it is mirrored
+ * @param sides unit vector from one side of the figure to the other, in the reference pose
+ * @param dofs of the character, before mirroring
  */
 export function headingBack(
   compiled: CompiledSkeleton,
@@ -35,13 +35,13 @@ export function headingBack(
   const now = rootTurn(compiled, dofs);
   const before = rootTurn(compiled, reference);
   const fromReference = (v: Vec3) => transformVector(now, transposed(before, v));
-  /** cos ψ and sin ψ of what is along `zero` at ψ = 0; undefined where it is steep. */
+  /** cos ψ and sin ψ of a vector relative to `zero`; undefined if it is steep. */
   const angle = (v: Vec3, zero: Vec3) => {
     const [c, s] = [dot(v, zero), dot(v, cross(upward, zero))];
     const length = Math.hypot(c, s);
     return length > STEEP * Math.hypot(...v) ? ([c / length, s / length] as const) : undefined;
   };
-  // Lying on one side, from foot to head, which are in the plane between the sides.
+  // Lying on one side: from foot to head, which is in the plane between the sides.
   const found = angle(fromReference(sides), normal) ?? angle(fromReference(upward), along);
   if (!found) return undefined;
   const [cos, sin] = found;
@@ -51,7 +51,7 @@ export function headingBack(
   return out;
 }
 
-/** The root's rotation and what else turns and stretches it, 16 numbers. */
+/** The matrix of the root's own DOFs, 16 numbers. */
 function rootTurn({ motions, firstDof }: CompiledSkeleton, dofs: Float64Array): Float64Array {
   const local = new Float64Array(16);
   motions[0].write(dofs, firstDof[0], local, 0);
@@ -59,7 +59,7 @@ function rootTurn({ motions, firstDof }: CompiledSkeleton, dofs: Float64Array): 
   return local;
 }
 
-/** The rotation's inverse, of a direction. */
+/** The inverse rotation applied to a direction. */
 function transposed(m: Float64Array, [x, y, z]: Vec3): Vec3 {
   const row = (c: number) => m[4 * c] * x + m[4 * c + 1] * y + m[4 * c + 2] * z;
   return [row(0), row(1), row(2)];

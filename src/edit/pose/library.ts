@@ -1,11 +1,11 @@
-/** A character's library of poses: names that are its own, and what goes in. */
+/** A character's pose library: unique names, and adding poses. */
 import type { Character } from '../../model/document.ts';
 import { characterDofs } from '../../model/dofs.ts';
 import type { PoseByNames } from '../../model/pose-by-names.ts';
 import type { NamedPose } from '../../model/poses.ts';
 import { poseByNames, takePose } from './by-names.ts';
 
-/** The name itself where no pose has it; else with the next number. */
+/** The name itself if unused; else with the next number. */
 export function freePoseName(poses: readonly NamedPose[], name: string): string {
   const taken = new Set(poses.map((pose) => pose.name));
   if (!taken.has(name)) return name;
@@ -19,15 +19,15 @@ export function nextPoseName(poses: readonly NamedPose[]): string {
   for (let n = poses.length + 1; ; n++) if (!taken.has(`pose ${n}`)) return `pose ${n}`;
 }
 
-/** The character with that library; none where it is empty. */
+/** The character with that library; without the property if it is empty. */
 export function withPoses(character: Character, poses: readonly NamedPose[]): Character {
   const { poses: _before, ...rest } = character;
   return poses.length ? { ...rest, poses } : rest;
 }
 
 /**
- * The character with poses from a file or another character; the same one where it has all of them. What a pose says
- * nothing of is at rest in it.
+ * The character with poses from a file or another character; the same object if it has all of them. DOFs missing in a
+ * pose are at rest.
  */
 export function addPoses(character: Character, added: readonly PoseByNames[]): Character {
   const poses = [...(character.poses ?? [])];
@@ -44,8 +44,8 @@ export function addPoses(character: Character, added: readonly PoseByNames[]): C
 }
 
 /**
- * Poses of a character that has another skeleton now; what is new in it is at rest. The very same where none is another.
- * @param to of each joint before, its index after; -1 where it is gone
+ * Poses of a character with a new skeleton; new DOFs are at rest. The same object if nothing changes.
+ * @param to for each old joint its new index; -1 if removed
  */
 export function movedPoses(
   before: Pick<Character, 'skeleton' | 'morphs'>,

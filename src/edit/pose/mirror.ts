@@ -1,9 +1,9 @@
 /**
- * A pose's mirror image: of the whole figure, of one branch and its counterpart, or of one side onto the other.
+ * Mirrors a pose: of the whole figure, of a hierarchy and its counterpart, or of one side onto the other.
  *
- * What is mirrored is what one sees: joint after joint from the root, the world rotation that belongs there, less what
- * the joints above have by now. So where a joint can't turn as its counterpart did, those below make up for it as far as
- * they can. DOFs that follow others are left to what they follow.
+ * The visible pose is mirrored: joint by joint from the root, the mirrored world rotation relative to the parent's
+ * result. So if a joint can't rotate like its counterpart, its descendants compensate as far as possible. Linked DOFs
+ * are skipped.
  */
 import { applyConstraints, type CompiledSkeleton, compileSkeleton, worldMatrices } from '../../evaluate/kinematics.ts';
 import { fitJoint, jointFit } from '../../evaluate/retarget/fit.ts';
@@ -17,17 +17,20 @@ import { headingBack } from './heading.ts';
 import { acrossPlane, type Reflection, reflectionOf } from './reflection.ts';
 import { localMirrored, signed } from './reflection-signs.ts';
 
-/** Which joints take whose pose. */
+/** Which joints take which pose. */
 export interface MirrorScope {
-  /** The joint on whose branch it is done; absent or the root: the whole figure, and where it stands. */
+  /** The joint whose hierarchy is mirrored; absent or the root: the whole figure with its position. */
   readonly joint?: number | undefined;
-  /** `swap`: each side takes the other's pose; `toOther`: the other side takes that of the joint's, which stays. */
+  /**
+   * `swap`: the sides exchange their poses; `toOther`: the other side takes the pose of the joint's side, which is
+   * unchanged.
+   */
   readonly way: 'swap' | 'toOther';
-  /** Of the character's space; y where absent. */
+  /** Up axis of the character's space; default y. */
   readonly up?: 'y' | 'z';
   /**
-   * The whole figure is mirrored where it stands: its root keeps its place and its heading (`heading.ts`). Absent: across
-   * the plane of the character's space, and carried to the other side of it.
+   * Mirrors the whole figure in place: its root keeps its position and heading (`heading.ts`). Absent: across the plane
+   * of the character's space, to its other side.
    */
   readonly stays?: boolean;
 }
@@ -35,21 +38,21 @@ export interface MirrorScope {
 export interface MirroredPose {
   /** The character's DOFs, without morphs. */
   readonly dofs: Float64Array;
-  /** Joints that were given a pose, ascending. */
+  /** Joints that got a pose, ascending. */
   readonly joints: readonly number[];
-  /** Of the joints that were meant, those that have no counterpart, ascending; they keep their pose. */
+  /** Joints in scope without a counterpart, ascending; they keep their pose. */
   readonly alone: readonly number[];
 }
 
-/** The joint's counterpart; itself in the middle, undefined where it has none. */
+/** The joint's counterpart; itself in the middle, undefined if it has none. */
 export function counterpartOf(skeleton: Skeleton, joint: number): number | undefined {
   const other = reflectionOf(skeleton).partner[joint];
   return other >= 0 ? other : undefined;
 }
 
 /**
- * @param dofs of the character as shown: within limits and with couples followed
- * @param clamps whether limits hold
+ * @param dofs of the character as displayed: with limits and links applied
+ * @param clamps whether limits are enforced
  */
 export function mirroredPose(
   skeleton: Skeleton,
@@ -78,8 +81,8 @@ export function mirroredPose(
 }
 
 /**
- * Motion capture faces anywhere, and its joints have axes of their own: the whole figure is mirrored across the upright
- * plane of the character's space that is nearest to the one between its sides as it stands. So it stays where it looks.
+ * Motion capture may face anywhere, and its joints have axes of their own: the whole figure is mirrored across the
+ * vertical plane of the character's space nearest to its own plane of symmetry, so that it keeps its facing direction.
  */
 function facing(skeleton: Skeleton, dofs: Float64Array, up: 'y' | 'z'): Reflection | undefined {
   const reflection = reflectionOf(skeleton);
@@ -111,34 +114,34 @@ function jointsMeant(compiled: CompiledSkeleton, { partner }: Reflection, { join
   return { joints, alone };
 }
 
-/** The root's translation, which is counted from where the plane goes through it. */
+/** Root translation, relative to the point where the plane passes through the root. */
 function mirrorTravel({ matrix: m, reference }: Reflection, from: Float64Array, out: Float64Array): void {
   const [x, y, z] = [from[0] - reference[0], from[1] - reference[1], from[2] - reference[2]];
   for (let k = 0; k < 3; k++) {
     const way = m[k] * x + m[3 + k] * y + m[6 + k] * z;
     const size = Math.abs(reference[k]);
-    // Through the origin every digit stays. Without -0: nothing is as far to one side as to the other.
+    // Exact if the plane passes through the origin. Adding 0 avoids −0.
     out[k] = size === 0 ? way + 0 : withoutRoundOff(reference[k] + way, Math.max(size, Math.abs(way)));
   }
 }
 
-/** Farther than this from the rotation that it should have: those below make up for it. */
+/** Tolerance of a rotation, beyond which descendants compensate. */
 const ASTRAY = 1e-7;
 
-/** How the root goes on standing where it stands. */
+/** How the root keeps its position. */
 interface Stand {
-  /** Nine numbers, in the character's space; absent where it faces along the plane already. */
+  /** Nine numbers, in the character's space; absent if it faces along the plane already. */
   readonly turn: Float64Array | undefined;
 }
 
 class Mirroring {
   private readonly bone = new Float64Array(3);
-  /** World rotations: of the pose that is mirrored, of that which is made, and as it should be; nine a joint. */
+  /** World rotations of the pose to mirror, of the result, and as wanted; nine per joint. */
   private readonly theirs: Float64Array;
   private readonly made: Float64Array;
   private readonly meant: Float64Array;
   private readonly astray: Uint8Array;
-  /** Of each joint that is mirrored, from the world of its counterpart's branch to that of its own. */
+  /** For each mirrored joint, from the world of its counterpart's hierarchy to that of its own. */
   private readonly across: (Float64Array | undefined)[];
   private readonly wanted = new Float64Array(16);
   private readonly local = new Float64Array(16);
@@ -175,7 +178,7 @@ class Mirroring {
     }
   }
 
-  /** A joint's world rotation, its parent's being known. */
+  /** A joint's world rotation, given its parent's. */
   private turn(j: number, dofs: Float64Array, worlds: Float64Array): void {
     const { compiled, local, a } = this;
     compiled.motions[j].write(dofs, compiled.firstDof[j], local, 0);
@@ -216,7 +219,7 @@ class Mirroring {
     this.fit(t, hasSigns && sameCount ? this.bySigns(t, s) : undefined);
   }
 
-  /** The root where it stays: turned back to its heading, its pivot where it was. */
+  /** Mirrors the root in place: with its heading restored and its pivot unchanged. */
   private mirrorRoot(): void {
     const { compiled, reflection, wanted, from, local, a, b } = this;
     const turn = this.stand?.turn;
@@ -236,7 +239,7 @@ class Mirroring {
     for (let k = 12; k < 15; k++) wanted[k] = local[k];
     const kept = from.slice(first, end);
     if (!turn && reflection.signs[first] !== 0) {
-      // What slides stays, what turns is mirrored.
+      // Sliding DOFs are kept, rotating ones mirrored.
       const slides = dofsOf(this.skeleton.joints[0].motion).map(({ unit }) => unit === 'length');
       const values = this.bySigns(0, 0).map((value, d) => (slides[d] ? kept[d] : value));
       if (this.isAllowed(0, values) && this.isWanted(values)) {
@@ -245,7 +248,7 @@ class Mirroring {
       }
     }
     this.fit(0, kept);
-    // What its own DOFs can't make up for, as a screw's, the root's translation does.
+    // Root translation compensates for what its own DOFs can't, as with a screw.
     if (!compiled.hasRootTranslation) return;
     compiled.motions[0].write(this.out, first, local, 0);
     for (let k = 0; k < 3; k++) {
@@ -254,7 +257,7 @@ class Mirroring {
     }
   }
 
-  /** Whether these values of the root's own DOFs give the matrix that is wanted. */
+  /** Whether these values of the root's own DOFs give the wanted matrix. */
   private isWanted(values: Float64Array): boolean {
     this.compiled.motions[0].write(values, 0, this.local, 0);
     return this.wanted.every((v, k) => Math.abs(v - this.local[k]) <= ASTRAY * (1 + Math.abs(v)));
@@ -278,8 +281,8 @@ class Mirroring {
   }
 
   /**
-   * What takes world rotations of one branch to those of the other, where the branches begin: M for the whole figure; else
-   * what it is between the two joints that they hang on, which stay as they are.
+   * The map from world rotations of one hierarchy to those of the other at their tops: M for the whole figure; else the
+   * map between their two parents, which don't change.
    */
   private acrossTo(t: number, s: number): Float64Array {
     const { compiled, a } = this;
@@ -295,7 +298,7 @@ class Mirroring {
     return across;
   }
 
-  /** The world rotation that a joint should have: G · R_j · K_j⁻¹. */
+  /** The wanted world rotation of a joint: G · R_j · K_j⁻¹. */
   private writeMeant(t: number, s: number, across: Float64Array): void {
     const { a } = this;
     const { maps } = this.reflection;
@@ -303,7 +306,7 @@ class Mirroring {
     multiply3(across, 0, a, 0, this.meant, 9 * t);
   }
 
-  /** The joint's own matrix that gives that: what the counterpart's is mirrored, led back where the parent went astray. */
+  /** The joint's own matrix for that: its counterpart's, mirrored, and corrected if the parent is off. */
   private writeWanted(t: number, s: number, isInStep: boolean): void {
     const { compiled, reflection, wanted, a, b } = this;
     const above = compiled.parent[t];

@@ -1,46 +1,46 @@
 /**
- * Which joint is which other's on the opposite side of a plane: by name (`sides.ts`), and where names say nothing by
- * shape. The root is its own partner. Below a joint that is its own, children pair up among themselves or stay in the
- * middle; below a pair, the children of one go with those of the other.
+ * Pairs joints across a plane: by name (`sides.ts`), otherwise by shape. The root is its own partner. Below a joint
+ * that is its own partner, children are paired with each other or are in the middle; below a pair, the children of one
+ * are paired with those of the other.
  *
  *     cost of c and c′ = |M·p − p′| + |M·m − m′| + size · |n − n′| / (n + n′)
  *
- * with p the pivot, m the middle of the joints from there on, n how many they are and M the reflection. No recursion
- * into both branches at once: what is below a pair is compared when its turn comes, and chains may be any length.
+ * with p the pivot, m the centre of the joints from there on, n their number and M the reflection. Each pair's children
+ * are compared in turn, without recursion, so that chains may have any length.
  */
 import type { Vec3 } from '../../math/vec3.ts';
 import type { Skeleton } from '../../model/skeleton.ts';
 import { partnersByName, plainName, sidedName } from './sides.ts';
 
-/** As part of the size: as near to the plane is in the middle, and as well a pair has to fit. */
+/** Fractions of the size: distance from the plane that counts as the middle, and maximum cost of a pair. */
 const IN_THE_MIDDLE = 0.1;
 const FITS = 0.35;
-/** A pair fits better than that part of what each of the two would be off its own mirror image. */
+/** A pair must fit better than this fraction of the cost of each as its own mirror image. */
 const BETTER_THAN_SELF = 0.5;
-/** Of more siblings than that only names tell. */
+/** With more siblings, only names are used. */
 const MAX_SIBLINGS = 400;
 
 export interface Partners {
-  /** Each joint's, itself for one in the middle, -1 for one that has none. */
+  /** Each joint's partner, itself in the middle, -1 for none. */
   readonly partner: Int32Array;
-  /** How far mirrored joints are from their partners, all together; in sizes. */
+  /** Total distance of mirrored joints from their partners; in sizes. */
   readonly asymmetry: number;
   /** Joints that are not their own partner. */
   readonly paired: number;
-  /** How far paired joints are from each other, all together; in sizes. */
+  /** Total distance between paired joints; in sizes. */
   readonly apart: number;
 }
 
 /**
- * @param points x y z a joint
- * @param normal of the plane through the root, of length 1
+ * @param points x y z per joint
+ * @param normal of the plane through the root, normalised
  */
 export function partnersAcross(skeleton: Skeleton, points: Float64Array, normal: Vec3): Partners {
   const shape = new Shape(skeleton, points, normal);
   return shape.partners();
 }
 
-/** Half as wide as the farthest joint is from the root; 1 where all are at one place. */
+/** Half the distance of the farthest joint from the root; 1 if all coincide. */
 export function halfWidth(points: Float64Array): number {
   let size = 0;
   for (let o = 3; o < points.length; o += 3) {
@@ -52,7 +52,7 @@ export function halfWidth(points: Float64Array): number {
 class Shape {
   private readonly partner: Int32Array;
   private readonly children: number[][];
-  /** Of the joints from each one on: how many, and where their middle is. */
+  /** For each joint's subtree: the number of joints and their centre. */
   private readonly counts: Float64Array;
   private readonly middles: Float64Array;
   private readonly size: number;
@@ -65,7 +65,7 @@ class Shape {
   ) {
     const { joints } = skeleton;
     this.partner = partnersByName(joints.map(({ name }) => name));
-    // Whatever it is called, the root has no other side.
+    // The root has no other side, whatever its name.
     if (this.partner[0] >= 0) this.partner[this.partner[0]] = -1;
     this.hasNamedSides = this.partner.some((other) => other >= 0);
     this.partner[0] = 0;
@@ -91,7 +91,7 @@ class Shape {
     for (let j = 0; j < skeleton.joints.length; j++) {
       const other = partner[j];
       if (other === j) this.matchWithin(this.free(j));
-      // Once for a pair, whichever of the two comes first.
+      // Once per pair, at the first of the two.
       else if (other > j) this.matchAcross(this.free(j), this.free(other));
     }
     let asymmetry = 0;
@@ -128,13 +128,13 @@ class Shape {
     this.take(candidates);
     for (const c of children) {
       if (partner[c] >= 0 || sidedName(this.skeleton.joints[c].name)) continue;
-      // Where names say the sides, those without one are of neither. An only child has nothing else to be the image of.
+      // If names give sides, those without one are in the middle. An only child can only be its own image.
       const isMiddle = this.hasNamedSides || this.children[this.skeleton.joints[c].parent].length === 1;
       if (isMiddle || this.distanceToPlane(c) < IN_THE_MIDDLE * size) partner[c] = c;
     }
   }
 
-  /** Between the children of two joints that are each other's. */
+  /** Between the children of two partners. */
   private matchAcross(children: readonly number[], others: readonly number[]): void {
     const { joints } = this.skeleton;
     const { partner, size } = this;
@@ -155,7 +155,7 @@ class Shape {
     );
   }
 
-  /** The cheapest ones first, each joint once. */
+  /** The cheapest first, each joint once. */
   private take(candidates: readonly { readonly a: number; readonly b: number; readonly cost: number }[]): void {
     for (const { a, b } of [...candidates].sort((x, y) => x.cost - y.cost)) {
       if (this.partner[a] < 0 && this.partner[b] < 0) this.pair(a, b);

@@ -5,15 +5,15 @@ import type { Vec3 } from '../../math/vec3.ts';
 import { perObject } from '../../model/per-object.ts';
 import type { Joint, Skeleton } from '../../model/skeleton.ts';
 
-/** What the DOFs of each joint are mirrored by. */
+/** How the DOFs of each joint are mirrored. */
 export interface JointMaps {
   /** M, nine numbers. */
   readonly matrix: Float64Array;
-  /** Each joint's counterpart, itself for one in the middle, -1 where it has none: its DOFs stay. */
+  /** Each joint's counterpart, itself in the middle, -1 if it has none and keeps its DOFs. */
   readonly partner: Int32Array;
-  /** The character's DOFs in the pose of reference, without morphs. */
+  /** The character's DOFs in the reference pose, without morphs. */
   readonly reference: Float64Array;
-  /** K of each joint that has a partner, nine numbers. */
+  /** K of each joint with a partner, nine numbers. */
   readonly maps: Float64Array;
 }
 
@@ -29,10 +29,10 @@ export function reflectionMatrix(normal: Vec3): Float64Array {
 const [ACROSS_X, ACROSS_Y, ACROSS_Z] = ([0, 1, 2] as const).map((k) =>
   reflectionMatrix([k === 0 ? 1 : 0, k === 1 ? 1 : 0, k === 2 ? 1 : 0]),
 );
-/** Every axis the other way. */
+/** All axes reversed. */
 const AGAINST = Float64Array.of(-1, 0, 0, 0, -1, 0, 0, 0, -1);
 
-/** K of each joint that has a counterpart: its parent's, turned as the two joints are in the pose of reference. */
+/** K of each joint with a counterpart: its parent's, rotated by the two joints' rotations in the reference pose. */
 export function mapsOf(
   skeleton: Skeleton,
   compiled: CompiledSkeleton,
@@ -61,13 +61,13 @@ export function mapsOf(
   return maps;
 }
 
-/** Of that part of the offsets a map may miss them; another one has to miss them by so much less. */
+/** Relative error of a map on the offsets that is accepted; another map must be better by this factor. */
 const MISSED = 0.15;
 const MUCH_LESS = 0.25;
 
 /**
- * The map itself where it takes the offsets of the joint's children to those of their counterparts, as it should; else
- * the one that does, of those that leave axes along axes. Against the bone instead of along it, all three axes are.
+ * The map itself if it takes the offsets of the joint's children to those of their counterparts; else the one that
+ * does, among those that permute axes. If bones run along opposite directions, all three axes are reversed.
  */
 export function fittingMap({ joints }: Skeleton, partner: Int32Array, j: number, map: Float64Array): Float64Array {
   const other = partner[j];

@@ -1,6 +1,6 @@
 /**
- * What becomes of a joint's DOFs on the other side (`reflection.ts`): J of its partner, and where that is so the sign that
- * each DOF has there. Signs are found by trying them, whatever the kind of joint is.
+ * How a joint's DOFs are mirrored (`reflection.ts`): the matrix J of its partner and, if that is all there is to it, a
+ * sign for each DOF. Signs are found by trial, independent of joint types.
  */
 import type { CompiledSkeleton } from '../../evaluate/kinematics.ts';
 import { multiply3 } from '../../math/mat3.ts';
@@ -9,11 +9,11 @@ import { dofsOf } from '../../model/joint-types.ts';
 import type { Skeleton } from '../../model/skeleton.ts';
 import type { JointMaps } from './reflection-maps.ts';
 
-/** Away from the pose of reference, each DOF by another amount. */
+/** Values away from the reference pose, different for each DOF. */
 const PROBES = [0.31, -0.47, 0.73, 0.22, -0.61, 0.53, 0.17, -0.29, 0.41];
 const EXACT = 1e-9;
 
-/** For each DOF of a joint its sign in the partner's, by the DOF that is written; 0 where that is not all there is to it. */
+/** For each DOF of a joint its sign in the partner's, by target DOF; 0 if signs are not sufficient. */
 export function signsOf(skeleton: Skeleton, compiled: CompiledSkeleton, reflection: JointMaps): Int8Array {
   const { partner, reference } = reflection;
   const signs = new Int8Array(compiled.firstDof[compiled.jointCount]);
@@ -68,20 +68,22 @@ export function signsOf(skeleton: Skeleton, compiled: CompiledSkeleton, reflecti
   return signs;
 }
 
-/** A mirrored value by its sign: as far from the reference, digit for digit where that is nothing, or mirrored too. */
+/**
+ * Mirrors a value by its sign, keeping the distance from the reference; exact if the reference is zero or mirrored too.
+ */
 export function signed(sign: number, from: number, to: number, value: number): number {
   if (from === sign * to) return sign * value + 0;
   return withoutRoundOff(to + sign * (value - from), Math.max(Math.abs(from), Math.abs(to), Math.abs(value)));
 }
 
-/** Scratch, never escapes. */
+/** Scratch; never escapes. */
 const matrix = new Float64Array(16);
 const nine = new Float64Array(9);
 const half = new Float64Array(9);
 
 /**
- * Writes J of a joint's partner as it has to be, 16 numbers, for the joint's own DOFs.
- * @param dofs of the character; of them the joint's own, `s`, count
+ * Writes the wanted J of a joint's partner, 16 numbers, from the joint's own DOFs.
+ * @param dofs of the character, of which only those of joint `s` are used
  */
 export function localMirrored(
   compiled: CompiledSkeleton,
@@ -94,7 +96,7 @@ export function localMirrored(
   const t = partner[s];
   const above = compiled.parent[s];
   const [map, mo] = above < 0 ? [reflection.matrix, 0] : [maps, 9 * above];
-  // Where both pivots are in the pose of reference.
+  // Both pivots in the reference pose.
   compiled.motions[s].write(reference, compiled.firstDof[s], matrix, 0);
   const [x0, y0, z0] = [matrix[12], matrix[13], matrix[14]];
   compiled.motions[t].write(reference, compiled.firstDof[t], matrix, 0);

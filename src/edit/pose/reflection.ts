@@ -1,20 +1,19 @@
 /**
- * How a skeleton is mirrored: across which plane, which joint onto which, and what becomes of the DOFs of each.
+ * How a skeleton is mirrored: the plane, the pairs of joints, and the mapping of their DOFs.
  *
- * Each joint j has a map K_j from its own axes to those of its counterpart j′, mirrored. With A for local rotations (and
- * whatever else is in them), t for where they move pivots to, t⁰ in the pose of reference, and M the reflection in the
- * character's axes, which stands above the root,
+ * Each joint j has a map K_j from its own axes to those of its counterpart j′, mirrored. With A the 3×3 part of local
+ * matrices, t the displacement of pivots, t⁰ that in the reference pose, and M the reflection in the character's axes,
+ * used above the root,
  *
  *     A′_{j′} = K_parent · A_j · K_j⁻¹        t′_{j′} − t⁰_{j′} = K_parent · (t_j − t⁰_j)
  *
- * and so R′_{j′} = M · R_j · K_j⁻¹ in the world. K is M where the axes of joints lie as the character's do while no DOF
- * turns, which is what most files have. Some skeletons have no sides then, as in the axis-angle form, whose bones all lie
- * along +y without their angles: there K follows from the pose of the file. And in some each joint has axes of its own,
- * along its bone on one side and against it on the other: there offsets tell, which K has to take to those of the other
- * side.
+ * and so R′_{j′} = M · R_j · K_j⁻¹ in the world. K is M if joints' axes are parallel to the character's at rest, as in
+ * most files. Some skeletons have no sides at rest, such as the axis-angle form, whose bones are all along +y: there K
+ * follows from the file pose. And in some each joint has axes of its own, along its bone on one side and against it on
+ * the other: there K must take the offsets to those of the other side.
  *
- * In most skeletons that is a sign for each DOF: signs are found by trying them, whatever the kind of joint is, and are
- * exact to the last bit. Others are fitted (`fit-local.ts`).
+ * For most skeletons this is a sign per DOF: signs are found by trial, independent of joint types, and exact. Others
+ * are fitted (`fit-local.ts`).
  */
 import { type CompiledSkeleton, compileSkeleton, worldMatrices } from '../../evaluate/kinematics.ts';
 import type { Vec3 } from '../../math/vec3.ts';
@@ -27,32 +26,35 @@ import { fittingMap, type JointMaps, mapsOf, reflectionMatrix } from './reflecti
 import { signsOf } from './reflection-signs.ts';
 import { partnersByName, sideOf } from './sides.ts';
 
-/** What of a skeleton its poses are mirrored by. */
+/** The data for mirroring poses of a skeleton. */
 export interface Reflection extends JointMaps {
-  /** Of the plane, of length 1; the plane goes through the root as it stands in the pose of reference. */
+  /** Normal of the plane, normalised; the plane passes through the root in the reference pose. */
   readonly normal: Vec3;
   /**
-   * For each DOF of a joint its sign there, where mirroring comes to that; 0 for all DOFs of other joints. By the DOF that
-   * is written, that of the partner.
+   * For each DOF of a joint its sign, if signs are sufficient for the joint; otherwise 0. By target DOF, that of the
+   * partner.
    */
   readonly signs: Int8Array;
-  /** How large the skeleton is in the pose of reference. */
+  /** Size of the skeleton in the reference pose. */
   readonly size: number;
-  /** The first joint that has two sides below it, and which way those lie in its own axes; none in a skeleton of no sides. */
+  /**
+   * The first joint with two sides below it, and their direction in its own axes; undefined for a skeleton without
+   * sides.
+   */
   readonly lateral: { readonly joint: number; readonly direction: Vec3 } | undefined;
 }
 
 const X: Vec3 = [1, 0, 0];
 const Y: Vec3 = [0, 1, 0];
 const Z: Vec3 = [0, 0, 1];
-/** Within 15° of an axis that axis is meant. */
+/** Directions within 15° of an axis snap to it. */
 const NEARLY = Math.cos(Math.PI / 12);
-/** Mirrored joints this near to their partners, on average: as symmetric as figures are. In sizes. */
+/** Average distance of mirrored joints from their partners up to which a figure is symmetric. In sizes. */
 const SYMMETRIC = 0.02;
-/** Paired joints that are hardly apart: the pose says nothing of sides. */
+/** Paired joints this close show no sides. */
 const APART = 1e-3;
 
-/** A skeleton's reflection, found once for each skeleton. */
+/** A skeleton's reflection, cached. */
 export const reflectionOf = perObject(find);
 
 interface Candidate extends Partners {
@@ -86,7 +88,7 @@ function lateralOf({ joints }: Skeleton, partner: Int32Array): Reflection['later
   return undefined;
 }
 
-/** No DOF turned; position channels that take the place of offsets at those. */
+/** All DOFs at rest; position channels that replace offsets at the offsets. */
 function restValues(skeleton: Skeleton): Float64Array {
   const values = Float64Array.from(restPose(skeleton, 0));
   const { firstDof } = compileSkeleton(skeleton);
@@ -98,7 +100,7 @@ function restValues(skeleton: Skeleton): Float64Array {
   return values;
 }
 
-/** Whether the file's pose shows the sides better: the other has none, or is none of a symmetric figure. */
+/** Whether the file pose shows the sides better: the other shows none, or is not symmetric. */
 function saysMore(inFile: Candidate, atRest: Candidate): boolean {
   const sides = ({ apart, paired }: Candidate) => paired > 0 && apart > APART * paired;
   if (sides(inFile) !== sides(atRest)) return sides(inFile);
@@ -107,7 +109,7 @@ function saysMore(inFile: Candidate, atRest: Candidate): boolean {
   return inFile.asymmetry < atRest.asymmetry / 2;
 }
 
-/** The plane through the root across which the skeleton is its own mirror image, as nearly as it is in that pose. */
+/** The plane through the root across which the skeleton is most symmetric in that pose. */
 function bestPlane(skeleton: Skeleton, compiled: CompiledSkeleton, dofs: Float64Array): Candidate {
   const world = new Float64Array(16 * compiled.jointCount);
   worldMatrices(compiled, dofs, world);
@@ -119,7 +121,7 @@ function bestPlane(skeleton: Skeleton, compiled: CompiledSkeleton, dofs: Float64
   });
   const named = normalByNames(skeleton, points);
   if (named) return candidate(named);
-  // Where two do as well: most figures face along z, some along x, and hardly any lies on its side.
+  // For ties: most figures face along z, some along x, and hardly any lies on its side.
   return [X, Z, Y].map(candidate).reduce((best, other) => {
     const isBetter = other.paired === best.paired ? other.asymmetry < 0.5 * best.asymmetry : other.paired > best.paired;
     return isBetter ? other : best;
@@ -127,8 +129,7 @@ function bestPlane(skeleton: Skeleton, compiled: CompiledSkeleton, dofs: Float64
 }
 
 /**
- * From right to left, where names say which joints those are: of the first joint that has pairs below it. Farther out
- * joints may have axes of their own.
+ * From right to left, by names, at the first joint with pairs below it. Joints farther out may have axes of their own.
  */
 function normalByNames({ joints }: Skeleton, points: Float64Array): Vec3 | undefined {
   const partner = partnersByName(joints.map(({ name }) => name));
@@ -149,10 +150,7 @@ function normalByNames({ joints }: Skeleton, points: Float64Array): Vec3 | undef
   return [X, Y, Z].find((axis) => Math.abs(axis[0] * x + axis[1] * y + axis[2] * z) > NEARLY) ?? [x, y, z];
 }
 
-/**
- * The same for a figure that is to be mirrored across another plane of the character's space. Where the root has no sides
- * of its own it stands as that plane does.
- */
+/** The reflection across another plane of the character's space. A root without sides of its own takes the plane's. */
 export function acrossPlane(skeleton: Skeleton, reflection: Reflection, normal: Vec3): Reflection {
   if (reflection.normal.every((v, k) => v === normal[k])) return reflection;
   const compiled = compileSkeleton(skeleton);

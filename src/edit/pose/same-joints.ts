@@ -1,8 +1,7 @@
 /**
- * Which joint is which, where a skeleton comes again from a file that was changed meanwhile, or a pose is put onto
- * another skeleton. Names come first: the first of a name is the first, the second the second; where none is the very
- * same, case and what a program puts before it don't count. Joints that have no name, or another one now, are known by
- * their place.
+ * Matches joints when a skeleton is loaded again from a changed file, or a pose is applied to another skeleton. Names
+ * come first: the first of a name matches the first, the second the second; if no name is identical, case and prefixes
+ * are ignored. Unnamed and renamed joints are matched by position.
  */
 import { dofsOf } from '../../model/joint-types.ts';
 import type { Skeleton } from '../../model/skeleton.ts';
@@ -12,7 +11,9 @@ interface Named {
   readonly name: string;
 }
 
-/** Of each of the first ones the index of the other, by names alone, or -1; each of those once. Nameless ones have none. */
+/**
+ * For each of the first list the index in the second, by name only, or -1; each used once. Unnamed ones have no match.
+ */
 export function sameNames(from: readonly Named[], into: readonly Named[]): Int32Array {
   const targets = new Int32Array(from.length).fill(-1);
   const taken = new Set<number>();
@@ -35,14 +36,14 @@ export function sameNames(from: readonly Named[], into: readonly Named[]): Int32
   return targets;
 }
 
-/** Whether joint for joint has the name of the other. */
+/** Whether all names are the same, in order. */
 export function haveSameNames(a: readonly Named[], b: readonly Named[]): boolean {
   return a.length === b.length && a.every(({ name }, j) => name === b[j].name);
 }
 
 /**
- * Of each joint before, its index after; -1 where it is gone. What names don't tell apart is the one below the same
- * joint, with the same DOFs, that stands at the same offset; and then the one that is the same child by number.
+ * For each old joint its new index; -1 if removed. Joints without a match by name are matched below the same parent by
+ * equal DOFs and offset, and then by number among the children.
  */
 export function sameJoints({ joints: before }: Skeleton, { joints: after }: Skeleton): Int32Array {
   if (haveSameNames(before, after)) return Int32Array.from(before, (_, j) => j);
@@ -62,7 +63,7 @@ export function sameJoints({ joints: before }: Skeleton, { joints: after }: Skel
       taken.add(found);
     }
   };
-  // A joint stands behind its parent, which is known by then.
+  // A joint comes after its parent, which is matched by then.
   for (let above = -1; above < before.length; above++) {
     match(above, (a, b) => before[a].offset.every((value, k) => value === after[b].offset[k]));
     match(above, (a, b) => numberOf(a, before, childrenBefore) === numberOf(b, after, childrenAfter));
@@ -72,7 +73,7 @@ export function sameJoints({ joints: before }: Skeleton, { joints: after }: Skel
 
 type Joints = Skeleton['joints'];
 
-/** By parent and one more: what has none comes first. */
+/** Indexed by parent plus one: roots come first. */
 function childrenOf(joints: Joints): readonly (readonly number[])[] {
   const children: number[][] = Array.from({ length: joints.length + 1 }, () => []);
   joints.forEach(({ parent }, j) => {

@@ -1,16 +1,16 @@
 /**
- * Left and right in names, and what a name is without them:
+ * Left and right in names, and names without them:
  *
- *     hip_03_r, LeftUpLeg, L_Arm, arm.L, lShldr      a word of its own says the side
- *     lfemur, legR                                   glued to another: a side only where its counterpart is there too
+ *     hip_03_r, LeftUpLeg, L_Arm, arm.L, lShldr      the side is a separate word
+ *     lfemur, legR                                   attached: a side only if its counterpart exists too
  *
- * Retargeting reads names for what part of a body they mean (`evaluate/retarget/names.ts`); here any two names that differ
- * by nothing but their sides are each other's, whatever they mean.
+ * Retargeting parses names for parts of the body (`evaluate/retarget/names.ts`); here any two names that differ only in
+ * their side are counterparts, whatever they mean.
  */
 
 export type Side = 'left' | 'right';
 
-/** One way to read a name. */
+/** One reading of a name. */
 export interface SidedName {
   readonly side: Side;
   /** The same for the name of the other side. */
@@ -26,17 +26,17 @@ const SIDES: Readonly<Record<string, Side>> = {
   rgt: 'right',
 };
 
-/** The side that a word of the name says; undefined where none does, or both are said. */
+/** The side given by a word of the name; undefined if there is none, or both. */
 export function sidedName(name: string): SidedName | undefined {
   const tokens = tokensOf(name);
   const sides = new Set(tokens.flatMap((token) => SIDES[token] ?? []));
-  // Of a name that says both, nothing is known.
+  // A name with both sides is ambiguous.
   if (sides.size !== 1 || tokens.length === 0) return undefined;
   const [side] = sides;
   return { side, key: tokens.map((token) => (SIDES[token] ? '*' : token)).join(' ') };
 }
 
-/** Sides glued to the beginning or the end of a name: they may be no sides at all. */
+/** Sides attached to the beginning or end of a name; they may not be sides at all. */
 function gluedSides(name: string): readonly SidedName[] {
   const word = tokensOf(name).join(' ');
   const found: SidedName[] = [];
@@ -47,19 +47,19 @@ function gluedSides(name: string): readonly SidedName[] {
   return found;
 }
 
-/** The side that a name says, by a word of its own or by one glued to another. */
+/** The side of a name, by a separate or attached word. */
 export function sideOf(name: string): Side | undefined {
   return (sidedName(name) ?? gluedSides(name)[0])?.side;
 }
 
-/** A name without case and whatever separates its words: for joints that are called the same. */
+/** A name without case and separators, to compare names. */
 export function plainName(name: string): string {
   return tokensOf(name).join(' ');
 }
 
 /**
- * Which name is which other one's for the opposite side: the index of each one's partner, -1 for those without. Of
- * several with one name the first ones go together, then the second ones.
+ * Pairs names of opposite sides: the index of each one's partner, -1 for none. Of several with the same name, the first
+ * ones are paired, then the second ones.
  */
 export function partnersByName(names: readonly string[]): Int32Array {
   const partner = new Int32Array(names.length).fill(-1);

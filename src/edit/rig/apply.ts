@@ -1,4 +1,4 @@
-/** What every command of rigging does: find the joint, change the skeleton, bind skins anew where they are to stay. */
+/** What all rigging commands share: find the joint, change the skeleton, and rebind skins that are to stay. */
 import { type Character, type Document, findCharacter } from '../../model/document.ts';
 import { jointName } from '../../model/joint-name.ts';
 import type { Joint, Skeleton } from '../../model/skeleton.ts';
@@ -11,14 +11,14 @@ import { withSkeletonChanged } from './remap.ts';
 import { type Rigging, SKIN_MODES } from './rigging.ts';
 import { requireSkeleton } from './shown.ts';
 
-/** The character, its skeleton and one of its joints, as a command is told of them. */
+/** The character, its skeleton and one of its joints, from a command's arguments. */
 export interface Found {
   readonly character: Character;
   readonly skeleton: Skeleton;
   readonly joint: Joint;
 }
 
-/** Throws a `CommandError` where one of them is not there. */
+/** Throws a `CommandError` if one of them doesn't exist. */
 export function findJoint(document: Document, characterId: string, index: number, what = 'joint'): Found {
   const character = requireCharacter(document, characterId);
   const skeleton = requireSkeleton(character);
@@ -26,15 +26,15 @@ export function findJoint(document: Document, characterId: string, index: number
   return { character, skeleton, joint: skeleton.joints[index] };
 }
 
-/** Seconds of the transport at which the pose is that shown. */
+/** Transport time in seconds of the displayed pose. */
 export function secondsOf({ timeSeconds = 0 }: Rigging): number {
   return finiteNumber(timeSeconds, '"timeSeconds"');
 }
 
 /**
- * A character's skeleton changed, with all that goes by it, as a command gives it.
- * @param selected index of the joint after it that is selected; undefined: what was
- * @param then what else is done to the document before skins are bound, joints keeping their indices
+ * Changes a character's skeleton with everything that depends on it, as the result of a command.
+ * @param selected index of the joint to select afterwards; undefined: selection unchanged
+ * @param then further changes to the document before skins are rebound; must keep joint indices
  */
 export function rigged(
   document: Document,
@@ -53,8 +53,8 @@ export function rigged(
 }
 
 /**
- * What changes where joints stand, but neither which there are nor their DOFs, with skins bound anew if they are to stay.
- * @param next the very document where nothing changed
+ * For changes that move joints, but neither add, remove nor change their DOFs; rebinds skins that are to stay.
+ * @param next the same document if nothing changed
  */
 export function boundAnew(document: Document, rigging: Rigging, next: Document): Document {
   const { characterId, skin = 'follows' } = rigging;
@@ -67,7 +67,7 @@ export function boundAnew(document: Document, rigging: Rigging, next: Document):
   });
 }
 
-/** One joint changed and nothing else. */
+/** Changes only one joint. */
 export function withJoint(
   document: Document,
   rigging: Rigging & { readonly joint: number },
@@ -80,7 +80,7 @@ export function withJoint(
   return rigged(document, rigging, changedJoints(skeleton, joints), rigging.joint, then);
 }
 
-/** What a joint is called in a label or a sentence, whether it is there or not. */
+/** The name of a joint for labels and messages, whether it exists or not. */
 export function calledIn(document: Document, characterId: string, joint: number): string {
   return called(findCharacter(document, characterId)?.skeleton, joint);
 }

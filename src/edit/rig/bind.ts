@@ -1,9 +1,9 @@
 /**
- * Skins bound anew, so that every vertex stays where it is while joints come to stand elsewhere:
+ * Rebinds skins so that every vertex stays in place when joints move:
  *
  *     W′ · B′⁻¹ = W · B⁻¹        so    B′ = B · W⁻¹ · W′
  *
- * Vertices of joints that are gone need more than that (`vertex-places.ts`).
+ * Vertices of removed joints need more than that (`vertex-places.ts`).
  */
 import { invertAffine, isSingular, multiplyAffine, setIdentity } from '../../math/mat4.ts';
 import type { Character } from '../../model/document.ts';
@@ -14,12 +14,12 @@ import { bindNew } from './remap-skin.ts';
 import { requireSkeleton, type ShownPose, shownAt, skeletonSize } from './shown.ts';
 import { VertexPlaces } from './vertex-places.ts';
 
-/** Parts of the size that a matrix may differ by and still be the same. */
+/** Relative tolerance within which matrices are equal. */
 const SAME = 1e-13;
 
 /**
- * The character after a change, with its skins where they were in the pose shown.
- * @param map from the skeleton of `before` to joints as `after` has them
+ * The character after a change, with its skins in place in the displayed pose.
+ * @param map from the skeleton of `before` to the joints of `after`
  */
 export function withSkinsStaying(before: Character, after: Character, map: JointMap, timeSeconds: number): Character {
   if (after.skins.length === 0) return after;
@@ -41,7 +41,7 @@ function withSkinsBoundAgain(before: Character, after: Character, map: JointMap,
       : rootBoundAgain(before.skins[s], skin, is, was);
     if (!isGone) return bound;
     const places = new VertexPlaces(before.skins[s], bound, was, is, map);
-    // Morphs are those of the skin shown.
+    // Morphs belong to the shown skin.
     if (s === after.shownSkin) morphs = places.morphs(morphs);
     return places.skin();
   });
@@ -49,8 +49,9 @@ function withSkinsBoundAgain(before: Character, after: Character, map: JointMap,
 }
 
 /**
- * The character with its skins where they were before it had its joints from `first` on. What a skin hangs on joints that
- * nobody has made yet stands still; these joints take it up where they stand, B = W, and it still does.
+ * The character with its skins in place when it gains the joints from `first` on. Vertices attached to joints that
+ * don't exist are static; when these joints are created they are bound where they are, B = W, so that the vertices stay
+ * in place.
  */
 export function withTakenUp(after: Character, first: number, timeSeconds: number): Character {
   const { joints } = requireSkeleton(after);
@@ -70,17 +71,17 @@ export function withTakenUp(after: Character, first: number, timeSeconds: number
   return { ...after, skins };
 }
 
-/** Past which joint a skin speaks of none that is there; one without attachments hangs on the root. */
+/** Number of existing joints that a skin refers to; one without attachments follows the root. */
 function takenUp(skin: Skin, joints: number): number {
   return Math.min(joints, skin.attachments ? bindingCount(skin) : 1);
 }
 
-/** From which joint on they are new, where those that were there keep their indices. */
+/** Index of the first new joint, if existing ones keep their indices. */
 function firstTakenUp({ heirs, origins }: JointMap): number {
   return heirs.every((heir, j) => heir === j) ? heirs.length : origins.length;
 }
 
-/** By joint after, whether it was there before and stands elsewhere now. */
+/** By new joint, whether it existed before and has moved. */
 function movedJoints(was: ShownPose, is: ShownPose, { origins }: JointMap): Uint8Array {
   const near = SAME * skeletonSize(was.world);
   return Uint8Array.from(origins, (origin, j) => {
@@ -93,7 +94,7 @@ function movedJoints(was: ShownPose, is: ShownPose, { origins }: JointMap): Uint
   });
 }
 
-/** @param grown the skeleton after, where it has new joints: their bindings follow their parents' */
+/** @param grown the new skeleton, if it has new joints: their bindings follow their parents' */
 function boundAgain(
   skin: Skin,
   is: ShownPose,
@@ -114,7 +115,7 @@ function boundAgain(
   return { ...skin, bindings };
 }
 
-/** All of it hangs on the root, whichever joint that is by now. */
+/** The whole skin follows the root, whichever joint that is now. */
 function rootBoundAgain(before: Skin, skin: Skin, is: ShownPose, was: ShownPose): Skin {
   const bindings = skin.bindings.length ? skin.bindings.slice() : new Float64Array(16);
   if (before.bindings.length) bindings.set(before.bindings.subarray(0, 16));
@@ -123,7 +124,7 @@ function rootBoundAgain(before: Skin, skin: Skin, is: ShownPose, was: ShownPose)
   return bindings.every((value, i) => value === skin.bindings[i]) ? skin : { ...skin, bindings };
 }
 
-/** B′ = B · W⁻¹ · W′, in place; B as it is where there is no way back, or no way out. */
+/** B′ = B · W⁻¹ · W′, in place; unchanged if W or W′ is singular. */
 function rebind(was: Float64Array, w: number, is: Float64Array, i: number, bindings: Float64Array, b: number): void {
   if (isSingular(was, w) || isSingular(is, i)) return;
   invertAffine(was, w, inverse, 0);
@@ -132,7 +133,7 @@ function rebind(was: Float64Array, w: number, is: Float64Array, i: number, bindi
   bindings.set(next, b);
 }
 
-/** Scratch, never escapes. */
+/** Scratch; never escapes. */
 const inverse = new Float64Array(16);
 const way = new Float64Array(16);
 const next = new Float64Array(16);

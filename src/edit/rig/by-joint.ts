@@ -1,4 +1,4 @@
-/** What of characters goes by the indices of joints, beside skins: pins and stiff joints, and takes put onto others. */
+/** What refers to joint indices, besides skins: pins and stiff joints, and retargeting. */
 import type { Character } from '../../model/document.ts';
 import { defaultIk, type IkSetup } from '../../model/ik.ts';
 import type { JointPair } from '../../model/retarget.ts';
@@ -6,14 +6,14 @@ import type { Skeleton } from '../../model/skeleton.ts';
 import { sameValue } from '../delta.ts';
 import { driverSource } from '../drivers.ts';
 
-/** @param to of each joint before, its index after; -1 where it is gone, and what is about it goes with it */
+/** @param to for each old joint its new index; -1 if removed, together with what refers to it */
 export function remapIk({ pins, stiff, rootIsFree }: IkSetup, to: ArrayLike<number>): IkSetup {
   const moved = <T extends { readonly joint: number }>(all: readonly T[]) =>
     all.flatMap((one) => (to[one.joint] >= 0 ? [{ ...one, joint: to[one.joint] }] : []));
   return { pins: moved(pins), stiff: moved(stiff).sort((a, b) => a.joint - b.joint), rootIsFree };
 }
 
-/** The character with that setup; without one where it is what holds for its skeleton anyway. */
+/** The character with these settings; without any if they are its skeleton's defaults. */
 export function withIk(character: Character, ik: IkSetup): Character {
   const { pins, stiff, rootIsFree } = ik;
   const isDefault = pins.length + stiff.length === 0 && rootIsFree === defaultIk(character.skeleton).rootIsFree;
@@ -22,7 +22,7 @@ export function withIk(character: Character, ik: IkSetup): Character {
   return rest;
 }
 
-/** In the order of the joints that are moved. */
+/** In the order of the target's joints. */
 export function remapPairs(
   pairs: readonly JointPair[],
   side: 'target' | 'source',
@@ -33,11 +33,11 @@ export function remapPairs(
 }
 
 /**
- * Others that a character's take moves follow joints of its skeleton by index. They have its new skeleton and their new
- * pairs in one; a driver that no longer follows it (`edit/drivers.ts`) keeps both as they were.
+ * Characters retargeted from this one refer to its joints by index. They get its new skeleton and their new pairs at
+ * once; a driver that no longer follows it (`edit/drivers.ts`) keeps both.
  *
- * @param characters with the changed one among them
- * @param before its skeleton before
+ * @param characters including the changed one
+ * @param before its previous skeleton
  */
 export function withSourcePairs(
   characters: readonly Character[],
@@ -45,7 +45,7 @@ export function withSourcePairs(
   before: Skeleton,
   to: ArrayLike<number>,
 ): readonly Character[] {
-  // The same by value: undo rebuilds the skeleton of a character and that in a driver each by itself.
+  // Compared by value: undo rebuilds a character's skeleton and the copy in a driver separately.
   const isMoved = ({ driver }: Character) =>
     driver?.sourceId === characterId && sameValue(driver.source.skeleton, before);
   if (!characters.some(isMoved)) return characters;

@@ -1,4 +1,4 @@
-/** Arguments of the commands of rigging, checked; each refuses with a `CommandError` that says what was expected. */
+/** Argument checks of rigging commands; each throws a `CommandError` that says what was expected. */
 import type { Vec3 } from '../../math/vec3.ts';
 import type { Parameter, ParameterValues } from '../../model/joint-types/parameters.ts';
 import { MOTION_KINDS, parametersOf } from '../../model/joint-types.ts';
@@ -16,16 +16,16 @@ export function vector(value: unknown, what: string): Vec3 {
   ];
 }
 
-/** A text that may be empty. */
+/** Text that may be empty. */
 export function checkedName(value: unknown): string {
   if (typeof value === 'string') return value;
   throw new CommandError('The name of a joint must be text.');
 }
 
-/** A motion with what its kind takes, and nothing else. */
+/** A motion with exactly the parameters of its kind. */
 export function checkedMotion(motion: Motion): Motion {
   const kind = oneOf(motion?.kind, MOTION_KINDS, 'The type of a joint');
-  // Only parameters of its kind are asked for, whatever else the value that was given has.
+  // Only parameters of its kind are read, whatever else the value contains.
   const given = motion as unknown as Readonly<Record<string, unknown>>;
   const values = parametersOf({ kind }).map(([name, parameter]) => [name, checkedParameter(given[name], parameter)]);
   // All parameters of its kind, each with a value of its own type.

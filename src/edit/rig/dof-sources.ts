@@ -1,13 +1,13 @@
 /**
- * DOFs of one skeleton as DOFs of the next: by joint, and within a joint by name. What carries the whole character is
- * the root translation in one and the root's own DOFs in another:
+ * Maps DOFs of one skeleton to those of the next: by joint, and within a joint by name. What moves the whole character
+ * is root translation in one and the root's own DOFs in another:
  *
  *     root translation tx ty tz   ⇄   tx ty tz of a root that moves by itself (`carriesCharacter`)
  *
- * What is called otherwise and does the same is the same too (`same-dof.ts`).
+ * DOFs with other names but the same effect are matched too (`same-dof.ts`).
  *
- * Position channels of BVH that replace the offset say where a joint is, not how far from its offset: their values move
- * by what the offset does, or come to be counted from it.
+ * BVH position channels that replace the offset are positions, not distances from it: their values move with the
+ * offset, or are converted.
  */
 import { firstDofs, rootDofs } from '../../model/dofs.ts';
 import { dofsOf, replacesOffset } from '../../model/joint-types.ts';
@@ -16,23 +16,23 @@ import { sameDof, timesSign } from './same-dof.ts';
 import type { Likeness } from './tree.ts';
 
 export interface DofSource {
-  /** Index of the DOF before, in the character's list; -1 for a new one. */
+  /** Index of the old DOF in the character's list; -1 for a new one. */
   readonly from: number;
-  /** What its values are multiplied by; and then what is added to them. */
+  /** Its values are multiplied by `sign`, then `plus` is added. */
   readonly sign: 1 | -1;
   readonly plus: number;
-  /** Where a new one begins. */
+  /** Initial value of a new one. */
   readonly start: number;
-  /** A DOF of before, times a sign, that a new one begins at where that stands still. */
+  /** An old DOF, with a sign, whose resting value initialises a new one. */
   readonly like?: { readonly dof: number; readonly sign: number };
 }
 
-/** A value of a DOF before as one of the DOF after. */
+/** A value of an old DOF converted to the new one. */
 export function valueAfter({ sign, plus }: Pick<DofSource, 'sign' | 'plus'>, value: number): number {
   return timesSign(value, sign) + plus;
 }
 
-/** Without morphs: their DOFs stay as they are, behind the others. */
+/** Without morphs, whose DOFs are kept after the others. */
 export function dofSources(
   before: Skeleton,
   after: Skeleton,
@@ -45,7 +45,7 @@ export function dofSources(
   const isSameRoot = origins[0] === 0;
   const hadRoot = rootDofs(before).length > 0;
   const hasRoot = rootDofs(after).length > 0;
-  /** Index of what moved the whole character along an axis. */
+  /** Index of the DOF that moved the whole character along an axis. */
   const travel = (name: string) => (hadRoot ? 'xyz'.indexOf(name[1]) : indexOf(root, name, first[0]));
   const sources: DofSource[] = rootDofs(after).map(({ name }) => {
     return {
@@ -82,18 +82,18 @@ function indexOf({ motion }: Joint, name: string, first: number): number {
   return own < 0 ? -1 : first + own;
 }
 
-/** Of the offset, what a DOF's values have in them. */
+/** The part of the offset contained in a DOF's values. */
 function offsetWithin({ motion, offset }: Joint, name: string): number {
   const axis = TRAVEL.indexOf(name);
   return axis >= 0 && replacesOffset(motion, name) ? offset[axis] : 0;
 }
 
-/** Where a joint is on the axis of a DOF while that is 0. */
+/** Position of a joint along a DOF's axis when the DOF is 0. */
 function baseOf(joint: Joint, name: string): number {
   return joint.offset[TRAVEL.indexOf(name)] - offsetWithin(joint, name);
 }
 
-/** Where a new root is on an axis while the root translation is 0. */
+/** Position of a new root along an axis when root translation is 0. */
 function standOf(joint: Joint, name: string): number {
   if (!replacesOffset(joint.motion, name)) return joint.offset[TRAVEL.indexOf(name)];
   return joint.pose[dofsOf(joint.motion).findIndex((dof) => dof.name === name)] ?? 0;
@@ -104,9 +104,9 @@ function shiftOf(before: Joint, after: Joint, name: string): number {
 }
 
 /**
- * The joint with limits and a file pose for each of its DOFs: those of before where it had that DOF, else none and the
- * rest. Limits and poses that were given with the change stay. The same object where neither its motion nor what
- * its DOFs are counted from is another.
+ * The joint with limits and a file pose for each of its DOFs: previous ones for DOFs that it had, else none and the
+ * rest value. Limits and poses given with the change are kept. The same object if neither its motion nor the reference
+ * of its DOFs changed.
  */
 export function fittedJoint(before: Joint, joint: Joint): Joint {
   const dofs = dofsOf(joint.motion);

@@ -1,17 +1,16 @@
 /**
- * What a drag in rig mode comes to, as the numbers that a skeleton has. A point that the hand has in the scene is, by
- * way of
+ * Converts drags in rig mode to values of the skeleton. A point in the scene becomes an offset through
  *
  *     scene ← placement ← character's space ← matrix of the parent ← offset
  *
- * an offset. A joint's own DOFs may move its pivot too (a prismatic joint's): so an offset is changed by how far its
- * pivot is to go, and never worked out anew.
+ * A joint's own DOFs may move its pivot too (a prismatic joint's), so an offset is changed by the pivot's displacement,
+ * never recomputed.
  */
 import { invertAffine, isSingular, multiplyAffine } from '../../math/mat4.ts';
 import { add, dot, subtract, transformVector, type Vec3 } from '../../math/vec3.ts';
 import type { Box } from '../../model/skeleton.ts';
 
-/** Undefined where the matrix flattens: there is no way back then. */
+/** Undefined if the matrix is singular. */
 export function inverseOf(m: Float64Array, o = 0): Float64Array | undefined {
   if (isSingular(m, o)) return undefined;
   const inverse = new Float64Array(16);
@@ -20,8 +19,8 @@ export function inverseOf(m: Float64Array, o = 0): Float64Array | undefined {
 }
 
 /**
- * From a parent's space to the scene. The root's parent is the character's space itself.
- * @param world 16 a joint, in the character's space
+ * From a parent's space to the scene. The root's parent is the character's space.
+ * @param world 16 per joint, in the character's space
  * @param parent index; -1 above the root
  */
 export function parentToScene(placement: Float64Array, world: Float64Array, parent: number): Float64Array {
@@ -32,7 +31,8 @@ export function parentToScene(placement: Float64Array, world: Float64Array, pare
 }
 
 /**
- * The offset that takes a pivot from one place in the scene to another; undefined where the parent flattens its space.
+ * The offset that moves a pivot from one position in the scene to another; undefined if the parent's matrix is
+ * singular.
  * @param parent from the parent's space to the scene
  */
 export function offsetMoved(offset: Vec3, parent: Float64Array, from: Vec3, to: Vec3): Vec3 | undefined {
@@ -41,15 +41,15 @@ export function offsetMoved(offset: Vec3, parent: Float64Array, from: Vec3, to: 
 }
 
 /**
- * How far along a line the point is that comes nearest to a ray; undefined where they are all but parallel.
- * @param direction of the line, any length: the answer counts in it
+ * Parameter of the point on a line nearest to a ray; undefined if they are nearly parallel.
+ * @param direction of the line, of any length: the unit of the result
  */
 export function alongLine(
   anchor: Vec3,
   direction: Vec3,
   ray: { readonly origin: Vec3; readonly direction: Vec3 },
 ): number | undefined {
-  // Nearest points of two lines: both differences are at right angles to both lines.
+  // At the nearest points of two lines their difference is perpendicular to both.
   const w = subtract(anchor, ray.origin);
   const a = dot(direction, direction);
   const b = dot(direction, ray.direction);
@@ -60,7 +60,7 @@ export function alongLine(
   return denominator > 1e-6 * a * c ? (b * e - c * d) / denominator : undefined;
 }
 
-/** On the nearest whole multiple. */
+/** The nearest multiple of a step. */
 export function snapped(value: number, step: number): number {
   return tidy(Math.round(value / step) * step) + 0;
 }
@@ -69,12 +69,12 @@ export function snappedPoint([x, y, z]: Vec3, step: number): Vec3 {
   return [snapped(x, step), snapped(y, step), snapped(z, step)];
 }
 
-/** Cuts what the multiplication leaves in the last digits: 3 steps of 0.1 are 0.3. */
+/** Removes rounding errors in the last digits: 3 steps of 0.1 are 0.3. */
 function tidy(value: number): number {
   return Number(value.toPrecision(12));
 }
 
-/** Numbers to as many decimals as a hand can mean: a tenth of a pixel's worth. */
+/** Rounded to the precision of a drag: a tenth of a pixel. */
 export function withoutDust(point: Vec3, unitsPerPixel: number): Vec3 {
   return snappedPoint(point, dustOf(unitsPerPixel));
 }
@@ -86,12 +86,12 @@ function dustOf(unitsPerPixel: number): number {
 export type BoxSide = 'min' | 'max';
 
 /**
- * A box with one of its faces elsewhere. A face stops at the one across; in files min may lie above max, and such a
- * box's faces may be moved freely.
+ * A box with one face moved. A face stops at the opposite one; in files min may exceed max, and such a box's faces move
+ * freely.
  * @param by in the box's space, along the axis
- * @param both the face across goes the other way as far
- * @param step what the face's place snaps to
- * @param unitsPerPixel in the box's space: numbers that change have as many decimals as a hand can mean
+ * @param both moves the opposite face the other way
+ * @param step that the face's position snaps to
+ * @param unitsPerPixel in the box's space: changed numbers are rounded to the precision of a drag
  */
 export function boxWithFace(
   { min, max }: Box,
@@ -123,7 +123,7 @@ export function boxWithFace(
   return side === 'min' ? { min: put(min, face), max: put(max, other) } : { min: put(min, other), max: put(max, face) };
 }
 
-/** The place across x = 0 of the character's space. */
+/** The mirrored position across x = 0 of the character's space. */
 export function opposite([x, y, z]: Vec3): Vec3 {
   return [-x + 0, y, z];
 }

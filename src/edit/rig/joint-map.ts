@@ -1,7 +1,6 @@
 /**
- * From one skeleton to the next: which joint is which, which DOF is which, and the joints themselves made to fit. The
- * one place where a change of rigging is worked out; skins, clips, poses and all else that goes by index follow it
- * (`remap.ts`).
+ * Maps one skeleton to the next: joints, DOFs, and the adjusted joints themselves. All rigging changes are computed
+ * here; skins, clips, poses and everything else indexed by joints or DOFs follow (`remap.ts`).
  *
  *     joints before   0 1 2 3 4          to   0 1 -1 2 3         heirs   0 1 1 2 3
  *     joints after    0 1   2 3   4      origins   0 1 3 4 -1
@@ -17,25 +16,25 @@ import { type Branch, type Likeness, listJoints } from './tree.ts';
 export interface JointMap {
   readonly before: Skeleton;
   readonly after: Skeleton;
-  /** Of each joint after, its index before; -1 for a new one. */
+  /** For each new joint its old index; -1 if it was added. */
   readonly origins: Int32Array;
-  /** Of each joint before, its index after; -1 where it is gone. */
+  /** For each old joint its new index; -1 if it was removed. */
   readonly to: Int32Array;
-  /** The same, but of one that is gone that of its nearest ancestor that is there; the root's where none is. */
+  /** The same, but for a removed joint its nearest remaining ancestor, or else the root. */
   readonly heirs: Int32Array;
-  /** Whether each joint is where it was in the list. */
+  /** Whether all joints keep their indices. */
   readonly keepsJoints: boolean;
-  /** For each DOF after (`model/dofs.ts`, without morphs), where its values come from. */
+  /** For each new DOF (`model/dofs.ts`, without morphs), the source of its values. */
   readonly dofs: readonly DofSource[];
-  /** How many DOFs there were, without morphs. */
+  /** Number of old DOFs, without morphs. */
   readonly dofsBefore: number;
-  /** Whether all DOFs are what they were. */
+  /** Whether all DOFs are unchanged. */
   readonly keepsDofs: boolean;
-  /** By new joints: what they do as. */
+  /** For added joints, the joints that they imitate. */
   readonly likes: ReadonlyMap<number, Likeness>;
 }
 
-/** The same joints, some of them changed; one for each of before. */
+/** The same joints, some of them changed; one for each old one. */
 export function changedJoints(before: Skeleton, joints: readonly Joint[]): JointMap {
   const branches = joints.map((joint, origin): Branch => ({ origin, joint, children: [] }));
   return mapOf(before, joints, branches);
@@ -77,12 +76,12 @@ function mapOf(before: Skeleton, joints: readonly Joint[], branches: readonly Br
   };
 }
 
-/** What the axis-angle form can't hold any more is no skeleton of that form. */
+/** Leaves the axis-angle form if the skeleton no longer fits it. */
 function inForm(skeleton: Skeleton): Skeleton {
   return skeleton.form && axisAngleObstacle(skeleton) ? inHierarchyForm(skeleton) : skeleton;
 }
 
-/** Couples by the joints' new indices. One that is about a DOF that is gone, or follows one, goes. */
+/** Links with the joints' new indices. Links from or to a removed DOF are dropped. */
 function withCouples(
   before: Skeleton,
   joints: readonly Joint[],
@@ -109,7 +108,7 @@ function withCouples(
   });
 }
 
-/** φ = g·ψ + o, with φ = s·φ′ and ψ = t·ψ′: φ′ = (s·t·g)·ψ′ + s·o. The same object where nothing changes. */
+/** φ = g·ψ + o, with φ = s·φ′ and ψ = t·ψ′: φ′ = (s·t·g)·ψ′ + s·o. The same object if nothing changes. */
 function movedCouple(couple: Couple, own: SameDof, joint: number, followed: SameDof): Couple {
   const isSame = own.name === couple.dof && followed.name === couple.follows;
   if (isSame) return joint === couple.joint ? couple : { ...couple, joint };

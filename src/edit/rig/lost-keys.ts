@@ -1,11 +1,11 @@
-/** What of a character's takes goes with DOFs that a joint no longer has. */
+/** What a character's takes lose with DOFs that a joint no longer has. */
 import { keysOf } from '../../model/clip.ts';
 import type { Character } from '../../model/document.ts';
 import { firstDofs } from '../../model/dofs.ts';
 import { dofsOf } from '../../model/joint-types.ts';
 import type { JointMap } from './joint-map.ts';
 
-/** `3 keys of r`, `7 keys and the samples of ry and rz`; undefined where nothing goes. */
+/** `3 keys of r`, `7 keys and the samples of ry and rz`; undefined if nothing is lost. */
 export function lostKeys(
   { clips }: Pick<Character, 'clips'>,
   { before, dofs }: JointMap,

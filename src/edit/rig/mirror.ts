@@ -1,11 +1,11 @@
 /**
- * A branch of a skeleton on the other side of a plane through the root: every joint of it made there, or the one that is
- * there brought in step. At rest all joints' spaces lie as the root's does, so that one reflection M serves for all:
+ * Mirrors a hierarchy across a plane through the root: creates each joint on the other side, or updates the existing
+ * one. At rest all joints' spaces are parallel to the root's, so that one reflection M serves for all:
  *
  *     offset′ = M · offset        J′(φ′) = M · J(φ) · M   (`mirrored-motion.ts`)        so    W′ = M · W · M
  *
- * Who is whose counterpart is told as for mirrored poses (`pose/partners.ts`): by name, else by place. What is found by
- * place has to be quite near to where it is looked for; else a joint beside a leg would be taken for the other leg.
+ * Counterparts are found as for mirrored poses (`pose/partners.ts`): by name, else by position. A match by position has
+ * to be close; otherwise a joint beside a leg could be taken for the other leg.
  */
 import { withoutRoundOff } from '../../math/round-off.ts';
 import { reflected, type Vec3 } from '../../math/vec3.ts';
@@ -23,33 +23,33 @@ import { freeName, mirroredName } from './names.ts';
 import { withSkeletonChanged } from './remap.ts';
 import { type Branch, branchesOf, listJoints } from './tree.ts';
 
-/** Parts of the size: what counts as in the plane, as in the middle, and as the counterpart by its place. */
+/** Fractions of the size: tolerance for in the plane, in the middle, and for counterparts by position. */
 const IN_PLANE = 1e-6;
 const IN_MIDDLE = 0.05;
 const NEAR = 0.05;
 
 export interface MirroredHierarchy {
   readonly map: JointMap;
-  /** Index after of the joint on the other side. */
+  /** New index of the joint on the other side. */
   readonly other: number;
-  /** The document, changed by that, with the couples of the other side. */
+  /** Adds the links of the other side to the changed document. */
   readonly couple: (document: Document, characterId: string) => Document;
 }
 
-/** Throws a `CommandError` where there is no other side. @param across 0, 1 or 2 for x, y or z */
+/** Throws a `CommandError` if there is no other side. @param across 0, 1 or 2 for x, y or z */
 export function mirrored(skeleton: Skeleton, index: number, across: number): MirroredHierarchy {
   return new Mirroring(skeleton, across).mirror(index);
 }
 
 class Mirroring {
-  /** x y z a joint: where it is at rest, the root at the origin. */
+  /** x y z per joint: position at rest, relative to the root. */
   private readonly points: Float64Array;
   private readonly size: number;
   private readonly partner: Int32Array;
   private readonly byName: Int32Array;
   private readonly branches: Branch[];
   private readonly names: Set<string>;
-  /** By joint that was mirrored: its branch on the other side, and the signs of its DOFs there. */
+  /** By mirrored joint: its branch on the other side, and the signs of its DOFs there. */
   private readonly done = new Map<number, { readonly branch: Branch; readonly signs: readonly number[] }>();
 
   constructor(
@@ -98,7 +98,7 @@ class Mirroring {
     };
   }
 
-  /** The counterpart of what a branch hangs on: itself in the middle, -1 where there is none. */
+  /** The counterpart of a branch's parent: itself in the middle, -1 if there is none. */
   private sideOf(joint: number): number {
     if (joint === 0) return 0;
     const other = this.counterpart(joint);
@@ -107,7 +107,7 @@ class Mirroring {
     return isOwn && Math.abs(this.points[3 * joint + this.across]) <= IN_MIDDLE * this.size ? joint : -1;
   }
 
-  /** The joint that is there already on the other side, another one; -1 where none is. */
+  /** The existing joint on the other side; -1 if there is none. */
   private counterpart(joint: number): number {
     const { partner, byName, points, across, size } = this;
     const named = byName[joint];
@@ -127,13 +127,13 @@ class Mirroring {
     return true;
   }
 
-  /** @param above what the mirrored branch hangs on, and where that is at rest: index of a joint of before */
+  /** @param above parent of the mirrored branch @param aboveIndex old index of the joint at its rest position */
   private mirrorBranch(index: number, above: Branch, aboveIndex: number): Branch {
     const top = this.mirrorJoint(index, above, this.correction(index, aboveIndex));
     const open = [index];
     for (let joint = open.pop(); joint !== undefined; joint = open.pop()) {
       const own = this.done.get(joint);
-      // Those that were there before any of this: what hangs on the branch by now may be of its own making.
+      // Only joints from before, since the branch may by now have children of its own making.
       const children = this.skeleton.joints.flatMap(({ parent }, j) => (parent === joint ? [j] : []));
       for (const child of children) {
         if (!own || this.isElsewhere(child, own.branch)) continue;
@@ -144,13 +144,13 @@ class Mirroring {
     return top;
   }
 
-  /** Whether its counterpart is there, but hangs on something else: then it is left as it is, and not doubled. */
+  /** Whether its counterpart exists with another parent: then it is left alone, and not duplicated. */
   private isElsewhere(joint: number, above: Branch): boolean {
     const other = this.counterpart(joint);
     return other >= 0 && !above.children.includes(this.branches[other]);
   }
 
-  /** What the offset has to make up for where what it hangs on is not quite mirrored itself. */
+  /** Correction of the offset if the parent is not exactly mirrored itself. */
   private correction(index: number, above: number): Vec3 {
     const { points, across, size } = this;
     const { parent } = this.skeleton.joints[index];
@@ -168,7 +168,7 @@ class Mirroring {
     const there = found >= 0 ? branches[found] : undefined;
     const { motion, signs } = mirroredMotion(joint.motion, across, there?.joint.motion);
     const offset = reflected(joint.offset, across);
-    // Where nothing is to be made up for, every digit stays.
+    // Without a correction every digit is kept.
     const at = (k: number) => (correction[k] === 0 ? offset[k] : withoutRoundOff(offset[k] + correction[k], this.size));
     const own = {
       offset: [at(0), at(1), at(2)] as const,
@@ -202,7 +202,7 @@ class Mirroring {
     return made;
   }
 
-  /** The document with couples on the other side too; the same where they would go round and round. */
+  /** The document with links on the other side too; unchanged if they would be circular. */
   private withCouples(
     document: Document,
     characterId: string,
@@ -225,14 +225,14 @@ function reflectionNormal(across: number): Vec3 {
   return [across === 0 ? 1 : 0, across === 1 ? 1 : 0, across === 2 ? 1 : 0];
 }
 
-/** A bone along +y is mirrored across y by an End Site: bones of joints run the other way. */
+/** A bone along +y mirrored across y becomes an End Site, since joints' bones can't point along −y. */
 function endsOf({ length, endSites = [] }: Joint, across: number): Pick<Joint, 'length' | 'endSites'> {
   const ends = endSites.map((end) => reflected(end, across));
   if (length !== undefined && across === 1 && length > 0) return { endSites: [...ends, [0, -length, 0]] };
   return { ...(length !== undefined && { length }), ...(ends.length && { endSites: ends }) };
 }
 
-/** The joint that is there, with what the other one says of it; the same object where it says so already. */
+/** The existing joint, updated; the same object if nothing changes. */
 function inStep(joint: Joint, own: Pick<Joint, 'offset' | 'box' | 'motion' | 'limits' | 'length' | 'endSites'>): Joint {
   const { length: _length, endSites: _endSites, ...rest } = joint;
   const motion = isSame(joint.motion, own.motion) ? joint.motion : own.motion;
@@ -245,7 +245,7 @@ function inStep(joint: Joint, own: Pick<Joint, 'offset' | 'box' | 'motion' | 'li
   return isStill ? joint : next;
 }
 
-/** Plain data, whose fields are in the same order. */
+/** For plain data with fields in the same order. */
 function isSame(a: unknown, b: unknown): boolean {
   return JSON.stringify(a) === JSON.stringify(b);
 }

@@ -1,24 +1,24 @@
 /**
- * Couples of a branch that was mirrored, on its other side: with s and t the signs that the two DOFs have there,
+ * Mirrors the links of a hierarchy: with s and t the signs of the two DOFs on the other side,
  *
  *     φ = g·ψ + o        there  φ′ = s·φ, ψ′ = t·ψ        so  φ′ = (s·t·g)·ψ′ + s·o
  *
- * What is outside of the branch is followed on its own other side, or itself where it has none.
+ * A followed joint outside the hierarchy is replaced by its counterpart, if it has one.
  */
 import { dofsOf } from '../../model/joint-types.ts';
 import type { Couple, Joint, Skeleton } from '../../model/skeleton.ts';
 import { mirroredMotion } from './mirrored-motion.ts';
 
-/** A joint's other side: its index after, and the signs of its DOFs there. */
+/** A joint's other side: its new index, and the signs of its DOFs there. */
 export interface MirroredJoint {
   readonly joint: number;
   readonly signs: readonly number[];
 }
 
 /**
- * The joints of `after` with the couples that those of `before` have; the very list where they have them.
- * @param sides by joint of before, where what was mirrored is now
- * @param elsewhere where the other side of any other joint is now, or the joint itself; -1 for nowhere
+ * The joints of `after` with the links of those of `before`; the same list if they have them.
+ * @param sides by old joint, the mirrored ones
+ * @param elsewhere the other side of any other joint, or the joint itself; -1 for none
  */
 export function mirroredCouples(
   before: Skeleton,
@@ -41,7 +41,7 @@ export function mirroredCouples(
       const theirs = side?.signs ?? mirroredMotion(followed, across, there).signs;
       const at = dofsOf(followed).findIndex(({ name }) => name === couple.follows);
       const sign = signs[names.indexOf(couple.dof)] ?? 1;
-      // −0 would be written with its sign.
+      // Adding 0 avoids −0, which would be written with its sign.
       const gain = sign * (theirs[at] ?? 1) * couple.gain + 0;
       return [{ ...couple, joint: other, gain, offset: sign * couple.offset + 0 }];
     });

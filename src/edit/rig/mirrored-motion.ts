@@ -1,15 +1,15 @@
 /**
- * A joint's motion on the other side of a plane: with M = diag(−1, 1, 1), or −1 at y or z,
+ * Mirrors a joint's motion across a plane: with M = diag(−1, 1, 1), or −1 at y or z,
  *
  *     M · J(φ) · M = J′(φ′)          φ′ = ±φ, a sign a DOF
  *
  *     rotation about a by θ      M·R(a, θ)·M = R(−M·a, θ): axes of rotations are pseudovectors
  *     translation along a        M·T(t·a)·M = T(t·M·a)
  *     scale along a              M·a for a
- *     shear h of two axes        −h where one of the two is the axis across
- *     screw                      axis −M·a turns the same; what it advances along M·a is the pitch −p
+ *     shear h of two axes        −h if one of the two is the mirrored axis
+ *     screw                      the same rotation about −M·a; the advance along M·a is the pitch −p
  *
- * Angles about x, y and z keep their sign about the axis across and lose it about the others, whatever their order.
+ * Angles keep their sign about the mirrored axis and lose it about the others, in any order.
  */
 import { dot, negated, reflected } from '../../math/vec3.ts';
 import { axisParameter, dofsOf, isSameType, jointTypeOf, stretches, withParameter } from '../../model/joint-types.ts';
@@ -17,13 +17,13 @@ import type { Box, Limit, Motion } from '../../model/skeleton.ts';
 
 export interface MirroredMotion {
   readonly motion: Motion;
-  /** One for each DOF: 1 or −1. */
+  /** One per DOF: 1 or −1. */
   readonly signs: readonly number[];
 }
 
 /**
  * @param across 0, 1 or 2 for x, y or z
- * @param like the motion of the joint that is there already: an axis goes the way that its does
+ * @param like the motion of the existing joint, whose axis direction is used
  */
 export function mirroredMotion(motion: Motion, across: number, like?: Motion): MirroredMotion {
   const mirrored = jointTypeOf(motion).mirrored(motion, across);
@@ -32,14 +32,14 @@ export function mirroredMotion(motion: Motion, across: number, like?: Motion): M
   const axis = axisParameter(mirrored);
   const theirs = like && isSameType(like, mirrored) ? axisParameter(like) : undefined;
   if (!axis || !theirs || !(dot(axis, theirs) < 0)) return { motion: mirrored, signs };
-  // Against its axis, everything is the same with the other sign. Scales don't know which way theirs goes.
+  // With the axis reversed, the signs are reversed. Scales don't depend on its direction.
   if (stretches(motion)) return { motion: withParameter(mirrored, 'axis', theirs), signs };
   return { motion: withParameter(mirrored, 'axis', negated(axis)), signs: signs.map((sign) => -sign) };
 }
 
 function signOf(name: string, across: number): number {
   const axis = 'xyz'[across];
-  // About or along an axis of the joint's own, which is mirrored instead.
+  // About or along the joint's own axis, which is mirrored instead.
   if (name.length === 1) return 1;
   if (name.startsWith('h')) return name.includes(axis) ? -1 : 1;
   if (name.startsWith('t')) return name[1] === axis ? -1 : 1;

@@ -1,8 +1,8 @@
-/** Names of joints that are made: of the next one in a row, and of the one on the other side. */
+/** Names for new joints: the next in a series, and that of the other side. */
 import { readName } from '../../evaluate/retarget/names.ts';
 import type { Skeleton } from '../../model/skeleton.ts';
 
-/** The name itself where no joint has it; else with the next number that none has: `spine2` after `spine1`. */
+/** The name itself if unused; else with the next free number: `spine2` after `spine1`. */
 export function freeName(taken: ReadonlySet<string>, name: string, separator = '_'): string {
   if (!taken.has(name)) return name;
   const [, stem, digits] = /^(.*?)(\d*)$/s.exec(name) ?? [name, name, ''];
@@ -12,7 +12,7 @@ export function freeName(taken: ReadonlySet<string>, name: string, separator = '
   }
 }
 
-/** What a joint below another is called that nobody named: with the next number of that one's, or `joint3`. */
+/** Default name of a child: its parent's with the next number, or `joint3`. */
 export function childName({ joints }: Skeleton, parent: number): string {
   const taken = new Set(joints.map(({ name }) => name));
   const above = joints[parent].name;
@@ -29,12 +29,12 @@ const SWAPPED: Readonly<Record<string, string>> = {
 };
 
 /**
- * The name for the other side: `hip_l` → `hip_r`, `LeftUpLeg` → `RightUpLeg`, `L_Arm` → `R_Arm`, `arm.L` → `arm.R`,
- * `lfemur` → `rfemur`. A side is a word of its own, set off by a capital, a digit or whatever is no letter, or glued to a
- * part of the body that retargeting knows. Undefined where the name says no side.
+ * The name of the other side: `hip_l` → `hip_r`, `LeftUpLeg` → `RightUpLeg`, `L_Arm` → `R_Arm`, `arm.L` → `arm.R`,
+ * `lfemur` → `rfemur`. A side is a separate word, delimited by a capital, a digit or a non-letter, or attached to a
+ * part of the body that retargeting knows. Undefined if the name has no side.
  */
 export function mirroredName(name: string): string | undefined {
-  // What programs put before a colon is the same for all joints.
+  // Prefixes before a colon are the same for all joints.
   const prefix = name.slice(0, name.lastIndexOf(':') + 1);
   const own = name.slice(prefix.length);
   let isSided = false;
@@ -50,7 +50,7 @@ export function mirroredName(name: string): string | undefined {
   return glued ? prefix + asWritten(SWAPPED[glued[1].toLowerCase()], glued[1]) + glued[2] : undefined;
 }
 
-/** In capitals, with one, or without, as the word in whose place it stands. */
+/** With the capitalisation of the word that it replaces. */
 function asWritten(word: string, model: string): string {
   if (model === model.toLowerCase()) return word;
   if (model === model.toUpperCase()) return word.toUpperCase();

@@ -1,4 +1,4 @@
-/** Joints that are made, as their skeleton has others: where they go, how they move. */
+/** Creates joints in the style of their skeleton: position and motion. */
 import type { Vec3 } from '../../math/vec3.ts';
 import { tipOf } from '../../model/bone-ends.ts';
 import { type Character, isBvh, shownSkin } from '../../model/document.ts';
@@ -13,20 +13,20 @@ import {
   UNLIMITED,
 } from '../../model/skeleton.ts';
 
-/** Of a bone where nothing says how long they are. */
+/** Default bone length. */
 const PLAIN_LENGTH = 0.5;
-/** Of a bone in a skin that has no bones yet, as a part of it. */
+/** Bone length in a skin without bones, as a fraction of its size. */
 const PART_OF_SKIN = 0.2;
 
-/** A root that nothing is known of. */
+/** A default root. */
 export function newRoot(name: string): Joint {
   return withMotion({ name, parent: -1, offset: [0, 0, 0], box: DEFAULT_BOX }, DEFAULT_MOTION);
 }
 
 /**
- * A child, to go with the joints that are there: in BVH one of three rotations, in the order of its parent's, and with
- * an End Site; in the axis-angle form a hinge with a bone; else a balljoint.
- * @param offset in the parent's space; undefined: where `nextPlace` says
+ * A child in the style of the existing joints: in BVH with three rotations in its parent's order, and an End Site; in
+ * the axis-angle form a hinge with a bone; else a balljoint.
+ * @param offset in the parent's space; undefined: as from `nextPlace`
  */
 export function newChild(character: Character, skeleton: Skeleton, parent: number, name: string, offset?: Vec3): Joint {
   const above = skeleton.joints[parent];
@@ -54,8 +54,8 @@ function rotationsLike(motion: Motion): Motion {
 }
 
 /**
- * Where a child continues its parent's bone: at the tip or the End Site that ends it, else as far on as the bone is long;
- * from the root up. Beside the children that are there already.
+ * Where a child continues its parent's bone: at the tip or End Site that ends it, else at the bone's length; from the
+ * root upwards. Beside existing children.
  */
 function nextPlace(character: Character, skeleton: Skeleton, parent: number): Vec3 {
   const { joints } = skeleton;
@@ -74,7 +74,7 @@ function nextPlace(character: Character, skeleton: Skeleton, parent: number): Ve
   return [x, y, z];
 }
 
-/** The mean length of bones; a part of the skin's size where there are none. */
+/** The mean length of bones; a fraction of the skin's size if there are none. */
 function typicalLength(character: Character, { joints }: Skeleton): number {
   const lengths = joints.flatMap(({ offset, parent }) => (parent < 0 ? [] : [Math.hypot(...offset)]));
   const known = lengths.filter((length) => length > 0 && length < Infinity);
@@ -90,20 +90,20 @@ function typicalLength(character: Character, { joints }: Skeleton): number {
     }
     size = Math.max(size, high - low);
   }
-  // Three digits do for a length that nobody asked for.
+  // Three digits are enough for a default length.
   return size > 0 && size < Infinity ? Number((PART_OF_SKIN * size).toPrecision(3)) : PLAIN_LENGTH;
 }
 
 /**
- * What a joint of BVH is when its last child goes: its bone ends where that was. The same joint where one ends already,
- * and outside of BVH, which has no such thing.
+ * A BVH joint that loses its last child: its bone ends where that was. The same joint if a bone ends already, and
+ * outside BVH, which has no End Sites.
  */
 export function endedAt(character: Character, joint: Joint, at: Vec3): Joint {
   if (!isBvh(character) || joint.endSites?.length || at.every((v) => v === 0)) return joint;
   return { ...joint, endSites: [at] };
 }
 
-/** Without the End Site that a first child takes the place of. */
+/** Without the End Site that a first child replaces. */
 export function continued(joint: Joint): Joint {
   if (!joint.endSites) return joint;
   const {
