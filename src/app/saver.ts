@@ -12,10 +12,10 @@ import { type Diagnostic, withoutPlace } from '../model/diagnostic.ts';
 import { findCharacter } from '../model/document.ts';
 import { type SourceFile, stemOf } from '../model/files.ts';
 import { fileNameOf, type Part } from '../model/part.ts';
-import { type FormatKind, formatKindOf, KINDS } from '../project/kinds.ts';
+import { formatKindOf, KINDS, type SavedKind } from '../project/kinds.ts';
 import { changedFiles, distinctJobs, type Job, savedFilesOf } from '../project/save/jobs.ts';
 import type { FilePiece } from '../project/save/output.ts';
-import { jointPose, poseToSave } from '../project/save/own-formats.ts';
+import { jointPose, poseToSave } from '../project/save/saved-poses.ts';
 import type { Messages } from '../ui/state/messages.ts';
 import type { DiskHandles } from './disk-handles.ts';
 import type { Unsaved } from './unsaved.ts';
@@ -66,7 +66,7 @@ export class Saver {
   }
 
   /** Saves a character's parts of one kind as files that the user picks. Never rejects. */
-  saveAs(characterId: string, kind: FormatKind): Promise<void> {
+  saveAs(characterId: string, kind: SavedKind): Promise<void> {
     return this.inTurn(async () => {
       const { store, messages, framesPerSecond } = this.parts;
       const character = findCharacter(store.document, characterId);

@@ -11,7 +11,7 @@ import { resolvedSlopes } from '../evaluate/slopes.ts';
 import { transformPoint } from '../math/vec3.ts';
 import type { Diagnostic } from '../model/diagnostic.ts';
 import { type Character, type Document, shownClip } from '../model/document.ts';
-import { formatKindOf, READABLE_EXTENSIONS } from '../project/kinds.ts';
+import { formatKindOf, isSaved, WRITABLE_EXTENSIONS } from '../project/kinds.ts';
 import type { Observable } from '../ui/kit/observable.ts';
 import type { RestOfPage } from '../ui/shell/rest-of-page.ts';
 import { runAction } from '../ui/state/action.ts';
@@ -270,7 +270,9 @@ function asReference(value: unknown): CharacterRef | undefined {
  */
 async function saveByName(store: Store, name: string): Promise<string> {
   const kind = formatKindOf(name);
-  if (!kind) throw new Error(`"${name}" must end in one of ${READABLE_EXTENSIONS.map((e) => `.${e}`).join(' ')}.`);
+  if (!kind || !isSaved(kind)) {
+    throw new Error(`"${name}" must end in one of ${WRITABLE_EXTENSIONS.map((e) => `.${e}`).join(' ')}.`);
+  }
   const { saveCharacter } = await import('../project/save/saving.ts');
   const preferred = resolve(store, undefined);
   for (const character of [preferred, ...store.document.characters]) {

@@ -105,7 +105,8 @@ export class Unsaved {
   private giveFilesBack(): void {
     for (const { id, parts = NO_MARKS } of this.store.document.characters) {
       mapMarks(parts, (mark) => {
-        const file = mark.file ? undefined : this.saved.fileOf(mark.id);
+        const isOwn = mark.file !== undefined && mark.file.kind !== 'character';
+        const file = isOwn ? undefined : this.saved.fileOf(mark.id);
         if (file) this.change(id, (c) => withFile(c, mark.id, file));
         return mark;
       });

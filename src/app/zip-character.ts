@@ -1,15 +1,14 @@
 /** A character as one zip. Loaded on first use, with the zip library. */
 import { zipFiles } from '../io/zip-files.ts';
 import type { Character } from '../model/document.ts';
-import { FORMAT_KINDS, type FormatKind } from '../project/kinds.ts';
-import { isExport } from '../project/save/own-formats.ts';
-import { saveCharacter } from '../project/save/saving.ts';
+import { SAVED_KINDS, type SavedKind } from '../project/kinds.ts';
+import { isCopy, saveCharacter } from '../project/save/saving.ts';
 
 /** Everything of a character in its own formats, with textures, so that it opens again unchanged. */
 export function zipCharacter(character: Character): { readonly name: string; readonly bytes: Uint8Array<ArrayBuffer> } {
-  const isOwn = (kind: FormatKind) => !isExport(character, kind);
+  const isOwn = (kind: SavedKind) => !isCopy(character, kind);
   // A rig names a `.skel`, which motion capture doesn't have.
-  const kinds = FORMAT_KINDS.filter((kind) => isOwn(kind) && (kind !== 'rig' || isOwn('skel') || isOwn('axskel')));
+  const kinds = SAVED_KINDS.filter((kind) => isOwn(kind) || (kind === 'rig' && (isOwn('skel') || isOwn('axskel'))));
   const texts = kinds
     .flatMap((kind) => saveCharacter(character, kind))
     .map(({ name, text }) => ({

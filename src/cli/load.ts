@@ -7,8 +7,8 @@ import { basename } from 'node:path';
 import { TEXTURE_EXTENSIONS, textureTypeOf } from '../formats/textures.ts';
 import { type Diagnostic, withoutPlace } from '../model/diagnostic.ts';
 import type { BrokenFile, FileContent, FileKind, ParsedFile, SourceFile } from '../model/files.ts';
+import { type Format, formatOf } from '../project/codecs.ts';
 import { READABLE_EXTENSIONS } from '../project/kinds.ts';
-import { type Format, formatOf } from '../project/open/readers.ts';
 import { UsageError } from './arguments.ts';
 import { findGiven, type GivenPath } from './paths.ts';
 

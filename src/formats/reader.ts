@@ -32,6 +32,14 @@ export interface WriteResult {
   readonly diagnostics: readonly Diagnostic[];
 }
 
+/** What a file is made of, one piece after the other. */
+export interface WrittenPieces {
+  /** Bytes; of a text in UTF-8. To be gone through once. */
+  readonly pieces: Iterable<Uint8Array<ArrayBuffer>>;
+  /** Complete when all pieces have been taken. */
+  diagnostics(): readonly Diagnostic[];
+}
+
 /**
  * A format's grammar: suspends with `yield` when the bytes at hand run out, and returns what was read; undefined only
  * where it reported an error.

@@ -1,6 +1,7 @@
 /** Splits a character into the parts that are saved separately (`part.ts`). */
 import { type Character, isBvh } from './document.ts';
-import { NO_MARKS, type Part, type PartContents, type PartKind, type PartMark, UNMARKED } from './part.ts';
+import type { PartContents, PartKind } from './files.ts';
+import { NO_MARKS, type Part, type PartMark, UNMARKED } from './part.ts';
 
 /** All parts of a character, in the order in which one would open them. */
 export function partsOf(character: Character): readonly Part[] {
@@ -30,7 +31,8 @@ function part<K extends PartKind>(kind: K, name: string, content: PartContents[K
   const { id, revision, file } = mark;
   const own = isFrom(mark, kind, name) ? file?.source : undefined;
   // A member of the union, but TypeScript can't infer which one for a generic kind.
-  return { kind, id, revision, name, content, ...(own && { file: own }) } as Part;
+  const { source } = file ?? {};
+  return { kind, id, revision, name, content, ...(own && { file: own }), ...(source && { readFrom: source }) } as Part;
 }
 
 /** Skeletons and poses are named independently of their files; all others take the file's name. */

@@ -2,6 +2,7 @@
 import type { ChannelClip } from './clip.ts';
 import type { Morph } from './morph.ts';
 import type { PoseByNames } from './pose-by-names.ts';
+import type { PoseLibrary } from './poses.ts';
 import type { Rig } from './rig.ts';
 import type { Skeleton } from './skeleton.ts';
 import type { Skin } from './skin.ts';
@@ -22,15 +23,34 @@ export interface Texture {
   readonly bytes: Uint8Array<ArrayBuffer>;
 }
 
-export type FileContent =
-  | { readonly kind: 'skel'; readonly skeletons: readonly Skeleton[] }
-  | { readonly kind: 'skin'; readonly skin: Skin }
-  | { readonly kind: 'morph'; readonly morph: Morph }
-  | { readonly kind: 'anim'; readonly clip: ChannelClip }
-  | { readonly kind: 'rig'; readonly rig: Rig }
-  | { readonly kind: 'bvh'; readonly figures: readonly CapturedFigure[] }
-  | { readonly kind: 'pose'; readonly poses: readonly PoseByNames[] }
-  | { readonly kind: 'texture'; readonly texture: Texture };
+/**
+ * The kinds of content: what a file of it is read as, and, if characters keep it as a part that is saved on its own,
+ * the content of that part. All other types of kinds derive from this list.
+ */
+interface Contents {
+  readonly skel: { readonly file: { readonly skeletons: readonly Skeleton[] }; readonly part: Skeleton };
+  readonly skin: { readonly file: { readonly skin: Skin }; readonly part: Skin };
+  readonly morph: { readonly file: { readonly morph: Morph }; readonly part: Morph };
+  readonly anim: { readonly file: { readonly clip: ChannelClip }; readonly part: ChannelClip };
+  readonly rig: { readonly file: { readonly rig: Rig } };
+  readonly bvh: { readonly file: { readonly figures: readonly CapturedFigure[] }; readonly part: CapturedFigure };
+  readonly pose: { readonly file: { readonly poses: readonly PoseByNames[] }; readonly part: PoseLibrary };
+  /** Whole characters, with everything they need inside the file. */
+  readonly character: { readonly file: { readonly characters: readonly WholeCharacter[] } };
+  readonly texture: { readonly file: { readonly texture: Texture } };
+}
+
+export type FileKind = keyof Contents;
+
+/** What reading a file of that kind results in. */
+export type ContentOf<K extends FileKind> = { readonly [C in K]: { readonly kind: C } & Contents[C]['file'] }[K];
+export type FileContent = ContentOf<FileKind>;
+
+/** Kinds of content that a character keeps as parts. */
+export type PartKind = { [K in FileKind]: Contents[K] extends { readonly part: unknown } ? K : never }[FileKind];
+
+/** The content of each kind of part. */
+export type PartContents = { readonly [K in PartKind]: Contents[K]['part'] };
 
 /** One `ROOT` of a motion capture file: a skeleton and its motion; no clip if the file has no frames. */
 export interface CapturedFigure {
@@ -38,7 +58,16 @@ export interface CapturedFigure {
   readonly clip?: ChannelClip;
 }
 
-export type FileKind = FileContent['kind'];
+/** A character that one file contains whole. Each part has its own name; skins name their textures by name. */
+export interface WholeCharacter {
+  readonly skeleton: Skeleton;
+  /** Alternatives: the first is shown. */
+  readonly skins: readonly Skin[];
+  readonly morphs: readonly Morph[];
+  /** Takes: the first is shown. */
+  readonly clips: readonly ChannelClip[];
+  readonly textures: readonly Texture[];
+}
 
 /** A file that was read without an error. */
 export type ParsedFile = FileContent & { readonly source: SourceFile };

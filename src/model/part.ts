@@ -7,36 +7,12 @@
  * skeleton in a `.skel` and its takes in `.anim` files.
  */
 import { savesAsAxisAngle } from './axis-angle.ts';
-import type { ChannelClip } from './clip.ts';
-import { type CapturedFigure, type SourceFile, sameName } from './files.ts';
-import type { Morph } from './morph.ts';
-import type { NamedPose } from './poses.ts';
-import type { Skeleton } from './skeleton.ts';
-import type { Skin } from './skin.ts';
-
-/** The content of each kind of part. */
-export interface PartContents {
-  readonly skel: Skeleton;
-  readonly skin: Skin;
-  readonly morph: Morph;
-  readonly anim: ChannelClip;
-  readonly bvh: CapturedFigure;
-  readonly pose: PoseLibrary;
-}
-
-/** Kinds of files whose content can be edited. */
-export type PartKind = keyof PartContents;
-
-/** A character's pose library, with the joint and morph names it refers to. */
-export interface PoseLibrary {
-  readonly skeleton?: Skeleton;
-  readonly morphs: readonly Morph[];
-  readonly poses: readonly NamedPose[];
-}
+import { type FileKind, type PartContents, type PartKind, type SourceFile, sameName } from './files.ts';
 
 /** The file that a part was read from or saved as. */
 export interface PartFile {
-  readonly kind: PartKind;
+  /** Other than the part's own: it came in a file with other parts, and is saved as another file. */
+  readonly kind: FileKind;
   readonly source: SourceFile;
   /**
    * The name of the part in that file. Parts are named after their file; under another name they belong to another
@@ -88,8 +64,10 @@ interface PartOf<K extends PartKind> extends Omit<PartMark, 'file'> {
   readonly kind: K;
   /** Name of its file, without the extension. */
   readonly name: string;
-  /** The file it came from; absent if it was created here or has been renamed. */
+  /** Its own file; absent if it was created here, came with other parts, or has been renamed. */
   readonly file?: SourceFile;
+  /** The file it came from, which may be of another kind or hold it under another name. */
+  readonly readFrom?: SourceFile;
   readonly content: PartContents[K];
 }
 

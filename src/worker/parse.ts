@@ -9,8 +9,8 @@ import { type Diagnostic, withoutPlace } from '../model/diagnostic.ts';
 import { type BrokenFile, folderOf, type ParsedFile, type SourceFile, type Texture } from '../model/files.ts';
 import type { Morph } from '../model/morph.ts';
 import type { Skin } from '../model/skin.ts';
+import { formatOf } from '../project/codecs.ts';
 import { READABLE_EXTENSIONS } from '../project/kinds.ts';
-import { formatOf } from '../project/open/readers.ts';
 import type { GivenBlob, ParseInput, ParseOutput, Progress } from './protocol.ts';
 import { unzip } from './zip.ts';
 
@@ -68,6 +68,14 @@ export async function parse(input: ParseInput, onProgress: (progress: Progress) 
 /** Of each skin, with the morphs beside it: whether they belong to it is not known yet, so it may be some too many. */
 function factsOf(files: readonly ParsedFile[]): ParseOutput['facts'] {
   return files.flatMap((file) => {
+    if (file.kind === 'character') {
+      return file.characters.flatMap(({ skins, morphs }) =>
+        skins.map((skin) => {
+          const own = morphs.filter((morph) => fits(morph, skin));
+          return { skin, morphs: own, facts: skinFacts(skin, own) };
+        }),
+      );
+    }
     if (file.kind !== 'skin') return [];
     const { skin, source } = file;
     const beside = files.filter((f) => f.kind === 'morph' && folderOf(f.source) === folderOf(source));

@@ -4,7 +4,7 @@
  * within 2 times its time where every number takes all its digits.
  */
 import { bench, describe } from 'vitest';
-import { writeBvhPieces } from '../../src/formats/bvh/write.ts';
+import { writeBvh } from '../../src/formats/bvh/write.ts';
 import type { CapturedFigure } from '../../src/model/files.ts';
 import { bvhFigure, bvhJoint } from '../helpers/bvh.ts';
 
@@ -21,7 +21,7 @@ function figure(print: (value: number) => number): CapturedFigure {
 
 function ours(written: CapturedFigure): number {
   let bytes = 0;
-  for (const piece of writeBvhPieces([written]).pieces) bytes += piece.length;
+  for (const piece of writeBvh([written]).pieces) bytes += piece.length;
   return bytes;
 }
 

@@ -1,5 +1,5 @@
 /** What the page begins with, what comes later, and what happens where that does not come. */
-import { readFileSync } from 'node:fs';
+import { readdirSync, readFileSync } from 'node:fs';
 import { dirname, join } from 'node:path';
 import { fileURLToPath } from 'node:url';
 import { gzipSync } from 'node:zlib';
@@ -32,6 +32,17 @@ describe('the page', () => {
     expect(scripts.some((file) => file.includes('three'))).toBe(true);
     const bytes = scripts.reduce((sum, file) => sum + gzipSync(readFileSync(join(DIST, file))).length, 0);
     expect(bytes).toBeLessThan(MAX_BYTES);
+  });
+
+  it('the page has writers without readers, and its worker readers without writers', () => {
+    const scripts = readdirSync(join(DIST, 'assets')).filter((file) => file.endsWith('.js'));
+    const having = (text: string) =>
+      scripts.filter((file) => readFileSync(join(DIST, 'assets', file), 'utf8').includes(text));
+    const reading = having('Expected pose NAME { … }, found none.');
+    const writing = having('which files belong together');
+    expect([reading.length, writing.length]).toEqual([1, 1]);
+    expect(reading[0]).toMatch(/^entry-/);
+    expect(writing).not.toEqual(reading);
   });
 
   it('keeps what is opened before its panels and its autosave have come', () =>

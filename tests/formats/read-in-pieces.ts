@@ -1,7 +1,7 @@
 /** Reading helpers for the format tests: any format, in one piece or in many. */
 import type { ReadResult } from '../../src/formats/reader.ts';
 import type { FileContent } from '../../src/model/files.ts';
-import { formatOf } from '../../src/project/open/readers.ts';
+import { formatOf } from '../../src/project/codecs.ts';
 
 export function bytesOf(text: string): Uint8Array {
   return new TextEncoder().encode(text);

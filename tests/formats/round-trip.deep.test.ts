@@ -1,8 +1,8 @@
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
 import type { FileContent } from '../../src/model/files.ts';
-import { writeFile } from '../../src/project/save/writers.ts';
 import { describeShared, sharedBytes } from '../helpers/shared.ts';
+import { writeFile } from '../helpers/write-file.ts';
 import * as arbitrary from './arbitraries.ts';
 import { read } from './read-in-pieces.ts';
 import { GOOD_FILES } from './shared-files.ts';

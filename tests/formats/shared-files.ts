@@ -1,6 +1,6 @@
 /** The reference files that these formats read. */
 import { readdirSync } from 'node:fs';
-import { formatOf } from '../../src/project/open/readers.ts';
+import { formatOf } from '../../src/project/codecs.ts';
 import { hasShared, sharedPath } from '../helpers/shared.ts';
 
 function filesIn(folder: string): string[] {

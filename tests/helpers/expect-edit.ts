@@ -9,9 +9,9 @@ import { type Command, type Edit, Store } from '../../src/edit/store.ts';
 import { type Character, type Document, findCharacter, isBvh } from '../../src/model/document.ts';
 import type { FileContent } from '../../src/model/files.ts';
 import { NOTHING_SELECTED, type Selection } from '../../src/model/session.ts';
-import { writeFile } from '../../src/project/save/writers.ts';
 import { read } from '../formats/read-in-pieces.ts';
 import { checkDocument, checkSelection } from './invariants.ts';
+import { writeFile } from './write-file.ts';
 
 /**
  * Applies a command, and expects that

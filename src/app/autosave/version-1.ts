@@ -4,8 +4,8 @@
  */
 import { partsOf } from '../../model/character-parts.ts';
 import { type Character, isBvh } from '../../model/document.ts';
-import { type SourceFile, stemOf } from '../../model/files.ts';
-import type { Part, PartKind, PartMark } from '../../model/part.ts';
+import { type PartKind, type SourceFile, stemOf } from '../../model/files.ts';
+import type { Part, PartMark } from '../../model/part.ts';
 import { UNMARKED } from '../../model/part.ts';
 import type { SavedCharacter } from '../../project/save/saved-parts.ts';
 import type { KeptMarks, KeptState } from './session-state.ts';

@@ -13,12 +13,13 @@ import { type Diagnostic, hasErrors } from '../../model/diagnostic.ts';
 import { EMPTY_DOCUMENT } from '../../model/document.ts';
 import { type FileContent, type FileKind, type ParsedFile, stemOf } from '../../model/files.ts';
 import type { Skeleton } from '../../model/skeleton.ts';
-import { formatKindOf, READABLE_EXTENSIONS } from '../../project/kinds.ts';
+import { type Format, formatOf } from '../../project/codecs.ts';
+import { formatKindOf, isSaved, WRITABLE_EXTENSIONS } from '../../project/kinds.ts';
 import { openFiles } from '../../project/open/open-files.ts';
-import { type Format, formatOf } from '../../project/open/readers.ts';
 import { bvhOf, type NamedFigure, skelOf } from '../../project/save/character-files.ts';
-import { type ConversionOptions, outputsOf, refusal, TARGETS, type Target } from '../../project/save/conversion.ts';
-import { bvhOutput, type Output, textOutput } from '../../project/save/output.ts';
+import { outputsOf, refusal, TARGETS, type Target } from '../../project/save/conversion.ts';
+import { bvhCopy, type ConversionOptions } from '../../project/save/copies.ts';
+import { type Output, outputOf } from '../../project/save/output.ts';
 import { type Arguments, numberOf, parseArguments, UsageError } from '../arguments.ts';
 import { convertMany, type WrittenFile } from '../convert-many.ts';
 import type { CliCommand, CommandIo, ExitCode } from '../io.ts';
@@ -91,8 +92,8 @@ async function toFile(given: Arguments, io: CommandIo): Promise<ExitCode> {
   const [ins, out] = [given.files.slice(0, -1), given.files.at(-1)];
   if (out === undefined || ins.length === 0) throw new UsageError('convert needs an input file and an output file.');
   const format = formatOf(out);
-  if (!format) {
-    const known = READABLE_EXTENSIONS.map((extension) => `.${extension}`).join(' ');
+  if (!format || !isSaved(format.format)) {
+    const known = WRITABLE_EXTENSIONS.map((extension) => `.${extension}`).join(' ');
     throw new UsageError(`The format of "${out}" is not known; its name must end in one of ${known}.`);
   }
 
@@ -138,7 +139,7 @@ function pick(files: readonly ParsedFile[], format: Format, out: string, options
   // Another frame rate means resampling: the frames can't be copied as they are.
   if (only && (kind !== 'bvh' || options.framesPerSecond === undefined)) {
     if (only.kind === 'skel') return skelInForm(only.skeletons, only.source.name, out);
-    return { output: kind === 'bvh' ? bvhAgain(only, out) : textOutput(out, () => only) };
+    return { output: outputOf({ name: out, content: () => only }) };
   }
   if (kind === 'rig') return rigOf(files, out);
   const target = TARGETS.find((t) => t === kind);
@@ -161,7 +162,7 @@ function tooMany({ label }: Format, names: readonly string[], out: string): Diag
 function skelInForm(skeletons: readonly Skeleton[], source: string, out: string): Picked {
   if (!isAxisAngleName(out)) {
     const written = isAxisAngleName(source) ? skeletons.map(inHierarchyForm) : skeletons;
-    return { output: textOutput(out, () => ({ kind: 'skel', skeletons: written })) };
+    return { output: outputOf({ name: out, content: () => ({ kind: 'skel', skeletons: written }) }) };
   }
   const why =
     skeletons.length === 1 ? axisAngleObstacle(skeletons[0]) : `it holds one tree, and there are ${skeletons.length}.`;
@@ -169,20 +170,13 @@ function skelInForm(skeletons: readonly Skeleton[], source: string, out: string)
     const message = `${out} can't be written in axis-angle form: ${why} Use .skel instead.`;
     return { refusal: refusal('axis-angle-impossible', message, out) };
   }
-  return { output: textOutput(out, () => ({ kind: 'skel', skeletons: skeletons.map(inAxisAngleForm) })) };
+  return {
+    output: outputOf({ name: out, content: () => ({ kind: 'skel', skeletons: skeletons.map(inAxisAngleForm) }) }),
+  };
 }
 
 function isAxisAngleName(name: string): boolean {
   return formatKindOf(name) === 'axskel';
-}
-
-/** All roots, with the frames exactly as read. */
-function bvhAgain(file: ParsedFile, out: string): Output {
-  const figures = file.kind === 'bvh' ? file.figures : [];
-  return bvhOutput(
-    `${stem(out)}.bvh`,
-    figures.map((figure) => ({ figure, name: figure.skeleton.name, diagnostics: [] })),
-  );
 }
 
 /** The assembled files in that format; undefined if they hold nothing that can be converted to it. */
@@ -215,7 +209,7 @@ function convertedTo(
         };
       }
     }
-    return { output: bvhOutput(`${stem(out)}.bvh`, figures) };
+    return { output: outputOf(bvhCopy(`${stem(out)}.bvh`, figures)) };
   }
   // One kind only: `--to skel` writes skeletons with their clips. A `.skel` may have several roots.
   const skeletons = characters.flatMap((character) => skelOf(character) ?? []);
@@ -261,5 +255,5 @@ function rigOf(files: readonly ParsedFile[], out: string): Picked {
       ...(animations.length && { animation: animations[0] }),
     },
   };
-  return { output: textOutput(out, () => content) };
+  return { output: outputOf({ name: out, content: () => content }) };
 }

@@ -7,8 +7,8 @@
  * them first (`evaluate/bake.ts`).
  *
  * A take of 100 MB is written as bytes, in pieces of 64 kB, so that a page can stay alive in between and no string has
- * to hold all of it; `writeBvh` joins them for those who want one text. (V8 ends at 512 MB for a string. Pieces of text
- * take three times as long: a string for each number, and the joining of them.)
+ * to hold all of it. (V8 ends at 512 MB for a string. Pieces of text take three times as long: a string for each number,
+ * and the joining of them.)
  */
 import type { Diagnostic } from '../../model/diagnostic.ts';
 import { firstDofs } from '../../model/dofs.ts';
@@ -16,18 +16,10 @@ import type { CapturedFigure } from '../../model/files.ts';
 import { bvhChannelsOf, dofsOf, jointTypeOf, positionsOf } from '../../model/joint-types.ts';
 import { columnOf, RADIANS_PER_DEGREE } from '../../model/samples.ts';
 import type { BvhChannel, Joint, Skeleton } from '../../model/skeleton.ts';
-import type { WriteResult } from '../reader.ts';
+import type { WrittenPieces } from '../reader.ts';
 import { LONGEST_DECIMAL, putDecimal } from '../write-decimal.ts';
 import { Text } from '../write-text.ts';
 import { CHANNEL_NAMES } from './channels.ts';
-
-/** What a file is made of, one piece after the other. */
-export interface WrittenPieces {
-  /** UTF-8. To be gone through once. */
-  readonly pieces: Iterable<Uint8Array<ArrayBuffer>>;
-  /** Complete when all pieces have been taken. */
-  diagnostics(): readonly Diagnostic[];
-}
 
 /** Bytes of a piece of rows. */
 const PIECE = 1 << 16;
@@ -48,16 +40,7 @@ export function fitOneBvh(figures: readonly CapturedFigure[]): boolean {
  * @param fileName what diagnostics name
  * @throws Error for figures of several frame rates or counts (see `fitOneBvh`), other motions, and channels with keys
  */
-export function writeBvh(figures: readonly CapturedFigure[], fileName = ''): WriteResult {
-  const { pieces, diagnostics } = writeBvhPieces(figures, fileName);
-  const decoder = new TextDecoder();
-  let text = '';
-  for (const piece of pieces) text += decoder.decode(piece, { stream: true });
-  return { text, diagnostics: diagnostics() };
-}
-
-/** As `writeBvh`, in pieces. */
-export function writeBvhPieces(figures: readonly CapturedFigure[], fileName = ''): WrittenPieces {
+export function writeBvh(figures: readonly CapturedFigure[], fileName = ''): WrittenPieces {
   if (!fitOneBvh(figures)) throw new Error('Figures in one .bvh file need the same frames: write one file per figure.');
   const text = new Text(fileName);
   text.line(0, 'HIERARCHY');

@@ -15,61 +15,65 @@ import {
   type ParsedFile,
   type SourceFile,
   sameName,
+  type Texture,
+  type WholeCharacter,
 } from '../../model/files.ts';
+import type { Morph } from '../../model/morph.ts';
 import { NO_MARKS, type PartFile, type PartMark, type PartMarks, readAs, UNMARKED } from '../../model/part.ts';
 import { positionsMeant, positionsTaken, withPositions } from '../../model/position-channels.ts';
+import type { Skin } from '../../model/skin.ts';
 
-/**
- * Adds a part, or replaces the one read from a file of the same name; new parts are shown.
- * @param before the character before these files were opened: only its parts are replaced, so two new files of the same
- * name become two parts
- */
-export function withPart(character: Character, file: ParsedFile, before: Character | undefined): Character {
-  const replaced = (s: SourceFile) => sameName(s.name, file.source.name) && (before?.sources.includes(s) ?? false);
-  const next = { ...character, sources: [...character.sources.filter((s) => !replaced(s)), file.source] };
-  switch (file.kind) {
-    case 'skin': {
-      const { name } = file.skin;
-      const at = replacedIndex(next.skins, before?.skins, name);
-      const parts = withMark(next, 'skins', at, { kind: 'skin', source: file.source, holds: name });
-      return { ...next, parts, skins: put(next.skins, at, file.skin), shownSkin: at < 0 ? next.skins.length : at };
-    }
-    case 'morph': {
-      const { name } = file.morph;
-      const at = replacedIndex(next.morphs, before?.morphs, name);
-      const parts = withMark(next, 'morphs', at, { kind: 'morph', source: file.source, holds: name });
-      const pose = at < 0 ? [...next.pose, 0] : next.pose;
-      return { ...withoutUnkeyed(next), parts, morphs: put(next.morphs, at, file.morph), pose };
-    }
-    case 'anim':
-      return withClip(withoutUnkeyed(next), file.clip, { kind: 'anim', source: file.source }, before);
-    case 'skel':
-    case 'bvh':
-    case 'rig':
-    case 'pose':
-    case 'texture':
-      return next;
-  }
+/** Where a part comes from. */
+export interface PartOrigin extends Omit<PartFile, 'holds'> {
+  /**
+   * The character before these files were opened: only its parts are replaced, so two new files of the same name become
+   * two parts.
+   */
+  readonly before: Character | undefined;
 }
 
-/** Adds a clip from a file and shows it. */
-function withClip(
-  character: Character,
-  clip: ChannelClip,
-  file: Omit<PartFile, 'holds'>,
-  before: Character | undefined,
-): Character {
+/** Lists a file among the character's sources, replacing one of the same name that it had before. */
+export function withSource(character: Character, source: SourceFile, before: Character | undefined): Character {
+  const replaced = (s: SourceFile) => sameName(s.name, source.name) && (before?.sources.includes(s) ?? false);
+  return { ...character, sources: [...character.sources.filter((s) => !replaced(s)), source] };
+}
+
+/** Adds a skin, or replaces the one of that name, and shows it. */
+export function withSkin(character: Character, skin: Skin, from: PartOrigin): Character {
+  const { skins } = character;
+  const at = replacedIndex(skins, from.before?.skins, skin.name);
+  const parts = withMark(character, 'skins', at, skin.name, from);
+  return { ...character, parts, skins: put(skins, at, skin), shownSkin: at < 0 ? skins.length : at };
+}
+
+/** Adds a morph, or replaces the one of that name. */
+export function withMorph(character: Character, morph: Morph, from: PartOrigin): Character {
+  const { morphs } = character;
+  const at = replacedIndex(morphs, from.before?.morphs, morph.name);
+  const parts = withMark(character, 'morphs', at, morph.name, from);
+  const pose = at < 0 ? [...character.pose, 0] : character.pose;
+  return { ...withoutUnkeyed(character), parts, morphs: put(morphs, at, morph), pose };
+}
+
+/** Adds a clip, or replaces the one of that name, and shows it. */
+export function withClip(character: Character, clip: ChannelClip, from: PartOrigin): Character {
   const { clips } = character;
-  const at = replacedIndex(clips, before?.clips, clip.name);
-  const parts = withMark(character, 'clips', at, { ...file, holds: clip.name });
+  const at = replacedIndex(clips, from.before?.clips, clip.name);
+  const parts = withMark(character, 'clips', at, clip.name, from);
   return { ...character, parts, clips: put(clips, at, clip), shownClip: at < 0 ? clips.length : at };
 }
 
 /** The marks with that of a part from a file, replacing the one at `at`, or appended if `at` is -1. */
-function withMark(character: Character, key: 'skins' | 'morphs' | 'clips', at: number, file: PartFile): PartMarks {
+function withMark(
+  character: Character,
+  key: 'skins' | 'morphs' | 'clips',
+  at: number,
+  holds: string,
+  { kind, source }: PartOrigin,
+): PartMarks {
   const { parts = NO_MARKS } = character;
   const marks = character[key].map((_, i) => parts[key][i] ?? UNMARKED);
-  return { ...parts, [key]: put(marks, at, readAs(marks[at], file)) };
+  return { ...parts, [key]: put(marks, at, readAs(marks[at], { kind, source, holds })) };
 }
 
 interface Named {
@@ -85,6 +89,10 @@ function put<T>(list: readonly T[], at: number, item: T): readonly T[] {
   return at < 0 ? [...list, item] : list.map((old, i) => (i === at ? item : old));
 }
 
+function withTexture(character: Character, texture: Texture): Character {
+  return { ...character, textures: [...character.textures.filter((t) => !sameName(t.name, texture.name)), texture] };
+}
+
 /** Gives a character's skins the textures that they name; the same character if there are none. */
 export function withTextures(character: Character, given: readonly ParsedFile[]): Character {
   const skinFolders = character.parts?.skins.flatMap(({ file }) => (file ? folderOf(file.source) : [])) ?? [];
@@ -96,8 +104,7 @@ export function withTextures(character: Character, given: readonly ParsedFile[])
     const file = fits.find((f) => skinFolders.includes(folderOf(f.source))) ?? fits[0];
     if (file?.kind !== 'texture' || next.textures.includes(file.texture)) continue;
     next = {
-      ...next,
-      textures: [...next.textures.filter((t) => !sameName(t.name, file.texture.name)), file.texture],
+      ...withTexture(next, file.texture),
       sources: [...next.sources.filter((s) => !sameName(s.name, file.source.name)), file.source],
     };
   }
@@ -105,29 +112,40 @@ export function withTextures(character: Character, given: readonly ParsedFile[])
 }
 
 /**
- * Uses a figure of a file: its skeleton, and its clip as the shown one. Motion capture does not say how its space is
- * oriented or scaled, so that is guessed and can be changed. An existing setting is kept when the file is opened again.
- * @param together all figures of the file; they share one space
+ * Uses a character of a file: its skeleton with all that comes with it. The first skin and clip are shown. Motion
+ * capture does not say how its space is oriented or scaled, so that is guessed and can be changed. An existing setting is
+ * kept when the file is opened again.
+ * @param together all characters of the file; they share one space
  */
-export function withFigure(
+export function withWhole(
   character: Character,
-  figure: CapturedFigure,
-  file: Omit<PartFile, 'holds'>,
-  before: Character | undefined,
-  together: readonly CapturedFigure[] = [figure],
+  whole: WholeCharacter,
+  from: PartOrigin,
+  together: readonly WholeCharacter[] = [whole],
 ): Character {
-  const { skeleton, clip } = figure;
+  const { skeleton, skins, morphs, clips, textures } = whole;
   const { parts = NO_MARKS } = character;
-  const mark = readAs(parts.skeleton, { ...file, holds: skeleton.name });
-  const fitted = { ...withSkeleton(character, skeleton), parts: { ...parts, skeleton: mark } };
-  const next = !isBvh({ skeleton })
-    ? fitted
-    : { ...fitted, space: before?.space ?? guessSharedSpace(together.map(asMeant)) };
-  return clip ? withClip(next, clip, file, before) : next;
+  const { kind, source, before } = from;
+  const mark = readAs(parts.skeleton, { kind, source, holds: skeleton.name });
+  const space = isBvh({ skeleton }) ? (before?.space ?? guessSharedSpace(together.map(asMeant))) : undefined;
+  let next: Character = {
+    ...withSkeleton(character, skeleton),
+    parts: { ...parts, skeleton: mark },
+    ...(space && { space }),
+  };
+  for (const skin of skins) next = withSkin(next, skin, from);
+  for (const morph of morphs) next = withMorph(next, morph, from);
+  for (const clip of clips) next = withClip(next, clip, from);
+  for (const texture of textures) next = withTexture(next, texture);
+  return {
+    ...next,
+    ...(skins.length && { shownSkin: next.skins.indexOf(skins[0]) }),
+    ...(clips.length && { shownClip: next.clips.indexOf(clips[0]) }),
+  };
 }
 
 /** With the position channels as the file's writer meant them: the size of a collapsed figure can't be measured. */
-function asMeant({ skeleton, clip }: CapturedFigure): CapturedFigure {
+function asMeant({ skeleton, clips: [clip] }: WholeCharacter): CapturedFigure {
   const meant = withPositions(skeleton, positionsMeant(skeleton, clip));
   return clip ? { skeleton: meant, clip } : { skeleton: meant };
 }

@@ -12,13 +12,14 @@ import { type Diagnostic, withoutPlace } from '../../model/diagnostic.ts';
 import {
   type BrokenFile,
   baseName,
+  type FileKind,
   folderOf,
   type ParsedFile,
   type SourceFile,
   sameName,
   stemOf,
 } from '../../model/files.ts';
-import { type FormatKind, KINDS, type TextKind } from '../kinds.ts';
+import { type FormatKind, KINDS, openingOf } from '../kinds.ts';
 
 /** A given file, read or broken. */
 export type ReadFile = ParsedFile | (BrokenFile & { readonly broken: true });
@@ -27,7 +28,7 @@ export type ReadFile = ParsedFile | (BrokenFile & { readonly broken: true });
 export interface FileGroup {
   /** The name of the `.rig` that binds the group, if any. */
   readonly name?: string;
-  /** A `.skel` or `.bvh`; absent if a `.rig` names a skin without a skeleton. */
+  /** A file with skeletons; absent if a `.rig` names a skin without a skeleton. */
   readonly skeleton?: ReadFile;
   /** Skins, morphs and anims: those named by a `.rig` first, in its order, then the others in the given order. */
   readonly parts: ReadFile[];
@@ -66,7 +67,7 @@ export function groupFiles(files: readonly ReadFile[]): Grouping {
       continue;
     }
     const { rig } = file;
-    const find = (kind: TextKind, name: string | undefined) => {
+    const find = (kind: FileKind & FormatKind, name: string | undefined) => {
       if (name === undefined) return undefined;
       const found = lookUp(files, file, kind, name);
       if (!found) diagnostics.push(partNotGiven(file, kind, name));
@@ -98,9 +99,10 @@ export function groupFiles(files: readonly ReadFile[]): Grouping {
 
   const loose: ReadFile[] = [];
   for (const file of files) {
-    if (taken.has(file) || isSkeleton(file) || file.kind === 'rig' || file.kind === 'texture') continue;
+    const { as } = openingOf(file.kind);
+    if (taken.has(file) || as === 'characters' || as === 'rig' || as === 'texture') continue;
     // Poses are matched to characters by their joints.
-    const group = file.kind === 'pose' ? undefined : skeletonFor(file, groups);
+    const group = as === 'poses' ? undefined : skeletonFor(file, groups);
     if (group) group.parts.push(file);
     else loose.push(file);
   }
@@ -121,15 +123,18 @@ export function prefixFit(skeletonStem: string, partStem: string): number {
   return partStem.toLowerCase().startsWith(skeletonStem.toLowerCase()) ? skeletonStem.length : 0;
 }
 
-/** Whether a file contains skeletons. */
 function isSkeleton({ kind }: ReadFile): boolean {
-  return kind === 'skel' || kind === 'bvh';
+  return openingOf(kind).as === 'characters';
+}
+
+function takesParts({ kind }: ReadFile): boolean {
+  const opening = openingOf(kind);
+  return opening.as === 'characters' && opening.takesParts;
 }
 
 function skeletonFor(part: ReadFile, groups: readonly FileGroup[]): FileGroup | undefined {
   const folder = folderOf(part.source);
-  // Motion capture is complete in itself; skins are not made for it.
-  const skeletons = groups.filter((g) => g.skeleton?.kind === 'skel');
+  const skeletons = groups.filter((g) => g.skeleton && takesParts(g.skeleton));
   const there = skeletons.filter((g) => g.skeleton && folderOf(g.skeleton.source) === folder);
   let best: FileGroup | undefined;
   let length = 0;

@@ -13,15 +13,17 @@ import { type Diagnostic, hasErrors, withoutPlace } from '../../model/diagnostic
 import { type Character, type Document, EMPTY_DOCUMENT, findCharacter, type UnusedFile } from '../../model/document.ts';
 import {
   type BrokenFile,
-  type CapturedFigure,
+  type FileContent,
   type FileKind,
   folderOf,
   type ParsedFile,
   type SourceFile,
   sameName,
   stemOf,
+  type WholeCharacter,
 } from '../../model/files.ts';
-import { checkParts, withFigure, withPart, withTextures } from './assemble.ts';
+import { openingOf, type PartOpening } from '../kinds.ts';
+import { checkParts, withSource, withTextures, withWhole } from './assemble.ts';
 import { type FileGroup, groupFiles, isBroken, isRead, namesFile, prefixFit } from './grouping.ts';
 import { fittingCharacter, givePoses, type PoseFile } from './poses.ts';
 
@@ -86,8 +88,8 @@ class Opening {
     for (const group of grouping.groups) this.openGroup(group);
     // Morphs last: the skin they modify may be among the files and come later.
     const loose = grouping.loose.filter(isRead);
-    for (const file of loose) if (file.kind !== 'morph' && file.kind !== 'pose') this.openLoose(file);
-    for (const file of loose) if (file.kind === 'morph') this.openLoose(file);
+    for (const file of loose) if (file.kind !== 'pose' && !needsCharacter(file)) this.openLoose(file);
+    for (const file of loose) if (needsCharacter(file)) this.openLoose(file);
     // Poses can apply to all characters opened so far.
     for (const file of loose) if (file.kind === 'pose') this.openPoses(file);
     for (const rig of grouping.idleRigs.filter(isRead)) {
@@ -132,51 +134,46 @@ class Opening {
       this.holdBack(parts, `it belongs with ${hole.source.name}, which has errors`);
       return;
     }
-    const skeletonFile = parts.find((p) => p.kind === 'skel' || p.kind === 'bvh');
-    const figures = skeletonFile ? figuresOf(skeletonFile) : [undefined];
+    const skeletonFile = parts.find((p) => p === group.skeleton);
+    const wholes = skeletonFile ? charactersIn(skeletonFile) : [];
     const earlier = skeletonFile ? this.characters.filter((c) => hasSource(c, skeletonFile.source)) : [];
-    figures.forEach((figure, root) => {
+    (skeletonFile ? wholes : [undefined]).forEach((whole, root) => {
       const before = earlier[root] ?? (skeletonFile && root === 0 ? this.withoutSkeletonFor(group) : undefined);
       // Several roots become several characters; the other files of the group belong to the first.
       const own = root === 0 ? parts : parts.filter((p) => p === skeletonFile);
-      let next = before ?? this.make(group.name ?? figure?.skeleton.name ?? stemOf(parts[0].source));
-      if (figure && (skeletonFile?.kind === 'skel' || skeletonFile?.kind === 'bvh')) {
+      let next = before ?? this.make(group.name ?? whole?.skeleton.name ?? stemOf(parts[0].source));
+      if (whole && skeletonFile) {
         // A character without a skeleton was named after its clip or skin.
-        const name = next.skeleton ? next.name : (group.name ?? figure.skeleton.name);
-        next = withFigure(
-          { ...next, name },
-          figure,
-          { kind: skeletonFile.kind, source: skeletonFile.source },
-          before,
-          figures.flatMap((f) => f ?? []),
-        );
+        const name = next.skeleton ? next.name : (group.name ?? whole.skeleton.name);
+        next = withWhole({ ...next, name }, whole, { ...skeletonFile, before }, wholes);
       }
-      for (const part of own) next = withPart(next, part, before);
+      for (const part of own) next = withFile(next, part, before);
       // Of several new alternatives, show the first.
       if (!before) next = { ...next, shownSkin: 0, shownClip: next.clips.length ? 0 : -1 };
       this.settle(before, next, own);
     });
     // The file has fewer roots than before.
-    const gone = new Set(earlier.slice(figures.length));
+    const gone = new Set(earlier.slice(wholes.length));
     if (gone.size) this.characters = this.characters.filter((c) => !gone.has(c));
   }
 
   /** A skin, morph or anim without a skeleton among the files. */
   private openLoose(file: ParsedFile): void {
     const { base, characters } = this;
-    const isMorph = file.kind === 'morph';
+    const { onSkin, unused } = partOpening(file) ?? {};
+    const fitting = onSkin ? characters.filter((c) => c.skins.length > 0) : characters;
     // Only characters from before can have been selected.
     const meant =
       findCharacter(base, this.selectedId) ?? (base.characters.length === 1 ? base.characters[0] : undefined);
     const target =
       characters.find((c) => hasSource(c, file.source)) ??
-      (isMorph ? bySkinName(file.source, characters) : undefined) ??
+      (onSkin ? bySkinName(file.source, characters) : undefined) ??
       characters.find((c) => c.id === meant?.id) ??
-      (isMorph ? onlySkinned(characters) : undefined);
-    if (target && (!isMorph || target.skins.length)) this.settle(target, withPart(target, file, target), [file]);
-    else if (isMorph) this.unused.push({ file, why: 'No open character has a skin for it.' });
+      (unused !== undefined && fitting.length === 1 ? fitting[0] : undefined);
+    if (target && fitting.includes(target)) this.settle(target, withFile(target, file, target), [file]);
+    else if (unused !== undefined) this.unused.push({ file, why: unused });
     // Shown by itself; it waits for a skeleton.
-    else this.settle(undefined, withPart(this.make(stemOf(file.source)), file, undefined), [file]);
+    else this.settle(undefined, withFile(this.make(stemOf(file.source)), file, undefined), [file]);
   }
 
   /** Adds poses to the library of a character with matching joints. */
@@ -208,8 +205,8 @@ class Opening {
         continue;
       }
       const fresh = this.characters.filter((c) => this.opened.has(c.id));
-      const target = file.kind === 'morph' ? bySkinName(file.source, fresh) : undefined;
-      const next = target && withPart(target, file, target);
+      const target = partOpening(file)?.onSkin ? bySkinName(file.source, fresh) : undefined;
+      const next = target && withFile(target, file, target);
       if (target && next && !hasErrors(checkParts(target, next))) this.settle(target, next, [file]);
       else this.unused.push(waiting);
     }
@@ -278,21 +275,25 @@ function isOfPosesAlone(files: readonly { readonly kind: FileKind }[]): boolean 
   return files.length > 0 && files.every(({ kind }) => kind === 'pose');
 }
 
-/** The figures in a file; without clips for plain skeletons. */
-function figuresOf(file: ParsedFile): readonly CapturedFigure[] {
-  switch (file.kind) {
-    case 'skel':
-      return file.skeletons.map((skeleton) => ({ skeleton }));
-    case 'bvh':
-      return file.figures;
-    case 'skin':
-    case 'morph':
-    case 'anim':
-    case 'rig':
-    case 'pose':
-    case 'texture':
-      return [];
-  }
+function charactersIn(file: ParsedFile): readonly WholeCharacter[] {
+  const opening = openingOf(file.kind);
+  return opening.as === 'characters' ? opening.characters(file) : [];
+}
+
+function partOpening({ kind }: ParsedFile): PartOpening<FileContent> | undefined {
+  const opening = openingOf(kind);
+  return opening.as === 'part' ? opening : undefined;
+}
+
+/** Whether a file is of no use without a character that it belongs to. */
+function needsCharacter(file: ParsedFile): boolean {
+  return partOpening(file)?.unused !== undefined;
+}
+
+/** Adds a file of a group: its content, if it is a part. */
+function withFile(character: Character, file: ParsedFile, before: Character | undefined): Character {
+  const next = withSource(character, file.source, before);
+  return partOpening(file)?.add(next, file, { ...file, before }) ?? next;
 }
 
 /** The character whose skin name is the longest prefix of the morph's: `head1.morph` → `head.skin`. */
@@ -312,11 +313,6 @@ function bySkinName(source: SourceFile, characters: readonly Character[]): Chara
 }
 
 /** The only character with skins, for a morph without any other hint. */
-function onlySkinned(characters: readonly Character[]): Character | undefined {
-  const skinned = characters.filter((c) => c.skins.length > 0);
-  return skinned.length === 1 ? skinned[0] : undefined;
-}
-
 /** Whether the character has a file of that name from the same folder; a file without a folder matches any. */
 function hasSource(character: Character, source: SourceFile): boolean {
   return character.sources.some((own) => {

@@ -4,52 +4,20 @@
  * with the same frames.
  */
 
-import type { SampleKeyOptions } from '../../edit/convert/keys-of-samples.ts';
 import { fitOneBvh } from '../../formats/bvh/write.ts';
-import { axisAngleObstacle, inAxisAngleForm, inHierarchyForm } from '../../model/axis-angle.ts';
+import { inHierarchyForm } from '../../model/axis-angle.ts';
 import { type Diagnostic, withoutPlace } from '../../model/diagnostic.ts';
 import type { Character } from '../../model/document.ts';
 import { type SourceFile, stemOf } from '../../model/files.ts';
 import type { Skeleton } from '../../model/skeleton.ts';
-import { type FormatKind, formatKindOf } from '../kinds.ts';
-import { animOf, bvhOf, skelOf } from './character-files.ts';
-import { bvhOutput, type Output, textOutput } from './output.ts';
+import { formatKindOf } from '../kinds.ts';
+import { bvhOf } from './character-files.ts';
+import { animCopies, bvhCopy, type ConversionOptions, skelCopies } from './copies.ts';
+import { type Output, outputOf } from './output.ts';
 
 /** Formats to which any character with a skeleton can be converted. */
 export const TARGETS = ['skel', 'anim', 'bvh'] as const;
 export type Target = (typeof TARGETS)[number];
-
-export interface ConversionOptions extends SampleKeyOptions {
-  /** Of `.bvh`; absent: each clip's own, or 30. */
-  readonly framesPerSecond?: number;
-}
-
-type Convert = (character: Character, options: ConversionOptions) => readonly Output[];
-
-/** For each kind that a character can be converted to, its files; empty if it has no content for them. */
-export const CONVERSIONS: Partial<Record<FormatKind, Convert>> = {
-  skel: (character) => skelOutput(character, inHierarchyForm),
-  axskel(character) {
-    const skeleton = skelOf(character);
-    if (!skeleton || axisAngleObstacle(skeleton) !== undefined) return [];
-    return [textOutput(`${skeleton.name}.axskel`, () => ({ kind: 'skel', skeletons: [inAxisAngleForm(skeleton)] }))];
-  },
-  anim: animOutputs,
-  bvh: (character, { framesPerSecond }) =>
-    bvhOf(character, framesPerSecond).map((figure) => bvhOutput(`${figure.name}.bvh`, [figure])),
-};
-
-function skelOutput(character: Character, inForm: (skeleton: Skeleton) => Skeleton): readonly Output[] {
-  const skeleton = skelOf(character);
-  if (!skeleton) return [];
-  return [textOutput(`${skeleton.name}.skel`, () => ({ kind: 'skel', skeletons: [inForm(skeleton)] }))];
-}
-
-function animOutputs(character: Character, options: ConversionOptions): readonly Output[] {
-  return character.clips.map((clip) =>
-    textOutput(`${clip.name}.anim`, () => ({ kind: 'anim', clip: animOf(character, clip, options) })),
-  );
-}
 
 /** The file from which something of this name was read: the skeleton's, or a clip's. */
 export function sourceFor({ clips, parts }: Character, name: string): SourceFile | undefined {
@@ -70,11 +38,12 @@ export function outputsOf(
   if (target === 'bvh') return bvhOutputs(characters, options);
   return characters.flatMap((character) => {
     if (!character.skeleton) return [];
-    const clips = animOutputs(character, options);
+    const clips = animCopies(character, options).map(outputOf);
     if (target === 'anim') return clips;
     // A different extension asks for the hierarchy form of all `.skel` files.
     const readAs = formatKindOf(character.parts?.skeleton?.file?.source.name ?? '');
-    return [...skelOutput(character, readAs === 'axskel' ? inHierarchyForm : (skeleton) => skeleton), ...clips];
+    const inForm = readAs === 'axskel' ? inHierarchyForm : (skeleton: Skeleton) => skeleton;
+    return [...skelCopies(character, options, inForm).map(outputOf), ...clips];
   });
 }
 
@@ -85,9 +54,9 @@ function bvhOutputs(characters: readonly Character[], options: ConversionOptions
   const isOneFile = all.length > 1 && all.every((figures) => figures.length === 1);
   if (isOneFile && sameSource(characters) && fitOneBvh(first.map(({ figure }) => figure))) {
     const [source] = characters[0].sources;
-    return [bvhOutput(`${stemOf(source)}.bvh`, first)];
+    return [outputOf(bvhCopy(`${stemOf(source)}.bvh`, first))];
   }
-  return all.flat().map((figure) => bvhOutput(`${figure.name}.bvh`, [figure]));
+  return all.flat().map((figure) => outputOf(bvhCopy(`${figure.name}.bvh`, [figure])));
 }
 
 function sameSource(characters: readonly Character[]): boolean {

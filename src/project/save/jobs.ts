@@ -2,11 +2,11 @@
 import { partsOf } from '../../model/character-parts.ts';
 import { type Character, type Document, findCharacter } from '../../model/document.ts';
 import { fileNameOf, type Part } from '../../model/part.ts';
-import type { FormatKind } from '../kinds.ts';
+import type { SavedKind } from '../kinds.ts';
 import { distinctNames } from './distinct-names.ts';
 import type { Output } from './output.ts';
-import { jointPose } from './own-formats.ts';
 import type { UnsavedPart } from './saved-parts.ts';
+import { jointPose } from './saved-poses.ts';
 import { copiesOf, isCopy, type Owned, partsOfKind, type SavingOptions, writeParts } from './saving.ts';
 
 /** A file to write. */
@@ -37,7 +37,7 @@ export function changedFiles(document: Document, unsaved: readonly UnsavedPart[]
 export function savedFilesOf(
   document: Document,
   character: Character,
-  kind: FormatKind,
+  kind: SavedKind,
   options?: SavingOptions,
 ): readonly Job[] {
   if (isCopy(character, kind)) return copiesOf(character, kind, options).map(copyJob);

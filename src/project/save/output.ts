@@ -1,9 +1,7 @@
 /** A file to be written, in any format; what `project/save` gives to page, command and scripts. */
-import { writeBvhPieces } from '../../formats/bvh/write.ts';
 import type { Diagnostic } from '../../model/diagnostic.ts';
-import type { FileContent } from '../../model/files.ts';
-import type { NamedFigure } from './character-files.ts';
-import { writeFile } from './writers.ts';
+import { writeFile } from '../codecs.ts';
+import type { Copy } from './copies.ts';
 
 /** Generated lazily, while its pieces are consumed. */
 export interface Output {
@@ -13,7 +11,7 @@ export interface Output {
   diagnostics(): readonly Diagnostic[];
 }
 
-/** Text, or bytes in UTF-8. */
+/** Text, or bytes: of a text in UTF-8. */
 export type FilePiece = string | Uint8Array<ArrayBuffer>;
 
 export interface SavedFile {
@@ -22,38 +20,26 @@ export interface SavedFile {
   readonly diagnostics: readonly Diagnostic[];
 }
 
-/** A file written as a single text, of any content except textures. */
-export function textOutput(name: string, content: () => FileContent): Output {
+/**
+ * A file in the format of its name.
+ * @throws Error while its pieces are consumed, if nothing writes such content
+ */
+export function outputOf({ name, content, diagnostics = [] }: Copy): Output {
   let written: readonly Diagnostic[] = [];
   return {
     name,
     *pieces() {
       const result = writeFile(content(), name);
       if (!result) throw new Error(`There is no format for ${name}.`);
-      written = result.diagnostics;
-      yield result.text;
+      if ('text' in result) {
+        written = result.diagnostics;
+        yield result.text;
+      } else {
+        yield* result.pieces;
+        written = result.diagnostics();
+      }
     },
-    diagnostics: () => written,
-  };
-}
-
-/** Several figures with the same frames as one file. */
-export function bvhOutput(name: string, figures: readonly NamedFigure[]): Output {
-  let written: readonly Diagnostic[] = [];
-  return {
-    name,
-    *pieces() {
-      const { pieces, diagnostics } = writeBvhPieces(
-        figures.map(({ figure }) => figure),
-        name,
-      );
-      yield* pieces;
-      written = diagnostics();
-    },
-    diagnostics: () => [
-      ...figures.flatMap((figure) => figure.diagnostics.map((d) => ({ ...d, file: name }))),
-      ...written,
-    ],
+    diagnostics: () => [...diagnostics.map((d) => ({ ...d, file: name })), ...written],
   };
 }
 

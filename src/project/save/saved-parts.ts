@@ -8,9 +8,9 @@ import { addPoses } from '../../edit/pose/library.ts';
 import { partsOf } from '../../model/character-parts.ts';
 import type { Character, Document } from '../../model/document.ts';
 import { filePose, rootDofCount } from '../../model/dofs.ts';
-import type { ParsedFile, SourceFile } from '../../model/files.ts';
-import { fileNameOf, type Part, type PartFile, type PartKind } from '../../model/part.ts';
-import { poseToSave } from './own-formats.ts';
+import type { ParsedFile, PartKind, SourceFile } from '../../model/files.ts';
+import { fileNameOf, type Part, type PartFile } from '../../model/part.ts';
+import { poseToSave } from './saved-poses.ts';
 
 /** A part of a character that changed since it was opened or saved. */
 export interface UnsavedPart {
@@ -53,7 +53,8 @@ export class SavedParts {
     const sources = new Set<SourceFile | undefined>(given.map(({ source }) => source));
     for (const character of document.characters) {
       for (const part of partsOf(character)) {
-        const isRead = part.kind === 'pose' ? isLibraryOf(character, given) : part.file && sources.has(part.file);
+        const isRead =
+          part.kind === 'pose' ? isLibraryOf(character, given) : part.readFrom && sources.has(part.readFrom);
         if (isRead) this.mark(part, filePoseOfJoints(character));
       }
     }

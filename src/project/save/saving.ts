@@ -1,6 +1,6 @@
 /**
  * Writes a character's parts to files, each in the format of its kind (`model/part.ts`). For other formats it is
- * converted (`conversion.ts`) to a copy, which marks nothing as saved.
+ * converted (`copies.ts`) to a copy, which marks nothing as saved.
  *
  * A skeleton read from the axis-angle form keeps that form as long as it fits; each form can be converted to the other.
  */
@@ -10,12 +10,12 @@ import { partsOf } from '../../model/character-parts.ts';
 import type { Character } from '../../model/document.ts';
 import type { FileContent } from '../../model/files.ts';
 import { newFileName, type Part } from '../../model/part.ts';
-import type { Rig } from '../../model/rig.ts';
-import { type FormatKind, KINDS } from '../kinds.ts';
+import { WRITERS, type Writer } from '../codecs.ts';
+import { KINDS, type SavedKind } from '../kinds.ts';
 import { bvhOf, hasOwnRate, inPose } from './character-files.ts';
-import { CONVERSIONS } from './conversion.ts';
-import { bvhOutput, type Output, type SavedFile, textOf, textOutput } from './output.ts';
-import { isExport, jointPose, posesByNames } from './own-formats.ts';
+import { bvhCopy } from './copies.ts';
+import { type Output, outputOf, type SavedFile, textOf } from './output.ts';
+import { jointPose, posesByNames } from './saved-poses.ts';
 
 export interface SavingOptions {
   /** Of `.bvh`, for clips without a rate of their own; absent: 30. */
@@ -25,7 +25,7 @@ export interface SavingOptions {
 /** The files from saving a character as `kind`: none if it has no such content, several for several morphs. */
 export function saveCharacter(
   character: Character,
-  kind: FormatKind,
+  kind: SavedKind,
   options: SavingOptions = {},
 ): readonly SavedFile[] {
   if (isCopy(character, kind)) return copiesOf(character, kind, options).map(textOf);
@@ -36,17 +36,17 @@ export function saveCharacter(
 }
 
 /** Whether files of that kind are copies, not parts of the character: a rig, or a conversion. */
-export function isCopy(character: Character, kind: FormatKind): boolean {
-  return kind === 'rig' || isExport(character, kind);
+export function isCopy(character: Character, kind: SavedKind): boolean {
+  return !KINDS[kind].save.isOwn(character);
 }
 
 /** Copies, which mark nothing as saved. */
-export function copiesOf(character: Character, kind: FormatKind, options: SavingOptions = {}): readonly Output[] {
-  if (kind === 'rig') return [textOutput(`${character.name}.rig`, () => ({ kind, rig: rigOf(character) }))];
-  return CONVERSIONS[kind]?.(character, haveOwnRates(character) ? {} : options) ?? [];
+export function copiesOf(character: Character, kind: SavedKind, options: SavingOptions = {}): readonly Output[] {
+  const { copies }: Writer<never> = WRITERS[kind];
+  return copies?.(character, haveOwnRates(character) ? {} : options).map(outputOf) ?? [];
 }
 
-export function partsOfKind(character: Character, kind: FormatKind): readonly Part[] {
+export function partsOfKind(character: Character, kind: SavedKind): readonly Part[] {
   return partsOf(character).filter((part) => part.kind === KINDS[kind].content);
 }
 
@@ -70,7 +70,7 @@ export interface Owned {
 export function writeParts(name: string, owned: readonly Owned[], options: SavingOptions = {}): Output {
   const [{ part }] = owned;
   if (part.kind === 'bvh') return takesOutput(name, owned, options);
-  return textOutput(name, () => contentOf(part, owned));
+  return outputOf({ name, content: () => contentOf(part, owned) });
 }
 
 /** The content of a file of parts other than takes. */
@@ -107,19 +107,5 @@ function takesOutput(name: string, roots: readonly Owned[], { framesPerSecond }:
         'trim and resample them to match, or rename the takes to save each one separately.',
     );
   }
-  return bvhOutput(name, figures);
-}
-
-function rigOf(character: Character): Rig {
-  const { name, skins, shownSkin, morphs, clips, shownClip } = character;
-  const skeleton = partsOf(character).find(({ kind }) => kind === 'skel');
-  const skin = skins[shownSkin];
-  const clip = clips[shownClip];
-  return {
-    name,
-    ...(skeleton && { skeleton: newFileName(skeleton) }),
-    ...(skin && { skin: `${skin.name}.skin` }),
-    morphs: morphs.map((morph) => `${morph.name}.morph`),
-    ...(clip && { animation: `${clip.name}.anim` }),
-  };
+  return outputOf(bvhCopy(name, figures));
 }

@@ -1,5 +1,5 @@
 /** Opening and saving. */
-import { FORMAT_KINDS, KINDS, type Kind } from '../../project/kinds.ts';
+import { KINDS, SAVED_KINDS, type Saving } from '../../project/kinds.ts';
 import { currentCharacter } from '../state/action.ts';
 import type { Action, Uses } from '../state/workbench.ts';
 import { contentText, whenText } from './kept-text.ts';
@@ -61,19 +61,19 @@ export const FILE_ACTIONS: readonly Action[] = [
     enabled: hasCharacters,
     run: (wb) => wb.dialog.set('save'),
   },
-  ...FORMAT_KINDS.map(
+  ...SAVED_KINDS.map(
     (kind): Action => ({
       id: `save.${kind}`,
-      label: KINDS[kind].saveLabel,
+      label: KINDS[kind].save.label,
       group: 'Files',
       menu: 'Save',
       section: 1,
       enabled(wb) {
         const character = currentCharacter(wb);
-        return character !== undefined && KINDS[kind].has(character);
+        return character !== undefined && KINDS[kind].save.has(character);
       },
       whyNot(wb) {
-        const { whyNot }: Kind = KINDS[kind];
+        const { whyNot }: Saving = KINDS[kind].save;
         const character = currentCharacter(wb);
         return character && whyNot?.(character);
       },

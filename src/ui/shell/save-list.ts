@@ -1,7 +1,6 @@
 /** The save dialog: each character, with every file format it can be saved as. */
-import { type Character, shownClip, shownSkin } from '../../model/document.ts';
-import { vertexCount } from '../../model/skin.ts';
-import { FORMAT_KINDS, KINDS, type Kind } from '../../project/kinds.ts';
+import { type Counted, WRITERS, type Writer } from '../../project/codecs.ts';
+import { KINDS, SAVED_KINDS } from '../../project/kinds.ts';
 import type { DialogContent } from '../kit/dialog.ts';
 import { element } from '../kit/dom.ts';
 import { icon } from '../kit/icons.ts';
@@ -12,18 +11,17 @@ export function saveList(wb: Uses<'store' | 'transport' | 'files'>, close: () =>
   const body = element('div', { class: 'save-list' });
   for (const character of wb.store.document.characters) {
     const row = element('div', { class: 'save-files' });
-    for (const kind of FORMAT_KINDS) {
-      if (!KINDS[kind].has(character)) continue;
-      row.append(
-        saveButton(
-          KINDS[kind].saveLabel,
-          contents(character, KINDS[kind].content, wb.transport.get().framesPerSecond),
-          () => {
-            close();
-            wb.files.save(character.id, kind);
-          },
-        ),
-      );
+    for (const kind of SAVED_KINDS) {
+      const { save } = KINDS[kind];
+      if (!save.has(character)) continue;
+      const { detail, lost }: Writer<never> = WRITERS[kind];
+      const text = detail(character, wb.transport.get().framesPerSecond).map(textOfDetail).join(', ');
+      const button = saveButton(save.label, text, () => {
+        close();
+        wb.files.save(character.id, kind);
+      });
+      button.title = lost?.(character).join('\n') ?? '';
+      row.append(button);
     }
     row.append(
       saveButton('Everything (.zip)', 'with textures', () => {
@@ -49,26 +47,6 @@ function saveButton(label: string, detail: string, save: () => void): HTMLElemen
   return made;
 }
 
-function contents(character: Character, content: Kind['content'], framesPerSecond: number): string {
-  const skin = shownSkin(character);
-  const clip = shownClip(character);
-  switch (content) {
-    case 'skel':
-      return plural(character.skeleton?.joints.length ?? 0, 'joint');
-    case 'skin':
-      return skin ? plural(vertexCount(skin), 'vertex', 'vertices') : '';
-    case 'morph':
-      return plural(character.morphs.length, 'morph');
-    case 'anim':
-      return clip ? `${clip.name}, ${plural(clip.channels.length, 'channel')}` : '';
-    case 'bvh': {
-      const frames = clip?.samples?.frameCount;
-      if (!clip) return 'the pose, 1 frame';
-      return frames === undefined ? `at ${framesPerSecond} frames per second` : plural(frames, 'frame');
-    }
-    case 'pose':
-      return plural(character.poses?.length ?? 0, 'pose');
-    case 'rig':
-      return 'which files belong together';
-  }
+function textOfDetail(detail: string | Counted): string {
+  return typeof detail === 'string' ? detail : plural(detail.count, detail.one, detail.many);
 }

@@ -4,7 +4,7 @@
  */
 import type { Playback } from '../../edit/playback.ts';
 import type { Store } from '../../edit/store.ts';
-import type { FormatKind } from '../../project/kinds.ts';
+import type { SavedKind } from '../../project/kinds.ts';
 import type { UnsavedPart } from '../../project/save/saved-parts.ts';
 import type { Viewport } from '../../view/viewport.ts';
 import type { IconName } from '../kit/icons.ts';
@@ -164,7 +164,7 @@ export interface FileActions {
    * Saves parts of one kind to a place that the user chooses. A kind that the character doesn't have is converted:
    * skeleton and animation from motion capture, and the reverse, at the transport's frame rate.
    */
-  save(characterId: string, kind: FormatKind): void;
+  save(characterId: string, kind: SavedKind): void;
   /** Saves a character as one zip. */
   saveAll(characterId: string): void;
 }

@@ -5,7 +5,6 @@ import { readSession } from '../../../src/app/autosave/restore.ts';
 import { Unsaved } from '../../../src/app/unsaved.ts';
 import { DEFAULT_PLAYBACK } from '../../../src/edit/playback.ts';
 import { Store } from '../../../src/edit/store.ts';
-import { writeBvh } from '../../../src/formats/bvh/write.ts';
 import { partsOf } from '../../../src/model/character-parts.ts';
 import { type Document, EMPTY_DOCUMENT } from '../../../src/model/document.ts';
 import { NOTHING_SELECTED } from '../../../src/model/session.ts';
@@ -14,6 +13,7 @@ import { DEFAULT_TIMELINE_VIEW } from '../../../src/ui/state/timeline.ts';
 import { parse } from '../../../src/worker/parse.ts';
 import type { GivenBlob } from '../../../src/worker/protocol.ts';
 import { bvhFigure, bvhJoint } from '../../helpers/bvh.ts';
+import { writeBvh } from '../../helpers/bvh-text.ts';
 import { memoryStore } from './memory-store.ts';
 
 const SKELETON = { name: 'walk', joints: [bvhJoint(-1, ['tx', 'ty', 'tz', 'rx'], { endSites: [[0, 2, 0]] })] };

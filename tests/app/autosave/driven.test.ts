@@ -7,7 +7,6 @@ import { cropSamples } from '../../../src/edit/commands/samples.ts';
 import { DEFAULT_PLAYBACK } from '../../../src/edit/playback.ts';
 import { Store } from '../../../src/edit/store.ts';
 import { dofCountOf, poseAt } from '../../../src/evaluate/pose.ts';
-import { writeBvh } from '../../../src/formats/bvh/write.ts';
 import { type Character, type Document, EMPTY_DOCUMENT, shownClip } from '../../../src/model/document.ts';
 import { NOTHING_SELECTED } from '../../../src/model/session.ts';
 import { openFiles } from '../../../src/project/open/open-files.ts';
@@ -15,6 +14,7 @@ import { DEFAULT_TIMELINE_VIEW } from '../../../src/ui/state/timeline.ts';
 import { parse } from '../../../src/worker/parse.ts';
 import type { GivenBlob } from '../../../src/worker/protocol.ts';
 import { bvhFigure, bvhJoint } from '../../helpers/bvh.ts';
+import { writeBvh } from '../../helpers/bvh-text.ts';
 import { memoryStore } from './memory-store.ts';
 
 /** Hips and a head that nods, in two files: one moves like the other. */

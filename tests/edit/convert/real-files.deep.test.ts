@@ -3,11 +3,11 @@ import { expect, it } from 'vitest';
 import { readWhole } from '../../../src/formats/reader.ts';
 import { filePose } from '../../../src/model/dofs.ts';
 import type { CapturedFigure, FileContent } from '../../../src/model/files.ts';
-import { formatOf } from '../../../src/project/open/readers.ts';
+import { formatOf } from '../../../src/project/codecs.ts';
 import { animOf, bvhOf, skelOf } from '../../../src/project/save/character-files.ts';
-import { writeFile } from '../../../src/project/save/writers.ts';
 import { BVH_FILES, readFigures, sharedFigures } from '../../helpers/bvh-files.ts';
 import { describeShared } from '../../helpers/shared.ts';
+import { writeFile } from '../../helpers/write-file.ts';
 import { characterOf, frameTimes, heightOf, worstDistance } from './round-trip.ts';
 
 /** Of the figure's height: how far any joint may be off, in any frame. */

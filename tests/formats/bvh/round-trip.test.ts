@@ -1,9 +1,9 @@
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
-import { writeBvh } from '../../../src/formats/bvh/write.ts';
 import type { CapturedFigure } from '../../../src/model/files.ts';
 import { anyFigure } from '../../edit/convert/figures.ts';
 import { BVH_FILES, readFigures, sharedFigures } from '../../helpers/bvh-files.ts';
+import { writeBvh } from '../../helpers/bvh-text.ts';
 import { describeShared } from '../../helpers/shared.ts';
 import { finite } from '../arbitraries.ts';
 

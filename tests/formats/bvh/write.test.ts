@@ -1,8 +1,9 @@
 import { describe, expect, it } from 'vitest';
-import { fitOneBvh, writeBvh, writeBvhPieces } from '../../../src/formats/bvh/write.ts';
+import { fitOneBvh, writeBvh as writeBvhPieces } from '../../../src/formats/bvh/write.ts';
 import { restChannel } from '../../../src/model/clip.ts';
 import type { Joint, Skeleton } from '../../../src/model/skeleton.ts';
 import { bvhFigure, bvhJoint } from '../../helpers/bvh.ts';
+import { writeBvh } from '../../helpers/bvh-text.ts';
 
 const DANCER: Skeleton = {
   name: 'dancer',

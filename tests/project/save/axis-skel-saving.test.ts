@@ -2,8 +2,7 @@
 import { describe, expect, it } from 'vitest';
 import type { Character } from '../../../src/model/document.ts';
 import type { Skeleton } from '../../../src/model/skeleton.ts';
-import { isExport } from '../../../src/project/save/own-formats.ts';
-import { saveCharacter } from '../../../src/project/save/saving.ts';
+import { isCopy, saveCharacter } from '../../../src/project/save/saving.ts';
 import { pageWith } from '../../app/disk.ts';
 import { character } from '../../helpers/builders.ts';
 
@@ -46,10 +45,10 @@ describe('a skeleton from the axis-angle form', () => {
     const [tree] = saveCharacter(own, 'skel');
     expect(tree.name).toBe('arm.skel');
     expect(tree.text).toMatch(/^hingejoint \{/);
-    expect([isExport(own, 'axskel'), isExport(own, 'skel')]).toEqual([false, true]);
+    expect([isCopy(own, 'axskel'), isCopy(own, 'skel')]).toEqual([false, true]);
     const other = first(await pageWith({ 'tree.skel': tree.text }));
     expect(saveCharacter(other, 'axskel')).toEqual([{ name: 'tree.axskel', text: ARM, diagnostics: [] }]);
-    expect([isExport(other, 'axskel'), isExport(other, 'skel')]).toEqual([true, false]);
+    expect([isCopy(other, 'axskel'), isCopy(other, 'skel')]).toEqual([true, false]);
     expect(saveCharacter(limited(own), 'axskel')).toEqual([]);
     expect(saveCharacter(character(), 'axskel')).toEqual([]);
   });

@@ -1,6 +1,5 @@
 import { describe, expect, it } from 'vitest';
 import { zipCharacter } from '../../../src/app/zip-character.ts';
-import { writeBvh } from '../../../src/formats/bvh/write.ts';
 import type { Character } from '../../../src/model/document.ts';
 import type { Samples } from '../../../src/model/samples.ts';
 import type { Skeleton } from '../../../src/model/skeleton.ts';
@@ -9,6 +8,7 @@ import { parse } from '../../../src/worker/parse.ts';
 import { pageWith } from '../../app/disk.ts';
 import { character, clip } from '../../helpers/builders.ts';
 import { bvhFigure, bvhJoint } from '../../helpers/bvh.ts';
+import { writeBvh } from '../../helpers/bvh-text.ts';
 
 const FIGURE: Skeleton = {
   name: 'walk',

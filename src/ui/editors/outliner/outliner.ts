@@ -3,7 +3,7 @@ import { removeCopy, renameCharacter, showClip, showSkin } from '../../../edit/c
 import { duplicateClip, removeClip, renameClip } from '../../../edit/commands/clips.ts';
 import { setHidden } from '../../../edit/commands/spaces.ts';
 import { type Character, type Document, findCharacter } from '../../../model/document.ts';
-import type { PartKind } from '../../../model/part.ts';
+import type { PartKind } from '../../../model/files.ts';
 import type { Selection } from '../../../model/session.ts';
 import { element } from '../../kit/dom.ts';
 import { icon } from '../../kit/icons.ts';

@@ -1,19 +1,10 @@
-/**
- * What decides how a character's parts (`model/part.ts`) are saved: its native formats, and the pose written to a
- * skeleton's file.
- */
+/** The poses that are saved: those of a library, and the pose written to a skeleton's file. */
 import { poseByNames } from '../../edit/pose/by-names.ts';
 import { channelOf } from '../../evaluate/pose.ts';
 import type { Character } from '../../model/document.ts';
 import { jointDofCount, rootDofCount } from '../../model/dofs.ts';
-import type { PoseLibrary } from '../../model/part.ts';
 import type { PoseByNames } from '../../model/pose-by-names.ts';
-import { type FormatKind, KINDS } from '../kinds.ts';
-
-/** Whether a format is not native to a character, so that saving to it is a conversion. */
-export function isExport(character: Character, kind: FormatKind): boolean {
-  return !KINDS[kind].isOwn(character);
-}
+import type { PoseLibrary } from '../../model/poses.ts';
 
 /** The poses of a library as its file stores them. */
 export function posesByNames(library: PoseLibrary): readonly PoseByNames[] {

@@ -1,0 +1,78 @@
+/** Characters that one file contains whole, as `.glb` and the like do. */
+import { describe, expect, it } from 'vitest';
+import { Unsaved } from '../../../src/app/unsaved.ts';
+import { renameClip } from '../../../src/edit/commands/clips.ts';
+import { Store } from '../../../src/edit/store.ts';
+import { type Document, EMPTY_DOCUMENT } from '../../../src/model/document.ts';
+import type { ParsedFile, WholeCharacter } from '../../../src/model/files.ts';
+import { openFiles } from '../../../src/project/open/open-files.ts';
+import { saveCharacter } from '../../../src/project/save/saving.ts';
+import { clip, file, morph, morphFile, skeleton, skelFile, skin } from '../../helpers/builders.ts';
+
+const texture = { name: 'fur.png', mime: 'image/png', bytes: new Uint8Array(1) };
+const fox: WholeCharacter = {
+  skeleton: skeleton(2, 'fox'),
+  skins: [skin('fur', 0, { material: { name: 'fur', texture: 'fur.png' } }), skin('winter')],
+  morphs: [morph('smile')],
+  clips: [clip('run', new Array(10).fill(0)), clip('sit', new Array(10).fill(1))],
+  textures: [texture],
+};
+const whole = (characters: readonly WholeCharacter[] = [fox], path = 'fox.glb') =>
+  file(path, { kind: 'character', characters });
+const open = (files: readonly ParsedFile[], document: Document = EMPTY_DOCUMENT) => openFiles(document, files);
+
+describe('a file with whole characters', () => {
+  it('opens with all its parts, the first skin and take shown', () => {
+    const { document, diagnostics } = open([whole()]);
+    expect(diagnostics).toEqual([]);
+    const [character, ...others] = document.characters;
+    expect(others).toEqual([]);
+    expect(character).toMatchObject({ ...fox, name: 'fox', shownSkin: 0, shownClip: 0 });
+    expect(character.pose).toHaveLength(3 + 6 + 1);
+    expect(character.sources.map(({ name }) => name)).toEqual(['fox.glb']);
+  });
+
+  it('takes the place of its own parts when it is opened again, and shows its first ones', () => {
+    const first = open([whole()]).document;
+    const again = { ...fox, clips: [clip('run', new Array(10).fill(2)), clip('jump', new Array(10).fill(3))] };
+    const { document } = open([whole([again])], first);
+    const [character] = document.characters;
+    expect(character.id).toBe(first.characters[0].id);
+    expect(character.clips.map(({ name }) => name)).toEqual(['run', 'sit', 'jump']);
+    expect(character).toMatchObject({ shownSkin: 0, shownClip: 0 });
+    expect(character.skins).toHaveLength(2);
+    expect(character.textures).toEqual([texture]);
+    expect(character.pose).toHaveLength(3 + 6 + 1);
+  });
+
+  it('a file with whole characters has one character per root, and parts of other files don’t go to it by name', () => {
+    const { document } = open([
+      whole([fox, { ...fox, skeleton: skeleton(1, 'cub') }]),
+      skelFile('fox.skel', skeleton(3)),
+    ]);
+    expect(document.characters.map(({ name }) => name)).toEqual(['fox', 'cub', 'hero']);
+    const later = open([morphFile('fox_wink.morph', morph('fox_wink')), whole()]);
+    expect(later.document.characters[0].morphs.map(({ name }) => name)).toEqual(['smile', 'fox_wink']);
+  });
+
+  it('counts as saved until a part is changed, which is saved as a file of its own', () => {
+    const store = new Store();
+    const unsaved = new Unsaved(store);
+    const files = [whole()];
+    store.replace('Open', openFiles(store.document, files).document);
+    unsaved.opened(files);
+    expect(unsaved.current()).toEqual([]);
+    store.apply(renameClip, { characterId: 'c1', clip: 0, name: 'walk' });
+    expect(unsaved.current().map(({ name }) => name)).toEqual(['walk.anim']);
+    store.undo();
+    expect(unsaved.current()).toEqual([]);
+  });
+
+  it('is written as the formats of its parts', () => {
+    const [character] = open([whole()]).document.characters;
+    const names = (['skel', 'skin', 'morph', 'anim', 'rig'] as const).flatMap((kind) =>
+      saveCharacter(character, kind).map(({ name }) => name),
+    );
+    expect(names).toEqual(['fox.skel', 'fur.skin', 'winter.skin', 'smile.morph', 'run.anim', 'sit.anim', 'fox.rig']);
+  });
+});
