@@ -5,6 +5,7 @@ import type { DialogContent } from '../kit/dialog.ts';
 import { element } from '../kit/dom.ts';
 import { icon } from '../kit/icons.ts';
 import { plural } from '../kit/number-text.ts';
+import { setTooltip } from '../kit/tooltip.ts';
 import type { Uses } from '../state/workbench.ts';
 
 export function saveList(wb: Uses<'store' | 'transport' | 'files'>, close: () => void): DialogContent {
@@ -20,7 +21,7 @@ export function saveList(wb: Uses<'store' | 'transport' | 'files'>, close: () =>
         close();
         wb.files.save(character.id, kind);
       });
-      button.title = lost?.(character).join('\n') ?? '';
+      setTooltip(button, lost?.(character).join(' ') ?? '');
       row.append(button);
     }
     row.append(
