@@ -2,6 +2,7 @@
  * Ticks of the time ruler. Labels are at 1, 2 or 5 times a power of ten, as dense as there is room; minor ticks divide
  * that by five or two. In frames, nothing is finer than a frame.
  */
+import { roundStep } from '../../math/round-steps.ts';
 import { shown } from './number-text.ts';
 
 export interface Tick {
@@ -31,7 +32,7 @@ export function rulerTicks(scale: RulerScale): Tick[] {
   const to = toSeconds / unit;
   if (!(to > from) || !(width > 0) || !Number.isFinite(to - from)) return [];
   const least = ((to - from) / width) * spacing;
-  const step = niceStep(framesPerSecond ? Math.max(1, least) : least);
+  const step = roundStep(framesPerSecond ? Math.max(1, least) : least);
   const leading = Math.round(step / 10 ** Math.floor(Math.log10(step) + 1e-9));
   const wanted = leading === 2 ? 2 : 5;
   const parts = framesPerSecond && step / wanted < 1 ? Math.max(1, Math.round(step)) : wanted;
@@ -46,11 +47,4 @@ export function rulerTicks(scale: RulerScale): Tick[] {
     else ticks.push({ timeSeconds });
   }
   return ticks;
-}
-
-/** The smallest of 1, 2, 5, 10 … that is at least `least`. */
-export function niceStep(least: number): number {
-  const power = 10 ** Math.floor(Math.log10(least));
-  for (const factor of [1, 2, 5]) if (factor * power >= least * (1 - 1e-9)) return factor * power;
-  return 10 * power;
 }

@@ -1,6 +1,6 @@
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
-import { niceStep, rulerTicks } from '../../../src/ui/kit/ruler.ts';
+import { rulerTicks } from '../../../src/ui/kit/ruler.ts';
 
 const labels = (scale: Parameters<typeof rulerTicks>[0]) =>
   rulerTicks(scale).flatMap((tick) => (tick.label === undefined ? [] : [tick.label]));
@@ -60,8 +60,4 @@ describe('rulerTicks', () => {
       ),
     );
   });
-});
-
-it('steps by 1, 2 and 5', () => {
-  expect([0.9, 1, 1.1, 3, 7, 70].map(niceStep)).toEqual([1, 1, 2, 5, 10, 100]);
 });

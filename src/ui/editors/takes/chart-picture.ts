@@ -6,8 +6,8 @@
  * zoom.
  */
 import type { Distances } from '../../../evaluate/distance.ts';
+import { roundStep } from '../../../math/round-steps.ts';
 import { element } from '../../kit/dom.ts';
-import { niceStep } from '../../kit/ruler.ts';
 import type { TimeWindow } from '../../kit/time-window.ts';
 import {
   drawOutsideRange,
@@ -124,7 +124,7 @@ export class ChartPicture {
     const { view, height, unit, top, distances } = scene;
     if (!distances || !(top > 0)) return;
     const room = height - HEAD - FOOT;
-    const step = niceStep((top * unit.factor * LABELS_APART) / Math.max(LABELS_APART, room)) / unit.factor;
+    const step = roundStep((top * unit.factor * LABELS_APART) / Math.max(LABELS_APART, room)) / unit.factor;
     g.font = colours.font;
     g.textAlign = 'left';
     g.textBaseline = 'bottom';

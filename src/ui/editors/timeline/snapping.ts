@@ -2,9 +2,10 @@
  * Snapping of dragged keys: the grabbed key snaps to a whole frame or value step, and the rest of the selection moves
  * by the same amount. Snapping each key separately would change their distances; that is what *Snap to frames* is for.
  */
+
+import { roundStep } from '../../../math/round-steps.ts';
 import { lengthStep } from '../../../model/reach.ts';
 import type { DofUnit, Skeleton } from '../../../model/skeleton.ts';
-import { niceStep } from '../../kit/ruler.ts';
 import { withoutNoise } from '../../state/angles.ts';
 
 /** Seconds to move by, close to `seconds`, that put a key at `keySeconds` of the transport on a whole frame. */
@@ -28,7 +29,7 @@ const NEAREST_PIXELS = 12;
  * @param shownPerUnit displayed units per model unit: 180/π for degrees, else 1
  */
 export function valueStep(pixelsPerUnit: number, shownPerUnit: number): number {
-  return niceStep((NEAREST_PIXELS / Math.abs(pixelsPerUnit)) * shownPerUnit) / shownPerUnit;
+  return roundStep((NEAREST_PIXELS / Math.abs(pixelsPerUnit)) * shownPerUnit) / shownPerUnit;
 }
 
 /**

@@ -2,8 +2,9 @@
  * Ticks of the value axes. Degrees use divisors of the full turn, so that 45° and 90° are always ticks; everything else
  * 1, 2 or 5 times a power of ten, like time (`ruler.ts`).
  */
+
+import { roundStep } from '../../../../math/round-steps.ts';
 import { shown } from '../../../kit/number-text.ts';
-import { niceStep } from '../../../kit/ruler.ts';
 import type { AxisName, ValueAxis } from './space.ts';
 
 export interface ValueTick {
@@ -64,7 +65,7 @@ function stepFor(least: number, inDegrees: boolean): readonly [number, number] {
     const found = DEGREE_STEPS.find(([step]) => step >= least * (1 - 1e-9));
     if (found) return found;
   }
-  const step = niceStep(least);
+  const step = roundStep(least);
   const leading = Math.round(step / 10 ** Math.floor(Math.log10(step) + 1e-9));
   return [step, leading === 2 ? 2 : 5];
 }
