@@ -84,6 +84,35 @@ describe('the page', () => {
       { early: true, walking: true },
     ));
 
+  it('keeps Ctrl+S from the browser, and selects the joint that was tapped, before menus and panels have come', () =>
+    withPage(
+      async ({ page }) => {
+        let send: (() => void) | undefined;
+        const asked = page.waitForRequest('**/rest-*.js');
+        await page.route('**/rest-*.js', (route) => {
+          send = () => void route.continue();
+        });
+        await page.reload();
+        await asked;
+        await shown(page, 'post');
+        const kept = page.evaluate(
+          () =>
+            new Promise<boolean>((resolve) => {
+              window.addEventListener('keydown', (event) => event.key === 's' && resolve(event.defaultPrevented));
+            }),
+        );
+        await page.keyboard.press('Control+s');
+        expect(await kept).toBe(true);
+        const box = await page.locator('canvas').first().boundingBox();
+        if (!box) throw new Error('The viewport has no box.');
+        await page.touchscreen.tap(box.x + box.width / 2, box.y + box.height / 2);
+        send?.();
+        await page.locator('[role=treeitem][aria-selected=true]').filter({ hasText: 'post' }).waitFor();
+        expect(await page.getByText('Something went wrong').count()).toBe(0);
+      },
+      { early: true, touch: true },
+    ));
+
   it('says so where menus and panels do not come', () =>
     withPage(
       async ({ page }) => {

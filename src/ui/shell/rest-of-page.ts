@@ -42,6 +42,7 @@ export function restOfPage(root: HTMLElement, firstPicture: Promise<unknown>, mo
   };
   for (const type of ['keydown', 'click']) {
     const keep = (event: Event) => {
+      if (event instanceof KeyboardEvent && isBrowserCommand(event)) event.preventDefault();
       early.push(event);
       void fetch();
     };
@@ -74,5 +75,32 @@ function repeat(event: Event): void {
   }
   if (!(event instanceof PointerEvent)) return;
   const target = document.elementFromPoint(event.clientX, event.clientY);
-  for (const type of ['pointerdown', 'pointerup', 'click']) target?.dispatchEvent(new PointerEvent(type, event));
+  if (!target) return;
+  // A finger that was lifted can't be captured, and to try throws.
+  for (const capture of CAPTURES) Object.defineProperty(target, capture, { value: () => {}, configurable: true });
+  for (const type of ['pointerdown', 'pointerup', 'lostpointercapture', 'click']) {
+    target.dispatchEvent(new PointerEvent(type, pressOf(event)));
+  }
+  for (const capture of CAPTURES) Reflect.deleteProperty(target, capture);
+}
+
+const CAPTURES = ['setPointerCapture', 'releasePointerCapture'];
+
+/** A click says of no pointer that it is the primary one. */
+function pressOf(event: PointerEvent): PointerEventInit {
+  const { clientX, clientY, screenX, screenY, button, detail, pointerId, pointerType } = event;
+  const { ctrlKey, shiftKey, altKey, metaKey } = event;
+  return {
+    bubbles: true,
+    cancelable: true,
+    composed: true,
+    isPrimary: true,
+    ...{ clientX, clientY, screenX, screenY, button, detail, pointerId, pointerType },
+    ...{ ctrlKey, shiftKey, altKey, metaKey },
+  };
+}
+
+/** Commands of the page that would otherwise open a dialog of the browser: open, save, find a command, duplicate. */
+function isBrowserCommand({ key, ctrlKey, metaKey, altKey }: KeyboardEvent): boolean {
+  return (ctrlKey || metaKey) && !altKey && /^[oskd]$/i.test(key);
 }

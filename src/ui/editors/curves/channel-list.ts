@@ -60,7 +60,7 @@ export class ChannelList {
     autocomplete: 'off',
   });
   private readonly space = element('div', { class: 'channel-space' });
-  private readonly empty = element('p', { class: 'empty' });
+  private readonly empty = element('p', { class: 'empty', hidden: true });
   private readonly grid = element(
     'div',
     { class: 'channel-rows', role: 'grid', tabindex: 0, 'aria-label': 'Channels' },
