@@ -1,14 +1,14 @@
 /**
- * Writes the samples into a folder: `public/samples` of the folder it is run in, or the one that is named.
+ * Writes the examples into a folder: `public/samples` of the current folder, or the one given.
  *
- *     npm run samples                (the files are in the repository: run it after changing what makes them)
+ *     npm run samples                (the files are in the repository: run this after changing their sources)
  */
 import { mkdirSync, writeFileSync } from 'node:fs';
 import { join, resolve } from 'node:path';
 import { pathToFileURL } from 'node:url';
 import { sampleFolder } from './samples.ts';
 
-/** Returns the files' names and sizes in bytes. Files of other names in the folder stay. */
+/** Returns the files' names and sizes in bytes. Other files in the folder are left alone. */
 export function writeSamples(folder: string): Map<string, number> {
   mkdirSync(folder, { recursive: true });
   const sizes = new Map<string, number>();

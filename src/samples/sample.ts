@@ -1,4 +1,4 @@
-/** What every sample is made of. */
+/** The content of every example. */
 import type { ChannelClip } from '../model/clip.ts';
 import type { Morph } from '../model/morph.ts';
 import type { Rig } from '../model/rig.ts';
@@ -16,7 +16,7 @@ export interface Sample {
   readonly morphs: readonly Morph[];
   readonly clip: ChannelClip;
   readonly rig: Rig;
-  /** What the page is to draw beside it, that it may not draw as it is set; nothing where absent. */
+  /** Parts of the display that the example switches on; absent: none. */
   readonly shows?: Pick<Partial<Display>, 'names' | 'bones' | 'axes'>;
   readonly textures: readonly { readonly name: string; readonly bytes: Uint8Array }[];
 }

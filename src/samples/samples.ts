@@ -1,4 +1,4 @@
-/** Every sample, made from nothing, and its files: the same bytes each time. */
+/** Generates every example and its files, reproducibly to the byte. */
 import { writeAnim } from '../formats/anim/write.ts';
 import { writeMorph } from '../formats/morph/write.ts';
 import { writeRig } from '../formats/rig/write.ts';
@@ -11,12 +11,12 @@ import { tangentsSample } from './lessons/tangents.ts';
 import type { Sample } from './sample.ts';
 import { walkerSample } from './walker/walker.ts';
 
-/** One entry of `samples.json`, which the page's menu reads. */
+/** An entry of `samples.json`, which the page's menu reads. */
 export interface SampleListing {
   readonly id: string;
   readonly label: string;
   readonly description: string;
-  /** Names in the same folder; given together they bind by the rig. */
+  /** Names in the same folder; opened together they are bound by the rig. */
   readonly files: readonly string[];
   readonly shows?: Sample['shows'];
 }
@@ -26,7 +26,7 @@ export function makeSamples(): readonly Sample[] {
   return [walkerSample(), crawlerSample(), jointsSample(), tangentsSample(), cubeSample()];
 }
 
-/** A sample's files by name, the rig first. */
+/** An example's files by name, the rig first. */
 export function sampleFiles(sample: Sample): Map<string, string | Uint8Array> {
   const { id, skeleton, skin, morphs, clip, rig, textures } = sample;
   const files = new Map<string, string | Uint8Array>([[`${id}.rig`, writeRig(rig).text]]);
@@ -38,7 +38,7 @@ export function sampleFiles(sample: Sample): Map<string, string | Uint8Array> {
   return files;
 }
 
-/** All files of the samples' folder by name, its `samples.json` first. */
+/** All files of the examples' folder by name, `samples.json` first. */
 export function sampleFolder(): Map<string, string | Uint8Array> {
   const entries: SampleListing[] = [];
   const files = new Map<string, string | Uint8Array>();

@@ -1,4 +1,4 @@
-/** A disk, a browser before it, and a page with files open, for the tests of saving and reloading. */
+/** A fake disk and browser, and a page with files open, for the tests of saving and reloading. */
 import { DiskHandles } from '../../src/app/disk-handles.ts';
 import { type Disk, Saver } from '../../src/app/saver.ts';
 import { Unsaved } from '../../src/app/unsaved.ts';
@@ -11,9 +11,9 @@ import { openFiles } from '../../src/project/open/open-files.ts';
 import { Messages } from '../../src/ui/state/messages.ts';
 import { parse } from '../../src/worker/parse.ts';
 
-/** As much of a handle as a stand-in for a disk looks at. */
+/** The part of a handle that the fake disk uses. */
 export function handleOf(name: string): FileSystemFileHandle {
-  // Nothing but the disk below ever looks into it.
+  // Only the fake disk uses it.
   return { kind: 'file', name } as FileSystemFileHandle;
 }
 
@@ -21,13 +21,13 @@ export function handleOf(name: string): FileSystemFileHandle {
 export class FakeDisk implements Disk {
   readonly files = new Map<FileSystemFileHandle, string>();
   readonly downloads: string[] = [];
-  /** Names that the person was asked about. */
+  /** Names that the user was asked about. */
   readonly asked: string[] = [];
-  /** What the person picks; none downloads, `give up` closes the dialog. */
+  /** The user's answer; undefined downloads, `give up` cancels the dialog. */
   picks: FileSystemFileHandle | 'as suggested' | 'give up' | undefined;
-  /** So many dialogs the browser opens yet. */
+  /** Number of dialogs that the browser still allows. */
   dialogs = Number.POSITIVE_INFINITY;
-  /** Where not, the browser would have to ask first, and won't just now. */
+  /** If false, the browser would have to ask first, and doesn't. */
   mayWrite = true;
 
   put(name: string, text: string): FileSystemFileHandle {
@@ -53,7 +53,7 @@ export class FakeDisk implements Disk {
   download = (name: string) => void this.downloads.push(name);
 }
 
-/** Opens texts as the opener does, with a handle on the disk for each where `onDisk` says so. */
+/** Opens texts as the opener does, each with a handle on the disk if `onDisk`. */
 export async function pageWith(texts: Readonly<Record<string, string>>, onDisk = true) {
   const disk = new FakeDisk();
   const store = new Store();
@@ -93,7 +93,7 @@ export async function pageWith(texts: Readonly<Record<string, string>>, onDisk =
     open,
     change,
     names: () => unsaved.current().map(({ name }) => name),
-    /** The text of the file of that name that was put there first. */
+    /** The text of the first file of that name. */
     text: (name: string) => [...disk.files].find(([handle]) => handle.name === name)?.[1],
     handle: (name: string) => [...disk.files.keys()].find((handle) => handle.name === name),
   };

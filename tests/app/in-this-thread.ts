@@ -2,7 +2,7 @@ import { WorkerClient } from '../../src/worker/client.ts';
 import { parse } from '../../src/worker/parse.ts';
 import type { Jobs } from '../../src/worker/protocol.ts';
 
-/** The worker's job without a thread. */
+/** Runs the worker's jobs in this thread. */
 export class InThisThread extends WorkerClient {
   constructor() {
     super(() => {

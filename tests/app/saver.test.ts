@@ -190,7 +190,7 @@ describe('saving what changed', () => {
   });
 });
 
-/** Characters of one joint, made here one after the other. */
+/** Characters of one joint, created one after the other. */
 async function withMadeHere(count: number) {
   const page = await pageWith({});
   page.disk.picks = 'as suggested';

@@ -13,7 +13,7 @@ import type { ParsedFile } from '../../src/model/files.ts';
 import { openFiles } from '../../src/project/open/open-files.ts';
 import { animFile, clip, file, morph, morphFile, skeleton, skelFile, skin, skinFile } from '../helpers/builders.ts';
 
-/** A page on which files were opened as the opener opens them. */
+/** A page on which files were opened as the opener does. */
 function opened(...files: ParsedFile[]) {
   const store = new Store();
   const unsaved = new Unsaved(store);
@@ -156,7 +156,7 @@ describe('what is unsaved', () => {
     expect(names()).toEqual(['kept.pose']);
     store.undo();
     expect(names()).toEqual([]);
-    // What its joints are called is in the file too, and nothing else of the skeleton.
+    // The file also contains the names of joints, but nothing else of the skeleton.
     change((c) => ({ ...c, skeleton: { ...skeleton(), name: 'other' } }));
     expect(names()).toEqual(['hero.skel']);
     const joints = skeleton().joints.map((one, j) => (j === 1 ? { ...one, name: 'knee' } : one));

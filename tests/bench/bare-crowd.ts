@@ -1,21 +1,22 @@
 /**
- * What a frame of motion captures is measured against: a loop over typed arrays that knows nothing and looks up nothing.
- * Of each joint it makes the quaternions of the two frames around a time, slerps, writes the rotation's matrix and
- * multiplies it into the one above. Mixing the angles as if they were lengths instead is wrong, but the least there is to do.
+ * The baseline for frames of motion captures: a loop over typed arrays without checks or look-ups. For each joint it
+ * computes the quaternions of the two frames around a time, slerps, writes the rotation matrix and multiplies it by the
+ * parent's. Or it interpolates angles linearly, which is wrong, but the minimum.
  */
 
 export interface BareCrowd {
   readonly parent: ArrayLike<number>;
-  /** x y z a joint; the root's is replaced by its position channels. */
+  /** x y z per joint; the root's is replaced by its position channels. */
   readonly offsets: ArrayLike<number>;
   readonly frameSeconds: number;
-  /** A character's rows each: x y z of the root, then degrees about z, x and y of each joint. */
+  /** Rows of each character: x y z of the root, then degrees about z, x and y of each joint. */
   readonly values: readonly Float64Array[];
 }
 
 /**
- * The loop over all characters at a time. Refers to nothing but itself, so that it can be handed to a page as text.
- * @param way of getting from frame to frame
+ * The loop over all characters at a time. Refers to nothing outside itself, so that it can be passed to a page as text.
+ *
+ * @param way of interpolating between frames
  */
 export function bareCrowd(
   { parent, offsets, frameSeconds, values }: BareCrowd,
@@ -24,7 +25,7 @@ export function bareCrowd(
   const jointCount = parent.length;
   const width = 3 + 3 * jointCount;
   const perDegree = Math.PI / 180;
-  /** As the page holds them: all matrices of all characters. */
+  /** As in the page: all matrices of all characters. */
   const a = new Float64Array(16 * jointCount * values.length);
   const local = new Float64Array(16);
   const from = new Float64Array(4);

@@ -1,6 +1,8 @@
-/** What readers of numbers are measured against: a loop over the bytes that checks nothing. */
+/** The baseline for readers of numbers: a loop over the bytes without checks. */
 
-/** Every number of the bytes into a Float32Array. Trusts that everything is a number, and rounds as it goes. */
+/**
+ * Parses the bytes' numbers into a Float32Array. Assumes that everything is a number, and accumulates rounding errors.
+ */
 export function bareLoop(bytes: Uint8Array, count: number): Float32Array {
   const out = new Float32Array(count);
   const end = bytes.length;
@@ -47,7 +49,7 @@ export function bareLoop(bytes: Uint8Array, count: number): Float32Array {
   return out;
 }
 
-/** How many it finds. */
+/** Counts the numbers. */
 export function countNumbers(bytes: Uint8Array): number {
   let n = 0;
   let isInside = false;

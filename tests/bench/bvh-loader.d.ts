@@ -1,4 +1,4 @@
-/** The npm package has no types: what the bench calls of it. */
+/** The npm package has no types: declares what the bench calls. */
 declare module 'bvh-loader/module/bvh-loader.js' {
   export class MEBvh {
     keyframes: number[][] | null;

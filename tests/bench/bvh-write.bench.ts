@@ -1,7 +1,7 @@
 /**
- * Writing motion capture: ours, in pieces of bytes as saving takes them, against a bare loop that joins `String(value)`
- * row by row and checks nothing. To hold: faster than the bare loop on what captures have (up to six decimals), and
- * within 2 times its time where every number takes all its digits.
+ * Writing motion capture: ours, in pieces of bytes as used for saving, against a loop that joins `String(value)` row by
+ * row without checks. Goal: faster than that for captures' numbers (up to six decimals), and at most twice its time if
+ * every number has all its digits.
  */
 import { bench, describe } from 'vitest';
 import { writeBvh } from '../../src/formats/bvh/write.ts';

@@ -1,13 +1,12 @@
 /**
- * Reading 100 MB of motion capture: ours, in pieces as a File's stream gives them, against a bare loop that puts the
- * same bytes' numbers into a Float32Array and checks nothing, against three.js's BVHLoader and the npm package
- * bvh-loader. To hold are 1.5 times the bare loop's time for numbers of up to 15 digits and 3 times for 17, 50 times
- * the megabytes a second of BVHLoader and 4 times those of bvh-loader. What is printed at the end has them.
+ * Reading 100 MB of motion capture: ours, in pieces as a File's stream gives them, against a bare loop that parses the
+ * same numbers into a Float32Array without checks, three.js's BVHLoader, and the npm package bvh-loader. Goals: at most
+ * 1.5 times the bare loop's time for numbers of up to 15 digits and 3 times for 17; at least 50 times the throughput of
+ * BVHLoader and 4 times that of bvh-loader. The summary at the end prints these ratios.
  *
- * The file is a real take whose rows are repeated (one made here where the reference files are not); with more digits,
- * the same values times a number near 1. The two others take strings, which are ready before the clock starts.
- * BVHLoader takes its lines off the front of a list, which takes longer the more there are: it needs the whole file to
- * show what it does with one of that size, and gets one run of it (some 20 s).
+ * The file is a real take with its rows repeated (a generated one without the reference files); for more digits, the
+ * same values times a factor near 1. The two others take strings, prepared before timing. BVHLoader removes lines from
+ * the front of a list, which is slower for longer lists: so it gets the whole file, and one run (some 20 s).
  */
 import { MEBvh } from 'bvh-loader/module/bvh-loader.js';
 import { BVHLoader } from 'three/addons/loaders/BVHLoader.js';
@@ -17,13 +16,13 @@ import { hasShared, sharedBytes } from '../helpers/shared.ts';
 import { bareLoop, countNumbers } from './bare-loop.ts';
 
 const SIZE = 100e6;
-/** About what a File's stream gives. */
+/** About the chunk size of a File's stream. */
 const PIECE = 65536;
 const LONG = { time: 0, iterations: 8, warmupTime: 0, warmupIterations: 2 };
 const LONGER = { time: 0, iterations: 2, warmupTime: 0, warmupIterations: 1 };
 const LONGEST = { time: 0, iterations: 1, warmupTime: 0, warmupIterations: 0 };
 
-/** The lines of a take: what comes before the rows, without the number of frames; and the rows. */
+/** Lines of a take: the header without the number of frames, and the rows. */
 interface Take {
   readonly head: (frames: number) => string;
   readonly rows: readonly string[];
@@ -57,7 +56,7 @@ function madeTake(): string[] {
   return lines;
 }
 
-/** So many bytes of a take, with each number printed anew. */
+/** A take of this many bytes, with each number printed anew. */
 function fileOf({ head, rows }: Take, size: number, print: (text: string) => string): Uint8Array {
   const text = rows.map((row) => row.trim().split(/\s+/).map(print).join(' ')).join('\n');
   const block = new TextEncoder().encode(`${text}\n`);
@@ -84,10 +83,10 @@ function readWithLoader(text: string): void {
   if (!loader.keyframes) throw new Error('no frames');
 }
 
-/** Milliseconds and bytes of each run, for what is printed. */
+/** Milliseconds and bytes of each run, for the summary. */
 const runs = new Map<string, { bytes: number; times: number[] }>();
 
-/** Only one file is held: they are large. Made before the clock starts (benches have no `beforeAll`). */
+/** Only one file is kept: they are large. Generated before timing (benches have no `beforeAll`). */
 let held: { readonly file: string; readonly bytes: Uint8Array; readonly numbers: number } | undefined;
 
 function made(file: (typeof FILES)[number]): { readonly bytes: Uint8Array; readonly numbers: number } {
@@ -98,7 +97,7 @@ function made(file: (typeof FILES)[number]): { readonly bytes: Uint8Array; reado
   return held;
 }
 
-/** `prepare` gives what is timed, and how many bytes it reads. */
+/** `prepare` returns what is timed, and how many bytes it reads. */
 function timed(key: string, options: typeof LONG, prepare: () => { bytes: number; run: () => void }): void {
   let prepared: { bytes: number; run: () => void } | undefined;
   bench(
@@ -116,7 +115,7 @@ function timed(key: string, options: typeof LONG, prepare: () => { bytes: number
   );
 }
 
-/** Megabytes a second in the best run: what else the machine does can only slow it down. */
+/** Megabytes per second of the best run: other load can only slow it down. */
 function speed(key: string): number {
   const entry = runs.get(key);
   if (!entry) return Number.NaN;

@@ -1,7 +1,7 @@
 /**
- * The curve editor's tracing of everything in view, from moved views (nothing of the picture is kept), against a bare
- * loop over the same keys: where each stands on screen, and the smallest and largest of each column of pixels. The bare
- * loop knows nothing of cubics, tangents or extrapolation. A frame has 16 ms, of which tracing may take a few.
+ * Tracing of all curves in view by the curve editor, for changing views (nothing is cached), against a bare loop over
+ * the same keys: their screen positions, and the range of each column of pixels, without cubics, tangents or
+ * extrapolation. A frame has 16 ms, of which tracing may take a few.
  */
 import { bench, describe } from 'vitest';
 import { compileClip } from '../../src/evaluate/compiled-clip.ts';

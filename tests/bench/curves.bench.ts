@@ -1,6 +1,6 @@
 /**
  * A pose of 10,000 channels at random times, against a bare loop over the same typed arrays: a binary search and one
- * cubic a channel, without extrapolation. To hold: within 2×.
+ * cubic per channel, without extrapolation. Goal: at most twice its time.
  */
 import { bench, describe } from 'vitest';
 import { compileClip } from '../../src/evaluate/compiled-clip.ts';
@@ -11,7 +11,7 @@ import { SMOOTH } from '../../src/model/clip.ts';
 const CHANNELS = 10_000;
 const SECONDS = 10;
 
-/** Numbers that look random, the same in every run. */
+/** Pseudorandom numbers, the same in every run. */
 function* noise(seed: number): Generator<number, never> {
   let state = seed;
   while (true) {
@@ -20,7 +20,7 @@ function* noise(seed: number): Generator<number, never> {
   }
 }
 
-/** Channels that kept step with each other would let the processor foresee every turn of the search. */
+/** Random, since synchronised channels would let the processor predict every branch of the search. */
 function keyTimes(keys: number, random: Generator<number, never>): Float64Array {
   const times = Float64Array.from({ length: keys }, () => SECONDS * random.next().value).sort();
   times[0] = 0;

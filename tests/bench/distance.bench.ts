@@ -1,7 +1,6 @@
 /**
- * The distances of two takes of 3,000 frames and 60 joints, as comparing them measures it: at every frame both posed,
- * and each joint against its partner. Against posing both and nothing else, which has to be done in any case. To hold:
- * within 1.5× of that.
+ * Distances of two takes of 3,000 frames and 60 joints, as measured for comparison: poses both at every frame, and
+ * measures each pair of joints. Against only posing both, which is needed anyway. Goal: at most 1.5 times that.
  */
 import { bench, describe } from 'vitest';
 import { commonFrames, measureDistances } from '../../src/evaluate/distance.ts';
@@ -27,7 +26,7 @@ const skeleton = {
   ),
 };
 
-/** Degrees that sway, each DOF at a pace of its own. */
+/** Oscillating degrees, each DOF at its own pace. */
 function sway(phase: number): ChannelClip {
   const values = Float64Array.from(
     { length: WIDTH * FRAMES },

@@ -1,8 +1,8 @@
 /**
  * A frame of 100 characters of 25 joints as the page plays them: channels through the mixer, limits, matrices of bones
- * and skin, bounds, bone textures ready for upload. To hold: at most half of what plain three.js takes with a Bezier
- * `KeyframeTrack` for each DOF (which knows no limits, no extrapolation and no bounds), and within 3× of a bare loop
- * that does the same arithmetic over typed arrays.
+ * and skin, bounds, bone textures ready for upload. Goals: at most half the time of plain three.js with a Bezier
+ * `KeyframeTrack` per DOF (without limits, extrapolation and bounds), and at most 3 times that of a bare loop with the
+ * same arithmetic over typed arrays.
  */
 import {
   AnimationClip,
@@ -55,7 +55,7 @@ const body = skin('hero', JOINTS - 1);
 const hero = character({ skeleton, skins: [body], clips: [walk], shownClip: 0 });
 
 let frame = 0;
-/** Each character is a little later than the one before. */
+/** Each character is slightly later than the previous one. */
 const now = () => ((frame++ % 60) / 60) * (SECONDS - 1);
 const LATER = 1 / 100;
 
@@ -159,7 +159,7 @@ function bareProduct(
   out[o + 14] += a[p + 14];
 }
 
-/** The same character as three.js's own parts make it. */
+/** The same character with three.js's own classes. */
 function plainCharacter(scene: Scene) {
   const bones = skeleton.joints.map((j, index) => {
     const bone = new Bone();

@@ -22,16 +22,16 @@ import { tipPin } from '../helpers/ik-cases.ts';
 
 /** A solver with its pins: the first one is dragged. */
 export interface Dragger {
-  /** Where the dragged pin is to be, in the file's unit. */
+  /** Target of the dragged pin, in the file's unit. */
   step(x: number, y: number, z: number): void;
-  /** How far a pin is from its target, in the file's unit. */
+  /** Distance of a pin from its target, in the file's unit. */
   off(pin: number): number;
 }
 
 export interface Grip {
   readonly skeleton: Skeleton;
   readonly reach: number;
-  /** Joint, x, y, z: that which is dragged, then those that hold. */
+  /** Joint, x, y, z: the dragged pin first, then those that hold. */
   readonly targets: readonly (readonly number[])[];
 }
 
@@ -39,7 +39,7 @@ export function ours({ skeleton, targets }: Grip, mode: IkMode = 'drag'): Dragge
   const pose = Float64Array.from(filePose(skeleton, 0));
   const problem = ikProblem(
     skeleton,
-    // A drag has pins that hold; where all are set at once by a click, none does.
+    // In a drag the other pins hold; a click sets all of them, so none does.
     targets.map((target, p) => tipPin(skeleton, target, mode === 'drag' && p > 0)),
     pose,
   );
@@ -54,7 +54,7 @@ export function ours({ skeleton, targets }: Grip, mode: IkMode = 'drag'): Dragge
 
 const [X, Y, Z, , , TURN_Z] = [0, 1, 2, 3, 4, 5];
 
-/** @param aim part of the reach at which it stops; its own is 1e-3, ten times what ours is in a drag */
+/** @param aim part of the reach at which it stops; default 1e-3, ten times ours in a drag */
 export function closedChain({ skeleton, reach, targets }: Grip, aim = 1e-3): Dragger {
   const root = new Link();
   const ends: Link[] = [];
@@ -67,7 +67,7 @@ export function closedChain({ skeleton, reach, targets }: Grip, aim = 1e-3): Dra
     joint.setDoFValues(angle);
     const bone = new Link();
     const back = toAxis.clone().invert();
-    // A link stands in its joint's frame: back from the axis, then along the bone.
+    // A link is in its joint's frame: back from the axis, then along the bone.
     const along = new Vector3(0, length / reach, 0).applyQuaternion(back);
     bone.setPosition(along.x, along.y, along.z);
     bone.setQuaternion(...back.toArray());

@@ -56,21 +56,21 @@ for (const [title, [drag]] of [
   });
 }
 
-/** What is asked of every solver: from the pose of the file, a path that the first pin is led along, or one place. */
+/** A task for every solver: from the file pose, a path for the first pin, or a single target. */
 interface Task {
   readonly grip: Grip;
   readonly path: readonly number[];
 }
 
 interface Measured {
-  /** Microseconds of each step, and whether it left all pins where they should be. */
+  /** Microseconds of each step, and whether it solved all pins. */
   readonly times: readonly number[];
   readonly solves: readonly boolean[];
 }
 
 const ROUNDS = 16;
 
-/** The solvers take turns, round by round, so that a machine that is slow for a while is so for all of them. */
+/** Solvers alternate round by round, so that a slow phase of the machine affects all of them. */
 function measure(tasks: readonly Task[], solvers: typeof SOLVERS, tolerance: number): Measured[] {
   const runs = solvers.map(([, make]) =>
     tasks.map(({ path }) => ({
@@ -105,7 +105,7 @@ function median(values: readonly number[]): number {
   return values.toSorted((p, q) => p - q)[values.length >> 1];
 }
 
-/** By how much one takes longer than another, of all steps or of those that both solve. */
+/** Ratio of their times, over all steps or those that both solve. */
 function times(one: Measured, other: Measured, onlySolved = false): string {
   const counts = (_: unknown, step: number) => !onlySolved || (one.solves[step] && other.solves[step]);
   if (!one.times.some(counts)) return '  no ratio';

@@ -1,8 +1,8 @@
 /**
- * A skin of a million vertices with three morphs (some 215 MB of text), dropped on the built page: from the drop to the
- * document and to the first picture, and every script task of the main thread on the way that took more than 50 ms
- * (there should be none). Drawing itself is not script: without a GPU the picture is drawn by the processor, in the
- * browser's own process, and only the calls that ask for it count here.
+ * A skin of a million vertices with three morphs (some 215 MB of text), dropped on the built page: time from the drop
+ * to the document and to the first frame, and every script task on the main thread over 50 ms (there should be none).
+ * Drawing is not script: without a GPU it is done by the CPU, in the browser's own process, and only the calls count
+ * here.
  */
 import { closeSync, existsSync, mkdtempSync, openSync, rmSync, writeSync } from 'node:fs';
 import { tmpdir } from 'node:os';
@@ -19,7 +19,7 @@ const HEIGHT = 4;
 const folder = mkdtempSync(join(tmpdir(), 'marrow-bench-'));
 afterAll(() => rmSync(folder, { recursive: true, force: true }));
 
-/** Writes a file row by row of the tube: no string of the whole of it. */
+/** Writes a file row by row of the tube, without a string of its whole content. */
 function write(name: string, blocks: (put: (text: string) => void) => void): string {
   const path = join(folder, name);
   const file = openSync(path, 'w');

@@ -1,10 +1,10 @@
 /**
- * A frame of the built page while 50 motion captures of 70 joints play: all script of the main thread, three.js and the
- * calls to WebGL included, in the thread's own time. To hold: within 3× of a bare loop that samples and multiplies the
- * same joints in the same page.
+ * A frame of the built page while 50 motion captures of 70 joints play: all script of the main thread including
+ * three.js and WebGL calls, in thread time. Goal: at most 3 times a bare loop that samples and multiplies the same
+ * joints in the same page.
  *
- * Windows of playing alternate, with and without a few bare loops in each frame; what those take is the difference.
- * Drawing itself is left out (one instance a call, nothing rasterised): without a GPU the processor would be busy with it.
+ * Measurements alternate with and without a few bare loops per frame; their difference is the loops' time. Drawing
+ * itself is left out (one instance per call, nothing rasterised): without a GPU it would dominate.
  */
 import { existsSync } from 'node:fs';
 import type { Page } from 'playwright-core';
@@ -18,14 +18,14 @@ const JOINTS = 70;
 const FRAMES = 1200;
 const FRAME_SECONDS = 1 / 120;
 const WIDTH = 3 + 3 * JOINTS;
-/** Bare loops in each frame of a window that has them. */
+/** Bare loops per frame of a measurement with them. */
 const LOOPS = 4;
 const WINDOWS = 9;
 const WINDOW_MS = 1500;
 /** Another build of the page, measured alternately with the one in `dist/`. */
 const COMPARED = process.env.MARROW_COMPARED;
 
-/** Numbers from 0 to 1 that look random, the same in every run. */
+/** Pseudorandom numbers from 0 to 1, the same in every run. */
 function noise(seed: number): () => number {
   let state = seed;
   return () => {
@@ -48,7 +48,7 @@ function joint(j: number): string {
   return `${j === 0 ? 'ROOT' : 'JOINT'} joint${j}\n{\n${inside.join('\n')}\n}`;
 }
 
-/** Joints that swing to and fro, each in its own time, up to 4° a frame. */
+/** Oscillating joints, each at its own pace, up to 4° per frame. */
 function rows(): number[][] {
   const random = noise(7);
   const swings = Array.from({ length: WIDTH }, () => ({
@@ -65,7 +65,7 @@ function rows(): number[][] {
   );
 }
 
-/** Joints in the order of the file. */
+/** Joints in file order. */
 function inOrder(j = 0): number[] {
   return [
     j,
@@ -78,10 +78,10 @@ function inOrder(j = 0): number[] {
 const values = rows();
 const bvh = `HIERARCHY\n${joint(0)}\nMOTION\nFrames: ${FRAMES}\nFrame Time: ${FRAME_SECONDS}\n${values.map((row) => row.join(' ')).join('\n')}\n`;
 
-/** Waits for the crowd, and has bare loops at hand: `window.bareLoops` of them in each frame. */
+/** Waits for the crowd, and installs bare loops: `window.bareLoops` of them per frame. */
 async function awaitCrowd(page: Page): Promise<void> {
   await page.waitForFunction((count) => window.marrow?.characters().length === count, CHARACTERS);
-  // The panels come when the page is idle.
+  // Panels are created when the page is idle.
   await page.locator('.lil-gui').first().waitFor({ state: 'attached' });
   const order = inOrder();
   const crowd = {
@@ -98,7 +98,7 @@ async function awaitCrowd(page: Page): Promise<void> {
       let tick = 0;
       const frame = () => {
         seen.frames++;
-        // Two frames of samples in one of the screen, and a bit: never at a frame, never in the same one twice.
+        // Just over two frames of samples per screen frame: never at a frame, never twice in the same one.
         for (let i = 0; i < seen.bareLoops; i++) bare(((tick++ * 2.003 + 0.31) % (frames - 2)) * given.frameSeconds);
         requestAnimationFrame(frame);
       };
@@ -108,7 +108,7 @@ async function awaitCrowd(page: Page): Promise<void> {
   );
 }
 
-/** Draws one instance a call, and none of its pixels. Runs in the page before its own script. */
+/** Draws one instance per call, and no pixels. Runs in the page before its own script. */
 function drawNothing(): void {
   const { prototype } = WebGL2RenderingContext;
   const draw = prototype.drawElementsInstanced;
@@ -143,7 +143,7 @@ function median(numbers: readonly number[]): number {
   return numbers.toSorted((a, b) => a - b)[Math.floor(numbers.length / 2)];
 }
 
-/** Milliseconds of script a frame, over a window of playing with so many bare loops in each. */
+/** Milliseconds of script per frame, over a period of playback with so many bare loops each. */
 async function meter(page: Page): Promise<(loops: number) => Promise<number>> {
   const session = await page.context().newCDPSession(page);
   await session.send('Performance.enable', { timeDomain: 'threadTicks' });

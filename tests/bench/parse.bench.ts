@@ -1,9 +1,9 @@
 /**
- * Readers against a bare loop that puts the same bytes' numbers into a Float32Array and checks nothing, and against
- * line splitting as three.js's loaders do it. Read the ratios, not the times: to hold are 1.5 times the bare loop for
+ * Readers against a bare loop that parses the same numbers into a Float32Array without checks, and against line
+ * splitting as in three.js's loaders. Read the ratios, not the times. Goals: at most 1.5 times the bare loop for
  * numbers of up to 15 digits, and 3 times for 17.
  *
- * The inputs are made here, in memory, the same in every run.
+ * The inputs are generated in memory, the same in every run.
  */
 import { bench, describe } from 'vitest';
 import { animReader } from '../../src/formats/anim/read.ts';
@@ -14,7 +14,7 @@ import { bareLoop, countNumbers } from './bare-loop.ts';
 /** Few and long: an iteration takes up to seconds. */
 const LONG = { time: 0, iterations: 5, warmupTime: 0, warmupIterations: 2 };
 const LONGEST = { time: 0, iterations: 2, warmupTime: 0, warmupIterations: 0 };
-/** About what a File's stream gives. */
+/** About the chunk size of a File's stream. */
 const PIECE = 65536;
 
 /** A linear congruential generator: the same numbers in every run. */
@@ -72,7 +72,7 @@ function block(what: string, count: number, line: () => string): string[] {
   return [`${what} ${count} {`, ...Array.from({ length: count }, line), '}'];
 }
 
-/** Without ever making one string of all lines. */
+/** Without one string of all lines. */
 function joined(lines: readonly string[]): Uint8Array {
   const encoder = new TextEncoder();
   const pieces: Uint8Array[] = [];
@@ -88,7 +88,7 @@ function joined(lines: readonly string[]): Uint8Array {
   return all;
 }
 
-/** As three.js's loaders do it. */
+/** As in three.js's loaders. */
 function splitLines(bytes: Uint8Array): number {
   const lines = new TextDecoder().decode(bytes).split('\n');
   let sum = 0;

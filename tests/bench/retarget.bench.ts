@@ -1,7 +1,7 @@
 /**
- * A pose put onto another character, live: a take of 60 joints onto the walker's 29. Against what it can't do without:
- * the source's pose and its world matrices, and those of the target. Limits are what fitting takes its time for: 4.5×
- * of that within limits, 2.5× without.
+ * Live retargeting of one pose: a take of 60 joints onto the walker's 29. Against the necessary parts: the source's
+ * pose and world matrices, and the target's. Most of the time is fitting within limits: 4.5 times that with limits, 2.5
+ * times without.
  */
 import { bench, describe } from 'vitest';
 import { worldMatrices } from '../../src/evaluate/kinematics.ts';
@@ -14,7 +14,7 @@ import { WALKER_SKELETON } from '../../src/samples/walker/skeleton.ts';
 import { driverOf, PARTS, person, take } from '../evaluate/retarget/people.ts';
 
 const body = person();
-/** With fingers that nothing follows, so that there are 60. */
+/** With fingers that nothing follows, to have 60 joints. */
 const source = {
   ...body,
   joints: [
@@ -37,7 +37,7 @@ const free = planRetarget(driver, WALKER_SKELETON, undefined, false);
 const dofs = Float64Array.from(held.restDofs);
 
 let frame = 0;
-/** Between frames, where rotations have to be interpolated. */
+/** Between frames, so that rotations have to be interpolated. */
 const now = () => ((frame++ % FRAMES) + 0.5) / 60;
 
 describe('a take of 60 joints on a character of 29', () => {

@@ -1,4 +1,4 @@
-/** The axis-angle form of `.skel` through the command. */
+/** Axis-angle `.skel` files on the command line. */
 import { copyFileSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';

@@ -1,4 +1,4 @@
-/** Motion capture through the command: what a script sees of it. */
+/** Motion capture on the command line, as scripts see it. */
 import { mkdtempSync, rmSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';

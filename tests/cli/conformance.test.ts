@@ -1,4 +1,4 @@
-/** The reference files through the command: what a script sees of them, at the reference's own tolerance. */
+/** The reference files on the command line, at the reference's own tolerance. */
 import { expect, it } from 'vitest';
 import { expectClose, WITHIN } from '../helpers/close.ts';
 import { type ChannelsJson, command, commandJson, type InfoJson, type PoseJson } from '../helpers/command.ts';
@@ -60,7 +60,7 @@ function expectJoints(character: PoseJson['characters'][0], expected: Posed): vo
     );
 }
 
-/** What sets a pose; the pose named `file` is the file's own. */
+/** Options that set a pose; the pose named `file` is the file pose. */
 function posing({ name, pose, root_translation }: Posed): string[] {
   const root = `--root=${root_translation.join(',')}`;
   return name === 'file' || !pose ? [root] : [root, '--dofs', pose.flat().join(',')];
@@ -174,7 +174,7 @@ describeShared('marrow channels, against the reference', () => {
         const args = ['channels', anim, '--times', times.join(',')];
         const got = (await commandJson<ChannelsJson>(args, SHARED)).channels;
         expect(got).toHaveLength(numchannels);
-        // On a jump either side will do.
+        // At a jump either side is accepted.
         const expected = values.map((value, i) => {
           const other = alternatives[i];
           return other !== undefined && Math.abs(got[index][i] - other) < Math.abs(got[index][i] - value)

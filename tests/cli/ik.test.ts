@@ -18,7 +18,7 @@ interface IkJson {
   }[];
 }
 
-/** Two arms of two bones of 1, and a limit at one elbow; "hand" is the name of both ends. */
+/** Two arms of two bones of length 1, with a limit at one elbow; both ends are called "hand". */
 const ARMS = `balljoint body {
   balljoint upper { offset 1 0 0
     hingejoint elbow { offset 0 1 0 axis 1 0 0 limit r 0 1

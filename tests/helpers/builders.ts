@@ -1,4 +1,4 @@
-/** Tiny models for tests: what a test does not care about has a plain default. */
+/** Tiny models for tests, with plain defaults. */
 import type { ChannelClip } from '../../src/model/clip.ts';
 import { type Character, DEFAULT_PLACEMENT, type Document, EMPTY_DOCUMENT } from '../../src/model/document.ts';
 import { filePose } from '../../src/model/dofs.ts';
@@ -26,7 +26,7 @@ export function skeleton(joints = 2, name = 'hero'): Skeleton {
   return { name, joints: Array.from({ length: joints }, (_, i) => joint(i - 1)) };
 }
 
-/** One triangle that hangs on the given joint; bindings for joints 0 up to it. */
+/** One triangle bound to the given joint; bindings for joints 0 up to it. */
 export function skin(name = 'hero', onJoint = 0, more: Partial<Skin> = {}): Skin {
   const bindings = new Float64Array(16 * (onJoint + 1));
   for (let b = 0; b < bindings.length; b += 16) bindings[b] = bindings[b + 5] = bindings[b + 10] = bindings[b + 15] = 1;
@@ -50,7 +50,7 @@ export function morph(name: string, vertex = 0): Morph {
   return { name, positions: rows, normals: { indices: new Uint32Array(0), values: new Float64Array(0) } };
 }
 
-/** A clip whose channels each hold one value. */
+/** A clip whose channels are constant. */
 export function clip(name: string, values: readonly number[], range: readonly [number, number] = [0, 1]): ChannelClip {
   return {
     name,
@@ -96,7 +96,7 @@ export function file(path: string, content: FileContent): ParsedFile {
   return { ...content, source: { path, name: path.slice(path.lastIndexOf('/') + 1), bytes: 1 } };
 }
 
-/** Marks of clips that were read from these files; undefined for one that was made here. */
+/** Marks of clips read from these files; undefined for one created in the page. */
 export function clipsFrom(...paths: (string | undefined)[]): PartMarks {
   const markOf = (path: string | undefined): PartMark => {
     if (path === undefined) return UNMARKED;

@@ -1,11 +1,11 @@
-/** A module as it ships: in one bundle with all that it imports. Vitest itself puts a look-up before every call. */
+/** A module as it ships: bundled with all its imports. Vitest itself adds a look-up to every call. */
 import { mkdtempSync, rmSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { pathToFileURL } from 'node:url';
 import { build } from 'vite';
 
-/** @param path of a module, from the top of the project */
+/** @param path of a module, relative to the project */
 export async function bundled<Module>(path: string): Promise<Module> {
   const made = await build({
     configFile: false,
@@ -19,7 +19,7 @@ export async function bundled<Module>(path: string): Promise<Module> {
   try {
     const file = join(folder, 'bundle.mjs');
     writeFileSync(file, output.output[0].code);
-    // What a file exports is for whoever asks to know.
+    // The caller states the type of what the file exports.
     return (await import(/* @vite-ignore */ pathToFileURL(file).href)) as Module;
   } finally {
     rmSync(folder, { recursive: true });

@@ -5,7 +5,7 @@ import type { CapturedFigure } from '../../src/model/files.ts';
 import { formatOf } from '../../src/project/codecs.ts';
 import { hasShared, sharedBytes, sharedPath } from './shared.ts';
 
-/** Names of all that load. */
+/** Names of all that load without errors. */
 export const BVH_FILES: readonly string[] = hasShared
   ? readdirSync(sharedPath('data/bvh')).filter((name) => name.endsWith('.bvh'))
   : [];

@@ -1,4 +1,4 @@
-/** Figures of BVH made by hand: a skeleton whose joints have channels, and rows of values in degrees. */
+/** Hand-made BVH figures: a skeleton whose joints have channels, and rows of values in degrees. */
 import { restChannel, SAMPLED } from '../../src/model/clip.ts';
 import { rootDofCount } from '../../src/model/dofs.ts';
 import type { CapturedFigure } from '../../src/model/files.ts';
@@ -17,7 +17,7 @@ export function bvhJoint(parent: number, channels: readonly BvhChannel[], more: 
   });
 }
 
-/** @param rows a value a channel, in the file's units */
+/** @param rows a value per channel, in the file's units */
 export function bvhFigure(
   skeleton: Skeleton,
   rows: readonly (readonly number[])[],

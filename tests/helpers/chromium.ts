@@ -1,16 +1,16 @@
 /**
- * Finds a Chromium for the browser tests, or makes one. In this order:
+ * Finds a Chromium for the browser tests, in this order:
  *
- *     MARROW_CHROMIUM, then CHROME_PATH     what someone asked for: used or refused, never passed over
+ *     MARROW_CHROMIUM, then CHROME_PATH     an explicit choice: used or refused, never skipped
  *     an installed Chrome, Chromium or Edge  by its usual path or on PATH
  *     Playwright's own                       where `npx playwright install chromium` puts it
  *     the one in @sparticuz/chromium         Linux x64 only; unpacked once into node_modules/.cache
  *
- * The last is what makes `npm ci && npm test` work on a machine with only Node and git. The package is made for AWS
- * Lambda: it unpacks to fixed names in the temporary folder, and brings the shared libraries (NSS, NSPR, expat) along
- * only where it sees Lambda's environment variable. So it runs in a process of its own, the only one to see that
- * variable and a temporary folder that is ours: nothing half-unpacked or somebody else's is ever run. The libraries
- * are given to the browser only if it doesn't start with the system's.
+ * The last makes `npm ci && npm test` work with only Node and git. The package is made for AWS Lambda: it unpacks to
+ * fixed names in the temporary folder, and brings the shared libraries (NSS, NSPR, expat) along only where it sees
+ * Lambda's environment variable. So unpacking runs in a process of its own, with that variable and our own temporary
+ * folder: nothing half-unpacked or foreign is ever run. The libraries are used only if the browser doesn't start with
+ * the system's.
  */
 import { spawnSync } from 'node:child_process';
 import { existsSync, mkdirSync, mkdtempSync, readFileSync, renameSync, rmSync, writeFileSync } from 'node:fs';
@@ -20,17 +20,17 @@ import { env, platform } from 'node:process';
 import { fileURLToPath } from 'node:url';
 import { type Browser, chromium } from 'playwright-core';
 
-/** An executable and the environment it needs beside our own. */
+/** An executable, and environment variables it needs. */
 export interface FoundChromium {
   readonly path: string;
   readonly env: Readonly<Record<string, string>>;
-  /** Where it came from, for messages. */
+  /** Its source, for messages. */
   readonly from: string;
 }
 
 /**
- * Software drawing, the same on every machine; no sandbox, for tests run as root in containers; and no requests of
- * the browser's own, so that what a test sees on the network is the page's.
+ * Software rendering, the same on every machine; no sandbox, for root in containers; and no requests by the browser
+ * itself, so that a test only sees the page's.
  */
 export const CHROMIUM_FLAGS: readonly string[] = [
   '--no-sandbox',
@@ -49,7 +49,7 @@ const NOT_FOUND =
 
 let found: FoundChromium | undefined;
 
-/** @throws Error of one line where there is none. */
+/** @throws Error of one line if there is none */
 export function findChromium(): FoundChromium {
   found ??= asked() ?? installed() ?? playwrights() ?? packaged();
   if (!found) {
@@ -59,7 +59,7 @@ export function findChromium(): FoundChromium {
   return found;
 }
 
-/** Starts the browser that `findChromium` finds. */
+/** Launches the browser found by `findChromium`. */
 export function launchChromium(extraFlags: readonly string[] = []): Promise<Browser> {
   const { path, env: extra } = findChromium();
   const environment = Object.fromEntries(
@@ -114,7 +114,7 @@ function packaged(): FoundChromium | undefined {
   const folder = unpacked();
   const path = join(folder, 'chromium');
   const fonts = existsSync('/etc/fonts/fonts.conf') ? {} : { FONTCONFIG_FILE: join(folder, 'fonts.conf') };
-  // The system's libraries where it has all of them: newer, and matched to what they load in turn.
+  // Prefers the system's libraries if complete: they are newer and match their own dependencies.
   for (const libraries of [{}, { LD_LIBRARY_PATH: join(folder, 'al2023', 'lib') }]) {
     const extra = { ...fonts, ...libraries };
     if (starts(path, extra)) return { path, env: extra, from: '@sparticuz/chromium' };
@@ -123,8 +123,8 @@ function packaged(): FoundChromium | undefined {
 }
 
 /**
- * Whether it is a browser that runs here: a stub that only tells how to install one does not, nor one that misses
- * libraries. (On Windows asking for the version opens a window instead, so there a file is enough.)
+ * Whether it is a browser that starts: neither a stub that tells how to install one, nor one with missing libraries.
+ * (On Windows asking for the version opens a window, so there the file's existence suffices.)
  */
 function starts(path: string, extra: Readonly<Record<string, string>>): boolean {
   if (platform === 'win32') return true;
@@ -132,7 +132,7 @@ function starts(path: string, extra: Readonly<Record<string, string>>): boolean 
   return status === 0;
 }
 
-/** The folder that holds the package's browser, unpacked if it wasn't. @throws Error with what went wrong. */
+/** The folder of the package's browser, unpacked if necessary. @throws Error with the cause */
 function unpacked(): string {
   const root = fileURLToPath(new URL('../../', import.meta.url));
   const entry = createRequire(import.meta.url).resolve('@sparticuz/chromium');
@@ -154,7 +154,7 @@ function unpacked(): string {
     writeFileSync(join(scratch, 'fonts.conf'), fontsConfig(folder));
     renameSync(scratch, folder);
   } catch (error) {
-    // Another test process may have been first; then its folder is whole, because it was renamed into place.
+    // Another test process may have been first; its folder is complete, since it was renamed into place.
     if (!existsSync(folder)) throw error;
   } finally {
     rmSync(scratch, { recursive: true, force: true });
@@ -162,7 +162,7 @@ function unpacked(): string {
   return folder;
 }
 
-/** For a machine that has no fonts: the package's, whose own configuration names Lambda's folders. */
+/** For a machine without fonts: the package's, whose own configuration names Lambda's folders. */
 function fontsConfig(folder: string): string {
   return `<?xml version="1.0"?>
 <!DOCTYPE fontconfig SYSTEM "fonts.dtd">

@@ -1,20 +1,20 @@
 /**
- * Comparing numbers: the tolerances by name, and matchers that print both vectors where they differ.
+ * Comparing numbers: named tolerances, and matchers that print both vectors at their difference.
  *
  * A number passes when |got − expected| ≤ tolerance · max(1, |expected|), as the reference files state it.
  */
 import { expect } from 'vitest';
 
 export const WITHIN = {
-  /** What the reference files ask of programs that compute in doubles. */
+  /** What the reference files require of programs in doubles. */
   reference: 1e-7,
-  /** The same in floats, there relative to the largest coordinate of the model. */
+  /** The same in floats, relative to the largest coordinate of the model. */
   referenceFloat: 5e-6,
   /** Two ways to compute the same in doubles. */
   rounding: 1e-12,
 } as const;
 
-/** Fails with both lists, and says where they differ most. */
+/** Fails with both lists and the largest difference. */
 export function expectClose(
   got: ArrayLike<number>,
   expected: ArrayLike<number>,
@@ -25,7 +25,7 @@ export function expectClose(
   let excess = 0;
   for (let i = 0; i < Math.max(got.length, expected.length); i++) {
     const off = Math.abs(got[i] - expected[i]) / (tolerance * Math.max(1, Math.abs(expected[i])));
-    // Written so that NaN and a missing number are worse than anything.
+    // Written so that NaN and missing numbers are worse than any difference.
     if (!(off <= Math.max(1, excess))) {
       worst = i;
       excess = Number.isNaN(off) ? Infinity : off;

@@ -1,4 +1,4 @@
-/** Runs the command as a function, with what it prints kept. */
+/** Runs the command as a function and captures its output. */
 import { sep } from 'node:path';
 import { run } from '../../src/cli/run.ts';
 import type { Diagnostic } from '../../src/model/diagnostic.ts';
@@ -9,7 +9,7 @@ export interface CommandResult {
   readonly err: string;
 }
 
-/** @param folder absolute: what paths in the arguments are relative to */
+/** @param folder absolute; paths in the arguments are relative to it */
 export async function command(args: readonly string[], folder = process.cwd()): Promise<CommandResult> {
   let out = '';
   let err = '';
@@ -25,7 +25,7 @@ export async function command(args: readonly string[], folder = process.cwd()): 
   return { code, out, err };
 }
 
-/** What `info`, `pose` and `channels` print with `--json`: the parts that tests look at. */
+/** The parts of the JSON output of `info`, `pose` and `channels` that tests read. */
 export interface InfoJson {
   readonly files: readonly { readonly name: string; readonly kind: string; readonly [count: string]: unknown }[];
   readonly diagnostics: readonly Diagnostic[];
@@ -58,10 +58,10 @@ export interface ChannelsJson {
   readonly diagnostics: readonly Diagnostic[];
 }
 
-/** @throws Error with what the command said, where it gave no JSON or another exit code than expected */
+/** @throws Error with the command's messages, if it printed no JSON or had another exit code */
 export async function commandJson<T>(args: readonly string[], folder?: string, code = 0): Promise<T> {
   const result = await command([...args, '--json'], folder);
   if (result.code !== code) throw new Error(`marrow ${args.join(' ')} gave ${result.code}:\n${result.err}`);
-  // The shape is the command's promise; the tests check what they read of it.
+  // The command's documented shape; tests check what they read of it.
   return JSON.parse(result.out) as T;
 }

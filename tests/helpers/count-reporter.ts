@@ -1,4 +1,4 @@
-/** The last line of a test run, for people and for machines: `123 passed, 0 failed`. */
+/** The last line of a test run: `123 passed, 0 failed`. */
 import type { Reporter, TestModule } from 'vitest/node';
 
 export default class CountReporter implements Reporter {
@@ -15,7 +15,7 @@ export default class CountReporter implements Reporter {
         else if (state === 'failed') inside++;
         else skipped++;
       }
-      // A file that could not even be loaded has no tests to fail.
+      // A file that failed to load has no tests that could fail.
       failed += inside || (module.state() === 'failed' ? 1 : 0);
     }
     console.log(`${passed} passed, ${failed} failed${skipped ? `, ${skipped} skipped` : ''}`);

@@ -1,6 +1,6 @@
 /**
- * One edit with all that an edit promises (as ProseMirror's `test/trans.ts`): whoever tests what a command does tests
- * this along with it, and looks only at what is special.
+ * Tests one edit with everything that edits guarantee (like ProseMirror's `test/trans.ts`), so that a command's own
+ * tests only cover what is special about it.
  */
 import { expect } from 'vitest';
 import { applyDelta, deltaTo, sameValue } from '../../src/edit/delta.ts';
@@ -69,39 +69,42 @@ export function expectEdit<Args>(
   return after;
 }
 
-/** Something is different after it, and what came of it is sound. */
+/** Expects a change with a sound result. */
 export function expectStep(before: Document, after: Document, selected: Selection): void {
   expect(sameValue(before, after), 'a step that changes nothing').toBe(false);
   checkDocument(after);
   checkSelection(after, selected);
 }
 
-/** To the last bit, −0 too; `toEqual` takes seconds for a million numbers. */
+/** Equal to the last bit, −0 too; `toEqual` takes seconds for a million numbers. */
 export function expectSame(found: unknown, meant: unknown, what?: string): void {
   if (sameValue(found, meant)) return;
   expect(found, what).toEqual(meant);
   expect(deltaTo(found, meant), `${what ?? 'what is the same'} to toEqual`).toBeUndefined();
 }
 
-/** So that writing to it throws. Numbers of typed arrays can't be frozen. */
+/** Freezes, so that writing throws. Elements of typed arrays can't be frozen. */
 function freeze(value: unknown): void {
   if (typeof value !== 'object' || value === null || ArrayBuffer.isView(value) || Object.isFrozen(value)) return;
   Object.freeze(value);
   Object.values(value).forEach(freeze);
 }
 
-/** Where the document's parts are: what is inside of others (a joint's box, a channel's columns) is a part of those. */
+/**
+ * Properties that hold parts of the document: what is inside others (a joint's box, a channel's columns) belongs to
+ * those parts.
+ */
 const HOLDS_PARTS: readonly string[] = [
   ...['characters', 'unused', 'skeleton', 'joints', 'skins', 'morphs', 'textures', 'clips', 'channels', 'samples'],
   ...['unkeyed', 'placements', 'space', 'ik', 'poses', 'sources'],
 ];
 
-/** What the view goes by: a part in which nothing is different is the object that it was. Lists may be made anew. */
+/** The view compares by identity: an unchanged part must be the same object. Lists may be new. */
 function expectShared(before: unknown, after: unknown, where: string): void {
   if (before === after || !isRecord(before) || !isRecord(after)) return;
   if (sameValue(after, before)) throw new Error(`${where} was made anew, and nothing in it is different`);
   for (const key of HOLDS_PARTS) {
-    // Of another skeleton: a take's channels are of other DOFs.
+    // For another skeleton, a take's channels belong to other DOFs.
     if (key === 'clips' && before.skeleton !== after.skeleton) continue;
     const [was, is] = [before[key], after[key]];
     if (!Array.isArray(was) || !Array.isArray(is)) expectShared(was, is, `${where}.${key}`);
@@ -118,12 +121,12 @@ function isRecord(value: unknown): value is Readonly<Record<string, unknown>> {
   return typeof value === 'object' && value !== null && !Array.isArray(value);
 }
 
-/** By which an item is the same one in another list; its own self where it has none. */
+/** Identifies an item across lists; by itself if it has no id or name. */
 function nameOf(item: unknown): unknown {
   return isRecord(item) ? (item.id ?? item.name ?? item) : item;
 }
 
-/** Parts that are others than before, written to the formats that hold them. */
+/** Changed parts, written to their formats. */
 function expectReadsBack(character: Character, before: Character | undefined): void {
   const { skeleton, skins, morphs, clips, poses } = character;
   const isNew = (part: object, of: readonly object[] | undefined) => !of?.includes(part);
@@ -139,7 +142,7 @@ function expectReadsBack(character: Character, before: Character | undefined): v
     expectRoundTrip({ kind: 'morph', morph: { ...morph, name: 'x' } });
   }
   for (const clip of clips.filter((part) => isNew(part, before?.clips))) {
-    // A `.bvh` has no keys; an `.anim` has no samples, and no channel that rests without a key.
+    // A `.bvh` has no keys; an `.anim` has no samples, and no resting channel without a key.
     const isCapture = skeleton !== undefined && isBvh(character) && clip.channels.every(({ kind }) => kind !== 'keys');
     if (isCapture && clip.samples) expectRoundTrip({ kind: 'bvh', figures: [{ skeleton, clip }] }, false);
     const isExact =
@@ -151,7 +154,7 @@ function expectReadsBack(character: Character, before: Character | undefined): v
   }
 }
 
-/** Written, read and written: the same bytes, and the same model where the format can hold all of it. */
+/** Written, read and written again: the same bytes, and the same model if the format can hold all of it. */
 function expectRoundTrip(content: FileContent, isExact = true): void {
   const name = `x.${content.kind}`;
   const text = writeFile(content, name)?.text ?? '';

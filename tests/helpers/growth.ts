@@ -1,15 +1,15 @@
-/** How the time of something grows with its size: a ratio of CPU times, the same on a slow or busy machine. */
+/** How CPU time grows with size: a ratio, so the same on slow or busy machines. */
 import { expect } from 'vitest';
 
-/** Four times as much takes four times as long, or sixteen times where it takes the square of it. */
+/** Four times the size takes four times the time, or sixteen times if it is quadratic. */
 const MAX_GROWTH = 8;
-/** Shorter times say more about the clock and the collection of garbage than about what is measured. */
+/** Shorter times measure the clock and garbage collection instead. */
 const MIN_MS = 10;
 const ATTEMPTS = 4;
 
 /**
- * Fails if `run` takes far longer than four times as long for 4 n as for n. Where it seems to, it is tried with twice as
- * much: what the clock and the garbage add is less of it then, and what grows with the square still does.
+ * Fails if `run` takes far more than four times as long for 4 n as for n. It then retries with twice the size: clock
+ * and garbage weigh less, while quadratic growth remains.
  */
 export function expectLinearTime(run: (n: number) => void, n: number, what = 'time of 4 n by that of n'): void {
   let growth = Infinity;
@@ -21,7 +21,7 @@ export function expectLinearTime(run: (n: number) => void, n: number, what = 'ti
   expect(growth, what).toBeLessThan(MAX_GROWTH);
 }
 
-/** Of this process, its other threads included. */
+/** CPU time of this process, including its other threads. */
 function milliseconds(run: (n: number) => void, n: number): number {
   const before = process.cpuUsage();
   run(n);

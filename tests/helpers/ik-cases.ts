@@ -1,4 +1,4 @@
-/** The reference cases of inverse kinematics, and the skeletons that they are about. */
+/** The reference cases of inverse kinematics, with their skeletons. */
 import type { IkPin } from '../../src/evaluate/ik/pins.ts';
 import { readSkel } from '../../src/formats/skel/read.ts';
 import type { Skeleton } from '../../src/model/skeleton.ts';
@@ -10,7 +10,7 @@ export interface IkCases {
   /** Joint, x, y, z. */
   readonly single: Readonly<Record<string, readonly Target[]>>;
   readonly multi: Readonly<Record<string, readonly (readonly Target[])[]>>;
-  /** Joint, x, y, z, and the smallest distance that there can be. */
+  /** Joint, x, y, z, and the smallest possible distance. */
   readonly unreachable: Readonly<Record<string, readonly (readonly [number, number, number, number, number])[]>>;
   readonly drags: readonly IkDrag[];
 }
@@ -22,9 +22,9 @@ export interface IkDrag {
   readonly kind: 'free' | 'pinned' | 'out' | 'straight';
   readonly joint: number;
   readonly pinned: readonly Target[];
-  /** x y z a step. */
+  /** x y z per step. */
   readonly path: readonly number[];
-  /** The smallest distance possible at each step, where the target goes out of reach. */
+  /** The smallest possible distance at each step, if the target gets out of reach. */
   readonly optimum?: readonly number[];
   /** Degrees. */
   readonly start?: readonly number[];
@@ -32,7 +32,7 @@ export interface IkDrag {
 
 export const ikCases = () => conformance<IkCases>('ik-cases.json');
 
-/** One of the files that the cases are about. */
+/** One of the cases' files. */
 export function caseSkeleton({ skeletons }: IkCases, name: string): Skeleton {
   const { file } = skeletons[name];
   const [skeleton] = readSkel(sharedBytes(`data/axis-skel/${file}`), file).value ?? [];
@@ -40,7 +40,7 @@ export function caseSkeleton({ skeletons }: IkCases, name: string): Skeleton {
   return skeleton;
 }
 
-/** The tip of a bone, to be at a place. */
+/** A pin of a bone's tip. */
 export function tipPin({ joints }: Skeleton, [joint, x, y, z]: readonly number[], holds = false): IkPin {
   return { joint, point: [0, joints[joint].length ?? 0, 0], target: [x, y, z], holds };
 }

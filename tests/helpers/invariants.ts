@@ -1,4 +1,4 @@
-/** What holds for every document, whatever was done to it. */
+/** Invariants of every document. */
 import { dofCountOf, poseAt } from '../../src/evaluate/pose.ts';
 import {
   type Channel,
@@ -18,7 +18,7 @@ import type { Selection } from '../../src/model/session.ts';
 import type { Skeleton } from '../../src/model/skeleton.ts';
 import { bindingCount, type Skin, vertexCount } from '../../src/model/skin.ts';
 
-/** As `expect`, but cheap enough to be asked ten thousand times. */
+/** Like `expect`, but fast enough for ten thousand calls. */
 function must(holds: boolean, what: string): void {
   if (!holds) throw new Error(`not so: ${what}`);
 }
@@ -35,7 +35,7 @@ function isIndex(value: number, count: number): boolean {
   return Number.isInteger(value) && value >= 0 && value < count;
 }
 
-/** @throws Error naming the first invariant of `model/` that is broken */
+/** @throws Error naming the first broken invariant of `model/` */
 export function checkDocument({ characters }: Document): void {
   must(new Set(characters.map(({ id }) => id)).size === characters.length, 'characters have ids of their own');
   characters.forEach(checkCharacter);
@@ -155,7 +155,7 @@ function checkClip({ name, range, channels, samples }: ChannelClip): void {
   if (samples) checkSamples(name, samples, channels.length);
 }
 
-/** By itself, apart from its clip's samples. */
+/** A channel without its clip's samples. */
 export function checkChannel(channel: Channel, where = 'the channel'): void {
   const { extrapolateIn, extrapolateOut } = channel;
   const { times, values, tangentsIn, tangentsOut } = keysOf(channel);
@@ -192,7 +192,7 @@ function checkSamples(name: string, samples: Samples, channels: number): void {
   must(firstChannel >= 0 && firstChannel + scales.length <= channels, `columns of ${name} drive channels`);
 }
 
-/** @throws Error where something is selected that is not there */
+/** @throws Error if something selected doesn't exist */
 export function checkSelection({ characters }: Document, { characterId, joint, keys }: Selection): void {
   if (characterId === undefined) return;
   const character = characters.find(({ id }) => id === characterId);

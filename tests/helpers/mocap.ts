@@ -1,4 +1,4 @@
-/** A figure of motion capture, made rather than read: hips, head, two legs; as tall and turned as a test wants it. */
+/** A generated motion capture figure: hips, head, two legs; any height and orientation. */
 import { type ChannelClip, SAMPLED } from '../../src/model/clip.ts';
 import type { Character } from '../../src/model/document.ts';
 import { filePose } from '../../src/model/dofs.ts';
@@ -17,7 +17,7 @@ export interface FigureOptions {
   readonly up?: 'y' | 'z';
   /** Names tell which way is up; without them joints are called a, b, c … */
   readonly named?: boolean;
-  /** Position channels on every joint, not on the root alone. */
+  /** Position channels on every joint, not only on the root. */
   readonly positionsEverywhere?: boolean;
 }
 

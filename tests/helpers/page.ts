@@ -20,39 +20,39 @@ const ROOT = fileURLToPath(new URL('../../', import.meta.url));
 const SUB_PATH = '/some/where/marrow/';
 
 export interface PageOptions {
-  /** After the page's address: `?files=given/a.skel`. */
+  /** Appended to the page's address: `?files=given/a.skel`. */
   readonly query?: string;
-  /** Served beside the page, for `query` to name. */
+  /** Served next to the page, for `query` to name. */
   readonly files?: ExtraFiles;
-  /** CSS pixels; 1280 × 800 unless told. */
+  /** CSS pixels; default 1280 × 800. */
   readonly size?: { readonly width: number; readonly height: number };
   readonly colorScheme?: 'light' | 'dark';
-  /** Opens with the character that the page opens with, which walks, instead of a post that stands still. */
+  /** Opens with the page's own example, a walker, instead of a static post. */
   readonly walking?: boolean;
   readonly touch?: boolean;
-  /** Goes on as soon as the page is there, and does not wait for menus and panels. */
+  /** Continues as soon as the page is loaded, without waiting for menus and panels. */
   readonly early?: boolean;
-  /** Runs in the page before any of its own script. */
+  /** Runs in the page before any of its own scripts. */
   readonly before?: () => void;
   /** Another folder than `dist/`. */
   readonly folder?: string;
-  /** Problems that this test means to cause; all others fail it. */
+  /** Problems that this test causes intentionally; all others fail it. */
   readonly expected?: RegExp;
 }
 
 export interface OpenPage {
   readonly page: Page;
-  /** The page's address without its query; ends in `/`. */
+  /** The page's address without its query; ends with `/`. */
   readonly url: string;
   /** Console errors, uncaught errors, failed and foreign requests so far. */
   readonly problems: readonly string[];
-  /** Another tab of the same browser profile, at the same address; its complaints are this test's too. */
+  /** Another tab of the same browser profile, at the same address; its problems count too. */
   openAnother(query?: string): Promise<Page>;
 }
 
 /**
- * A page that draws only when something happens: one that plays costs a second of the processor's time a second, and
- * the first pictures of a skinned character four more.
+ * A page that draws only on changes: playback costs a second of CPU time per second, and the first frames of a skinned
+ * character four more.
  */
 const STILL: ExtraFiles = {
   'samples/samples.json': JSON.stringify([{ id: 'post', label: 'Post', description: '', files: ['post.skel'] }]),
@@ -62,7 +62,7 @@ const STILL: ExtraFiles = {
 let browser: Promise<Browser> | undefined;
 const servers = new Map<string, Promise<StaticServer>>();
 
-/** Opens the page, runs `body`, and fails if the page complained of anything that was not expected. */
+/** Opens the page, runs `body`, and fails on any unexpected problem. */
 export async function withPage(body: (open: OpenPage) => Promise<void>, options: PageOptions = {}): Promise<void> {
   const folder = options.folder ?? join(ROOT, 'dist');
   if (!existsSync(join(folder, 'index.html'))) throw new Error(`${folder} holds no built page: "npm run build" first.`);
@@ -75,7 +75,7 @@ export async function withPage(body: (open: OpenPage) => Promise<void>, options:
   const context = await (await browser).newContext({
     viewport: options.size ?? { width: 1280, height: 800 },
     colorScheme: options.colorScheme ?? 'light',
-    // The camera is at once where it goes.
+    // Camera moves are then immediate.
     reducedMotion: 'reduce',
     hasTouch: options.touch ?? false,
   });
@@ -86,7 +86,7 @@ export async function withPage(body: (open: OpenPage) => Promise<void>, options:
       collectProblems(another, server.url, problems);
       if (options.before) await another.addInitScript(options.before);
       await another.goto(server.url + query);
-      // Where the page can't draw, there is neither frame nor page.
+      // If the page can't draw, it has neither.
       if (!options.early) await another.waitForFunction(() => !document.querySelector('#app.frame'));
       return another;
     };
@@ -99,7 +99,7 @@ export async function withPage(body: (open: OpenPage) => Promise<void>, options:
   }
 }
 
-/** "The only thing ever requested is what the address names": a request to anywhere else is a problem too. */
+/** "The only thing ever requested is what the address names": any other request is a problem. */
 function collectProblems(page: Page, home: string, problems: string[]): void {
   page.on('console', (message) => {
     if (message.type() === 'error') problems.push(`console: ${message.text()} (${message.location().url})`);
@@ -126,8 +126,8 @@ export interface DroppedFile {
 }
 
 /**
- * Drops files that exist only in the test. Bytes travel as text, so keep them under some 20 MB; a larger file is
- * better put on disk and dropped with `dropPaths`.
+ * Drops files that exist only in the test. Bytes are passed as text, so keep them under some 20 MB; write larger files
+ * to disk and use `dropPaths`.
  */
 export async function dropFiles(page: Page, files: readonly DroppedFile[], target = 'body'): Promise<void> {
   const encoded = files.map(({ name, bytes }) => ({ name, base64: Buffer.from(bytes).toString('base64') }));
@@ -157,7 +157,7 @@ export async function dropPaths(page: Page, paths: readonly string[], x = 640, y
   await session.detach();
 }
 
-/** Keeps a picture of the page to look at, in MARROW_SCREENSHOTS or node_modules/.cache/screenshots. */
+/** Saves a screenshot, in MARROW_SCREENSHOTS or node_modules/.cache/screenshots. */
 export async function screenshot(page: Page, name: string): Promise<string> {
   const folder = process.env.MARROW_SCREENSHOTS ?? join(ROOT, 'node_modules', '.cache', 'screenshots');
   mkdirSync(folder, { recursive: true });
@@ -173,7 +173,7 @@ export interface Pixels {
   readonly data: Uint8Array;
 }
 
-/** What the page shows, panels included, as pixels. @param clip CSS pixels; the whole viewport unless told */
+/** Pixels of the page, including panels. @param clip CSS pixels; default: the whole viewport */
 export async function readPixels(
   page: Page,
   clip?: { x: number; y: number; width: number; height: number },

@@ -1,4 +1,4 @@
-/** Models read from the reference files; a file that does not load fails the test with what was said about it. */
+/** Models read from the reference files; a file with errors fails the test with its diagnostics. */
 import { readAnim } from '../../src/formats/anim/read.ts';
 import { readMorph } from '../../src/formats/morph/read.ts';
 import { readSkel } from '../../src/formats/skel/read.ts';

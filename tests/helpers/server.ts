@@ -1,18 +1,18 @@
 /**
- * A static host as plain as they come: the files of a folder under a sub-path, 404 for everything else. Vite's own
- * preview answers unknown addresses with the page, which would hide a wrong address from the tests.
+ * A plain static host: the files of a folder under a sub-path, 404 for everything else. Vite's own preview answers
+ * unknown addresses with the page, which would hide wrong addresses.
  */
 import { createReadStream, statSync } from 'node:fs';
 import { createServer } from 'node:http';
 import { extname, join, normalize, sep } from 'node:path';
 
-/** Files served beside the folder's, by their path below the sub-path: `given/a.skel`. */
+/** Files served in addition to the folder's, by their path below the sub-path: `given/a.skel`. */
 export type ExtraFiles = Readonly<Record<string, Uint8Array | string>>;
 
 export interface StaticServer {
-  /** With the sub-path, ending in `/`. */
+  /** Including the sub-path, ending with `/`. */
   readonly url: string;
-  /** Replaces the extra files: what a test's `?files=` names. Of two with one path, the first is served. */
+  /** Replaces the extra files, for a test's `?files=`. If two have the same path, the first is served. */
   serve(...extra: readonly ExtraFiles[]): void;
   close(): Promise<void>;
 }

@@ -46,7 +46,7 @@ describe('the folder of samples', () => {
   });
 
   it('lists every file of every sample, the walker first', () => {
-    // The list is JSON that the code itself wrote.
+    // JSON written by the code itself.
     const entries = JSON.parse(String(folder.get('samples.json'))) as SampleListing[];
     expect(entries.map((e) => e.id)).toEqual(['walker', 'crawler', 'joints', 'tangents', 'cube']);
     const listed = entries.flatMap((e) => e.files);

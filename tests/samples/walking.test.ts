@@ -1,4 +1,4 @@
-/** What a believable walk is, measured from the written curves and the evaluator's matrices. */
+/** Measures what makes a walk believable, from the written curves and the evaluator's matrices. */
 import { describe, expect, it } from 'vitest';
 import { compileClip } from '../../src/evaluate/compiled-clip.ts';
 import { evaluateClip } from '../../src/evaluate/curves.ts';
@@ -25,7 +25,7 @@ function find(id: string): Sample {
   return sample;
 }
 
-/** Poses a sample as playing does: curves, limits, matrices. */
+/** Poses an example as in playback: curves, limits, matrices. */
 function player({ skeleton, clip, morphs }: Sample) {
   const compiled = compileSkeleton(skeleton);
   const curves = compileClip(clip);
@@ -56,7 +56,7 @@ const heightOf = ({ skin }: Sample) => {
 
 const level = (a: Vec3, b: Vec3) => Math.hypot(a[0] - b[0], a[2] - b[2]);
 
-/** Farthest that a point gets, on the level, from where it is at the first of these times. */
+/** The largest horizontal distance of a point from its position at the first of these times. */
 function slip(times: readonly number[], at: (seconds: number) => Vec3): number {
   const start = at(times[0]);
   return times.reduce((worst, t) => Math.max(worst, level(at(t), start)), 0);
@@ -117,7 +117,7 @@ describe('the walker', () => {
       const at = (phase: number) => (k + lag + phase) * stride;
       expect(slip(between(at(0), at(HEEL_LIFTS)), heel)).toBeLessThan(0.0025 * height);
       expect(slip(between(at(FLAT_FROM), at(TOE_LEAVES)), ball)).toBeLessThan(0.0025 * height);
-      // Both stand on the ground meanwhile.
+      // Both are on the ground meanwhile.
       for (const t of between(at(0), at(HEEL_LIFTS))) expect(Math.abs(heel(t)[1])).toBeLessThan(0.001 * height);
       for (const t of between(at(FLAT_FROM), at(TOE_LEAVES))) expect(Math.abs(ball(t)[1])).toBeLessThan(0.001 * height);
     }
@@ -136,7 +136,7 @@ describe('the walker', () => {
       const now = near.map(place);
       now.forEach((p, i) => {
         expect(p[1]).toBeGreaterThan(-0.0015 * height);
-        // Nearer to the ground than half a percent of the height in two frames running: it stands.
+        // Below half a percent of the height in two successive frames: it is planted.
         const low = 0.005 * height;
         if (before && p[1] < low && before[i][1] < low) expect(level(p, before[i])).toBeLessThan(0.001 * height);
       });
@@ -164,7 +164,7 @@ describe('the walker', () => {
         last = play.dofs[knee];
       }
     }
-    // 20 rad/s: a third of what a sprinter's knee does.
+    // 20 rad/s: a third of a sprinter's knee.
     expect(rates.reduce((a, b) => Math.max(a, b))).toBeLessThan(20);
   });
 
@@ -236,7 +236,7 @@ describe.each([walker, crawler].map((s) => [s.id, s] as const))('%s, played in a
   });
 });
 
-/** Where a vertex is: Σ w · W · B⁻¹ · v, written out for bindings that are rotations. */
+/** Position of a vertex: Σ w · W · B⁻¹ · v, written out for bindings that are rotations. */
 function skinner(skin: Skin, rest: ReturnType<typeof posedFrames>, world: Float64Array) {
   const { start, joints, weights } = skin.attachments ?? { start: [], joints: [], weights: [] };
   return (v: number): Vec3 => {

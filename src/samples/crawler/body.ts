@@ -60,7 +60,7 @@ const shellSections = [
 const shell: Shape = {
   name: 'shell',
   point: loft(shellSections),
-  // Closer together at the shell's rim.
+  // Denser at the shell's rim.
   angles: [-1, -0.82, -0.68, -0.56, -0.4, -0.25, -0.12, 0, 0.12, 0.25, 0.4, 0.56, 0.68, 0.82].map((a) => a * Math.PI),
   rows: rowsOf(shellSections),
   startPole: true,
@@ -83,7 +83,7 @@ const head: Shape = {
   weights: (p) => chainWeights(p[2], joint('body'), [{ joint: joint('head'), from: 0.28, soft: 0.05 }]),
 };
 
-/** A tube along the leg's three bones as they are bound, thick at the knee and pointed at the foot. */
+/** A tube along the leg's three bones in the binding pose, thick at the knee and pointed at the foot. */
 function legShape({ name, side }: LegPlan): Shape {
   const coxa = frames[joint(`coxa_${name}`)];
   const femur = frames[joint(`femur_${name}`)];

@@ -1,4 +1,4 @@
-/** The crawler, whole. */
+/** The crawler example. */
 import { roundSeconds } from '../motion/circle.ts';
 import { gaitChannels } from '../motion/walk.ts';
 import { encodePng } from '../paint/png.ts';
@@ -31,7 +31,7 @@ export function crawlerSample(): Sample {
         care: (joint) => {
           const leg = LEGS.find((l) => joint.endsWith(`_${l.name}`));
           if (leg) return { tolerance: 0.005, corners: [...cornersOf(leg), ...cornersOf(leg).map((x) => x + 1)] };
-          // The body carries the legs.
+          // The body carries the legs, so it needs a closer fit.
           return { tolerance: joint === 'body' ? 0.003 : 0.015 };
         },
       }),

@@ -1,6 +1,6 @@
 /**
- * The crawler's tripod gait by phase of a stride: three feet stand while three step. Feet are placed first; coxa, femur
- * and tibia follow:
+ * The crawler's tripod gait by phase of a stride: three feet are planted while three step. Feet are placed first; coxa,
+ * femur and tibia follow by IK:
  *
  *     coxa turns toward the foot about y; in the plane through it, femur and tibia are the two sides of a triangle
  */
@@ -13,16 +13,16 @@ import { BODY_HEIGHT, COXA, FEMUR, LEGS, type LegPlan, TIBIA } from './skeleton.
 
 export const CRAWL_CIRCLE: Circle = { radius: 1, strides: 12, strideSeconds: 0.6 };
 
-/** From 0 to here a foot stands. */
+/** Phase at which a foot lifts off; it is planted before. */
 export const LIFTS = 0.56;
 const MID_STANCE = LIFTS / 2;
-/** From the coxa's pivot to the foot, level. */
+/** Horizontal distance from the coxa's pivot to the foot. */
 const SPREAD = 0.46;
 const STEP_HEIGHT = 0.13;
 const TAU = 2 * Math.PI;
 const wave = (phase: number, lag = 0): number => Math.sin(TAU * (phase - lag));
 
-/** The foot of a leg at its own phase x, in path space. */
+/** Position of a leg's foot at its own phase x, in path space. */
 function footAt(leg: LegPlan, x: number): Vec3 {
   const out = apply(rotationY(-leg.side * leg.azimuth), [leg.side * SPREAD, 0, 0]);
   const rest: Vec3 = [-CRAWL_CIRCLE.radius + leg.hip[0] + out[0], 0, leg.hip[2] + out[2]];
@@ -64,7 +64,7 @@ export function crawlPose(anyPhase: number): WalkPose {
   return { root, angles };
 }
 
-/** Phases (of the stride, in 0 … 1) at which a leg's motion has a corner: its foot lands or leaves. */
+/** Phases of the stride (0 … 1) at which a leg's motion has a corner: its foot lands or lifts. */
 export function cornersOf(leg: LegPlan): number[] {
   return [leg.lag, leg.lag + LIFTS].map((x) => x % 1);
 }

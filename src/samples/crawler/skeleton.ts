@@ -13,14 +13,14 @@ export const COXA = 0.09;
 export const FEMUR = 0.25;
 export const TIBIA = 0.43;
 
-/** One leg: where it leaves the body (in the body's space), which way it points, and when it steps. */
+/** One leg: its attachment in the body's space, its direction, and when it steps. */
 export interface LegPlan {
   readonly name: string;
   readonly side: 1 | -1;
   readonly hip: Vec3;
   /** Radians forward of straight out. */
   readonly azimuth: number;
-  /** Lag in a stride. Alternate legs step together, the front a little before the back. */
+  /** Lag in a stride. Alternate legs step together, the front slightly before the back. */
   readonly lag: number;
 }
 

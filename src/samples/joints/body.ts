@@ -1,4 +1,4 @@
-/** What the exhibits look like: steps, plinths and rods that stand still, and a piece on each joint that moves with it. */
+/** The exhibits' mesh: static steps, plinths and rods, and a moving piece on each joint. */
 
 import { add, cross, scaled, subtract, type Vec3 } from '../../math/vec3.ts';
 import { Atlas, blend, type Colour, colour } from '../paint/atlas.ts';
@@ -10,7 +10,7 @@ const ATLAS_SIZE = 128;
 const TILE = 28;
 /** By columns and rows of tiles. */
 const tile = (column: number, row: number): Rect => [2 + 32 * column, 2 + 32 * row, TILE, TILE];
-/** Sides and the front of what moves, by family. */
+/** Side and front tiles of moving pieces, by family. */
 const FACES: Readonly<Record<Family, { readonly side: Rect; readonly front: Rect; readonly colour: Colour }>> = {
   turn: { side: tile(0, 0), front: tile(1, 0), colour: colour('#5b7fd6') },
   slide: { side: tile(2, 0), front: tile(3, 0), colour: colour('#2f9d8f') },
@@ -26,7 +26,7 @@ const STEEL = colour('#c3cad6');
 const LIGHT = colour('#fff6e3');
 const DARK = colour('#1d2433');
 
-/** @param world where the joints are at rest: turned nowhere */
+/** @param world joints at rest, without rotation */
 export function buildJointsMesh(world: Float64Array): MeshBuilder {
   const mesh = new MeshBuilder(ATLAS_SIZE);
   const still: Weights = new Map([[0, 1]]);
@@ -70,7 +70,7 @@ function addPiece(mesh: MeshBuilder, piece: Piece, pivot: Vec3, family: Family, 
 }
 
 const HALF_THICK = 0.06;
-/** A disc: its front is a patch bent round, so that its mark turns with it. */
+/** A disc: its front is a patch bent round, so that its mark rotates with it. */
 function addWheel(mesh: MeshBuilder, radius: number, at: Vec3, side: Rect, front: Rect, weights: Weights): void {
   for (const z of [HALF_THICK, -HALF_THICK]) {
     mesh.addPatch({
@@ -97,7 +97,7 @@ function addWheel(mesh: MeshBuilder, radius: number, at: Vec3, side: Rect, front
   });
 }
 
-/** Six faces, each flat: right × up of each is its outside. */
+/** Six flat faces: right × up of each points outwards. */
 function addBlock(mesh: MeshBuilder, at: Vec3, half: Vec3, side: Rect, front: Rect, weights: Weights): void {
   const [x, y, z]: Vec3[] = [
     [half[0], 0, 0],
@@ -124,7 +124,7 @@ function addFace(mesh: MeshBuilder, middle: Vec3, right: Vec3, up: Vec3, rect: R
 }
 
 const ROD_RADIUS = 0.03;
-/** Six-sided, open at its ends. */
+/** Six-sided, with open ends. */
 function addRod(mesh: MeshBuilder, from: Vec3, to: Vec3, weights: Weights): void {
   const axis = normalise(subtract(to, from));
   const side = normalise(cross(axis, Math.abs(axis[2]) < 0.9 ? [0, 0, 1] : [1, 0, 0]));
@@ -143,7 +143,7 @@ function addRod(mesh: MeshBuilder, from: Vec3, to: Vec3, weights: Weights): void
   });
 }
 
-/** A face with an edge that catches light, and lines that show how it is stretched. */
+/** A face with a light edge, and lines that show how it is stretched. */
 function face(base: Colour): (u: number, v: number) => Colour {
   const edge = blend(base, LIGHT, 0.55);
   const line = blend(base, DARK, 0.22);

@@ -1,6 +1,6 @@
 /**
- * Every type of joint, one exhibit each, on three steps like seats in a theatre: what turns in front, what slides and
- * mixes behind it, what stretches at the back. Each stands on a plinth of its own and is called what it is.
+ * Every type of joint, one exhibit each, on three steps like seats in a theatre: rotating types in front, sliding and
+ * mixed ones behind, stretching ones at the back. Each has its own plinth and is named after its type.
  *
  *     y ↑      scale_xyz scale_axis scale_volume scale_uniform shear
  *       │    prismatic screw free fixed compound translational
@@ -11,10 +11,10 @@ import type { Couple, Motion } from '../../model/skeleton.ts';
 
 export type Family = 'turn' | 'slide' | 'mix' | 'stretch';
 
-/** How far one DOF moves to either side of its rest; or the values that it goes through, at parts of its time. */
+/** How far one DOF moves to either side of its rest; or its values at given parts of its time. */
 export type Sway = number | readonly (readonly [part: number, value: number])[];
 
-/** What moves with a joint, in its space. */
+/** The piece that moves with a joint, in its space. */
 export type Piece =
   | { readonly kind: 'block'; readonly centre: Vec3; readonly half: Vec3 }
   | { readonly kind: 'ball'; readonly centre: Vec3; readonly radius: number }
@@ -25,20 +25,20 @@ export interface Exhibit {
   readonly name: string;
   readonly family: Family;
   readonly motion: Motion;
-  /** Of the pivot, above the middle of the plinth; of the parent's pivot where it has one. */
+  /** Position of the pivot above the middle of the plinth; for a child, relative to the parent's pivot. */
   readonly at: Vec3;
   readonly piece: Piece;
-  /** One for each DOF, moved one after the other. */
+  /** One per DOF, played one after the other. */
   readonly sways: readonly Sway[];
-  /** Limits of each DOF to both sides of its rest; none where absent. */
+  /** Limits of each DOF to both sides of its rest; absent: none. */
   readonly reach?: number;
   readonly length?: number;
   readonly couples?: readonly Omit<Couple, 'joint'>[];
-  /** Rods that stand still: from and to, above the middle of the plinth. */
+  /** Static rods: from and to, above the middle of the plinth. */
   readonly rods?: readonly (readonly [Vec3, Vec3])[];
-  /** Hangs on the exhibit before it, on the same plinth. */
+  /** A child of the previous exhibit, on the same plinth. */
   readonly isChild?: boolean;
-  /** Stands beside the one before it, on the same plinth. */
+  /** Beside the previous exhibit, on the same plinth. */
   readonly isBeside?: boolean;
 }
 
@@ -48,7 +48,7 @@ const post: readonly (readonly [Vec3, Vec3])[] = [[[0, 0, 0], POST]];
 const SKEW: Vec3 = [1, 1, 0.5];
 const SLOPE: Vec3 = [0.8, 0.6, 0];
 const UP: Vec3 = [0, 1, 0];
-/** Of the axis that a scale goes along: up and to the right. */
+/** Axis of an axis scale: up and to the right. */
 const LEAN: Vec3 = [0.6, 0.8, 0];
 
 const TURNS: readonly Exhibit[] = [
@@ -93,7 +93,7 @@ const TURNS: readonly Exhibit[] = [
     motion: { kind: 'quaternion' },
     at: POST,
     piece: block([0.2, 0.28, 0.2]),
-    // The real part turns nothing alone: z leads, and follows back.
+    // The real component alone rotates nothing: z leads, and follows back.
     sways: [
       0.35,
       0.35,
@@ -299,24 +299,24 @@ const STRETCHES: readonly Exhibit[] = [
   },
 ];
 
-/** From the front to the back. In a row, what has a long name stands where it hides no other from where one looks first. */
+/** Front to back. Within a row, long names are placed so that they hide none in the initial view. */
 export const ROWS: readonly (readonly Exhibit[])[] = [TURNS, SLIDES, STRETCHES];
 
-/** Of the steps; from one to the next, and how high each is above the one before it. */
+/** Width of the steps, and each one's depth and rise. */
 export const WIDTH = 8.1;
 export const STEP_DEPTH = 1.25;
 export const STEP_HEIGHT = 0.85;
 /** Half the plinth's width, and its height. */
 export const PLINTH = { half: 0.42, height: 0.12 };
 
-/** An exhibit in its place. */
+/** An exhibit with its position. */
 export interface Placed {
   readonly exhibit: Exhibit;
   /** The middle of its plinth, on top. */
   readonly plinth: Vec3;
 }
 
-/** In the order of joints, without the root. */
+/** In joint order, without the root. */
 export const PLACED: readonly Placed[] = ROWS.flatMap((row, r) => {
   const own = row.filter((e) => !e.isChild && !e.isBeside).length;
   let slot = -1;

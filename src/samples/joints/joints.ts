@@ -11,9 +11,9 @@ import { boxAbout } from '../shape/skeletons.ts';
 import { buildJointsMesh, paintJoints } from './body.ts';
 import { type Exhibit, PLACED, type Sway } from './exhibits.ts';
 
-/** In which all of it comes round. */
+/** Duration of the whole cycle. */
 const SECONDS = 6;
-/** The root, before the lowest step: its name is what all of it is called. */
+/** The root, in front of the lowest step: its name labels the whole example. */
 const FRONT = [0, 0, 0.85] as const;
 
 export function jointsSample(): Sample {

@@ -1,13 +1,13 @@
 /**
- * An arm for explaining tangents and extrapolation: every joint moves in one channel, which has keys from 0 to 2 seconds
- * and one kind of extrapolation, while the range runs from −2 to 6. Each joint has a colour of its own.
+ * An arm for explaining tangents and extrapolation: every joint moves in one channel, which has keys from 0 to 2
+ * seconds and one kind of extrapolation, while the range runs from −2 to 6. Each joint has a colour of its own.
  *
  *     joint                   channel   tangents              before 0 and after 2 seconds
- *     turntable_linear        ry        linear                goes on at the same speed
- *     shoulder_constant       rz        flat                  stands still
+ *     turntable_linear        ry        linear                continues at the same speed
+ *     shoulder_constant       rz        flat                  holds its value
  *     elbow_cycle             rz        smooth                starts again
- *     wrist_bounce            rz        numbers (slopes)      goes back the way it came
- *     hand_cycle_offset       ry        flat, then linear     starts again from where it got to
+ *     wrist_bounce            rz        numbers (slopes)      plays back and forth
+ *     hand_cycle_offset       ry        flat, then linear     starts again from the last value
  */
 import type { Vec3 } from '../../math/vec3.ts';
 import type { Channel } from '../../model/clip.ts';
@@ -47,7 +47,7 @@ const SKELETON = buildSkeleton('tangents', [
   },
 ]);
 
-/** By joint: which of rx ry rz moves, and how. */
+/** By joint: which of rx ry rz is animated, and how. */
 const MOVES: readonly { readonly axis: number; readonly channel: Channel }[] = [
   {
     axis: 1,
@@ -147,7 +147,7 @@ export function tangentsSample(): Sample {
     const y = point(Math.PI * u, v)[1];
     if (BENDS.some((bend) => Math.abs(y - bend) < 0.014)) return EDGE;
     const at = COLOURS[BENDS.filter((bend) => y > bend).length];
-    // The hand's front differs from its back, so that its turning shows.
+    // The hand's front differs from its back, so that its rotation is visible.
     return y > BENDS[3] && u < 0.5 ? blend(at, EDGE, 0.55) : at;
   });
   return {

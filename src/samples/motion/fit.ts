@@ -1,9 +1,9 @@
 /**
- * From a motion as a function of time to a channel of few keys: cubic Hermite segments with the function's own slopes,
- * halved (on a grid of frames) until each lies within a tolerance of the function.
+ * Fits a channel with few keys to a function of time: cubic Hermite segments with the function's slopes, halved (on a
+ * grid of frames) until each is within tolerance.
  *
- * Slopes are written as numbers. `smooth` would be shorter to read, but at the ends of a channel it takes one segment's
- * slope, and a cycle would show a corner there once a period.
+ * Slopes are written as numbers. `smooth` would be shorter to read, but at the ends of a channel it uses one segment's
+ * slope, and a cycle would have a corner there.
  */
 import { type Channel, type Extrapolation, FIXED_TANGENT, type Tangents } from '../../model/clip.ts';
 import { round } from '../shape/vectors.ts';
@@ -11,18 +11,18 @@ import { round } from '../shape/vectors.ts';
 export interface FitOptions {
   readonly from: number;
   readonly to: number;
-  /** Keys stand on multiples of this from `from`. Seconds. */
+  /** Key times are multiples of this, counted from `from`. Seconds. */
   readonly frame: number;
   /** In the channel's own unit. */
   readonly tolerance: number;
   readonly extrapolation: Extrapolation;
-  /** Times (on the grid) where the motion has a corner, such as a heel that strikes: tangents differ there. */
+  /** Times (on the grid) at which the motion has a corner, such as a heel strike: tangents are broken there. */
   readonly corners?: readonly number[];
 }
 
 const VALUE_DECIMALS = 4;
 const SLOPE_DECIMALS = 2;
-/** Step of the one-sided differences. */
+/** Step of one-sided differences. */
 const STEP = 1e-5;
 
 interface Key {

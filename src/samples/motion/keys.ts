@@ -1,4 +1,4 @@
-/** Channels keyed by hand, as a lesson writes them down. */
+/** Channels keyed by hand, for the lessons. */
 import {
   type Channel,
   type Extrapolation,
@@ -13,7 +13,7 @@ export type SampleTangent = Exclude<TangentKind, 'fixed'> | number;
 /** Time in seconds, value, tangent in, tangent out. */
 export type KeyRow = readonly [time: number, value: number, tangentIn: SampleTangent, tangentOut: SampleTangent];
 
-/** The same extrapolation to both sides. */
+/** Channel with the same extrapolation on both sides. */
 export function keyed(extrapolation: Extrapolation, rows: readonly KeyRow[]): Channel {
   const column = (side: 2 | 3): Tangents => {
     const kindOf = (t: SampleTangent) => (typeof t === 'number' ? FIXED_TANGENT : TANGENT_KINDS.indexOf(t));
@@ -33,5 +33,5 @@ export function keyed(extrapolation: Extrapolation, rows: readonly KeyRow[]): Ch
   };
 }
 
-/** One value for all time. */
+/** A constant. */
 export const held = (value: number): Channel => keyed('constant', [[0, value, 'flat', 'flat']]);

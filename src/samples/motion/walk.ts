@@ -1,6 +1,6 @@
 /**
- * From a gait (a pose for each phase of a stride, in path space) to channels: the root's for a whole round of the
- * circle, the joints' for one stride and cycled.
+ * Converts a gait (a pose for each phase of a stride, in path space) to channels: the root's for a whole circle, the
+ * joints' for one stride, cycled.
  */
 import type { Vec3 } from '../../math/vec3.ts';
 import type { Channel } from '../../model/clip.ts';
@@ -11,7 +11,7 @@ import { fitChannel } from './fit.ts';
 export interface WalkPose {
   /** The root joint in path space. */
   readonly root: Vec3;
-  /** rx ry rz by joint name; what is not named is 0. */
+  /** rx ry rz by joint name; 0 if missing. */
   readonly angles: ReadonlyMap<string, Vec3>;
 }
 
@@ -19,16 +19,16 @@ export interface Walk {
   readonly skeleton: Skeleton;
   readonly circle: Circle;
   readonly poseAt: (phase: number) => WalkPose;
-  /** Seconds between possible keys; a stride and every corner are multiples of it. */
+  /** Seconds between possible keys; strides and corners are multiples of it. */
   readonly frame: number;
-  /** Radians that a joint's curve may be off, and phases of the stride at which its motion has corners. */
+  /** Tolerance in radians of a joint's curve, and phases of the stride at which its motion has corners. */
   readonly care: (joint: string) => { readonly tolerance: number; readonly corners?: readonly number[] };
 }
 
 /** Units: a tenth of a percent of a character about as high as its circle's radius. */
 const ROOT_TOLERANCE = 0.001;
 
-/** Channels of the root's translation and all joints, in the order of a clip. Joint 0 turns with the circle. */
+/** Channels of the root translation and all joints, in clip order. Joint 0 turns with the circle. */
 export function gaitChannels({ skeleton, circle, poseAt, frame, care }: Walk): Channel[] {
   const stride = circle.strideSeconds;
   const round = roundSeconds(circle);

@@ -1,7 +1,7 @@
 /**
- * A texture painted by code: every part of a mesh owns a rectangle of the atlas, and a function that says which colour
- * is at a place of its surface. Texels are sampled nine times, so hard edges come out smooth; each rectangle is painted
- * a few texels past its edge, so that smaller mip levels don't take colour from the neighbour.
+ * A procedurally painted texture: every part of a mesh has a rectangle of the atlas, and a function for the colour at a
+ * point of its surface. Texels are supersampled (nine times); each rectangle is painted a few texels past its edge, so
+ * that smaller mip levels don't bleed.
  */
 import type { Rect } from '../shape/mesh.ts';
 

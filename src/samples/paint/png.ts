@@ -1,5 +1,5 @@
 /**
- * A PNG with a palette, the smallest way to ship a flat-coloured texture that every browser reads.
+ * A PNG with a palette, the smallest format for a flat-coloured texture that every browser reads.
  *
  *     signature  IHDR (size, 8 bits, colour type 3)  PLTE  IDAT (zlib of rows, each led by filter 0)  IEND
  *
@@ -8,7 +8,7 @@
  */
 import { zlibSync } from 'fflate';
 
-/** `pixels`: RGB, rows from the top. More than 256 colours are brought down to the 256 that serve most texels. */
+/** `pixels`: RGB, rows from the top. More than 256 colours are reduced to the 256 most frequent. */
 export function encodePng(pixels: Uint8Array, size: number): Uint8Array {
   const { palette, indices } = indexColours(pixels);
   const rows = new Uint8Array(size * (size + 1));
@@ -35,7 +35,7 @@ export function encodePng(pixels: Uint8Array, size: number): Uint8Array {
   return out;
 }
 
-/** Colours are first rounded to 32 levels a channel, which nobody sees and which halves the file. */
+/** Colours are first rounded to 32 levels per channel, which isn't visible and halves the file. */
 function indexColours(pixels: Uint8Array): { palette: number[]; indices: Uint8Array } {
   const keyAt = (i: number) => (pixels[i] >> 3) * 1024 + (pixels[i + 1] >> 3) * 32 + (pixels[i + 2] >> 3);
   const counts = new Map<number, number>();

@@ -1,31 +1,30 @@
 /**
- * A character's surface, put together from parts. A part is a closed tube around some axis:
+ * A character's surface, assembled from parts. A part is a closed tube around some axis:
  *
  *     point(angle, v)      angle −π … π about the axis, 0 at the front;  v 0 … 1 along it
  *
  * whose texture is folded down the front and the back, u = |angle| / π: the left half and the right half share texels.
- * So no tube has a seam with doubled vertices, half the texture does, and symmetric things stay symmetric.
+ * So tubes have no seam with duplicate vertices, half the texture suffices, and symmetry is preserved.
  *
- * Parts overlap as garments do (an arm starts inside the coat). Meshing one blended volume instead was the alternative:
- * it hides those edges, but spends vertices evenly where a face needs many and a back few, and leaves texture
- * coordinates to be found afterwards.
+ * Parts overlap like garments (an arm starts inside the coat). Rejected: meshing one blended volume, which hides those
+ * edges, but spends as many vertices on the back as on the face, and has no texture coordinates.
  */
 
 import { add, cross, scaled, subtract, type Vec3 } from '../../math/vec3.ts';
 import type { Attachments, Material, Skin } from '../../model/skin.ts';
 import { normalise, round } from './vectors.ts';
 
-/** Joint indices and weights of one vertex; any sum, made 1 later. */
+/** Joint indices and weights of one vertex; normalised later. */
 export type Weights = ReadonlyMap<number, number>;
 
-/** Texels of a part in the atlas: left, top, width, height. */
+/** A part's rectangle in the atlas, in texels: left, top, width, height. */
 export type Rect = readonly [number, number, number, number];
 
 export interface MeshPart {
   readonly point: (angle: number, v: number) => Vec3;
-  /** Radians, ascending, symmetric; the part's vertices stand at these. */
+  /** Radians, ascending, symmetric; the angles of the part's vertices. */
   readonly angles: readonly number[];
-  /** Ascending; the rows of vertices. A first or last row that is a pole is one vertex. */
+  /** Ascending; the rows of vertices. A pole in the first or last row is one vertex. */
   readonly rows: readonly number[];
   readonly startPole: boolean;
   readonly endPole: boolean;
@@ -33,7 +32,7 @@ export interface MeshPart {
   readonly weights: (p: Vec3, v: number) => Weights;
 }
 
-/** A flat grid of vertices laid on something: eyes, a mouth. */
+/** A flat grid of vertices placed on something: eyes, a mouth. */
 export interface Patch {
   readonly columns: number;
   readonly rows: number;
@@ -43,7 +42,7 @@ export interface Patch {
   readonly weights: (p: Vec3, v: number) => Weights;
 }
 
-/** First vertex and one past the last: what a morph of that part looks at. */
+/** First vertex and one past the last, for morphs of that part. */
 export interface Span {
   readonly from: number;
   readonly to: number;
@@ -121,7 +120,7 @@ export class MeshBuilder {
 
   /**
    * The skin, rounded for the file: positions and texture coordinates to 3 decimals, normals to 2, weights to 2 with a
-   * sum of exactly 1. `bindings` are world matrices at the moment of binding.
+   * sum of exactly 1. `bindings` are world matrices in the binding pose.
    */
   skin(name: string, bindings: Float64Array, material?: Material): Skin {
     const positions = this.positions.map((p) => roundVec(p, 3));
@@ -146,10 +145,10 @@ export const roundVec = (p: Vec3, decimals: number): [number, number, number] =>
   round(p[2], decimals),
 ];
 
-/** Less is left out: it moves nothing that anyone sees, and takes its place in the file. */
+/** Smaller weights are left out: they have no visible effect, but take room in the file. */
 const MIN_WEIGHT = 0.03;
 
-/** At most 4 a vertex, in hundredths that sum to 100; what rounding leaves goes to the largest. */
+/** At most 4 per vertex, in hundredths that sum to 100; the rounding error is added to the largest. */
 function packWeights(all: readonly Weights[]): Attachments {
   const start = [0];
   const joints: number[] = [];
@@ -171,16 +170,16 @@ function packWeights(all: readonly Weights[]): Attachments {
   return { start: Uint32Array.from(start), joints: Uint32Array.from(joints), weights: Float64Array.from(weights) };
 }
 
-/** One cross-section of a loft: an ellipse about `at`, `side` and `front` being its half axes as vectors. */
+/** One cross-section of a loft: an ellipse about `at` with half axes `side` and `front`. */
 export interface Section {
   readonly at: Vec3;
   readonly side: Vec3;
   readonly front: Vec3;
-  /** 2 is an ellipse, more a rounded rectangle. */
+  /** 2 is an ellipse, larger values a rounded rectangle. */
   readonly squareness?: number;
 }
 
-/** A tube through sections, equally far apart in v, Catmull-Rom between them. */
+/** A tube through sections, evenly spaced in v, Catmull-Rom between them. */
 export function loft(sections: readonly Section[]): (angle: number, v: number) => Vec3 {
   const last = sections.length - 1;
   return (angle, v) => {
@@ -215,7 +214,7 @@ function catmullRom(t: number): readonly number[] {
   return [(-t3 + 2 * t2 - t) / 2, (3 * t3 - 5 * t2 + 2) / 2, (-3 * t3 + 4 * t2 + t) / 2, (t3 - t2) / 2];
 }
 
-/** `count` angles from −π, equally far apart; `crowding` > 0 brings them closer together at the front. */
+/** `count` angles from −π, evenly spaced; `crowding` > 0 makes them denser at the front. */
 export function around(count: number, crowding = 0): number[] {
   return Array.from({ length: count }, (_, i) => {
     const a = -Math.PI + (2 * Math.PI * i) / count;

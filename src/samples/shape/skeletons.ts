@@ -1,10 +1,10 @@
-/** Building skeletons by name: parents are named rather than numbered, and joints are put in depth-first order. */
+/** Builds skeletons by name: parents are names rather than indices, and joints are sorted depth-first. */
 
 import { add, type Vec3 } from '../../math/vec3.ts';
 import { type Box, DEFAULT_MOTION, type Limit, type Skeleton, UNLIMITED } from '../../model/skeleton.ts';
 import { apply, ballRotation, type Mat3, rotate } from './vectors.ts';
 
-/** A ball joint as a sample describes it. */
+/** A ball joint of an example. */
 export interface BallJointPlan {
   readonly name: string;
   /** Name of the parent; absent for the root, which comes first. */
@@ -12,11 +12,11 @@ export interface BallJointPlan {
   readonly offset: Vec3;
   readonly box: Box;
   readonly pose?: Vec3;
-  /** Limits of rx, ry, rz in radians, where it has any. */
+  /** Limits of rx, ry, rz in radians, if any. */
   readonly limits?: readonly (readonly [number, number] | undefined)[];
 }
 
-/** Children come in the order of the list. Throws when a parent is not in it. */
+/** Children are in the order of the list. Throws if a parent is missing. */
 export function buildSkeleton(name: string, plans: readonly BallJointPlan[]): Skeleton {
   const ordered: BallJointPlan[] = [];
   const visit = (plan: BallJointPlan) => {
@@ -42,7 +42,7 @@ export function buildSkeleton(name: string, plans: readonly BallJointPlan[]): Sk
   };
 }
 
-/** Depth-first index of the joint of this name. Throws when there is none. */
+/** Depth-first index of the joint of this name. Throws if there is none. */
 export function jointIndex(skeleton: Skeleton, name: string): number {
   const index = skeleton.joints.findIndex((j) => j.name === name);
   if (index < 0) throw new Error(`no joint is called ${name}`);
@@ -55,7 +55,7 @@ export interface Frame {
   readonly at: Vec3;
 }
 
-/** Frames of all joints in the file's pose, W = W_parent · T(offset) · R(pose). */
+/** Frames of all joints in the file pose, W = W_parent · T(offset) · R(pose). */
 export function posedFrames(skeleton: Skeleton): Frame[] {
   const frames: Frame[] = [];
   for (const joint of skeleton.joints) {
@@ -70,7 +70,7 @@ export function posedFrames(skeleton: Skeleton): Frame[] {
   return frames;
 }
 
-/** Frames as bindings: 16 numbers a joint, column-major. */
+/** Frames as bindings: 16 numbers per joint, column-major. */
 export function bindingMatrices(frames: readonly Frame[]): Float64Array {
   return Float64Array.from(
     frames.flatMap(({ turn: m, at }) => [m[0], m[1], m[2], 0, m[3], m[4], m[5], 0, m[6], m[7], m[8], 0, ...at, 1]),

@@ -1,6 +1,6 @@
 /**
- * Vectors and rotation matrices for building samples: small values that are made and thrown away, which is fine here
- * since this code runs once, on the desk of whoever changes a sample, and never while a character plays.
+ * Vectors and rotation matrices for building examples: allocated freely, since this code runs only when an example is
+ * changed, never while a character plays.
  */
 import { multiply3, turnVector } from '../../math/mat3.ts';
 import { add, scaled, type Vec3 } from '../../math/vec3.ts';
@@ -11,7 +11,7 @@ export type Mat3 = Float64Array;
 export const length = (a: Vec3): number => Math.hypot(a[0], a[1], a[2]);
 export const mixVec = (a: Vec3, b: Vec3, t: number): Vec3 => add(scaled(a, 1 - t), scaled(b, t));
 
-/** Of length 1; a zero vector stays zero. */
+/** Unit length; a zero vector stays zero. */
 export function normalise(a: Vec3): Vec3 {
   return scaled(a, 1 / (length(a) || 1));
 }
@@ -23,7 +23,7 @@ export const rotationY = (a: number): Mat3 =>
 export const rotationZ = (a: number): Mat3 =>
   Float64Array.of(Math.cos(a), Math.sin(a), 0, -Math.sin(a), Math.cos(a), 0, 0, 0, 1);
 
-/** The product of rotations, from left to right as written: the last one is applied first. */
+/** The product of rotations as written: the last one is applied first. */
 export function rotate(...factors: readonly Mat3[]): Mat3 {
   return factors.reduce((a, b) => {
     const out = new Float64Array(9);
@@ -51,7 +51,7 @@ export function ballAngles(m: Mat3): Vec3 {
 /** R = Rz·Ry·Rx. */
 export const ballRotation = (a: Vec3): Mat3 => rotate(rotationZ(a[2]), rotationY(a[1]), rotationX(a[0]));
 
-/** 0 below `from`, 1 above `to`, an S between (either way round). */
+/** 0 below `from`, 1 above `to`, an S-curve between (either way round). */
 export function smoothstep(from: number, to: number, x: number): number {
   const t = Math.max(0, Math.min(1, (x - from) / (to - from)));
   return t * t * (3 - 2 * t);
@@ -59,7 +59,7 @@ export function smoothstep(from: number, to: number, x: number): number {
 
 export const mix = (a: number, b: number, t: number): number => a + (b - a) * t;
 
-/** To so many decimals, without a negative zero. */
+/** Rounded to so many decimals, without a negative zero. */
 export function round(x: number, decimals: number): number {
   return Number(x.toFixed(decimals)) + 0;
 }

@@ -1,15 +1,15 @@
-/** Weights that change smoothly along a limb: what a painter of weights would do with one soft brush. */
+/** Weights that change smoothly along a limb, as if painted with one soft brush. */
 import type { Weights } from './mesh.ts';
 import { smoothstep } from './vectors.ts';
 
-/** From this place on the joint takes over from the one before it, over `soft` to either side. */
+/** Beyond this position the joint takes over from the previous one, blended over `soft` to either side. */
 export interface Bend {
   readonly joint: number;
   readonly from: number;
   readonly soft: number;
 }
 
-/** Weights at `x` along a chain that begins with the joint `first`; bends in ascending (or all descending) places. */
+/** Weights at `x` along a chain starting with joint `first`; bends in ascending (or all descending) order. */
 export function chainWeights(x: number, first: number, bends: readonly Bend[]): Weights {
   const weights = new Map<number, number>();
   let left = 1;

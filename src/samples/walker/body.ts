@@ -1,4 +1,4 @@
-/** The walker's mesh: which parts there are, how they are shaped, and which joints they follow. */
+/** The walker's mesh: its parts, their shapes, and the joints they follow. */
 
 import { add, cross, dot, scaled, subtract, type Vec3 } from '../../math/vec3.ts';
 import {
@@ -20,7 +20,7 @@ import { FOREARM, UPPER_ARM, WALKER_SKELETON } from './skeleton.ts';
 
 export const ATLAS_SIZE = 512;
 
-/** Where each part's texture lies, in texels from the upper left. Left and right limbs share theirs. */
+/** Rectangle of each part's texture, in texels from the upper left. Left and right limbs share theirs. */
 export const RECTS = {
   head: [4, 4, 236, 216],
   torso: [248, 4, 150, 150],
@@ -48,7 +48,7 @@ const at = (name: string): Vec3 => frames[joint(name)].at;
 const only = (name: string): Weights => new Map([[joint(name), 1]]);
 const bend = (name: string, from: number, soft: number): Bend => ({ joint: joint(name), from, soft });
 
-/** An upright ellipse. */
+/** A horizontal elliptic section. */
 const level = (y: number, side: number, front: number, z = 0, squareness = 2): Section => ({
   at: [0, y, z],
   side: [side, 0, 0],
@@ -56,7 +56,7 @@ const level = (y: number, side: number, front: number, z = 0, squareness = 2): S
   squareness,
 });
 
-/** Rows at which a loft has its sections, each halved `finer` times over. */
+/** Rows at a loft's sections, each halved `finer` times. */
 const rowsOf = (sections: readonly Section[], finer = 1) => along((sections.length - 1) * finer);
 
 type Shape = Omit<MeshPart, 'rect'> & { readonly name: PartName };
@@ -101,14 +101,14 @@ const torso: Shape = {
       bend('chest', 0.93, 0.08),
       bend('neck', 1.12, 0.05),
     ]);
-    // The hem follows the legs a little, so that thighs don't come through it.
+    // The hem follows the legs slightly, so that thighs don't come through it.
     const hem = 0.78 * smoothstep(0.76, 0.57, p[1]);
     const left = smoothstep(-0.12, 0.12, p[0]);
     return mixWeights(upright, mixWeights(only('thigh_r'), only('thigh_l'), left), hem);
   },
 };
 
-/** Both arms, mirrored: sections along the arm's own axis as it is bound. */
+/** Both arms, mirrored: sections along the arm's axis in the binding pose. */
 function armShape(suffix: '_l' | '_r', side: number): Shape {
   const { turn, at: shoulder } = frames[joint(`upper_arm${suffix}`)];
   const axis = apply(turn, [side, 0, 0]);
@@ -205,12 +205,12 @@ function legShape(suffix: '_l' | '_r', side: number): Shape {
   };
 }
 
-/** Rows of vertices run along both edges of the sole, so that its painted edge is straight. */
+/** Rows of vertices follow both edges of the sole, so that its painted edge is straight. */
 const FOOT_ANGLES = [-1, ...[-0.8, -0.65, -0.53, -0.38, -0.2], 0, 0.2, 0.38, 0.53, 0.65, 0.8].map((a) => a * Math.PI);
 
 function footShape(suffix: '_l' | '_r', side: number): Shape {
   const x = at(`foot${suffix}`)[0];
-  /** Half width and height at z; the toes turn in a trifle, so that the shoe has a left and a right. */
+  /** Half width and height at z; the toes bend inwards slightly, to tell left from right. */
   const section = (z: number, wide: number, high: number): Section => ({
     at: [x - side * 0.25 * Math.max(0, z) * Math.max(0, z), high * 0.46, z],
     side: [wide * side, 0, 0],
@@ -231,7 +231,7 @@ function footShape(suffix: '_l' | '_r', side: number): Shape {
   const tube = loft(sections);
   return {
     name: 'foot',
-    // Flat below: the sole stands on the ground.
+    // Flat below: the sole is on the ground.
     point: (angle, v) => {
       const p = tube(angle, v);
       return [p[0], Math.max(0, p[1]), p[2]];
@@ -282,7 +282,7 @@ const tail: Shape = {
   startPole: false,
   endPole: true,
   weights: (p) => {
-    // Place along the joints' own polyline, found by the nearest segment.
+    // Position along the joints' polyline, by the nearest segment.
     const line = [...tailJoints, add(tailJoints[3], [0, 0.24, -0.02])];
     let best = 0;
     let nearest = Number.POSITIVE_INFINITY;
@@ -374,7 +374,7 @@ const pack: Shape = {
   weights: () => only('pack'),
 };
 
-/** Lies across the top of the pack: the loft runs from right to left. */
+/** Across the top of the pack: the loft runs from right to left. */
 const bedrollSections = [-0.2, -0.199, -0.1, 0.1, 0.199, 0.2].map((x, i): Section => {
   const r = i === 0 || i === 5 ? 0.001 : 0.066;
   return { at: [x, 1.115, -0.285], side: [0, r, 0], front: [0, 0, -r] };
@@ -449,7 +449,7 @@ const tufts: readonly Shape[] = [
   };
 });
 
-/** One shape for each rectangle that has to be painted; right limbs are painted as the left ones. */
+/** One shape per rectangle to be painted; right limbs share the left ones'. */
 export const SHAPES: readonly Shape[] = [
   head,
   torso,

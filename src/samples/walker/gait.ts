@@ -1,11 +1,11 @@
 /**
- * The walk, as a function of the phase of a stride: 0 where the left heel strikes, 0.5 where the right one does.
+ * The walk as a function of the stride's phase: the left heel strikes at 0, the right one at 0.5.
  *
- *     foot's own phase   0 ── heel strike ── 0.1 ── flat ── 0.34 ── heel lifts, toes stay ── 0.6 ── swing ── 1
+ *     foot's own phase   0 ── heel strike ── 0.1 ── flat ── 0.34 ── heel lifts, toes planted ── 0.6 ── swing ── 1
  *
- * Feet come first: while planted they turn about a heel, then about the toe joint, which both stay put in the world; in
- * the air the point they turn about moves from the one to the other. Hips are carried over them, legs follow by analytic
- * two-bone IK, and the upper body answers the hips: chest against pelvis, arms against legs, the head nearly still.
+ * Feet come first: while planted they rotate about the heel, then about the toe joint, which don't move in the world;
+ * in the air the pivot moves from one to the other. Hips move above them, legs follow by analytic two-bone IK, and the
+ * upper body counters the hips: chest against pelvis, arms against legs, the head nearly still.
  */
 
 import { add, cross, scaled, subtract, type Vec3 } from '../../math/vec3.ts';
@@ -30,7 +30,7 @@ import { ANKLE_HEIGHT, HEEL_CONTACT, HIP_HEIGHT, SHIN, THIGH, THIGH_OFFSET, TOE_
 
 export const WALK_CIRCLE: Circle = { radius: 1.12, strides: 8, strideSeconds: 0.8 };
 
-/** Phases of a foot's own stride; the gait's tests measure slip between them. */
+/** Phases of a foot's own stride; the tests measure foot sliding between them. */
 export const FLAT_FROM = 0.1;
 export const HEEL_LIFTS = 0.34;
 export const TOE_LEAVES = 0.6;
@@ -42,7 +42,7 @@ const LEAVE_PITCH = 0.8;
 const STANCE_WIDTH = 0.092;
 const TOE_OUT = 0.1;
 const CLEARANCE = 0.12;
-/** Of thigh + shin: nothing straightens further, so no knee pops. */
+/** Of thigh + shin: legs are never fully straight, so that knees don't pop. */
 const LONGEST_REACH = 0.988;
 
 const wave = (phase: number, lag = 0): number => Math.sin(TAU * (phase - lag));
@@ -86,7 +86,7 @@ function footAt(x: number, side: number): Foot {
   return pivoted(lifted, pivotLocal, turnFor(far, pitch), toe);
 }
 
-/** Where in the swing the foot is nearly level, so that its toes clear the ground. */
+/** Part of the swing at which the foot is nearly level, so that its toes clear the ground. */
 const LEVEL_AT = 0.5;
 const LIFT_POWER = 1.8;
 const liftAt = (x: number) => Math.max(0, (x - HEEL_LIFTS) / (TOE_LEAVES - HEEL_LIFTS)) ** LIFT_POWER;
@@ -100,7 +100,7 @@ function hermite(t: number, a: number, slopeA: number, b: number, slopeB: number
   return (2 * t3 - 3 * t2 + 1) * a + (t3 - 2 * t2 + t) * slopeA + (3 * t2 - 2 * t3) * b + (t3 - t2) * slopeB;
 }
 
-/** Thigh and shin that put the ankle where the foot has it; the knee points where the toes do. */
+/** Thigh and shin that bring the ankle to the foot; the knee points like the toes. */
 function legAngles(hipsTurn: Mat3, hip: Vec3, foot: Foot): { thigh: Vec3; shin: number; ankle: Vec3 } {
   const reach = subtract(foot.ankle, hip);
   const far = Math.min(length(reach), (THIGH + SHIN) * 0.999);
@@ -121,7 +121,7 @@ function legAngles(hipsTurn: Mat3, hip: Vec3, foot: Foot): { thigh: Vec3; shin: 
   };
 }
 
-/** Hips without the correction for reach: sway over the planted foot, bob twice a stride. */
+/** Hips before the correction for reach: sway over the planted foot, bob twice a stride. */
 function hipsAt(phase: number): { at: Vec3; turn: Mat3; angles: Vec3 } {
   const sway = 0.03 * wave(phase, 0.05);
   const bob = 0.02 * -Math.cos(2 * TAU * (phase - 0.05));
@@ -142,7 +142,7 @@ const SIDES = [
 const hipOf = (at: Vec3, turn: Mat3, side: number) =>
   add(at, apply(turn, [THIGH_OFFSET[0] * side, THIGH_OFFSET[1], THIGH_OFFSET[2]]));
 
-/** How much the hips must come down at their lowest for every leg to reach, found once over a stride. */
+/** How far the hips have to be lowered for both legs to reach at any phase, computed once. */
 const settle = (() => {
   const longest = LONGEST_REACH * (THIGH + SHIN);
   let drop = 0;
@@ -174,7 +174,7 @@ export function walkPose(anyPhase: number): WalkPose {
     angles.set(`toe${suffix}`, [foot.toe, 0, 0]);
   }
 
-  // Spine and chest undo the pelvis and go past it, a little late.
+  // Spine and chest overcompensate the pelvis, slightly late.
   const twist = 0.17 * Math.cos(TAU * (phase - 0.05));
   const tilt = -0.05 * wave(phase, 0.06);
   const nod = 0.035 * wave(2 * phase, 0.3);
@@ -184,7 +184,7 @@ export function walkPose(anyPhase: number): WalkPose {
   angles.set('spine', spine);
   angles.set('chest', chest);
   angles.set('neck', neck);
-  // The head looks a little into the turn, and keeps only a trace of all that movement.
+  // The head looks slightly into the turn, and keeps only a trace of the body's motion.
   const carried = rotate(hips.turn, ballRotation(spine), ballRotation(chest), ballRotation(neck));
   const gaze = ballRotation([-0.02 + 0.028 * wave(2 * phase, 0.32), 0.22, 0.045 * wave(phase, 0.12)]);
   angles.set('head', ballAngles(rotate(inverse(carried), gaze)));
@@ -201,7 +201,7 @@ export function walkPose(anyPhase: number): WalkPose {
       -side * 0.18 * -Math.cos(TAU * (own - 0.2)),
       side * (-0.1 + 0.1 * wave(own, 0.15)),
     ]);
-    // Ears fall behind the bobbing head.
+    // Ears lag behind the bobbing head.
     angles.set(`ear${suffix}`, [-0.06 + 0.13 * wave(2 * phase, 0.5), 0, side * (-0.03 + 0.06 * wave(2 * phase, 0.42))]);
   }
   for (let i = 0; i < 4; i++) {

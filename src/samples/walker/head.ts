@@ -1,5 +1,6 @@
 /**
- * The walker's head: a ball with cheeks, muzzle and tufts at the sides, and what is laid on its front (eyes, nose, mouth).
+ * The walker's head: a ball with cheeks, muzzle and tufts at the sides, and the features on its front (eyes, nose,
+ * mouth).
  *
  *     p = centre + d · halfSize · (1 + Σ amount · exp(−(angle to bump / width)²))        d: a unit direction
  */
@@ -26,7 +27,7 @@ const bumps: readonly Bump[] = [
   { direction: [0, 1, 0], amount: -0.03, width: 0.6 },
 ];
 
-/** How far out the surface is in a unit direction, in half sizes. */
+/** Radius of the surface in a unit direction, in half sizes. */
 function swell(direction: Vec3): number {
   let sum = 1;
   for (const { direction: centre, amount, width } of bumps) {
@@ -36,7 +37,7 @@ function swell(direction: Vec3): number {
   return sum;
 }
 
-/** v 0 … 1 from the chin's underside to the crown; the front's rows are a little closer together about the face. */
+/** v 0 … 1 from the chin to the crown; rows are slightly denser about the face. */
 export function headPoint(angle: number, v: number): Vec3 {
   const latitude = (v - 0.5) * Math.PI + 0.12 * Math.sin(2 * Math.PI * v) * 0.9;
   const level = Math.cos(latitude);
@@ -45,7 +46,7 @@ export function headPoint(angle: number, v: number): Vec3 {
   return add(HEAD_CENTRE, [d[0] * HALF_SIZE[0] * s, d[1] * HALF_SIZE[1] * s, d[2] * HALF_SIZE[2] * s]);
 }
 
-/** The face's surface above a point of the xy plane, found by halving. */
+/** Depth of the face's surface at a point of the xy plane, by bisection. */
 export function faceDepth(x: number, y: number): number {
   let inside = HEAD_CENTRE[2];
   let outside = HEAD_CENTRE[2] + 0.8;
@@ -60,7 +61,7 @@ export function faceDepth(x: number, y: number): number {
   return inside;
 }
 
-/** From a square −1 … 1 to the disc in it, which keeps a grid's corners from crowding. */
+/** Maps a square −1 … 1 to a disc, without crowding a grid's corners. */
 export function squareToDisc(x: number, y: number): readonly [number, number] {
   return [x * Math.sqrt(1 - (y * y) / 2), y * Math.sqrt(1 - (x * x) / 2)];
 }
@@ -76,7 +77,7 @@ export function eyePoint(side: number, s: number, t: number, closed: number, squ
   const x = EYE.x * side + u * EYE.width * (1 + 0.12 * closed);
   // Smiling cheeks push the lower half up.
   const open = EYE.y + (w < 0 ? w * (1 - 0.45 * squint) : w) * EYE.height;
-  // The dark lower half makes the line; the upper, with its lights, goes under the skin behind it.
+  // The dark lower half becomes the line; the upper, with its highlights, moves below the surface.
   const strip = 0.011 * (1 - u * u * 0.5) * Math.max(-1, Math.min(1, (w + 0.65) * 3));
   const line = EYE.y - 0.02 - 0.024 * (1 - u * u) + strip;
   const y = open + (line - open) * closed;

@@ -7,7 +7,7 @@ import { length, smoothstep } from '../shape/vectors.ts';
 import { EYE_GRID, MOUTH_GRID, type WalkerMesh } from './body.ts';
 import { eyePoint, HEAD_CENTRE, mouthPoint } from './head.ts';
 
-/** In the order of the rig, which is the order of their channels. */
+/** In the order of the rig and of their channels. */
 export const MORPH_NAMES = ['blink', 'smile', 'breathe'] as const;
 
 export function walkerMorphs({ mesh, spans }: WalkerMesh): Morph[] {

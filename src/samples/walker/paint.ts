@@ -1,4 +1,4 @@
-/** The walker's colours: fur, coat, boots, each a function from a place on the bind shape to a colour. */
+/** The walker's colours: fur, coat, boots, each a function from a point in the binding pose to a colour. */
 import type { Vec3 } from '../../math/vec3.ts';
 import { Atlas, blend, type Colour, colour } from '../paint/atlas.ts';
 import { smoothstep } from '../shape/vectors.ts';
@@ -20,7 +20,7 @@ const CORAL = colour('#e2614f');
 const RUBBER = colour('#efe3cc');
 const NIGHT = colour('#2a1a1c');
 
-/** `p`: the place in bind space (x ≥ 0, the texture's half); `v` along the part; `fold` 0 front … 1 back. */
+/** `p`: the point in bind space (x ≥ 0, the texture's half); `v` along the part; `fold` 0 front … 1 back. */
 type Painter = (p: Vec3, v: number, fold: number) => Colour;
 
 const inEllipse = (x: number, y: number, cx: number, cy: number, rx: number, ry: number) =>

@@ -5,8 +5,8 @@
  *     (turns)      ├─ tail 1–4       ├─ pack, scarf 1–2
  *                  └─ thigh ─ shin ─ foot ─ toe (×2)   └─ upper arm ─ forearm ─ hand (×2)
  *
- * `root` only travels and turns about y, so that everything below it repeats with every stride however often the
- * creature has gone round. Joints are straight at 0: arms out to the sides (file pose: half lowered), legs down.
+ * `root` only translates and turns about y, so that all other joints repeat with every stride. Joints are straight at
+ * 0: arms out to the sides (file pose: half lowered), legs down.
  */
 import type { Vec3 } from '../../math/vec3.ts';
 import { type BallJointPlan, boxAbout, buildSkeleton } from '../shape/skeletons.ts';
@@ -16,14 +16,14 @@ export const HIP_HEIGHT = 0.66;
 export const THIGH_OFFSET: Vec3 = [0.105, -0.02, 0];
 export const THIGH = 0.27;
 export const SHIN = 0.255;
-/** The ankle above the sole. */
+/** Height of the ankle above the sole. */
 export const ANKLE_HEIGHT = 0.115;
 export const TOE_OFFSET: Vec3 = [0, -0.085, 0.11];
-/** Where the heel touches the ground, in the foot's space. */
+/** Contact point of the heel, in the foot's space. */
 export const HEEL_CONTACT: Vec3 = [0, -ANKLE_HEIGHT, -0.095];
 export const UPPER_ARM = 0.2;
 export const FOREARM = 0.19;
-/** How far the arms are lowered in the file's pose, where the skin is bound. */
+/** How far the arms are lowered in the file pose, in which the skin is bound. */
 export const ARM_DROOP = 0.8;
 
 const STIFF: readonly [number, number] = [0, 0];

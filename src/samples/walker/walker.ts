@@ -1,4 +1,4 @@
-/** The walker, whole. */
+/** The walker example. */
 import { encodePng } from '../paint/png.ts';
 import type { Sample } from '../sample.ts';
 import { bindingMatrices, posedFrames } from '../shape/skeletons.ts';

@@ -31,7 +31,7 @@ const stateOf = (document: Document, saving: unknown) => ({
   camera: { target: [0, 1, 0], azimuth: 0.5, polar: 1, distance: 3 } as const,
 });
 
-/** A page with the take open, and its session kept. */
+/** A page with the take open, and its session stored. */
 async function openedPage() {
   const store = memoryStore();
   const origins = new Origins();
@@ -80,7 +80,7 @@ describe('a kept session with motion capture', () => {
     const next = new Store();
     const marks = new Unsaved(next);
     next.adopt('Restore', { document: state.document, selection: NOTHING_SELECTED });
-    // Our own snapshot, as it was kept.
+    // Written by our own `snapshot`.
     marks.restore(state.saving as ReturnType<Unsaved['snapshot']>);
     expect(marks.current()).toMatchObject([{ kind: 'bvh', name: 'walk.bvh' }]);
     expect(partsOf(state.document.characters[0])[0]).toMatchObject({ kind: 'bvh', name: 'walk' });

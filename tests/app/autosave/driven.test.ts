@@ -17,7 +17,7 @@ import { bvhFigure, bvhJoint } from '../../helpers/bvh.ts';
 import { writeBvh } from '../../helpers/bvh-text.ts';
 import { memoryStore } from './memory-store.ts';
 
-/** Hips and a head that nods, in two files: one moves like the other. */
+/** Hips and a nodding head, in two files: one is retargeted to the other. */
 const skeleton = (name: string) => ({
   name,
   joints: [
@@ -34,7 +34,7 @@ const FILES = [file('dancer', 30), file('other', 0)];
 const read = async (files: readonly GivenBlob[]) => structuredClone(await parse({ files }, () => undefined));
 const worker = { run: (_job: 'parse', { files }: { files: readonly GivenBlob[] }) => read(files) };
 
-/** The document as it is after a reload of the page. */
+/** The document after reloading the page. */
 async function reloaded(document: Document, origins: Origins): Promise<Document> {
   const store = memoryStore();
   const camera = { target: [0, 1, 0], azimuth: 0.5, polar: 1, distance: 3 } as const;
@@ -65,7 +65,7 @@ it('brings back a character that another one’s take moves, and it follows that
   const seconds = (shownClip(source)?.range[1] ?? 0) * 0.3;
   expect(poseOf(driven, seconds)).toEqual(poseOf(page.document.characters[1], seconds));
   expect(poseOf(driven, seconds).some((v) => Math.abs(v) > 0.05 && v !== 1)).toBe(true);
-  // Not a copy: the very same skeleton and samples, which are kept and held once.
+  // Not a copy: the same skeleton and samples, stored once.
   expect(driven.driver?.source.skeleton).toBe(source.skeleton);
   expect(driven.driver?.source.clip).toBe(shownClip(source));
 

@@ -20,7 +20,7 @@ import {
 
 const blob = (path: string) => ({ path, blob: new Blob([path]) });
 
-/** Through the form in which it is stored, and back; `files` are read again, so they are other objects. */
+/** Encodes and decodes; `files` are read again, so they are other objects. */
 function thereAndBack(session: unknown, origins = new Origins(), files: readonly ParsedFile[] = []): unknown {
   const encoded = encode(session, origins);
   const { puts } = new StoredPieces().plan(encoded.arrays);
@@ -47,7 +47,7 @@ describe('encoding a session', () => {
       { weight: 6, arbitrary: fc.array(fc.double()).map((values) => Float64Array.from(values)) },
       { weight: 6, arbitrary: fc.array(fc.nat(255)).map((values) => Uint8Array.from(values)) },
       { weight: 6, arbitrary: fc.array(fc.nat()).map((values) => Uint32Array.from(values)) },
-      // Of several pieces; few of them, for comparing them takes most of the time.
+      // Several pieces long; rare, since comparing them takes most of the time.
       { weight: 1, arbitrary: fc.nat(200_000).map((length) => Float64Array.from({ length }, (_, i) => i / 3)) },
     );
     const { tree } = fc.letrec((tie) => ({
@@ -77,7 +77,7 @@ describe('encoding a session', () => {
     const large = new Float64Array(100_000);
     const small = Float64Array.of(1, 2);
     const inner = { large };
-    // biome-ignore lint/suspicious/noExplicitAny: whatever came back is looked into
+    // biome-ignore lint/suspicious/noExplicitAny: the decoded value is inspected
     const back = thereAndBack({ a: inner, b: inner, c: [large], d: small, e: { small } }) as any;
     expect(back.a).toBe(back.b);
     expect(back.c[0]).toBe(back.a.large);

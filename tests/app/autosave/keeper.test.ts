@@ -37,10 +37,10 @@ function stateOf(document: Document): SessionState {
   };
 }
 
-/** The worker's job, without the worker, but a copy as it comes from there. */
+/** The worker's job without the worker, but as a copy, as from there. */
 const read = async (files: readonly GivenBlob[]) => structuredClone(await parse({ files }, () => undefined));
 const worker: Pick<WorkerClient, 'run'> = { run: (_job, { files }) => read(files) };
-/** A test's own comparison of long arrays takes seconds. */
+/** Vitest's own comparison of long arrays takes seconds. */
 const expectSame = (a: unknown, b: unknown) => expect(isDeepStrictEqual(a, b)).toBe(true);
 const options = { signal: new AbortController().signal, onProgress: () => undefined };
 const readBack = (store: MemoryStore, origins = new Origins(1000)) => readSession('s', store, worker, origins, options);
@@ -173,7 +173,7 @@ describe('a session', () => {
     const store = memoryStore();
     const { keeper, files } = await opened(store, given('hero.skin', SKIN));
     const [made, smile, read] = [skin('made'), morph('smile'), skinOf(files[0])];
-    // Marked, to tell it from what is worked out anew.
+    // Marked, to tell them from recomputed ones.
     adoptSkinFacts(made, { ...skinFacts(made, [smile]), maxAttachments: 99 }, [smile]);
     adoptSkinFacts(read, { ...skinFacts(read), maxAttachments: 99 });
     const state = stateOf(documentOf(character({ skins: [made], morphs: [smile] }), character({ skins: [read] })));

@@ -1,4 +1,4 @@
-/** A store and locks without a browser, for the tests of autosave: what goes in is cloned as IndexedDB would. */
+/** An in-memory store and locks for the tests of autosave: values are cloned as by IndexedDB. */
 import type { SessionLocks } from '../../../src/io/session-locks.ts';
 import {
   type KeptFile,
@@ -17,9 +17,9 @@ interface Stored {
 
 export interface MemoryStore extends SessionStore {
   readonly sessions: Map<string, Stored>;
-  /** Every write that went through, newest last. */
+  /** Every successful write, newest last. */
   readonly writes: SessionWrite[];
-  /** Bytes of pieces that were put by the last write. */
+  /** Bytes of pieces put by the last write. */
   lastBytes(): number;
   apply(write: SessionWrite): Promise<void>;
   /** Throws to make the next writes fail. */
@@ -48,7 +48,7 @@ export function memoryStore(): MemoryStore {
       const before = sessions.get(card.id);
       if (follows && !before) throw new SessionLostError('gone');
       const stored = before ?? { card, head: undefined, files: new Map(), pieces: new Map() };
-      // Blobs are what they are; Node's structuredClone takes them too.
+      // Blobs are immutable; Node's structuredClone accepts them too.
       for (const file of write.files) stored.files.set(file.id, file);
       for (const piece of write.pieces) stored.pieces.set(piece.id, structuredClone(piece.bytes()));
       for (const id of write.goneFiles) stored.files.delete(id);
@@ -75,7 +75,7 @@ export function memoryStore(): MemoryStore {
   };
 }
 
-/** One page's locks among those of all pages that share `held`. */
+/** One page's locks; pages share `held`. */
 export function memoryLocks(held = new Set<string>()): SessionLocks {
   return {
     async hold(id) {

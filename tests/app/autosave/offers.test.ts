@@ -5,7 +5,7 @@ import { observable } from '../../../src/ui/kit/observable.ts';
 import type { KeptOffer } from '../../../src/ui/state/kept-offer.ts';
 import { memoryLocks, memoryStore } from './memory-store.ts';
 
-/** Offers of sessions that were left behind, oldest first, as a page finds them. */
+/** Offers of left-behind sessions, oldest first, as a page finds them. */
 async function offersOf(...ids: readonly string[]) {
   const store = memoryStore();
   ids.forEach((id, i) => {

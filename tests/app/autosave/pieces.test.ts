@@ -6,7 +6,7 @@ import { LARGE_BYTES, PIECE_BYTES, type PiecePlan, StoredPieces } from '../../..
 
 const LARGE = LARGE_BYTES / 8;
 
-/** A store that only pieces are in. */
+/** A store of pieces only. */
 class Shelf {
   readonly pieces = new StoredPieces();
   readonly stored = new Map<number, Uint8Array>();
@@ -71,7 +71,7 @@ describe('pieces', () => {
     const [a, b] = [numbers(LARGE), numbers(LARGE, 5)];
     shelf.save([a]);
     const under = shelf.plan([b]);
-    // `a` is doomed by the save under way, and `b` not stored for certain.
+    // `a` is doomed by the running save, and `b` isn't stored for certain.
     const hasty = shelf.plan([a, b]);
     expect(hasty.puts).toHaveLength(2);
     shelf.put(under);

@@ -28,7 +28,7 @@ const FILES: readonly GivenBlob[] = [
 const read = async (files: readonly GivenBlob[]) => structuredClone(await parse({ files }, () => undefined));
 const worker = { run: (_job: 'parse', { files }: { files: readonly GivenBlob[] }) => read(files) };
 
-/** A page with the files open, and a session of it kept and read again. */
+/** A page with the files open, and its session stored and read again. */
 async function page(edit: (store: Store) => void) {
   const origins = new Origins();
   const { files } = await read(FILES);

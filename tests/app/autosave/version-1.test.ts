@@ -1,4 +1,4 @@
-/** A session as the page's first version kept it: `session-version-1.bin`, written by that version. */
+/** A session as stored by version 1: `session-version-1.bin`, written by that version. */
 import { readFileSync } from 'node:fs';
 import { fileURLToPath } from 'node:url';
 import { deserialize } from 'node:v8';
@@ -19,7 +19,7 @@ import { parse } from '../../../src/worker/parse.ts';
 import type { GivenBlob } from '../../../src/worker/protocol.ts';
 import { memoryStore } from './memory-store.ts';
 
-/** What is in the file: card and head as the browser keeps them, files and arrays beside. */
+/** Content of the file: card and head as stored in the browser, with files and arrays. */
 interface Kept {
   readonly card: SessionCard;
   readonly head: unknown;
