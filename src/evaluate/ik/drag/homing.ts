@@ -6,6 +6,9 @@
  * Each frame moves the pose towards its start as far as the pins allow (`evaluate/ik/homing.ts`) and restores the pins;
  * a step that brings it no nearer, or loses a pin, is undone.
  */
+import { characterDofs } from '../../../model/dofs.ts';
+import { pitchOf } from '../../../model/joint-types.ts';
+import { isUnlimited } from '../../../model/skeleton.ts';
 import { goHome, writeWayHome } from '../homing.ts';
 import { type HandProblem, IS_THERE } from './hand-problem.ts';
 
@@ -25,8 +28,15 @@ const MIN_GAIN = 1e-3;
 /** Iterations charged for a step, besides those that restore the pins. */
 const COST = 1;
 
+/** Radians short of a whole turn from which an angle is taken on to it rather than back. */
+const NEARLY_ROUND = 1;
+const TURN = 2 * Math.PI;
+
 export class Homing {
+  private readonly start: Float64Array;
+  /** `start`, with whole turns added to angles that have gone round: the same pose. */
   private readonly home: Float64Array;
+  private readonly turning: readonly number[];
   private readonly tried: Float64Array;
   /** Whether the frame's budget ended before the pose was home. */
   isOnItsWay = false;
@@ -41,7 +51,9 @@ export class Homing {
 
   /** Home is the current pose. */
   constructor(private readonly of: HandProblem) {
-    this.home = of.dofs.slice();
+    this.start = of.dofs.slice();
+    this.home = this.start.slice();
+    this.turning = turningDofs(of);
     this.tried = of.dofs.slice();
   }
 
@@ -52,6 +64,7 @@ export class Homing {
   come(spare: number, isHere: boolean): void {
     this.isOnItsWay = false;
     this.lookAtHand();
+    this.countTurns();
     if (this.inVain >= MAX_FUTILE_STEPS) return;
     this.goOn(spare);
     if (!this.isOnItsWay) return;
@@ -94,6 +107,15 @@ export class Homing {
     }
   }
 
+  /** An angle that has all but gone round is taken on to the whole turn: going back would take it all the way round again. */
+  private countTurns(): void {
+    const { start, home, turning } = this;
+    for (const dof of turning) {
+      const turned = this.of.dofs[dof] - start[dof];
+      home[dof] = start[dof] + TURN * Math.trunc((turned + Math.sign(turned) * NEARLY_ROUND) / TURN);
+    }
+  }
+
   /** Starts over if the hand has moved. */
   private lookAtHand(): void {
     const { hand } = this.of;
@@ -110,4 +132,16 @@ export class Homing {
     for (let v = 0; v < count; v++) sum += ((this.of.dofs[dof[v]] - this.home[dof[v]]) / scale[v]) ** 2;
     return sum;
   }
+}
+
+/** The unknowns that give the same pose after a whole turn: unlimited angles that nothing follows. */
+function turningDofs({ skeleton, problem }: HandProblem): number[] {
+  const { count, dof, lower, upper, followers } = problem.variables;
+  const all = characterDofs(skeleton, []);
+  const followed = new Set(followers.follows);
+  return Array.from(dof.subarray(0, count)).filter((d, v) => {
+    const { unit, joint } = all[d];
+    const isFree = isUnlimited({ min: lower[v], max: upper[v] }) && !followed.has(d);
+    return unit === 'angle' && isFree && pitchOf(skeleton.joints[joint].motion) === 0;
+  });
 }

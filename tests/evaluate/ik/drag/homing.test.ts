@@ -3,9 +3,11 @@ import { shownAt } from '../../../../src/edit/rig/shown.ts';
 import { Pull } from '../../../../src/evaluate/ik/drag/pull.ts';
 import { pinPoints } from '../../../../src/evaluate/ik/pin-points.ts';
 import { pinTargets, pointAt } from '../../../../src/evaluate/ik/set-up.ts';
+import { worldMatrices } from '../../../../src/evaluate/kinematics.ts';
 import { readSkel } from '../../../../src/formats/skel/read.ts';
 import { readSkin } from '../../../../src/formats/skin/read.ts';
-import type { Vec3 } from '../../../../src/math/vec3.ts';
+import { add, type Vec3, ZERO } from '../../../../src/math/vec3.ts';
+import { boneEnds } from '../../../../src/model/bone-ends.ts';
 import { type Character, shownSkin } from '../../../../src/model/document.ts';
 import { filePose } from '../../../../src/model/dofs.ts';
 import type { IkSetup } from '../../../../src/model/ik.ts';
@@ -14,6 +16,8 @@ import { describeShared, sharedBytes } from '../../../helpers/shared.ts';
 
 /** Radians, parts of the reach: the end of the last step home. */
 const HOME = 2e-3;
+/** What several joints off by that come to. */
+const SEEN = 5e-3;
 const FRAMES_TO_REST = 200;
 
 function wasp(): Character {
@@ -59,6 +63,48 @@ describeShared('a body that is led about on feet that hold', () => {
     for (let f = 0; f < FRAMES_TO_REST && pull.isOnItsWay; f++) to(0);
     expect(furthest).toBeGreaterThan(0.5);
     expect(off(pull.dofs, dofs)).toBeLessThan(HOME);
+  });
+});
+
+/** Where the last joint's bone ends, out there and back in small steps, then until the pose is at rest. */
+function thereAndBack(name: string, way: Vec3, far: number) {
+  const [skeleton] = readSkel(sharedBytes(`data/axis-skel/${name}.axskel`), `${name}.axskel`).value ?? [];
+  if (!skeleton) throw new Error(`${name} could not be read`);
+  const character = builtCharacter({ skeleton, pose: filePose(skeleton, 0) });
+  const { compiled, dofs, world } = shownAt(character, 0);
+  const joint = skeleton.joints.length - 1;
+  const point = boneEnds(skeleton).find((end) => end.joint === joint)?.at ?? ZERO;
+  const pull = new Pull(character, skeleton, { dofs, world }, new Map(), { joint, point });
+  const start = pull.hand;
+  for (let f = 1; f <= 120; f++) pull.to(add(start, way, far * pull.reach * (1 - Math.abs(f - 60) / 60)));
+  let frames = 0;
+  for (; frames < FRAMES_TO_REST && pull.isOnItsWay; frames++) pull.goOn();
+  const rest = pull.dofs.slice();
+  for (let f = 0; f < 300; f++) pull.to(start);
+  const now = new Float64Array(world.length);
+  worldMatrices(compiled, pull.dofs, now);
+  // Axes of joints, and places in parts of the reach.
+  const differences = now.map((v, k) => Math.abs(v - world[k]) / (k % 16 < 12 ? 1 : pull.reach));
+  return { frames, moved: off(pull.dofs, rest), away: Math.max(...differences) };
+}
+
+describeShared('an end that is led out and back', () => {
+  const ways: readonly Vec3[] = [
+    [1, 0, 0],
+    [0, 1, 0],
+    [0, -1, 0],
+    [0.6, -0.64, 0.48],
+  ];
+  // Not arm3, hexapod and human: an elbow may end on its other side, and no way back from there keeps the end in place.
+  it.each(['single', 'chain10', 'chain30', 'hand', 'tree3'])('of %s leaves the pose as it was', (name) => {
+    for (const way of ways) {
+      for (const far of [0.5, 1.5]) {
+        const { frames, moved, away } = thereAndBack(name, way, far);
+        expect(frames).toBeLessThan(60);
+        expect(moved).toBeLessThan(HOME);
+        expect(away, `${way} ${far}`).toBeLessThan(SEEN);
+      }
+    }
   });
 });
 
