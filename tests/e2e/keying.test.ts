@@ -176,3 +176,97 @@ describeShared('the wasp', () => {
       channel: 6,
     }));
 });
+
+/** The walker's left upper arm, by number of its DOFs. */
+const ARM = { joint: 'upper_arm_l', rx: 36, rz: 38 } as const;
+const worldsAt = (page: Page, times: readonly number[]) =>
+  page.evaluate(
+    (all) =>
+      all.map((time) => {
+        window.marrow.seek(time);
+        return { dofs: window.marrow.characters()[0].dofs, world: window.marrow.worldMatrices().flat() };
+      }),
+    times,
+  );
+
+async function openWalker(page: Page): Promise<void> {
+  await page.waitForFunction(() => window.marrow.characters()[0]?.dofs.length === 93);
+  await page.locator('canvas[role=img]').focus();
+  await page.evaluate(() => window.marrow.seek(0));
+  await page.getByRole('treeitem', { name: new RegExp(`^${ARM.joint}`) }).click();
+  await page.getByRole('textbox', { name: 'rx', exact: true }).first().waitFor();
+}
+
+async function turnArm(page: Page, seconds: number, degrees: number): Promise<void> {
+  await typeInto(page, 'Time in seconds', seconds);
+  await typeInto(page, 'rz', degrees);
+  await page.locator('canvas[role=img]').focus();
+  await page.keyboard.press('k');
+}
+
+it('makes the walker wave, while everything else walks on as it did', () =>
+  withPage(
+    async ({ page }) => {
+      await openWalker(page);
+      const times = Array.from({ length: 65 }, (_, i) => i / 10);
+      const before = await worldsAt(page, times);
+
+      // One question, at the first key outside of the cycle; the second and third key are inside of what was baked.
+      await turnArm(page, 2, 70);
+      const dialog = page.getByRole('dialog', { name: 'Key outside the cycle' });
+      await dialog.getByText('upper_arm_l rz repeats every 0.8 s. A key at 2 s would make it repeat').waitFor();
+      await page.keyboard.press('Enter');
+      await dialog.waitFor({ state: 'detached' });
+      await turnArm(page, 2.2, 40);
+      await turnArm(page, 2.4, 70);
+      expect(await page.evaluate(() => window.marrow.steps().undo)).toBe(`Key rz of ${ARM.joint}`);
+      expect(await page.locator('dialog').allTextContents()).toEqual([]);
+
+      const after = await worldsAt(page, times);
+      const at = (seconds: number) => ((after[Math.round(seconds * 10)].dofs[ARM.rz] ?? 0) * 180) / Math.PI;
+      expect(at(2)).toBeCloseTo(70, 9);
+      expect(at(2.2)).toBeCloseTo(40, 9);
+      expect(at(2.4)).toBeCloseTo(70, 9);
+      // All other DOFs at all times, and the arm itself away from the wave.
+      times.forEach((time, i) => {
+        const [was, is] = [before[i].dofs, after[i].dofs].map((dofs) =>
+          time > 1.75 && time < 2.65 ? dofs.filter((_, d) => d !== ARM.rz) : dofs,
+        );
+        expectClose(is, was, 1e-9);
+      });
+
+      // Three values set and three keys, each one step.
+      expect(await pressAll(page, 'Control+z', 'undo')).toBe(6);
+      expect(await worldsAt(page, times)).toEqual(before);
+    },
+    { walking: true },
+  ));
+
+it('a key outside the cycle is given up by escape, set inside the cycle, or lengthens it', () =>
+  withPage(
+    async ({ page }) => {
+      await openWalker(page);
+      const keyed = () => keys(page, ARM.rz);
+      const before = await keyed();
+      const dialog = page.getByRole('dialog', { name: 'Key outside the cycle' });
+      await turnArm(page, 2, 70);
+      await dialog.waitFor();
+      await page.keyboard.press('Escape');
+      await dialog.waitFor({ state: 'detached' });
+      expect(await keyed()).toEqual(before);
+      expect(await dof(page, ARM.rz)).toBeCloseTo((70 * Math.PI) / 180, 9);
+
+      await page.keyboard.press('k');
+      await dialog.getByRole('button', { name: 'Key inside the cycle' }).click();
+      const inside = await keyed();
+      expect([inside[0].time, inside[inside.length - 1].time]).toEqual([0, 0.8]);
+      expect(await dof(page, ARM.rz)).toBeCloseTo((70 * Math.PI) / 180, 9);
+
+      await page.keyboard.press('Control+z');
+      await page.keyboard.press('k');
+      await dialog.getByRole('button', { name: 'Lengthen the cycle' }).click();
+      expect((await keyed()).at(-1)?.time).toBe(2);
+      await page.getByText('upper_arm_l rz now repeats every 2 s instead of every 0.8 s.').first().waitFor();
+    },
+    { walking: true },
+  ));

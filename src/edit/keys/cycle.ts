@@ -9,6 +9,7 @@
  *     inside     the key is put at the same phase of the cycle, and every repetition shows it
  */
 import { type Channel, type ChannelClip, type KeyedChannel, keysOf, repeats } from '../../model/clip.ts';
+import { type Character, shownClip } from '../../model/document.ts';
 import { withExtrapolationBaked } from '../channels/bake-extrapolation.ts';
 import { keyAt } from './columns.ts';
 import { sameTime } from './same-time.ts';
@@ -68,6 +69,15 @@ export function changedCycles(
     const timeSeconds = now.times[sameTime(was.times[0], now.times[0]) ? now.times.length - 1 : 0];
     return [{ channel, from, to, timeSeconds }];
   });
+}
+
+/** The same of the take that two characters show, as they are before and after a step: none of another take or skeleton. */
+export function changedCyclesOf(was: Character, now: Character): readonly ChangedCycle[] {
+  if (was === now || was.shownClip !== now.shownClip || was.clips.length !== now.clips.length) return [];
+  // Of other DOFs the channels stand elsewhere, and move there with their keys as they are.
+  if (was.skeleton !== now.skeleton || was.morphs !== now.morphs) return [];
+  const [before, after] = [shownClip(was), shownClip(now)];
+  return before && after && before !== after ? changedCycles(before, after) : [];
 }
 
 /**

@@ -25,6 +25,7 @@ const LOAD: Readonly<Record<DialogName, () => Promise<MakeDialog>>> = {
   convertToKeys: async () => (await sampleTools()).convertDialog,
   smoothSamples: async () => (await sampleTools()).smoothDialog,
   resampleSamples: async () => (await sampleTools()).resampleSamplesDialog,
+  outsideCycle: async () => (await import('../editors/timeline/cycle-dialog.ts')).cycleDialog,
   retarget: async () => (await import('../editors/retarget/dialog.ts')).retargetDialog,
   holdPins: async () => (await import('../editors/ik/hold-dialog.ts')).holdDialog,
   skinWeights: async () => (await import('../editors/skin/weights-dialog.ts')).weightsDialog,

@@ -7,6 +7,7 @@ import { NOTHING_SELECTED } from '../../model/session.ts';
 import type { Joint } from '../../model/skeleton.ts';
 import { autoKey } from '../editors/posing/pose-edits.ts';
 import { currentCharacter } from '../state/action.ts';
+import { addKeyed } from '../state/add-keys.ts';
 import type { Action, Uses } from '../state/workbench.ts';
 
 const hasCharacter = (wb: Uses<'store'>) => currentCharacter(wb) !== undefined;
@@ -190,7 +191,7 @@ function reset(wb: Uses<'store' | 'transport' | 'timeline' | 'settings'>, to: 'f
   const character = currentCharacter(wb);
   if (!character) return;
   const { timeSeconds } = wb.transport.get();
-  wb.store.apply(resetPose, { characterId: character.id, to, timeSeconds, key: autoKey(wb) });
+  addKeyed(wb, resetPose, { characterId: character.id, to, timeSeconds, key: autoKey(wb) });
 }
 
 /** Selects another joint from the selected one; the root first. A result of −1 or undefined changes nothing. */

@@ -1,6 +1,7 @@
 /** Builds the page around a workbench and its first frame. */
 import type { ThemeName } from '../../view/theme.ts';
 import { outliner } from '../editors/outliner/outliner.ts';
+import { followOpened } from '../editors/posing/opened.ts';
 import { followCharacter } from '../editors/timeline/follow-character.ts';
 import { followPeriods } from '../editors/timeline/period.ts';
 import { Scrubber } from '../editors/transport/scrubber.ts';
@@ -11,6 +12,7 @@ import { listenToKeys } from '../state/keys.ts';
 import type { TimelineTab, TimelineTabName } from '../state/timeline.ts';
 import type { Action, Workbench } from '../state/workbench.ts';
 import { pageActions } from './actions.ts';
+import { askAboutCycles } from './cycle-questions.ts';
 import { startDialogs } from './dialogs.ts';
 import { inspectorPanel } from './inspector-panel.ts';
 import { layout } from './layout.ts';
@@ -50,7 +52,14 @@ export function mountWorkbench(
     scrubber.redraw(true);
     for (const tab of tabs) tab.recolour();
   };
-  const stops = [leaveRefusalsBehind(wb), followCharacter(wb), followPeriods(wb), theme.subscribe(recolour)];
+  const stops = [
+    leaveRefusalsBehind(wb),
+    followCharacter(wb),
+    followOpened(wb),
+    followPeriods(wb),
+    askAboutCycles(wb),
+    theme.subscribe(recolour),
+  ];
   signal.addEventListener('abort', () => {
     for (const stop of stops) stop();
   });

@@ -8,11 +8,15 @@
  */
 import { type Command, CommandError, type Edit, type Gesture, type Store } from '../../edit/store.ts';
 import type { Document } from '../../model/document.ts';
+import { cyclesChanged } from './add-keys.ts';
+import { attempt } from './attempt.ts';
 import type { Messages } from './messages.ts';
 
 export class HandEdit {
   private gesture: Gesture | undefined;
   private wasCancelled = false;
+  /** Makes the change anew, where it may be asked what was meant by it. */
+  private anew: (() => void) | undefined;
 
   /**
    * @param stillHolds for a drag that depends on the document at the press: whether that is still valid. Asked before
@@ -29,8 +33,11 @@ export class HandEdit {
     return this.wasCancelled || (this.stillHolds !== undefined && this.gesture?.closed === true);
   }
 
-  /** Shows the document as the command would change it. */
-  preview<Args>(command: Command<Args, Document | Edit>, args: Args): void {
+  /**
+   * Shows the document as the command would change it.
+   * @param anew of one that adds keys: applies it by `add-keys.ts`, in place of what is shown, if it changes a cycle
+   */
+  preview<Args>(command: Command<Args, Document | Edit>, args: Args, anew?: () => void): void {
     if (!this.gesture && this.stillHolds?.() === false) this.wasCancelled = true;
     const { cancelled } = this;
     if (this.gesture?.closed) this.end();
@@ -39,6 +46,7 @@ export class HandEdit {
     try {
       const gesture = this.gesture ?? this.begin(command.label(this.store.document, args));
       gesture.preview(command.run(gesture.base, args));
+      this.anew = anew;
     } catch (error) {
       if (!(error instanceof CommandError)) throw error;
       this.messages.note(error.message, 'warning');
@@ -47,9 +55,13 @@ export class HandEdit {
 
   /** The release: one undo step. */
   commit(): void {
-    this.gesture?.commit();
+    const { gesture, anew } = this;
     this.end();
     this.wasCancelled = false;
+    if (gesture && !gesture.closed && anew && cyclesChanged(gesture.base, this.store.document)) {
+      gesture.cancel();
+      attempt(this.messages, anew);
+    } else gesture?.commit();
   }
 
   cancel(): void {
@@ -65,6 +77,7 @@ export class HandEdit {
 
   private end(): void {
     this.gesture = undefined;
+    this.anew = undefined;
     window.removeEventListener('keydown', this.onKey, true);
   }
 

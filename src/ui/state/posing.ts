@@ -2,6 +2,7 @@
  * State of posing in the viewport, shared by its tools, the inspector and shortcuts. Not part of the document: pins and
  * locks are (`model/ik.ts`).
  */
+import type { Character } from '../../model/document.ts';
 import type { DofValue } from '../../model/dofs.ts';
 import type { PoseByNames } from '../../model/pose-by-names.ts';
 import { type Observable, observable } from '../kit/observable.ts';
@@ -51,6 +52,8 @@ export class Posing {
   readonly chosenDof: Observable<ChosenDof | undefined> = observable<ChosenDof | undefined>(undefined);
   /** While pins hold: how they adapt to a change of that DOF; undefined if they aren't affected. */
   beside: ((characterId: string, dof: number) => BesideDof | undefined) | undefined;
+  /** Characters as they came in, by id: what differs from it was set by hand. */
+  readonly opened = new Map<string, Character>();
   readonly rigSkin: Observable<RigSkin> = observable<RigSkin>('stays');
   readonly ik = new IkHand();
   readonly rig = new RigHand();

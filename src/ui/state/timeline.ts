@@ -3,10 +3,12 @@
  * also channels and selected keys. Not part of the document, but saved with the session, so it is plain data.
  */
 import type { CopiedKeys } from '../../edit/keys/clipboard.ts';
+import type { OutsideCycle } from '../../edit/keys/cycle.ts';
 import type { Character } from '../../model/document.ts';
 import type { ChannelKeys, Selection } from '../../model/session.ts';
 import { type Observable, observable } from '../kit/observable.ts';
 import type { TimeWindow } from '../kit/time-window.ts';
+import type { CycleQuestion } from './cycle-question.ts';
 import { Takes } from './takes.ts';
 
 export const TIMELINE_TABS = ['curves', 'dope', 'takes', 'poses'] as const;
@@ -116,6 +118,13 @@ export class Timeline {
   readonly view: Observable<TimelineView> = observable(DEFAULT_TIMELINE_VIEW);
   /** Auto-key: every DOF changed by hand is keyed. Not remembered: finding it on would be a surprise. */
   readonly autoKey: Observable<boolean> = observable(false);
+  /**
+   * What becomes of keys outside the cycle of a channel that repeats. Not remembered either: it was meant for the
+   * motion that one works on.
+   */
+  readonly outsideCycle: Observable<OutsideCycle | 'ask'> = observable<OutsideCycle | 'ask'>('ask');
+  /** Keys that wait until it has been said where they go (`add-keys.ts`). */
+  readonly cycleQuestion: Observable<CycleQuestion | undefined> = observable<CycleQuestion | undefined>(undefined);
   /** Counts requests to rename the take: its field is in the inspector. */
   readonly takeRenameAsked: Observable<number> = observable(0);
   /**

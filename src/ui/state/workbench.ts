@@ -121,6 +121,7 @@ export type DialogName =
   | 'retarget'
   | 'holdPins'
   | 'skinWeights'
+  | 'outsideCycle'
   | CurveToolName;
 /** The curve tools with a dialog. */
 export type CurveToolName = 'simplify' | 'resample' | 'bake' | 'scaleKeys' | SampleToolName;

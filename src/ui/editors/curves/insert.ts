@@ -1,7 +1,8 @@
 /** Inserts a key on a curve where it was clicked. */
 import { insertKeys } from '../../../edit/commands/keys.ts';
+import { addKeys } from '../../state/add-keys.ts';
 import type { Uses } from '../../state/workbench.ts';
-import { takeInHand } from '../timeline/in-hand.ts';
+import { keyPlacing, takeInHand } from '../timeline/in-hand.ts';
 
 /** On the curve, preserving its shape; on the nearest frame if keys snap to frames. @param clipSeconds of the clip */
 export function insertOnCurve(
@@ -15,5 +16,7 @@ export function insertOnCurve(
   const offset = take.character.timeOffsetSeconds;
   const snapped = Math.round((clipSeconds - offset) * framesPerSecond) / framesPerSecond + offset;
   const timeSeconds = wb.timeline.view.get().snapsToFrames ? snapped : clipSeconds;
-  wb.store.apply(insertKeys, { characterId: take.character.id, channels: [channel], timeSeconds });
+  const inserted = { characterId: take.character.id, channels: [channel], timeSeconds };
+  const placing = keyPlacing(wb, take.character);
+  addKeys(wb, insertKeys, (outsideCycle) => ({ ...inserted, ...placing, outsideCycle }));
 }

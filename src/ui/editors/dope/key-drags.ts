@@ -8,9 +8,10 @@ import { type CopiedKeys, copyKeys } from '../../../edit/keys/clipboard.ts';
 import { countKeys } from '../../../edit/keys/selection.ts';
 import type { ChannelKeys } from '../../../model/session.ts';
 import { plural, shown } from '../../kit/number-text.ts';
+import { addKeys } from '../../state/add-keys.ts';
 import type { HandEdit } from '../../state/hand-edit.ts';
 import type { Uses } from '../../state/workbench.ts';
-import { aboutKeysInHand, editOfTake, keysInHand, type Take, takeInHand } from '../timeline/in-hand.ts';
+import { aboutKeysInHand, editOfTake, keyPlacing, keysInHand, type Take, takeInHand } from '../timeline/in-hand.ts';
 import { frameNumber, snapSeconds } from '../timeline/snapping.ts';
 import type { DopeDrag, DopeHost, Pointer } from './gesture.ts';
 import { secondsPerPixel, sheetTime } from './sheet.ts';
@@ -100,7 +101,8 @@ export class MoveKeys extends KeyDrag {
     const seconds = this.dragged(at, this.grabbedSeconds ?? this.span[0], at.ctrl && way !== 'copy');
     if (copied) {
       const timeSeconds = this.span[0] + timeOffsetSeconds + seconds;
-      edit.preview(pasteKeys, { characterId, copied, timeSeconds, mode: 'merge' });
+      const pasted = { characterId, copied, timeSeconds, mode: 'merge', ...keyPlacing(wb, character) } as const;
+      edit.preview(pasteKeys, pasted, () => addKeys(wb, pasteKeys, (outsideCycle) => ({ ...pasted, outsideCycle })));
     } else if (way === 'ripple') {
       edit.preview(this.rippling, { characterId, keys, seconds });
     } else {

@@ -4,6 +4,7 @@
  */
 import { setDofs } from '../../../edit/commands/pose.ts';
 import { findCharacter } from '../../../model/document.ts';
+import { addKeyed } from '../../state/add-keys.ts';
 import { HandEdit } from '../../state/hand-edit.ts';
 import { standStill } from '../../state/stand-still.ts';
 import type { Workbench } from '../../state/workbench.ts';
@@ -45,7 +46,8 @@ export function handDrag(
       if (!mover) return;
       const moved = mover(at);
       const { timeSeconds } = wb.transport.get();
-      edit.preview(setDofs, { characterId, dofs: moved.dofs, timeSeconds, key: autoKey(wb) });
+      const args = { characterId, dofs: moved.dofs, timeSeconds, key: autoKey(wb) };
+      edit.preview(setDofs, args, () => addKeyed(wb, setDofs, args));
       // After the edit has begun, since messages are cleared by a new step.
       const character = findCharacter(wb.store.document, characterId);
       if (character)

@@ -11,6 +11,7 @@ import { isSingular } from '../../../math/mat4.ts';
 import type { Vec3 } from '../../../math/vec3.ts';
 import { type Character, type Document, findCharacter } from '../../../model/document.ts';
 import { jointName } from '../../../model/joint-name.ts';
+import { addKeyed } from '../../state/add-keys.ts';
 import { HandEdit } from '../../state/hand-edit.ts';
 import type { Workbench } from '../../state/workbench.ts';
 import { autoKey, standStillToPose } from '../posing/pose-edits.ts';
@@ -133,14 +134,11 @@ export class HandPull {
   }
 
   private preview(): void {
-    const { wb, character, pull } = this;
+    const { wb, character, pull, command } = this;
     const { changes } = pull;
-    this.edit.preview(this.command, {
-      characterId: character.id,
-      dofs: changes,
-      timeSeconds: wb.transport.get().timeSeconds,
-      key: autoKey(wb),
-    });
+    const { timeSeconds } = wb.transport.get();
+    const args = { characterId: character.id, dofs: changes, timeSeconds, key: autoKey(wb) };
+    this.edit.preview(command, args, () => addKeyed(wb, command, args));
     // After the edit has begun, since messages are cleared by a new step.
     tellFollows(
       wb,

@@ -4,6 +4,7 @@ import { resolvePins } from '../../../evaluate/ik/drag/re-solve.ts';
 import { ikOf } from '../../../evaluate/ik/set-up.ts';
 import type { Character } from '../../../model/document.ts';
 import { jointName } from '../../../model/joint-name.ts';
+import { addKeyed } from '../../state/add-keys.ts';
 import { attempt } from '../../state/attempt.ts';
 import { standStill } from '../../state/stand-still.ts';
 import type { Workbench } from '../../state/workbench.ts';
@@ -24,7 +25,7 @@ export function solvePins(wb: Workbench, character: Character): void {
   if (changes.length) {
     const command = { ...setDofs, label: () => `Re-solve pins of ${character.name}` };
     attempt(wb.messages, () => {
-      wb.store.apply(command, { characterId: id, dofs: changes, timeSeconds, key: autoKey(wb) });
+      addKeyed(wb, command, { characterId: id, dofs: changes, timeSeconds, key: autoKey(wb) });
       const after = wb.viewport.character(id);
       if (after) targets.leave(id, setup, after.dofs, held, hindrance);
     });

@@ -78,9 +78,12 @@ export class DofFolders {
     const count = unkeyed?.timeSeconds === timeSeconds ? unkeyed.dofs.length : 0;
     this.note.hidden = count === 0;
     if (!count) return;
-    const key = keyNameOf(this.context.wb, 'key.pose');
+    const key = keyNameOf(this.context.wb, 'key.changed');
     const what = plural(count, 'unkeyed change');
-    setText(this.note, `${what}, lost when the time changes${key ? `. ${key} keys the pose` : ''}.`);
+    setText(
+      this.note,
+      `${what}, lost when the time changes${key ? `. ${key} keys ${count === 1 ? 'it' : 'them'}` : ''}.`,
+    );
   }
 
   private fillJoint(character: Character, dofs: readonly CharacterDof[], index: number | undefined): void {

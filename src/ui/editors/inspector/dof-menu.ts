@@ -8,6 +8,7 @@ import { type CharacterDof, characterDofs, filePose } from '../../../model/dofs.
 import { isUnlimited, type Limit, UNLIMITED } from '../../../model/skeleton.ts';
 import { type MenuEntry, openMenu } from '../../kit/menu.ts';
 import type { Slider } from '../../kit/slider.ts';
+import { addKeyed } from '../../state/add-keys.ts';
 import { openPanel } from '../../state/panels.ts';
 import type { Uses } from '../../state/workbench.ts';
 import { autoKey, deleteAllKeys, deleteKeysNow, isKeyedNow, keyNow, setOne } from '../posing/pose-edits.ts';
@@ -54,7 +55,7 @@ function entries(
     const beside = wb.posing.beside?.(id, index);
     const { timeSeconds } = wb.transport.get();
     const dofs = beside?.at(value) ?? [own];
-    wb.store.apply(setOne(own), { characterId: id, dofs, timeSeconds, key: autoKey(wb) });
+    addKeyed(wb, setOne(own), { characterId: id, dofs, timeSeconds, key: autoKey(wb) });
     beside?.shown();
   };
   const list: MenuEntry[] = [

@@ -11,6 +11,7 @@ import { element, uniqueId } from '../../kit/dom.ts';
 import { MAX_DECIMALS, shown } from '../../kit/number-text.ts';
 import { Slider, type SliderOptions } from '../../kit/slider.ts';
 import { setTooltip } from '../../kit/tooltip.ts';
+import { addKeyed } from '../../state/add-keys.ts';
 import { shownPerUnit, typedUnits, unitText, withoutNoise } from '../../state/angles.ts';
 import type { HandEdit } from '../../state/hand-edit.ts';
 import type { BesideDof } from '../../state/posing.ts';
@@ -89,7 +90,8 @@ export function addDofRow(
     const own = { index, value: value / factor };
     const { timeSeconds } = wb.transport.get();
     const dofs = beside?.at(own.value) ?? [own];
-    edit.preview(setOne(own), { characterId: id, dofs, timeSeconds, key });
+    const args = { characterId: id, dofs, timeSeconds, key };
+    edit.preview(setOne(own), args, () => addKeyed(wb, setOne(own), args));
     beside?.shown();
     if (edit.cancelled) update();
   });

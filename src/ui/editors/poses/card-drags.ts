@@ -1,6 +1,7 @@
 /** Dragging on a card of the library blends to its pose. */
 import { applyPose } from '../../../edit/commands/poses.ts';
 import { followPointer } from '../../kit/drag.ts';
+import { addKeyed } from '../../state/add-keys.ts';
 import { HandEdit } from '../../state/hand-edit.ts';
 import type { Uses } from '../../state/workbench.ts';
 import { moment } from './pose-edits.ts';
@@ -36,7 +37,8 @@ export function blendByDrag(
         return show(undefined);
       }
       const share = Math.min(1, Math.max(0, (event.clientX - down.clientX) / WHOLE_DRAG));
-      hand.preview(applyPose, { characterId, pose, share, joint, ...at });
+      const args = { characterId, pose, share, joint, ...at };
+      hand.preview(applyPose, args, () => addKeyed(wb, applyPose, args));
       show(share);
     },
     over: (_, release) => {

@@ -12,6 +12,7 @@ import { poseByNames, takePose } from '../../../edit/pose/by-names.ts';
 import { dofCountOf, poseAt } from '../../../evaluate/pose.ts';
 import { plural } from '../../kit/number-text.ts';
 import { currentCharacter } from '../../state/action.ts';
+import { addKeyed } from '../../state/add-keys.ts';
 import { attempt } from '../../state/attempt.ts';
 import { selectedJointOf } from '../../state/selected-joint.ts';
 import { standStill } from '../../state/stand-still.ts';
@@ -35,7 +36,7 @@ export function pasteCopied(wb: Uses<'store' | 'transport' | 'timeline' | 'posin
   const copied = wb.posing.copied.get();
   if (!character || !copied) return;
   attempt(wb.messages, () => {
-    wb.store.apply(pastePose, { characterId: character.id, pose: copied.pose, ...moment(wb) });
+    addKeyed(wb, pastePose, { characterId: character.id, pose: copied.pose, ...moment(wb) });
     const { missing, found } = takePose(character, copied.pose);
     if (missing.length === 0) return;
     const joints = plural(found, 'joint');
@@ -52,7 +53,7 @@ export function mirror(
   const character = currentCharacter(wb);
   if (!character) return;
   const joint = branch ? selectedJointOf(wb, character.id) : undefined;
-  attempt(wb.messages, () => wb.store.apply(mirrorPose, { characterId: character.id, joint, way, ...moment(wb) }));
+  attempt(wb.messages, () => addKeyed(wb, mirrorPose, { characterId: character.id, joint, way, ...moment(wb) }));
 }
 
 export function keep(wb: Uses<'store' | 'transport' | 'timeline' | 'settings' | 'messages'>): void {
@@ -74,7 +75,7 @@ export function take(
   wb: Uses<'store' | 'transport' | 'timeline' | 'settings' | 'messages'>,
   change: Omit<ApplyPose, 'timeSeconds' | 'key'>,
 ): void {
-  attempt(wb.messages, () => wb.store.apply(applyPose, { ...change, ...moment(wb) }));
+  attempt(wb.messages, () => addKeyed(wb, applyPose, { ...change, ...moment(wb) }));
 }
 
 /** Time for edits of poses, and whether to key them. Stops playback. */

@@ -10,6 +10,7 @@ import { type CharacterDof, characterDofs, firstDofs } from '../../../model/dofs
 import { quaternionDofs } from '../../../model/joint-types.ts';
 import { lengthStep } from '../../../model/reach.ts';
 import type { Skeleton } from '../../../model/skeleton.ts';
+import { addKeyed } from '../../state/add-keys.ts';
 import { type ResolvedJoint, selectedJoint } from '../../state/selected-joint.ts';
 import { standStill } from '../../state/stand-still.ts';
 import type { Uses } from '../../state/workbench.ts';
@@ -78,7 +79,7 @@ export function nudgeDof(wb: Uses<'store' | 'transport' | 'timeline' | 'posing' 
   const step = nudgeOf(characterDofs(skeleton, [])[index], skeleton);
   const value = shownDofs(wb, character)[index] + way * step;
   const { timeSeconds } = wb.transport.get();
-  wb.store.apply(setDofs, { characterId: character.id, dofs: [{ index, value }], timeSeconds, key: autoKey(wb) });
+  addKeyed(wb, setDofs, { characterId: character.id, dofs: [{ index, value }], timeSeconds, key: autoKey(wb) });
 }
 
 function nudgeOf({ unit }: CharacterDof, skeleton: Skeleton): number {

@@ -1,12 +1,16 @@
 /** Actions that key the pose, and that create and remove takes. */
 import { createClip, duplicateClip, removeClip, setClipRange } from '../../../edit/commands/clips.ts';
 import { discardUnkeyed } from '../../../edit/commands/pose.ts';
+import { posedDofs } from '../../../edit/posed-dofs.ts';
 import { rangeOfKeys } from '../../../edit/takes.ts';
 import { type Character, shownClip } from '../../../model/document.ts';
+import { shown } from '../../kit/number-text.ts';
 import { currentCharacter } from '../../state/action.ts';
+import { selectedJointOf } from '../../state/selected-joint.ts';
 import type { NEW_KEY_TANGENTS } from '../../state/settings.ts';
 import type { Action, Uses } from '../../state/workbench.ts';
 import { deleteKeysNow, jointDofs, keyNow, keysNow } from './pose-edits.ts';
+import { keyNameOf } from './unkeyed-values.ts';
 
 const TANGENT_LABELS: Readonly<Record<(typeof NEW_KEY_TANGENTS)[number], string>> = {
   smooth: 'Smooth',
@@ -22,32 +26,32 @@ const shownTake = (wb: Uses<'store'>) => {
 
 export const KEYING_ACTIONS: readonly Action[] = [
   {
-    id: 'key.pose',
-    label: 'Key pose',
+    id: 'key.changed',
+    label: 'Key changed values, else selected joint',
     group: 'Keys',
     menu: 'Keys',
     shortcuts: ['K'],
     icon: 'key',
     enabled: canKey,
-    run: (wb) => withCharacter(wb, ({ id }) => keyNow(wb, id)),
+    run: keyChanged,
   },
   {
-    id: 'key.joint',
-    label: 'Key selected joint',
+    id: 'key.pose',
+    label: 'Key whole pose',
     group: 'Keys',
     menu: 'Keys',
     shortcuts: ['Shift+K'],
     enabled: canKey,
-    run: (wb) => withJoint(wb, ({ id }, dofs) => keyNow(wb, id, dofs)),
+    run: (wb) => withCharacter(wb, (character) => keyAndTell(wb, character)),
   },
   {
-    id: 'key.changed',
-    label: 'Key changed values',
+    id: 'key.joint',
+    label: 'Key all DOFs of selected joint',
     group: 'Keys',
     menu: 'Keys',
     shortcuts: ['Ctrl+Alt+K'],
-    enabled: (wb) => changedDofs(wb).length > 0,
-    run: (wb) => withCharacter(wb, ({ id }) => keyNow(wb, id, changedDofs(wb))),
+    enabled: canKey,
+    run: (wb) => withJoint(wb, (character, dofs) => keyAndTell(wb, character, dofs)),
   },
   {
     id: 'key.deleteHere',
@@ -184,9 +188,42 @@ function withJoint(wb: Uses<'store' | 'messages'>, run: (character: Character, d
   else run(character, jointDofs(character, joint));
 }
 
-/** DOFs with unkeyed changes; the rest of the pose comes from the channels. */
-function changedDofs(wb: Uses<'store'>): readonly number[] {
-  return currentCharacter(wb)?.unkeyed?.dofs ?? [];
+/** What was changed by hand; if nothing was, the selected joint as it is. Neither keys what nobody has touched. */
+function keyChanged(
+  wb: Uses<'store' | 'transport' | 'timeline' | 'posing' | 'settings' | 'actions' | 'messages'>,
+): void {
+  const character = currentCharacter(wb);
+  if (!character) return;
+  const posed = posedDofs(character, wb.posing.opened.get(character.id), wb.transport.get().timeSeconds);
+  if (posed.length) {
+    keyAndTell(wb, character, posed);
+    return;
+  }
+  const joint = selectedJointOf(wb, character.id);
+  if (joint !== undefined) {
+    keyAndTell(wb, character, jointDofs(character, joint));
+    return;
+  }
+  const whole = keyNameOf(wb, 'key.pose');
+  wb.messages.note(
+    `Nothing to key: no value was changed and no joint is selected. Turn a joint, or select one${whole ? `; ${whole} keys the whole pose` : ''}.`,
+  );
+}
+
+/** A key that is there already looks like one that was not made. */
+function keyAndTell(
+  wb: Uses<'store' | 'transport' | 'timeline' | 'settings' | 'messages'>,
+  character: Character,
+  dofs?: readonly number[],
+): void {
+  if (dofs?.length === 0) {
+    wb.messages.note('The selected joint has no DOFs to key.');
+    return;
+  }
+  const before = wb.store.document;
+  keyNow(wb, character.id, dofs);
+  if (wb.store.document !== before) return;
+  wb.messages.note(`Keyed already at ${shown(wb.transport.get().timeSeconds)} s, with these values.`);
 }
 
 function hasKeysHere(wb: Uses<'store' | 'transport'>): boolean {

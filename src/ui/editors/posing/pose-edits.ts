@@ -14,14 +14,20 @@ import { keysOf } from '../../../model/clip.ts';
 import { type Character, shownClip } from '../../../model/document.ts';
 import { type DofValue, jointDofCount, rootDofCount } from '../../../model/dofs.ts';
 import type { ChannelKeys } from '../../../model/session.ts';
+import { addKeys } from '../../state/add-keys.ts';
 import { standStill } from '../../state/stand-still.ts';
 import type { Uses } from '../../state/workbench.ts';
 import { channelsOfJoint } from '../timeline/channels.ts';
 import { clipTime } from '../timeline/in-hand.ts';
 
 /** Options for new keys. */
-export function keyOptions(wb: Uses<'transport' | 'settings'>): KeyOptions {
-  return { tangents: wb.settings.get().newKeyTangents, playedRange: wb.transport.get().range };
+export function keyOptions(wb: Uses<'transport' | 'timeline' | 'settings'>): KeyOptions {
+  const outsideCycle = wb.timeline.outsideCycle.get();
+  return {
+    tangents: wb.settings.get().newKeyTangents,
+    playedRange: wb.transport.get().range,
+    ...(outsideCycle !== 'ask' && { outsideCycle }),
+  };
 }
 
 /** For commands that set DOFs: how to key them, or undefined while auto-key is off. */
@@ -53,7 +59,8 @@ export function keyNow(
 ): void {
   standStill(wb);
   const { timeSeconds } = wb.transport.get();
-  wb.store.apply(keyPose, { characterId, dofs, timeSeconds, ...keyOptions(wb) });
+  const options = keyOptions(wb);
+  addKeys(wb, keyPose, (outsideCycle) => ({ characterId, dofs, timeSeconds, ...options, outsideCycle }));
 }
 
 /** A character's keys at the current time; of these DOFs, or of all. */

@@ -23,7 +23,7 @@ export function dropStale(wb: Uses<'store' | 'actions' | 'settings' | 'messages'
   const canBeKeyed = store.document.characters.some((c) => c.unkeyed && !c.driver);
   store.apply(discardUnkeyed, { exceptSeconds: timeSeconds });
   const undo = keyNameOf(wb, 'edit.undo');
-  const key = canBeKeyed ? keyNameOf(wb, 'key.pose') : undefined;
+  const key = canBeKeyed ? keyNameOf(wb, 'key.changed') : undefined;
   const hints = [undo && `${undo} restores ${count === 1 ? 'it' : 'them'}`, key && `${key} keys such changes`];
   const said = hints.filter(Boolean).join(', ');
   const what = count === 1 ? 'Unkeyed change' : `${count} unkeyed changes`;

@@ -1,6 +1,8 @@
 /** Actions for the timeline's display and options, and the tools for whole curves. */
+import { OUTSIDE_CYCLE } from '../../../edit/keys/cycle.ts';
 import type { ChannelListKind, HandleMode, TimelineView } from '../../state/timeline.ts';
 import type { Action, CurveToolName, Uses, Workbench } from '../../state/workbench.ts';
+import { OUTSIDE_LABELS } from './cycle-text.ts';
 import { channelsInHand, channelsInView, keysInHand, takeInHand } from './in-hand.ts';
 import { hasKeys, hasTake } from './key-actions.ts';
 import type { SampleTool } from './sample-tools.ts';
@@ -149,6 +151,20 @@ export const TIMELINE_ACTIONS: readonly Action[] = [
   toggle('snapsToValues', 'Snap to values', ['Shift+V'], 'snapValues', 15),
   choice('onCollision', 'replace', 'Overlapping keys: replace', 'Keys/Editing', 16),
   choice('onCollision', 'step', 'Overlapping keys: keep both (step)', 'Keys/Editing', 16),
+  ...(['ask', ...OUTSIDE_CYCLE] as const).map((how) =>
+    curves(
+      `outsideCycle.${how}`,
+      `Keys outside a cycle: ${how === 'ask' ? 'ask' : OUTSIDE_LABELS[how].toLowerCase()}`,
+      [],
+      {
+        menu: 'Keys/Editing',
+        section: 19,
+        radio: true,
+        checked: (wb) => wb.timeline.outsideCycle.get() === how,
+        run: (wb) => wb.timeline.outsideCycle.set(how),
+      },
+    ),
+  ),
   choice('handles', 'auto', HANDLE_LABELS.auto, 'Keys/Editing', 17),
   choice('handles', 'alone', HANDLE_LABELS.alone, 'Keys/Editing', 17),
   choice('handles', 'together', HANDLE_LABELS.together, 'Keys/Editing', 17),

@@ -6,6 +6,7 @@
  * invisible keys would break work unnoticed.) They stay selected meanwhile, and are edited again once they are in view;
  * selecting something else deselects them with the rest.
  */
+import type { KeyPlacing } from '../../../edit/keys/cycle.ts';
 import { NO_KEY_SELECTION, unionKeys } from '../../../edit/keys/selection.ts';
 import { type Command, type Edit, withSelectedKeys } from '../../../edit/store.ts';
 import type { ChannelClip } from '../../../model/clip.ts';
@@ -106,6 +107,16 @@ export function channelsInView(wb: Uses<'store' | 'timeline'>): readonly number[
 export function channelsInHand(wb: Uses<'store' | 'timeline'>): readonly number[] {
   const keys = keysInHand(wb);
   return keys.length ? keys.map((k) => k.channel) : channelsInView(wb);
+}
+
+/** Where keys of a character's clip go that are added now. */
+export function keyPlacing(wb: Uses<'transport' | 'timeline'>, { timeOffsetSeconds }: Character): KeyPlacing {
+  const [from, to] = wb.transport.get().range;
+  const outsideCycle = wb.timeline.outsideCycle.get();
+  return {
+    bakedRange: [from + timeOffsetSeconds, to + timeOffsetSeconds],
+    ...(outsideCycle !== 'ask' && { outsideCycle }),
+  };
 }
 
 /** Seconds of the clip at the transport's time. */

@@ -1,7 +1,7 @@
 /** Edits of the selected keys: each is one command and one undo step. */
 import { setExtrapolation } from '../../../edit/commands/extrapolation.ts';
 import { insertKeys, moveKeys, removeKeys, rippleKeys, snapKeys } from '../../../edit/commands/keys.ts';
-import { pasteKeys } from '../../../edit/commands/paste.ts';
+import { type PasteKeys, pasteKeys } from '../../../edit/commands/paste.ts';
 import { breakTangents, setTangents, unifyTangents } from '../../../edit/commands/tangents.ts';
 import { type CopiedKeys, copyKeys } from '../../../edit/keys/clipboard.ts';
 import { countKeys } from '../../../edit/keys/selection.ts';
@@ -10,6 +10,7 @@ import { type Extrapolation, keysOf, type TangentKind } from '../../../model/cli
 import { unitOfChannel } from '../../../model/dofs.ts';
 import type { ChannelKeys } from '../../../model/session.ts';
 import { plural, shown } from '../../kit/number-text.ts';
+import { addKeys } from '../../state/add-keys.ts';
 import { standStill } from '../../state/stand-still.ts';
 import type { Uses } from '../../state/workbench.ts';
 import { channelName, dofsFor, namedChannel } from './channels.ts';
@@ -18,6 +19,7 @@ import {
   channelsInHand,
   channelsInView,
   clipTime,
+  keyPlacing,
   keysInHand,
   selectKeys,
   takeInHand,
@@ -32,11 +34,10 @@ export function insertAtPlayhead(
   const take = takeInHand(wb);
   if (!take || !channels.length) return;
   standStill(wb);
-  wb.store.apply(insertKeys, {
-    characterId: take.character.id,
-    channels,
-    timeSeconds: clipTime(wb, take.character),
-  });
+  const { character } = take;
+  const inserted = { characterId: character.id, channels, timeSeconds: clipTime(wb, character) };
+  const placing = keyPlacing(wb, character);
+  addKeys(wb, insertKeys, (outsideCycle) => ({ ...inserted, ...placing, outsideCycle }));
 }
 
 export function deleteKeys(wb: Uses<'store' | 'transport' | 'timeline'>): void {
@@ -72,13 +73,17 @@ export function paste(
   const take = takeInHand(wb);
   if (!take || !copied) return;
   standStill(wb);
-  wb.store.apply(pasteKeys, {
-    characterId: take.character.id,
+  const { character } = take;
+  const pasted: PasteKeys = {
+    characterId: character.id,
     copied,
-    timeSeconds: clipTime(wb, take.character),
+    timeSeconds: clipTime(wb, character),
     mode,
     ...(into && { into: [...into] }),
-  });
+  };
+  // Pushing later keys on lengthens a cycle anyway, and is meant to.
+  if (mode === 'insert') wb.store.apply(pasteKeys, pasted);
+  else addKeys(wb, pasteKeys, (outsideCycle) => ({ ...pasted, ...keyPlacing(wb, character), outsideCycle }));
 }
 
 /** Duplicates the selected keys at the playhead, without the clipboard. */

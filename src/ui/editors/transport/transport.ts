@@ -126,10 +126,12 @@ function rate(wb: Uses<'actions' | 'transport' | 'settings'>): HTMLElement {
   return keepsFocusElsewhere(made);
 }
 
+const KEY_LABEL = 'Key changed values, else selected joint';
+
 /** The record switch: red while on, like the frame of the viewport. */
 function keying(wb: Uses<'actions' | 'timeline' | 'settings'>): HTMLElement {
-  const key = keepsFocusElsewhere(button('Key pose', { class: 'tool' }, icon('key'), () => tryRun(wb, 'key.pose')));
-  setActionTooltip(wb, key, 'key.pose', 'Key pose');
+  const key = keepsFocusElsewhere(button(KEY_LABEL, { class: 'tool' }, icon('key'), () => tryRun(wb, 'key.changed')));
+  setActionTooltip(wb, key, 'key.changed', KEY_LABEL);
   const auto = keepsFocusElsewhere(
     button('Auto-key', { class: 'tool auto-key' }, icon('record'), () => runAction(wb, 'key.auto')),
   );

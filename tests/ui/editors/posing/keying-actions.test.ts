@@ -4,6 +4,7 @@ import { keysOf } from '../../../../src/model/clip.ts';
 import type { Character } from '../../../../src/model/document.ts';
 import { dofState, toggleKey } from '../../../../src/ui/editors/inspector/dof-mark.ts';
 import { KEYING_ACTIONS } from '../../../../src/ui/editors/posing/keying-actions.ts';
+import { followOpened } from '../../../../src/ui/editors/posing/opened.ts';
 import { autoKey, jointDofs } from '../../../../src/ui/editors/posing/pose-edits.ts';
 import { isEnabled, runAction } from '../../../../src/ui/state/action.ts';
 import type { Workbench } from '../../../../src/ui/state/workbench.ts';
@@ -114,7 +115,7 @@ describe('keying from the menu', () => {
     const { wb } = workbench(documentOf({ ...bare, clips: [clip([0, 1], swing, still)], shownClip: 0 }), {
       timeSeconds: 0.5,
     });
-    expect(enabled(wb)).not.toContain('key.changed');
+    wb.store.select({ characterId: 'c1', joint: 1 });
     wb.store.apply(setDofs, { characterId: 'c1', dofs: [{ index: 0, value: 3 }], timeSeconds: 0.5 });
     runAction(wb, 'key.changed');
     const [keyed, other] = wasp(wb).clips[0].channels;
@@ -125,10 +126,50 @@ describe('keying from the menu', () => {
     expect(wb.store.undoLabel).toBe('Key tx of hips');
   });
 
+  it('keys what was posed since a bare character was opened, whichever joint is selected, and again after undo', () => {
+    const { wb } = workbench(documentOf(bare));
+    followOpened(wb);
+    wb.store.select({ characterId: 'c1', joint: 0 });
+    const pose = () =>
+      wb.store.apply(setDofs, {
+        characterId: 'c1',
+        dofs: [6, 8].map((index) => ({ index, value: 0.5 })),
+        timeSeconds: 0,
+      });
+    pose();
+    runAction(wb, 'key.changed');
+    expect(keyCounts(wb)).toEqual([0, 0, 0, 0, 0, 0, 1, 0, 1]);
+    wb.store.undo();
+    runAction(wb, 'key.changed');
+    expect(keyCounts(wb)).toEqual([0, 0, 0, 0, 0, 0, 1, 0, 1]);
+    // What has keys and was not touched stays as it is: the selected joint is what is left.
+    at(wb, 1);
+    runAction(wb, 'key.changed');
+    expect(keyCounts(wb)).toEqual([1, 1, 1, 1, 1, 1, 1, 0, 1]);
+  });
+
+  it('keys the selected joint where nothing was changed, and says what to do where none is selected', () => {
+    const { wb } = workbench(documentOf(bare));
+    runAction(wb, 'key.changed');
+    expect(wasp(wb)).toBe(bare);
+    expect(wb.messages.passing.get()).toContain('no joint is selected');
+    wb.store.select({ characterId: 'c1', joint: 1 });
+    runAction(wb, 'key.changed');
+    expect(keyCounts(wb)).toEqual([0, 0, 0, 0, 0, 0, 1, 1, 1]);
+    runAction(wb, 'key.changed');
+    expect(wb.messages.passing.get()).toBe('Keyed already at 0 s, with these values.');
+  });
+
   it('offers what can be done: nothing to key without a skeleton, no take to remove without one', () => {
     const always = ['key.auto', 'key.tangents.smooth', 'key.tangents.linear', 'key.tangents.flat'];
     expect(enabled(workbench().wb)).toEqual(always);
-    expect(enabled(workbench(documentOf(bare)).wb)).toEqual(['key.pose', 'key.joint', ...always, 'take.new']);
+    expect(enabled(workbench(documentOf(bare)).wb)).toEqual([
+      'key.changed',
+      'key.pose',
+      'key.joint',
+      ...always,
+      'take.new',
+    ]);
   });
 });
 

@@ -30,6 +30,7 @@ const walker = () =>
 beforeEach(() => {
   ({ wb } = workbench(documentOf(walker()), { timeSeconds: 3 }));
   followPeriods(wb);
+  wb.timeline.outsideCycle.set('lengthen');
 });
 
 describe('another period', () => {

@@ -1,0 +1,47 @@
+/** Where a key goes that is outside the cycle of a channel that repeats: asked beside the pose that is keyed. */
+import { OUTSIDE_CYCLE } from '../../../edit/keys/cycle.ts';
+import type { DialogContent } from '../../kit/dialog.ts';
+import { element } from '../../kit/dom.ts';
+import { attempt } from '../../state/attempt.ts';
+import type { Uses } from '../../state/workbench.ts';
+import { cycleText, OUTSIDE_LABELS } from './cycle-text.ts';
+
+const TITLE = 'Key outside the cycle';
+
+export function cycleDialog(wb: Uses<'transport' | 'timeline' | 'messages'>, close: () => void): DialogContent {
+  const question = wb.timeline.cycleQuestion.get();
+  const kind = 'tool-dialog is-aside cycle-dialog';
+  if (!question) return { title: TITLE, kind, body: element('p', {}, 'No key waits for an answer.') };
+  const { about, answers } = cycleText(question, wb.transport.get().range);
+  const always = element('input', { type: 'checkbox' });
+  const choices = OUTSIDE_CYCLE.flatMap((how) => {
+    const detail = answers[how];
+    if (detail === undefined) return [];
+    const made = element(
+      'button',
+      { type: 'button', class: 'choice-card', ...(how === 'bake' && { autofocus: true }) },
+      element('span', { class: 'choice-name' }, OUTSIDE_LABELS[how]),
+      element('span', { class: 'faint' }, detail),
+    );
+    // The curves show what it would do.
+    const show = () => attempt(wb.messages, () => question.show(how));
+    made.addEventListener('focus', show);
+    made.addEventListener('pointerenter', show);
+    made.addEventListener('click', () => {
+      if (always.checked) wb.timeline.outsideCycle.set(how);
+      attempt(wb.messages, () => question.answer(how));
+    });
+    return made;
+  });
+  const cancel = element('button', { type: 'button', class: 'plain' }, 'Cancel');
+  cancel.addEventListener('click', close);
+  const body = element(
+    'div',
+    { class: 'tool-form' },
+    element('p', {}, about),
+    ...choices,
+    element('label', { class: 'cycle-always' }, always, 'Don’t ask again until the page is reloaded'),
+    element('div', { class: 'tool-buttons' }, cancel),
+  );
+  return { title: TITLE, kind, body };
+}

@@ -1,0 +1,59 @@
+/** What is asked about keys outside a cycle, in sentences. */
+import { type OutsideCycle, placeOf, withRepeatsBaked } from '../../../edit/keys/cycle.ts';
+import { sameTime } from '../../../edit/keys/same-time.ts';
+import { shownClip } from '../../../model/document.ts';
+import { plural, shown } from '../../kit/number-text.ts';
+import type { CycleQuestion } from '../../state/cycle-question.ts';
+import { channelName, namedChannel } from './channels.ts';
+
+export const OUTSIDE_LABELS: Readonly<Record<OutsideCycle, string>> = {
+  bake: 'Bake the repeats first',
+  inside: 'Key inside the cycle',
+  lengthen: 'Lengthen the cycle',
+};
+
+export interface CycleText {
+  /** What the key would do: `left_arm rx repeats every 0.8 s. A key at 2 s would make it repeat every 2 s.` */
+  readonly about: string;
+  /** What each answer does; absent where it can't be given. */
+  readonly answers: Readonly<Partial<Record<OutsideCycle, string>>>;
+}
+
+/** @param range what is played, in seconds of the transport */
+export function cycleText(
+  { character, changed }: Pick<CycleQuestion, 'character' | 'changed'>,
+  range: readonly [number, number],
+): CycleText {
+  const [{ channel: index, from, to, timeSeconds }] = changed;
+  const offset = character.timeOffsetSeconds;
+  const channel = shownClip(character)?.channels[index];
+  const name = channelName(namedChannel(character, index));
+  const time = seconds(timeSeconds - offset);
+  const isOne = changed.length === 1;
+  const alike = changed.every((one) => sameTime(one.from, from) && sameTime(one.to, to));
+  const many = isOne ? name : `${name} and ${plural(changed.length - 1, 'more channel')}`;
+  const about = alike
+    ? `${many} ${isOne ? 'repeats' : 'repeat'} every ${seconds(from)}. A key at ${time} would make ${isOne ? 'it' : 'them'} repeat every ${seconds(to)}.`
+    : `${plural(changed.length, 'channel')} repeat, such as ${name} every ${seconds(from)}. A key at ${time} would make each repeat over a longer time, ${name} every ${seconds(to)}.`;
+  if (channel?.kind !== 'keys') return { about, answers: {} };
+  const placing = { bakedRange: [range[0] + offset, range[1] + offset] as const };
+  const [start, end] = [Math.min(timeSeconds, placing.bakedRange[0]), Math.max(timeSeconds, placing.bakedRange[1])];
+  const { times } = withRepeatsBaked(channel, start, end);
+  const bakedTo = `${shown(times[0] - offset)} to ${seconds(times[times.length - 1] - offset)}`;
+  const inside = placeOf(channel, timeSeconds, { ...placing, outsideCycle: 'inside' });
+  return {
+    about,
+    answers: {
+      bake: `Repeats from ${bakedTo} become keys. Only the motion around ${time} changes.`,
+      ...(inside.isFolded && {
+        inside: `The key is set at ${seconds(inside.time - offset)} instead, and every repeat shows it.`,
+      }),
+      lengthen: 'All keys repeat together, the new one included: the motion changes at other times too.',
+    },
+  };
+}
+
+/** A number never ends a line without its unit. */
+function seconds(value: number): string {
+  return `${shown(value)}\u00a0s`;
+}
