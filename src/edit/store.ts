@@ -1,8 +1,8 @@
 /**
- * The one place where the document changes: a store of immutable states, and the history that undoes them.
+ * The only place where the document changes: a store of immutable states, and the history that undoes them.
  *
- * A step is known by the states on both sides of it rather than by an inverse command: going back can't be wrong. What
- * is kept of them is their difference (`history.ts`), so a step costs what it changed. (ProseMirror needs inverses for
+ * A step is defined by the states on both sides of it rather than by an inverse command, so undo can't be wrong. Only
+ * their difference is stored (`history.ts`), so a step costs what it changed. (ProseMirror needs inverses for
  * collaboration; we don't.)
  */
 import { type Channel, type ChannelClip, keysOf } from '../model/clip.ts';
@@ -15,60 +15,60 @@ import { followSources } from './drivers.ts';
 import { History, type State } from './history.ts';
 import { withoutNumbers, withParts } from './parts.ts';
 
-/** A change to the document, by name: menu entry, undo entry and scripted call in one. */
+/** A named change to the document: menu entry, undo entry and scripted call in one. */
 export interface Command<Args, Result extends Document | Edit = Document> {
   /** Stable: `pose.setDof`. */
   readonly id: string;
-  /** It makes a character: where none is named, none is meant. */
+  /** Creates a character, so that none has to be named. */
   readonly makesCharacter?: true;
-  /** What the Edit menu says: "Set rx". */
+  /** Label in the Edit menu: "Set rx". */
   label(document: Document, args: Args): string;
-  /** The document after the change; the very same object where nothing changes. Throws a `CommandError` to refuse. */
+  /** The changed document; the same object if nothing changes. Throws a `CommandError` to refuse. */
   run(document: Document, args: Args): Result;
 }
 
-/** A change that also says what is selected after it. What it does not say stays selected as far as it is still there. */
+/** A change with the selection after it. Whatever it does not specify stays selected if it still exists. */
 export interface Change {
   readonly document: Document;
-  /** The character, and the joint of it, that it was about. */
+  /** The character, and its joint, that was changed. */
   readonly selected?: SelectedJoint;
 }
 
-/** A change of keys: those it was about are selected, wherever they are now. */
+/** A change of keys, which are selected at their new positions. */
 export interface Edit extends Change {
   readonly keys: readonly ChannelKeys[];
 }
 
-/** A joint that a change was about, by its index after the change; absent: the character, and none of its joints. */
+/** The changed joint, by its index after the change; without `joint`: the character without a selected joint. */
 export interface SelectedJoint {
   readonly characterId: string;
   readonly joint?: number;
 }
 
-/** A command that can't be done, with a sentence for the person who asked for it. */
+/** A command that was refused, with a sentence for the user. */
 export class CommandError extends Error {
   override readonly name = 'CommandError';
 }
 
 /**
- * A drag: previews replace each other, and all of them are one step when committed. Anything else that changes the
- * document ends it first; from then on it does nothing more.
+ * A drag: previews replace each other, and together become one step when committed. Any other change of the document
+ * ends it first; after that it has no effect.
  */
 export interface Gesture {
-  /** The document as it was when the gesture began: previews are made from it, so nothing drifts. */
+  /** The document at the start of the gesture; previews are computed from it, so nothing drifts. */
   readonly base: Document;
-  /** Committed or cancelled, by its own hand or by something else that has happened. */
+  /** Committed or cancelled, by itself or by another change. */
   readonly closed: boolean;
   preview(change: Document | Edit): void;
-  /** @param label what the step is called, where it is known better by now than at the beginning */
+  /** @param label of the step, if it is now known better than at the start */
   commit(label?: string): void;
-  /** Everything as it was before. */
+  /** Restores everything. */
   cancel(): void;
 }
 
 /**
- * What becomes of a gesture when something else happens before its own end. A drag is `kept`: one has seen what one's
- * hand did. What is only being `tried`, as behind a dialog that has an Apply button, is put back.
+ * What happens to a gesture when another change precedes its end. A drag is `kept`, since the user saw its result. What
+ * is only `tried`, as behind a dialog with an Apply button, is reverted.
  */
 export type Unfinished = 'kept' | 'tried';
 
@@ -80,7 +80,7 @@ export class Store {
   private gesture: (Gesture & { readonly unfinished: Unfinished }) | undefined;
   private readonly listeners = new Set<Listener>();
   private readonly stepListeners = new Set<Listener>();
-  /** Ids and revisions of parts: not of the document, for undo must not give one out again. */
+  /** For ids and revisions of parts. Not in the document, since undo must not make a number available again. */
   private counted = 0;
   private readonly count = () => ++this.counted;
 
@@ -96,7 +96,7 @@ export class Store {
     return this.present.selection;
   }
 
-  /** Name of the step that `undo` takes back. */
+  /** Label of the step that `undo` would revert. */
   get undoLabel(): string | undefined {
     return this.history.undoLabel;
   }
@@ -105,22 +105,25 @@ export class Store {
     return this.history.redoLabel;
   }
 
-  /** Calls back after each change, with the state before it: identity tells what changed. Returns the way out. */
+  /**
+   * Calls back after each change, with the previous state; compare identities to see what changed. Returns an
+   * unsubscribe function.
+   */
   subscribe(listener: Listener): () => void {
     this.listeners.add(listener);
     return () => this.listeners.delete(listener);
   }
 
   /**
-   * Calls back after each step that was made in this document, by a command or a gesture that is over: once, with the
-   * states on both sides. Not for previews, nor for documents made elsewhere, nor on the way back and forth.
+   * Calls back once after each step made in this document by a command or a finished gesture, with the states on both
+   * sides. Not for previews, documents from elsewhere, undo or redo.
    */
   onStep(listener: Listener): () => void {
     this.stepListeners.add(listener);
     return () => this.stepListeners.delete(listener);
   }
 
-  /** One step. Nothing happens where the command changes nothing. */
+  /** Applies a command as one step, or none if it changes nothing. */
   apply<Args>(command: Command<Args, Document | Edit>, args: Args): void {
     this.settle();
     const before = this.present;
@@ -130,15 +133,15 @@ export class Store {
   }
 
   /**
-   * A document made elsewhere (files opened) as one step. Whoever makes it from this store's document calls `settle`
-   * before, or what is only being tried would be made part of it.
+   * Replaces the document by one made elsewhere (by opening files), as one step. If that was made from this store's
+   * document, call `settle` before, or changes that are only tried would become part of it.
    */
   replace(label: string, change: Document | Change): void {
     this.settle();
     this.step(label, this.stateAfter(this.present, change));
   }
 
-  /** A document of another page: the same as `replace`, or as `amend` where it is no step. */
+  /** Adopts a document from another page: like `replace`, or like `amend` without a label. */
   adopt(label: string | undefined, { document, selection }: State): void {
     this.settle();
     const next = { document: this.followed(EMPTY_DOCUMENT, withoutNumbers(document)), selection };
@@ -150,13 +153,13 @@ export class Store {
     this.become(next);
   }
 
-  /** Ends a gesture that is under way: a drag is committed, what is only being tried is put back. */
+  /** Ends the current gesture: a drag is committed, what is only tried is reverted. */
   settle(): void {
     if (this.gesture?.unfinished === 'tried') this.gesture.cancel();
     else this.gesture?.commit();
   }
 
-  /** Begins a gesture; one that is under way ends. */
+  /** Begins a gesture; ends the current one. */
   begin(label: string, unfinished: Unfinished = 'kept'): Gesture {
     this.settle();
     const before = this.present;
@@ -174,7 +177,7 @@ export class Store {
         return !isOpen();
       },
       preview: (change) => {
-        // From what was selected at first: keys that a drag has passed over come back as it goes on.
+        // From the initial selection: keys that a drag has overwritten reappear as it continues.
         const selection = this.selection === previewed ? before.selection : this.selection;
         if (!isOpen()) return;
         const next = this.stateAfter({ document: before.document, selection }, change);
@@ -194,15 +197,17 @@ export class Store {
     return gesture;
   }
 
-  /** Changes the document without a step of its own, for what is fleeting in it: undo goes on from before. */
+  /**
+   * Changes the document without a step of its own, for transient parts of it: undo still reverts the previous step.
+   */
   amend(change: Document | Change): void {
     const next = this.stateAfter(this.present, change);
-    // The middle of a gesture is no place to go back to.
+    // Undo never returns to the middle of a gesture.
     if (!this.gesture) this.history.rebase(this.present, next);
     this.become(next);
   }
 
-  /** Selecting is no step, but undo brings back what was selected. */
+  /** Selecting is not a step, but undo restores the selection. */
   select(selection: Selection): void {
     this.become({ document: this.document, selection });
   }
@@ -221,7 +226,7 @@ export class Store {
     return after !== undefined;
   }
 
-  /** What a change entails: drivers follow their sources, and parts are numbered. */
+  /** Consequences of a change: drivers follow their sources, and parts are numbered. */
   private followed(before: Document, after: Document): Document {
     return withParts(before, followSources(before, after), this.count);
   }
@@ -243,7 +248,7 @@ export class Store {
   private become(next: State): void {
     const before = this.present;
     if (next.document === before.document && next.selection === before.selection) {
-      // Labels in the menu still follow a committed gesture.
+      // Menu labels must still update after a committed gesture.
       for (const listener of this.listeners) listener(before, before);
       return;
     }
@@ -256,12 +261,12 @@ function isChange(change: Document | Change): change is Change {
   return 'document' in change;
 }
 
-/** The document of a change, whichever form it has. */
+/** The document of a change in either form. */
 export function documentIn(change: Document | Change): Document {
   return isChange(change) ? change.document : change;
 }
 
-/** A document with what is selected in it after a change: what the change says, and else what is still there. */
+/** A document with the selection after a change: as specified by the change, otherwise what still exists. */
 function stateAfter(before: State, change: Document | Change | Edit, document: Document): State {
   const { keys, selected }: Partial<Edit> = isChange(change) ? change : {};
   const kept = selectionKept(before, document, keys);
@@ -269,7 +274,7 @@ function stateAfter(before: State, change: Document | Change | Edit, document: D
   return { document, selection: withoutLostJoint(about, document) };
 }
 
-/** The same object where that joint, and no vertex, is selected already. Keys stay where the character is the same. */
+/** The same object if that joint, and no vertex, is already selected. Keys stay selected for the same character. */
 function withJoint(selection: Selection, { characterId, joint }: SelectedJoint): Selection {
   const isSame = selection.characterId === characterId && selection.joint === joint;
   if (isSame && selection.vertex === undefined) return selection;
@@ -277,7 +282,7 @@ function withJoint(selection: Selection, { characterId, joint }: SelectedJoint):
   return { characterId, ...(joint !== undefined && { joint }), ...(keys && { keys }) };
 }
 
-/** Of a joint that is gone its character stays selected. */
+/** If the selected joint was removed, its character stays selected. */
 function withoutLostJoint(selection: Selection, document: Document): Selection {
   const { characterId, joint } = selection;
   if (characterId === undefined || joint === undefined) return selection;
@@ -285,20 +290,20 @@ function withoutLostJoint(selection: Selection, document: Document): Selection {
   return joint < length ? selection : { characterId };
 }
 
-/** @param keys that a change says are selected */
+/** @param keys that the change selects */
 function selectionKept(
   { document: before, selection }: State,
   document: Document,
   keys: Edit['keys'] | undefined,
 ): Selection {
   const { characterId } = selection;
-  // Nothing stays selected of a character that is gone.
+  // Nothing of a removed character stays selected.
   if (characterId === undefined) return selection;
   if (!findCharacter(document, characterId)) return NOTHING_SELECTED;
   const was = clipOf(before, characterId);
   const now = clipOf(document, characterId);
   const isOther = document !== before && was === now;
-  // Where nothing changed, they may be of another character than the one that is selected.
+  // If nothing changed, they may belong to a character other than the selected one.
   if (keys && !isOther && hasKeys(now, keys)) return withSelectedKeys(selection, keys);
   if (!selection.keys || was === now) return selection;
   const kept = selection.keys.filter(({ channel }) => hasSameKeys(was?.channels[channel], now?.channels[channel]));
@@ -312,7 +317,7 @@ function hasKeys(clip: ChannelClip | undefined, keys: readonly ChannelKeys[]): b
   });
 }
 
-/** Keys are known by index: they are the same where the column of times is, or where the channel was read again. */
+/** Keys are identified by index: they are the same if the column of times is, or if an equal channel was read again. */
 function hasSameKeys(was: Channel | undefined, now: Channel | undefined): boolean {
   return was !== undefined && now !== undefined && (keysOf(was).times === keysOf(now).times || sameValue(was, now));
 }
@@ -322,7 +327,7 @@ function clipOf(document: Document, characterId: string): ChannelClip | undefine
   return character && shownClip(character);
 }
 
-/** The selection with these keys instead of its own; the same object where they are the same keys. */
+/** The selection with these keys; the same object if they are equal. */
 export function withSelectedKeys(selection: Selection, keys: readonly ChannelKeys[]): Selection {
   if (sameKeys(selection.keys ?? [], keys)) return selection;
   const { keys: _before, ...rest } = selection;

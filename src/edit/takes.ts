@@ -1,6 +1,6 @@
 /**
- * Takes: a character's clips as something to write into. What is keyed goes into the take that is shown; where there is
- * none, one is made that changes nothing by itself, for its channels have no keys and stand where the pose stands.
+ * Takes as targets for editing. Keys are added to the shown take; if there is none, one is created that changes
+ * nothing, since its channels have no keys and rest in the pose.
  */
 import { type Channel, type ChannelClip, restChannel, spanOfChannel } from '../model/clip.ts';
 import { type Character, shownClip } from '../model/document.ts';
@@ -8,25 +8,24 @@ import { characterDofs } from '../model/dofs.ts';
 import { type SourceFile, sameName, stemOf } from '../model/files.ts';
 import { CommandError } from './store.ts';
 
-/** The take that the character shows. Throws a `CommandError` where it shows none. */
+/** The shown take. Throws a `CommandError` if there is none. */
 export function requireTake(character: Character): ChannelClip {
   const clip = shownClip(character);
   if (!clip) throw new CommandError(`${character.name} shows no take.`);
   return clip;
 }
 
-/** The character with another clip in place of the one at `index`; the same object where it is that clip. */
+/** The character with the clip at `index` replaced; the same object if it is the same. */
 export function withTake(character: Character, index: number, clip: ChannelClip): Character {
   if (character.clips[index] === clip) return character;
   return { ...character, clips: character.clips.map((c, i) => (i === index ? clip : c)) };
 }
 
 /**
- * The character, showing a take with a channel for each of its DOFs at least. Channels that are made stand at the pose,
- * so that nothing moves. Throws a `CommandError` for a character without a skeleton: its DOFs are what channels are
- * counted by.
+ * The character showing a take with at least one channel per DOF. New channels rest in the pose, so that nothing moves.
+ * Throws a `CommandError` for a character without a skeleton, since channels correspond to its DOFs.
  *
- * @param range what a take plays that has to be made, in seconds of the clip
+ * @param range playback range of a take that has to be created, in seconds of the clip
  */
 export function withChannels(character: Character, range: readonly [number, number]): Character {
   if (!character.skeleton) {
@@ -40,7 +39,7 @@ export function withChannels(character: Character, range: readonly [number, numb
   return withTake(character, character.shownClip, { ...clip, channels: [...clip.channels, ...added] });
 }
 
-/** The character with one take more, which is shown: nothing keyed, everything standing at the pose. */
+/** The character with a new take, which is shown: without keys, at rest in the pose. */
 export function withNewTake(character: Character, name: string, range: readonly [number, number]): Character {
   const count = characterDofs(character.skeleton, character.morphs).length;
   const clip: ChannelClip = { name, range, channels: restingChannels(character, 0, count) };
@@ -52,14 +51,14 @@ function restingChannels({ pose }: Character, from: number, to: number): Channel
 }
 
 /**
- * `wasp_anim`: files are told by the beginning of their names what they belong to, so the `.anim` finds `wasp.skel`
- * again when both are dropped.
+ * `wasp_anim`: files are matched by the beginning of their names, so that the `.anim` finds `wasp.skel` again when both
+ * are dropped.
  */
 export function newTakeName(character: Character): string {
   return takeNameOf(character, 'anim');
 }
 
-/** The same with more than `anim` behind it: `wasp_dance`, for the take `dance` of another. */
+/** The same with another suffix than `anim`: `wasp_dance`, for the take `dance` of another character. */
 export function takeNameOf(character: Character, what: string): string {
   const file = character.parts?.skeleton?.file;
   const stem = character.skeleton?.name || (file && stemOf(file.source)) || character.name;
@@ -68,11 +67,11 @@ export function takeNameOf(character: Character, what: string): string {
 }
 
 /**
- * The name itself, or with the first number behind it that none of the character's takes has. A file whose take has
- * another name by now is still there, and nobody means to save over it.
+ * The name itself, or with the first number that makes it unique among the character's takes. Files of takes that were
+ * renamed count too, so that they are not overwritten.
  */
 export function uniqueTakeName(character: Character, name: string): string {
-  // Names become file names, and some file systems don't tell cases apart.
+  // Names become file names, and some file systems ignore case.
   const names = [...character.clips.map((c) => c.name), ...takeFiles(character).map(stemOf)];
   const taken = new Set(names.map((taken) => taken.toLowerCase()));
   if (!taken.has(name.toLowerCase())) return name;
@@ -83,7 +82,7 @@ export function uniqueTakeName(character: Character, name: string): string {
   }
 }
 
-/** The file that a take would be saved over if it were called so, where that file is not its own. */
+/** The file that a take of this name would overwrite, if that file is not its own. */
 export function fileInTheWay(character: Character, take: number, name: string): SourceFile | undefined {
   if (sameName(character.clips[take].name, name)) return undefined;
   const found = takeFiles(character).find((file) => sameName(stemOf(file), name));
@@ -94,7 +93,7 @@ function takeFiles({ parts }: Character): readonly SourceFile[] {
   return parts?.clips.flatMap(({ file }) => (file?.kind === 'anim' ? file.source : [])) ?? [];
 }
 
-/** First to last key or frame of a clip's channels, in seconds of the clip; undefined where nothing is animated. */
+/** First to last key or frame of a clip's channels, in seconds of the clip; undefined if nothing is animated. */
 export function rangeOfKeys(clip: ChannelClip): readonly [number, number] | undefined {
   let first = Number.POSITIVE_INFINITY;
   let last = Number.NEGATIVE_INFINITY;

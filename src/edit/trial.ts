@@ -1,7 +1,7 @@
 /**
- * A change that is shown before anyone has decided on it: behind a dialog with Apply and Cancel. One step of undo when
- * kept, no trace when put back. Where something else changes the document first it is put back too, for nobody said yes
- * to it, and the trial is over: what it would do was worked out for a document that is there no more.
+ * A change that is previewed before it is confirmed, behind a dialog with Apply and Cancel. One undo step if kept, none
+ * if reverted. If something else changes the document first, it is reverted too, since it was not confirmed, and the
+ * trial ends: its result was computed for a document that no longer exists.
  */
 import type { Document } from '../model/document.ts';
 import type { Edit, Gesture, Store } from './store.ts';
@@ -10,7 +10,7 @@ export class Trial {
   private readonly gesture: Gesture;
   private readonly unsubscribe: () => void;
 
-  /** @param ended something else has happened and it is over: called once, not after `keep` or `putBack` */
+  /** @param ended called once if something else ended the trial, but not after `keep` or `putBack` */
   constructor(store: Store, label: string, ended: () => void) {
     this.gesture = store.begin(label, 'tried');
     this.unsubscribe = store.subscribe(() => {
@@ -20,7 +20,7 @@ export class Trial {
     });
   }
 
-  /** The document that it is tried on. */
+  /** The document that it is applied to. */
   get base(): Document {
     return this.gesture.base;
   }
@@ -29,12 +29,12 @@ export class Trial {
     return this.gesture.closed;
   }
 
-  /** Instead of what was shown before. */
+  /** Replaces the previous preview. */
   show(change: Document | Edit): void {
     this.gesture.preview(change);
   }
 
-  /** @param label what the step is called, where it is more exact than at the start */
+  /** @param label of the step, if more exact than at the start */
   keep(label?: string): void {
     this.unsubscribe();
     this.gesture.commit(label);

@@ -1,10 +1,10 @@
 /**
- * What is set by hand over keys stands beside pose and clip, for one moment: it is shown there, can be keyed there, and
- * is gone at any other time. Nothing else knows of it, so it goes without a trace.
+ * Unkeyed changes are stored beside pose and clip, for one time: they are shown and can be keyed at that time, and are
+ * discarded at any other. Nothing else refers to them, so discarding leaves no trace.
  */
 import type { Character, Document } from '../model/document.ts';
 
-/** The values set by hand at this moment, by DOF; a new map. What was set at another moment is none of them. */
+/** The unkeyed changes at this time, by DOF; a new map. Empty for any other time. */
 export function unkeyedAt({ unkeyed }: Character, timeSeconds: number): Map<number, number> {
   const values = new Map<number, number>();
   if (unkeyed?.timeSeconds !== timeSeconds) return values;
@@ -12,7 +12,7 @@ export function unkeyedAt({ unkeyed }: Character, timeSeconds: number): Map<numb
   return values;
 }
 
-/** The character with exactly these values set by hand; with none where there are none. */
+/** The character with exactly these unkeyed changes. */
 export function withUnkeyed(character: Character, timeSeconds: number, values: ReadonlyMap<number, number>): Character {
   const before = unkeyedAt(character, timeSeconds);
   const same = before.size === values.size && [...values].every(([dof, value]) => before.get(dof) === value);
@@ -28,15 +28,12 @@ export function withoutUnkeyed(character: Character): Character {
   return rest;
 }
 
-/**
- * How many values are set by hand in all of the document; without those of one moment of the transport.
- * Null stands for no moment.
- */
+/** Number of unkeyed changes in the document, except those of one transport time. Null for no exception. */
 export function countUnkeyed({ characters }: Document, exceptSeconds: number | null): number {
   return characters.reduce((sum, c) => sum + (isOfAnother(c, exceptSeconds) ? (c.unkeyed?.dofs.length ?? 0) : 0), 0);
 }
 
-/** The document without those values; the same object where there is none. */
+/** The document without those values; the same object if there are none. */
 export function documentWithoutUnkeyed(document: Document, exceptSeconds: number | null): Document {
   const gone = (character: Character) => isOfAnother(character, exceptSeconds);
   if (!document.characters.some(gone)) return document;

@@ -1,4 +1,4 @@
-/** Joints put back where they were, in the pose shown, after what they hang on has changed. */
+/** Puts joints back in place, in the displayed pose, after their parents have changed. */
 import { applyConstraints, type CompiledSkeleton, worldMatrices } from '../../evaluate/kinematics.ts';
 import { isDriven } from '../../evaluate/pose.ts';
 import { fitJoint, jointFit } from '../../evaluate/retarget/fit.ts';
@@ -16,16 +16,16 @@ import { changedJoints } from './joint-map.ts';
 import { withSkeletonChanged } from './remap.ts';
 import { requireSkeleton, type ShownPose, shownAt, skeletonSize } from './shown.ts';
 
-/** Parts of the size: nearer than that a joint is where it should be. */
+/** Fraction of the size within which a joint counts as in place. */
 const THERE = 1e-13;
-/** Of a rotation's entries: what counts as turned as it should be. */
+/** Tolerance of the elements of a rotation. */
 const TURNED = 1e-9;
 
-/** A joint that is to stand where a joint of an earlier character stood. */
+/** A joint that keeps the place of a joint in an earlier character. */
 export interface Kept {
-  /** Index now. */
+  /** Current index. */
   readonly joint: number;
-  /** Index then. */
+  /** Earlier index. */
   readonly origin: number;
 }
 
@@ -36,9 +36,9 @@ export function localPivot({ world }: ShownPose, joint: number): Vec3 {
 }
 
 /**
- * The document with each of these joints as it stood before: its pivot, and if its rule allows exactly that, within
- * limits and where nothing else (keys, samples, another's take, a couple) has the say over it, how it is turned. None of
- * them is below another. Throws a `CommandError` where a pose leaves no room for a joint.
+ * The document with each of these joints in its earlier place: its pivot, and its rotation if its DOFs can represent
+ * that exactly within limits and nothing drives them (keys, samples, retargeting, a link). None may be a descendant of
+ * another. Throws a `CommandError` if a pose makes that impossible.
  */
 export function keepPlaces(
   document: Document,
@@ -54,7 +54,9 @@ export function keepPlaces(
   return withPivots(next, id, pivots, timeSeconds);
 }
 
-/** The document with these joints' offsets so that their pivots are there. None of them is below another. */
+/**
+ * The document with these joints' offsets changed so that their pivots are there. None may be a descendant of another.
+ */
 export function withPivots(
   document: Document,
   characterId: string,
@@ -83,7 +85,7 @@ function withPivot(joint: Joint, j: number, pivot: Vec3, shown: ShownPose): Join
   return { ...joint, offset: [at(0), at(1), at(2)] };
 }
 
-/** A vector of the character's space in that of a joint; -1 for none. Throws where the joint's space is flat. */
+/** A vector of the character's space in that of a joint; -1 for none. Throws if the joint's matrix is singular. */
 export function intoSpace(joint: number, { world }: ShownPose, [x, y, z]: Vec3): Vec3 {
   if (joint < 0) return [x, y, z];
   if (isSingular(world, 16 * joint)) {
@@ -94,17 +96,17 @@ export function intoSpace(joint: number, { world }: ShownPose, [x, y, z]: Vec3):
   return [along(0), along(1), along(2)];
 }
 
-/** Scratch, never escapes. */
+/** Scratch; never escapes. */
 const inverse = new Float64Array(16);
 
-/** A number without the noise behind its twelfth digit, counted from the size of the whole: it stands in a file. */
+/** Rounds to twelve digits relative to the overall size, since the number is written to files. */
 export function tidy(value: number, size: number): number {
   const digits = Math.min(100, Math.max(0, 12 - Math.floor(Math.log10(size))));
-  // −0 is no place of its own.
+  // Adding 0 avoids −0.
   return Number(value.toFixed(digits)) + 0;
 }
 
-/** The document with a joint turned as one of before was, where that can be; see `keepPlaces`. */
+/** The document with a joint rotated like an earlier one, if possible; see `keepPlaces`. */
 export function turnedAs(
   document: Document,
   before: Character,
@@ -119,7 +121,7 @@ export function turnedAs(
   const shown = shownAt(character, timeSeconds);
   const { firstDof } = shown.compiled;
   const turning = dofsOf(motion).flatMap((dof, d) => (turnsJoint(dof) ? [firstDof[joint] + d] : []));
-  // By keys, samples, or another's take.
+  // By keys, samples or retargeting.
   if (turning.some((dof) => isDriven(character, dof))) return document;
   const clamps = character.clampsToLimits;
   const values = dofsAs(shown.compiled, skeleton.joints[joint], joint, shown.dofs, was.world, origin, clamps);
@@ -133,7 +135,7 @@ export function turnedAs(
   return isOfBvh(motion) ? next : turnedInFile(next, before, joint, origin, turning);
 }
 
-/** The same in the file's pose, which limits don't change. */
+/** The same in the file pose, which limits don't affect. */
 function turnedInFile(
   document: Document,
   before: Character,
@@ -164,8 +166,8 @@ function inFilePose(character: Character): ShownPose {
 }
 
 /**
- * All DOFs, with those of a joint such that it is turned as a joint of another pose; undefined where its rule, its limits
- * or couples don't let it be just so, or it is so already.
+ * All DOFs, with those of a joint changed so that it is rotated like a joint of another pose; undefined if its type,
+ * limits or links don't allow exactly that, or if it is so already.
  * @param was world matrices of that pose
  */
 function dofsAs(
@@ -185,7 +187,7 @@ function dofsAs(
   worldMatrices(compiled, dofs, world);
   if (isTurned(world, THERE)) return undefined;
   const first = compiled.firstDof[j];
-  // The angles that are nearest to those that it has.
+  // Prefers angles near the current ones.
   const now = { ...joint, pose: joint.pose.map((_, d) => dofs[first + d]) };
   const fit = jointFit(compiled, now, j, clamps);
   if (!fit) return undefined;

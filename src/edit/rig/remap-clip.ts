@@ -1,4 +1,4 @@
-/** The channels and samples of a clip in the order of other DOFs. */
+/** Remaps the channels and samples of a clip to other DOFs. */
 import { type Channel, type ChannelClip, followingSamples, restChannel, type Tangents } from '../../model/clip.ts';
 import { rootDofs } from '../../model/dofs.ts';
 import { dofsOf } from '../../model/joint-types.ts';
@@ -8,12 +8,12 @@ import { type DofSource, valueAfter } from './dof-sources.ts';
 import type { JointMap } from './joint-map.ts';
 import { timesSign } from './same-dof.ts';
 
-/** A channel that comes of one before, or of none. */
+/** A channel made from an old one, or a new one. */
 interface ChannelSource extends Omit<DofSource, 'like'> {
   readonly like?: DofSource['like'];
 }
 
-/** @param pose of the character before: where DOFs stand that the clip has no channel for */
+/** @param pose of the old character: values of DOFs for which the clip has no channel */
 export function remapClip(clip: ChannelClip, map: JointMap, pose: readonly number[]): ChannelClip {
   const sources = channelSources(clip, map);
   const channels = sources.map((source) => {
@@ -29,8 +29,8 @@ export function remapClip(clip: ChannelClip, map: JointMap, pose: readonly numbe
 }
 
 /**
- * As many channels as drive what was driven before: all where all DOFs were, and then what there was beyond them; where
- * only the first ones were, up to the last of those that still are. What has come between those stands as it is posed.
+ * Keeps driving what was driven: all DOFs if all were, plus any channels beyond them; if only the first ones were, up
+ * to the last of those that remain. New ones in between rest in the pose.
  */
 function channelSources({ channels }: ChannelClip, { dofs, dofsBefore }: JointMap): readonly ChannelSource[] {
   const count = channels.length;
@@ -47,7 +47,7 @@ function channelSources({ channels }: ChannelClip, { dofs, dofsBefore }: JointMa
   return [...driven, ...beyond];
 }
 
-/** With other values throughout; the same channel where none is another. */
+/** With all values converted; the same channel if nothing changes. */
 function moved(channel: Channel, source: ChannelSource): Channel {
   const { sign, plus } = source;
   if (sign > 0 && plus === 0) return channel;
@@ -61,8 +61,8 @@ function moved(channel: Channel, source: ChannelSource): Channel {
 }
 
 /**
- * Columns stand in a row, so a channel between sampled ones has one too, in which it stands still; and so have new DOFs
- * behind the last of them, that a take of motion capture remains one in all its channels.
+ * Columns are contiguous, so a channel between sampled ones gets a constant column; and so do new DOFs after the last,
+ * so that a motion capture take remains sampled in all channels.
  */
 function remapSamples(
   samples: Samples,
@@ -81,7 +81,7 @@ function remapSamples(
   const widthBefore = scalesBefore.length;
   const drivers = sources.slice(first, end);
   const isSame = first === samples.firstChannel && width === widthBefore && own.every((column, c) => column === c);
-  /** Columns whose values are others. */
+  /** Columns whose values change. */
   const changed = drivers.flatMap(({ sign, plus }, c) => (own[c] >= 0 && (sign < 0 || plus !== 0) ? [c] : []));
   if (isSame && changed.length === 0) return samples;
   const units = unitsOf(after);
@@ -92,7 +92,7 @@ function remapSamples(
   const values = isSame
     ? before.slice()
     : rearranged(before, widthBefore, own, frameCount, (c) => stand[first + c] / scales[c]);
-  // One pass over the rows: columns that are moved stand side by side as a rule.
+  // One pass over the rows, since moved columns are usually adjacent.
   const signs = changed.map((c) => drivers[c].sign);
   // In the column's own unit.
   const plus = Float64Array.from(changed, (c) => drivers[c].plus / scales[c]);
@@ -105,7 +105,7 @@ function remapSamples(
   return { ...samples, firstChannel: first, values, scales };
 }
 
-/** @param own of each column the one before; -1 for one that stands still, at `standing` */
+/** @param own for each column the old one; -1 for a constant one, with its value in `standing` */
 function rearranged(
   before: Float64Array,
   widthBefore: number,
@@ -127,7 +127,7 @@ function rearranged(
   return values;
 }
 
-/** What each DOF measures, by its index. */
+/** The unit of each DOF, by index. */
 function unitsOf(skeleton: Skeleton): readonly DofUnit[] {
   return [...rootDofs(skeleton), ...skeleton.joints.flatMap(({ motion }) => dofsOf(motion))].map(({ unit }) => unit);
 }

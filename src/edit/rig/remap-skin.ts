@@ -1,7 +1,7 @@
 /**
- * A skin for other joints: attachments and bindings by the joints' new indices. Vertices of a joint that is gone hang on
- * its nearest ancestor from then on. Bindings are what they were; a new joint's makes it ready to be weighted, since a
- * vertex given to it stays where its parent has it:
+ * Remaps a skin to other joints: attachments and bindings by the joints' new indices. Vertices of a removed joint are
+ * reassigned to its nearest ancestor. Bindings are kept; a new joint gets one that is ready for weighting, so that a
+ * vertex assigned to it stays where its parent has it:
  *
  *     B_new = B_parent · T(offset) · J(rest)          so that  W_new · B_new⁻¹ = W_parent · B_parent⁻¹  at rest
  */
@@ -13,7 +13,7 @@ import type { Skeleton } from '../../model/skeleton.ts';
 import { type Attachments, bindingCount, type Skin } from '../../model/skin.ts';
 import type { JointMap } from './joint-map.ts';
 
-/** The same object where no joint has another index, and none is new. */
+/** The same object if all joints keep their indices and none is new. */
 export function remapSkin(skin: Skin, map: JointMap): Skin {
   if (map.keepsJoints) return skin;
   const attachments = skin.attachments && remapAttachments(skin.attachments, map);
@@ -23,8 +23,8 @@ export function remapSkin(skin: Skin, map: JointMap): Skin {
 }
 
 /**
- * Where what is said of each joint goes, `count` joints long. Beyond those of the skeleton are joints that a skin speaks
- * of and no skeleton has yet: joints added at the end take them up one after the other, else they stay beyond the end.
+ * The new index of each joint's data, `count` in all. A skin may refer to joints beyond the skeleton's: joints added at
+ * the end adopt them in order, otherwise they stay beyond the end.
  */
 function targets({ heirs, after }: JointMap, count: number): Uint32Array {
   const isGrown = heirs.every((heir, j) => heir === j);
@@ -52,7 +52,7 @@ function remapAttachments(attachments: Attachments, map: JointMap): Attachments 
     const begin = end;
     for (let a = start[v]; a < start[v + 1]; a++) {
       const joint = to[joints[a]];
-      // Only what came together is merged: a file may name one joint twice, and means it.
+      // Merges only attachments that were joined here: a file may list one joint twice on purpose.
       const at = isMergedInto(map, joints, start[v], a) ? indexOf(nextJoints, joint, begin, end) : -1;
       if (at >= 0) nextWeights[at] += weights[a];
       else {
@@ -65,7 +65,7 @@ function remapAttachments(attachments: Attachments, map: JointMap): Attachments 
   return { start: nextStart, joints: nextJoints.slice(0, end), weights: nextWeights.slice(0, end) };
 }
 
-/** Whether this attachment's joint, or one before it of the same vertex that has the same heir, is gone. */
+/** Whether this attachment's joint, or an earlier one of the same vertex with the same heir, was removed. */
 function isMergedInto({ to, heirs }: JointMap, joints: Uint32Array, from: number, a: number): boolean {
   const own = joints[a];
   if (own >= to.length) return false;
@@ -80,7 +80,7 @@ function indexOf(list: Uint32Array, value: number, from: number, to: number): nu
   return -1;
 }
 
-/** A skin that speaks of all joints does so again; one of fewer, of as many as it takes. */
+/** A skin with bindings for all joints keeps that; one with fewer gets as many as needed. */
 function remapBindings(skin: Skin, map: JointMap): Float64Array {
   const bound = bindingCount(skin);
   if (bound === 0) return skin.bindings;
@@ -100,8 +100,8 @@ function remapBindings(skin: Skin, map: JointMap): Float64Array {
 }
 
 /**
- * Gives joints that have no binding one, as above; one whose parent has none is bound as it stands at rest.
- * @param known by joint, whether its 16 numbers of `bindings` are there; filled in
+ * Computes bindings of joints that have none, as above; if the parent has none, from the joint's matrix at rest.
+ * @param known by joint, whether `bindings` contains its 16 numbers; updated
  */
 export function bindNew(skeleton: Skeleton, bindings: Float64Array, known: Uint8Array): void {
   if (known.every((has) => has === 1)) return;
@@ -121,7 +121,7 @@ export function bindNew(skeleton: Skeleton, bindings: Float64Array, known: Uint8
   }
 }
 
-/** Every DOF at rest, and position channels that replace an offset where that is. */
+/** Every DOF at rest, and position channels that replace offsets at the offsets. */
 export function restAtOffsets(skeleton: Skeleton): number[] {
   const values = restPose(skeleton, 0);
   let d = rootDofCount(skeleton);

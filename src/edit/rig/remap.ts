@@ -1,7 +1,7 @@
 /**
- * A character with another skeleton, and all of it that goes by joint or DOF taken along: skins, clips, the pose, what
- * is set by hand, named poses, what inverse kinematics holds on to, and takes of others put onto it. Couples are the
- * skeleton's own (`joint-map.ts`). What did not change keeps its identity.
+ * Gives a character another skeleton and remaps everything that refers to joints or DOFs: skins, clips, pose, unkeyed
+ * changes, pose library, IK settings and retargeting. Links belong to the skeleton (`joint-map.ts`). Unchanged parts
+ * keep their identity.
  */
 import type { Character, Document } from '../../model/document.ts';
 import { defaultIk } from '../../model/ik.ts';
@@ -14,7 +14,7 @@ import type { JointMap } from './joint-map.ts';
 import { remapClip } from './remap-clip.ts';
 import { remapSkin } from './remap-skin.ts';
 
-/** The document with that character's skeleton changed, which is the one that `map` comes from. */
+/** The document with that character's skeleton changed, from which `map` was made. */
 export function withSkeletonChanged(document: Document, characterId: string, map: JointMap): Document {
   const next = changeCharacter(document, characterId, (character) => remapped(character, map));
   if (map.keepsJoints) return next;
@@ -37,12 +37,12 @@ function remapped(character: Character, map: JointMap): Character {
   );
 }
 
-/** What was there, where nothing is different. */
+/** The previous object if it is equal. */
 function sharing<T>(next: T, before: T | undefined): T {
   return before !== undefined && sameValue(next, before) ? before : next;
 }
 
-/** The very items in which nothing is different, and the very list where none is. */
+/** Equal items keep their identity, and so does the list if all are equal. */
 function mapped<T>(list: readonly T[], change: (item: T) => T): readonly T[] {
   const next = list.map((item) => sharing(change(item), item));
   return next.every((item, i) => item === list[i]) ? list : next;
@@ -57,12 +57,12 @@ function withDofs(character: Character, map: JointMap): Character {
   };
 }
 
-/** One value for each DOF after, of one for each before; what had none stands where a new one begins. */
+/** Converts a list with a value per old DOF to the new DOFs; new ones get their initial value. */
 function values(before: readonly number[], { dofs, dofsBefore }: JointMap, morphCount: number): readonly number[] {
   const joints = dofs.map((source) => {
     const { from, start, like } = source;
     if (from >= 0) return before[from] === undefined ? start : valueAfter(source, before[from]);
-    // No −0: files would say so.
+    // Adding 0 avoids −0 in files.
     return like ? (before[like.dof] ?? start) * like.sign + 0 : start;
   });
   return [...joints, ...Array.from({ length: morphCount }, (_, m) => before[dofsBefore + m] ?? 0)];
@@ -86,7 +86,7 @@ function withUnkeyedMoved(character: Character, { dofs, dofsBefore }: JointMap):
   };
 }
 
-/** What goes by joint. Where the axis-angle form is given up, whether the root takes part stays what it was. */
+/** Remaps what refers to joints. If the axis-angle form is lost, the effective `rootIsFree` is kept. */
 function withJoints(character: Character, { keepsJoints, before, to }: JointMap): Character {
   const { ik, driver, skeleton } = character;
   const keepsForm = before.form === skeleton?.form;

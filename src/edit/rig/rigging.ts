@@ -1,19 +1,19 @@
-/** What the commands of rigging are asked, and what they have in common (`commands/rig*.ts`). */
+/** Arguments of the rigging commands, and what these share (`commands/rig*.ts`). */
 import type { Vec3 } from '../../math/vec3.ts';
 import type { Box, Motion } from '../../model/skeleton.ts';
 
 /**
- * What becomes of the skin where joints come to stand elsewhere. `stays` (bind mode): it is bound anew, so that every
- * vertex stays where it is in the pose shown. `follows` (pose mode): its bindings are kept, and it goes along.
+ * What happens to the skin when joints move. `stays` (bind mode): it is rebound, so that every vertex stays in place in
+ * the displayed pose. `follows` (pose mode): its bindings are kept, and it moves along.
  */
 export const SKIN_MODES = ['stays', 'follows'] as const;
 export type SkinMode = (typeof SKIN_MODES)[number];
 
 export interface Rigging {
   readonly characterId: string;
-  /** Absent: `follows`. */
+  /** Default `follows`. */
   readonly skin?: SkinMode | undefined;
-  /** Of the transport: the pose shown is the one at that time. Absent: 0. */
+  /** Transport time of the displayed pose. Default 0. */
   readonly timeSeconds?: number | undefined;
 }
 
@@ -22,19 +22,19 @@ export interface OfJoint extends Rigging {
 }
 
 export interface CreateRig {
-  /** Of the character; absent: `character`. */
+  /** Of the character; default `character`. */
   readonly name?: string | undefined;
-  /** A character that waits for a skeleton; absent: a new one is made. */
+  /** A character without a skeleton; default: a new one. */
   readonly characterId?: string | undefined;
-  /** `stays`: its skin is bound to the root where it stands; `follows`: as its file says. Absent: `follows`. */
+  /** `stays`: its skin is bound to the root in place; `follows`: as its file says. Default `follows`. */
   readonly skin?: SkinMode | undefined;
 }
 
 export interface AddJoint extends Rigging {
   readonly parent: number;
-  /** May be empty; absent: `joint3` and the like, or the parent's with the next number. */
+  /** May be empty; default: the parent's with the next number, or `joint3` and the like. */
   readonly name?: string | undefined;
-  /** In the parent's space; absent: continues the parent's bone. */
+  /** In the parent's space; default: continues the parent's bone. */
   readonly offset?: Vec3 | undefined;
 }
 
@@ -44,9 +44,9 @@ export interface RenameJoint extends OfJoint {
 }
 
 export interface ReparentJoint extends OfJoint {
-  /** The joint that it hangs on from now on. */
+  /** The new parent. */
   readonly parent: number;
-  /** The child of that joint which it comes to stand before; absent: it is the last. */
+  /** The child to insert it before; default: as the last. */
   readonly before?: number | undefined;
 }
 
@@ -58,13 +58,13 @@ export type NamedAxis = 'x' | 'y' | 'z';
 export const AXIS_LETTERS: readonly NamedAxis[] = ['x', 'y', 'z'];
 
 export interface MirrorJoint extends OfJoint {
-  /** The axis of the root's space across which it is mirrored. */
+  /** The axis of the root's space that is mirrored. */
   readonly across: NamedAxis;
 }
 
 export interface SetOffset extends OfJoint {
   readonly offset: Vec3;
-  /** Whether the joints below go along, or stay where they are in the pose shown. */
+  /** Whether descendants move along, or stay in place in the displayed pose. */
   readonly children: 'follow' | 'stay';
 }
 
@@ -77,12 +77,12 @@ export interface SetBox extends OfJoint {
 }
 
 export interface SetLength extends OfJoint {
-  /** Null: it has no bone of its own any more. */
+  /** Null removes its own bone. */
   readonly length: number | null;
 }
 
 export interface SetFilePose extends Rigging {
-  /** Absent: all joints. */
+  /** Default: all joints. */
   readonly joint?: number | undefined;
   readonly from: 'shown' | 'rest';
 }

@@ -1,6 +1,5 @@
 /**
- * Which DOF of one motion is which of another: the one of that name. A turn about an axis of the joint's space is one
- * about that axis, whatever it is called:
+ * Matches DOFs of two motions: by name, and rotations about the same main axis whatever their names:
  *
  *     r of a hinge or screw about ±x, ±y or ±z   ⇄   ± rx, ry or rz
  */
@@ -9,11 +8,11 @@ import type { Motion } from '../../model/skeleton.ts';
 
 export interface SameDof {
   readonly name: string;
-  /** What values are multiplied by. */
+  /** Factor of the values. */
   readonly sign: 1 | -1;
 }
 
-/** The DOF of `before` that does what the one of that name does in `after`; it goes for both directions. */
+/** The DOF of `before` that does the same as the named one in `after`; symmetric. */
 export function sameDof(before: Motion, after: Motion, name: string): SameDof | undefined {
   if (has(before, name)) return { name, sign: 1 };
   if (name === 'r') {
@@ -24,7 +23,7 @@ export function sameDof(before: Motion, after: Motion, name: string): SameDof | 
   return turn?.name === name && !has(after, 'r') ? { name: 'r', sign: turn.sign } : undefined;
 }
 
-/** −v, where 0 stays 0: −0 would be written with its sign. */
+/** −v, but 0 stays 0, since −0 would be written with its sign. */
 export function timesSign(value: number, sign: 1 | -1): number {
   return sign < 0 ? 0 - value : value;
 }
@@ -33,7 +32,7 @@ function has(motion: Motion, name: string): boolean {
   return dofsOf(motion).some((dof) => dof.name === name);
 }
 
-/** What turning about its axis is called elsewhere, for an axis along x, y or z. */
+/** The named rotation that is equivalent to one about its own axis, if that is along x, y or z. */
 function turnOf(motion: Motion): SameDof | undefined {
   const axis = has(motion, 'r') ? axisOf(motion) : undefined;
   if (!axis) return undefined;

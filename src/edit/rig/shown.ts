@@ -1,4 +1,4 @@
-/** A character as it stands at a time: what rigging measures by, and keeps in place. */
+/** A character's displayed pose at a time: what rigging measures and keeps in place. */
 import { type CompiledSkeleton, compileSkeleton, worldMatrices } from '../../evaluate/kinematics.ts';
 import { dofCountOf, poseAt } from '../../evaluate/pose.ts';
 import type { Character } from '../../model/document.ts';
@@ -7,9 +7,9 @@ import { CommandError } from '../store.ts';
 
 export interface ShownPose {
   readonly compiled: CompiledSkeleton;
-  /** Of all DOFs of the character, after limits and couples. */
+  /** All DOFs of the character, with limits and links applied. */
   readonly dofs: Float64Array;
-  /** 16 a joint, in the character's space. */
+  /** 16 per joint, in the character's space. */
   readonly world: Float64Array;
 }
 
@@ -28,7 +28,7 @@ export function requireSkeleton({ name, skeleton }: Character): Skeleton {
   return skeleton;
 }
 
-/** How far the joints are spread: the larger side of their box, and what a character of one joint is taken for. */
+/** Extent of the joints: the largest side of their bounding box; a default for a character of one joint. */
 export function skeletonSize(world: Float64Array): number {
   let size = 0;
   for (let k = 12; k < 15; k++) {

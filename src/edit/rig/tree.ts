@@ -1,23 +1,23 @@
 /**
- * A skeleton as branches that can be cut off, hung up elsewhere and grown, and the way back to a list of joints in
+ * A skeleton as branches that can be moved, removed and added, and its conversion back to a list of joints in
  * depth-first pre-order. Branches are plain and mutable: a command makes them, changes them and lists them again.
  */
 import type { Joint, Skeleton } from '../../model/skeleton.ts';
 
 export interface Branch {
-  /** Index of the joint that it was; -1 for a new one. */
+  /** Index of the old joint; -1 for a new one. */
   readonly origin: number;
-  /** `parent` and the joints that couples name are as they were. */
+  /** `parent` and links still have the old indices. */
   joint: Joint;
   children: Branch[];
-  /** The DOFs of a joint of before that a new joint's values are taken from; absent: its own pose. */
+  /** The old joint from which a new joint's values are taken; absent: its own pose. */
   readonly like?: Likeness;
 }
 
-/** A new joint that does as one of before, but for signs. */
+/** A new joint that imitates an old one, up to signs. */
 export interface Likeness {
   readonly joint: number;
-  /** One for each of its DOFs: what values are multiplied by. */
+  /** One per DOF: factors of the values. */
   readonly signs: readonly number[];
 }
 
@@ -27,7 +27,7 @@ export interface Listed {
   readonly branches: readonly Branch[];
 }
 
-/** One for each joint, in their order; the first is the whole tree. */
+/** One per joint, in order; the first is the whole tree. */
 export function branchesOf({ joints }: Skeleton): Branch[] {
   const branches = joints.map((joint, origin): Branch => ({ origin, joint, children: [] }));
   joints.forEach(({ parent }, j) => {
@@ -36,11 +36,11 @@ export function branchesOf({ joints }: Skeleton): Branch[] {
   return branches;
 }
 
-/** In pre-order, each with its parent's index; joints for which that is the same are the same objects. */
+/** In pre-order, with updated parent indices; unchanged joints keep their identity. */
 export function listJoints(root: Branch): Listed {
   const joints: Joint[] = [];
   const branches: Branch[] = [];
-  // A stack of our own: trees are as deep as their files like.
+  // An explicit stack, since trees may be very deep.
   const open: { readonly branch: Branch; readonly parent: number }[] = [{ branch: root, parent: -1 }];
   for (let next = open.pop(); next; next = open.pop()) {
     const { branch, parent } = next;

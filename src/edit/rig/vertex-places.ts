@@ -1,9 +1,9 @@
 /**
- * New places for vertices of a joint that is gone. They hang on an ancestor now, which has them elsewhere unless the pose
- * shown is the one that they were bound in. No binding can help that, for the ancestor's own vertices stay too; so it is
- * the vertices' own places that change. With A·v + t what moved one before, and A′·v + t′ what does now:
+ * New positions for vertices of a removed joint. They now follow an ancestor, which displaces them unless the displayed
+ * pose is the binding pose. No binding can prevent that, since the ancestor's own vertices must stay too; so the
+ * vertices themselves are changed. With A·v + t the old transformation of a vertex, and A′·v + t′ the new one:
  *
- *     v′ = A′⁻¹ · (A·v + t − t′)        n′ = N′⁻¹ · N · n        morphs of it alike
+ *     v′ = A′⁻¹ · (A·v + t − t′)        n′ = N′⁻¹ · N · n        morphs alike
  */
 import { compileSkin, skinMatrices } from '../../evaluate/deform.ts';
 import { inverseTranspose3, invertAffine, isSingular } from '../../math/mat4.ts';
@@ -12,12 +12,12 @@ import type { Skin } from '../../model/skin.ts';
 import type { JointMap } from './joint-map.ts';
 import type { ShownPose } from './shown.ts';
 
-/** Matrices that differ by less do the same: nobody's vertices change by the noise of numbers. */
+/** Tolerance of matrices, so that noise changes no vertices. */
 const SAME = 1e-12;
 
-/** What carries vertices of joints that are gone from their old place to the one that they need. */
+/** Moves vertices of removed joints to the positions they need. */
 export class VertexPlaces {
-  /** By vertex: 12 numbers for its position, 9 for its normal; only of those that have another place. */
+  /** By vertex: 12 numbers for its position, 9 for its normal; only for vertices that move. */
   private readonly ways = new Map<number, { readonly position: Float64Array; readonly normal: Float64Array }>();
 
   constructor(
@@ -111,14 +111,14 @@ class Blend {
   }
 }
 
-/** Undefined where they do the same, or there is no way back. */
+/** Undefined if they are equal, or the new one is singular. */
 function pathBetween(from: Blend, into: Blend) {
   const isSame = from.matrix.every(
     (value, k) => Math.abs(value - into.matrix[k]) <= SAME * Math.max(1, Math.abs(value)),
   );
   if (isSame) return undefined;
   if (isSingular(into.matrix)) return undefined;
-  // Weights that don't sum to 1 scale the translation too, and leave nothing to the last row.
+  // Weights that don't sum to 1 also scale the translation, so the last row is ignored.
   const back = into.matrix.slice();
   back[15] = 1;
   invertAffine(back, 0, back, 0);
@@ -150,16 +150,16 @@ function normalPath(from: Float64Array, into: Float64Array): Float64Array {
   return out;
 }
 
-/** Scratch, never escapes. */
+/** Scratch; never escapes. */
 const square = new Float64Array(16);
 
-/** 12 numbers, columns of three, on a point. */
+/** Applies 12 numbers, columns of three, to a point. */
 function move(m: Float64Array, points: Float64Array, o: number): void {
   const [x, y, z] = [points[o], points[o + 1], points[o + 2]];
   for (let r = 0; r < 3; r++) points[o + r] = m[r] * x + m[3 + r] * y + m[6 + r] * z + m[9 + r];
 }
 
-/** 9 numbers on a direction. */
+/** Applies 9 numbers to a direction. */
 function turn(m: Float64Array, points: Float64Array, o: number): void {
   const [x, y, z] = [points[o], points[o + 1], points[o + 2]];
   for (let r = 0; r < 3; r++) points[o + r] = m[r] * x + m[3 + r] * y + m[6 + r] * z;

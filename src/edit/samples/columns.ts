@@ -1,12 +1,12 @@
 /**
- * Columns of samples on their own, in model units, and samples with some of them replaced. Both go a few rows at a time,
- * with all of their columns: column by column would go through the memory of all rows again for each.
+ * Extracts columns of samples in model units, and replaces some of them. Both process a few rows at a time with all of
+ * their columns: column by column would pass through the memory of all rows for each.
  */
 
 import { STEP_VALUES, type Steps } from '../../evaluate/steps.ts';
 import type { Samples } from '../../model/samples.ts';
 
-/** Columns by their numbers, an entry a frame. */
+/** Columns by index, an entry per frame. */
 export function* takingColumns(samples: Samples, columns: readonly number[]): Steps<Map<number, Float64Array>> {
   const { scales, frameCount } = samples;
   const out = new Map(columns.map((column) => [column, new Float64Array(frameCount)]));
@@ -26,9 +26,9 @@ function takeColumn({ values, scales }: Samples, column: number, own: Float64Arr
 }
 
 /**
- * Samples with other values in these columns, given in model units, an entry a frame. A value that is what it was keeps
- * every bit of its own unit.
- * @param first the frame of the first entries; frames before it, and beyond the last entries, stay
+ * Samples with other values in these columns, given in model units, an entry per frame. Unchanged values keep their
+ * exact number in file units.
+ * @param first the frame of the first entries; frames before it, and after the last entries, are kept
  */
 export function* replacingColumns(
   samples: Samples,

@@ -1,27 +1,26 @@
 /**
- * Keys instead of samples, few of them, and every joint where it was: *convert to keys*.
+ * Converts samples to few keys with every joint in place: *convert to keys*.
  *
- * 1. Joints that turn about three axes have their angles brought into forms that don't jump (`rotations.ts`), for a curve
- *    between 179° and −179° is not one that anybody could edit; other angles are unrolled by whole turns.
- * 2. Each channel gets a tolerance of its own: an angle by how far it can move what hangs on its joint, a length what a
- *    joint may be off itself,
+ * 1. For joints that rotate about three axes, angles are converted to forms that don't jump (`rotations.ts`), since
+ * nobody could edit a curve between 179° and −179°; other angles are unrolled by whole turns.
+ * 2. Each channel gets its own tolerance: an angle by how far it can move its joint's descendants, a length by the
+ * allowed distance,
  *
- *        angle    ½ · min(angle allowed, distance allowed / reach)      reach: to the joint or End Site furthest below
+ *        angle    ½ · min(angle allowed, distance allowed / reach)      reach: to the farthest joint or End Site below
  *        length   ½ · distance allowed
  *
- *    and is fitted with the fewest cubics that the walk finds which are within it (`fit-frames.ts`).
- * 3. Errors add up along a chain of joints. So all joints and End Sites are put in place by forward kinematics, with the
- *    samples and with the keys, at every frame (`pose-error.ts`). Joints that have something below them that is further
- *    off than allowed get less, by as much as it is off, and are fitted again; until nothing is.
+ *    and is fitted with the fewest cubics within it that the greedy algorithm finds (`fit-frames.ts`).
+ * 3. Errors add up along a chain of joints. So all joints and End Sites are evaluated by forward kinematics, with the
+ * samples and with the keys, at every frame (`pose-error.ts`). Joints with a descendant beyond the tolerance get a
+ * tolerance reduced in proportion, and are fitted again, until none is beyond.
  *
- * What comes out is measured, never estimated: the largest error over all frames and joints is at most what was allowed.
- * That holds at the frames. Between two of them samples turn along the shortest arc and keys angle by angle: within an
- * allowance of 1°, halfway between frames some captures stay within 1.3° and 2.7°, but where angles swing from one frame
- * to the next near gimbal lock (cmu-01_01) a joint is off by up to 40° there.
- * (A bound worked out beforehand, the allowance divided by the length of the chain, would be kept without measuring, but
- * has to assume that the errors of all joints of a chain point the same way.)
+ * The result is measured, never estimated: the largest error over all frames and joints is within the tolerance. That
+ * holds at frames. In between, samples rotate along the shortest arc and keys angle by angle: with 1° allowed, some
+ * captures stay within 1.3° and 2.7° halfway between frames, but where angles swing between frames near gimbal lock
+ * (cmu-01_01) a joint deviates by up to 40°. (A bound computed in advance, the tolerance divided by the length of the
+ * chain, would hold without measuring, but has to assume that all errors along a chain add up in the same direction.)
  *
- * It is a generator, which pauses every few milliseconds: a page does it between frames and can stop it.
+ * A generator that yields every few milliseconds, so that a page can run it between frames and cancel it.
  */
 
 import { type Steps, within } from '../../evaluate/steps.ts';
@@ -38,9 +37,9 @@ import { measuringPoses, type PoseErrors } from './pose-error.ts';
 import { jointRotations, unroll, unrollTriples } from './rotations.ts';
 
 export interface Tolerance {
-  /** How far a joint or End Site may be from where it was, in the file's lengths; above 0. */
+  /** Maximum distance of a joint or End Site from its previous position, in the file's lengths; greater than 0. */
   readonly position: number;
-  /** How far a joint's world rotation may be from what it was, radians; above 0. */
+  /** Maximum angle between a joint's world rotation and its previous one, radians; greater than 0. */
   readonly angle: number;
 }
 
@@ -64,19 +63,21 @@ export interface Converted {
   readonly worstAngle: Worst;
 }
 
-/** Of morph weights, and of scales and the like: they are no lengths of the skeleton. */
+/** For morph weights, scales and others that are no lengths of the skeleton. */
 const PLAIN_TOLERANCE = 0.005;
-/** What part of the work comes before the first fit. */
+/** Share of the work before the first fit. */
 const PREPARING = 0.05;
-/** Frames from one pause to the next where a frame costs little. */
+/** Frames between two yields if frames are cheap. */
 const STEP_FRAMES = 1 << 15;
-/** What of the allowance a channel gets at first. */
+/** Initial fraction of the tolerance for a channel. */
 const FIRST_SHARE = 0.5;
-/** After so many rounds it goes faster, and after so many it is plain that doubles are not as fine as what is asked. */
+/**
+ * After this many rounds the reduction is faster, and after this many doubles are clearly too coarse for the tolerance.
+ */
 const PATIENT_ROUNDS = 8;
 const MAX_ROUNDS = 30;
 
-/** One channel on its way. */
+/** A channel in progress. */
 interface Fitting {
   readonly channel: number;
   /** -1 for a morph. */
@@ -87,8 +88,8 @@ interface Fitting {
 }
 
 /**
- * @param given channels; those that don't follow the samples are passed over. Refuses where none is left.
- * @returns pauses with the part that is done, from 0 to 1
+ * @param given channels; others than sampled ones are skipped. Refuses if none is left.
+ * @returns yields progress, from 0 to 1
  */
 export function* converting(
   character: Character,
@@ -117,7 +118,7 @@ export function* converting(
     (_, f) => samples.startSeconds + f * samples.frameSeconds,
   );
   for (let round = 0; ; round++) {
-    // Nobody knows how many rounds there will be; each takes about half of what is left.
+    // The number of rounds is unknown; each takes about half of the remaining progress.
     const progress = (part: number) => PREPARING + (1 - PREPARING) * (1 - 0.5 ** round * (1 - part / 2));
     const todo = fittings.filter((f) => !f.made);
     for (const [done, fitting] of todo.entries()) {
@@ -136,7 +137,7 @@ export function* converting(
   }
 }
 
-/** Their values in model units, an entry a frame, with angles that don't jump. */
+/** Their values in model units, an entry per frame, with angles that don't jump. */
 function* preparing(
   samples: Samples,
   skeleton: Skeleton | undefined,
@@ -165,7 +166,7 @@ function* preparing(
   return channels.map((channel) => ({ channel, values: values.get(channel) ?? new Float64Array(0) }));
 }
 
-/** By joint, how far away the furthest joint or End Site below can get: the lengths of the bones to it. */
+/** By joint, the farthest that any descendant joint or End Site can be: the total bone length to it. */
 function reachOf(skeleton: Skeleton): Float64Array {
   const reach = new Float64Array(skeleton.joints.length);
   for (let j = skeleton.joints.length - 1; j >= 0; j--) {
@@ -183,11 +184,11 @@ function firstTolerance(
 ): number {
   if (!dof || dof.joint < 0 || (dof.unit !== 'angle' && dof.unit !== 'length')) return PLAIN_TOLERANCE;
   if (dof.unit === 'length') return FIRST_SHARE * position;
-  // A joint without anything below it moves nothing by turning.
+  // A joint without descendants moves nothing by rotating.
   return FIRST_SHARE * Math.min(angle, position / Math.max(reach[dof.joint], 1e-9 * position));
 }
 
-/** Less for the joints that have something below them that is too far off. @returns whether there was any */
+/** Reduces the tolerance of joints with descendants that are too far off. @returns whether there were any */
 function tighten(
   fittings: readonly Fitting[],
   skeleton: Skeleton | undefined,
@@ -195,7 +196,7 @@ function tighten(
   allowed: Tolerance,
   round: number,
 ): boolean {
-  // How many times what is allowed the worst of a joint's subtree is off.
+  // By how much the worst of a joint's subtree exceeds the tolerance, as a factor.
   const excess = distances.map((distance, j) => Math.max(distance / allowed.position, angles[j] / allowed.angle));
   for (let j = excess.length - 1; j > 0; j--) {
     const parent = skeleton?.joints[j].parent ?? -1;
@@ -216,7 +217,7 @@ function withFitted(clip: ChannelClip, fittings: readonly Fitting[]): ChannelCli
   const channels = [...clip.channels];
   for (const { channel, made } of fittings) if (made) channels[channel] = made;
   const { samples: _done, ...rest } = clip;
-  // What nothing follows any more has done its work.
+  // Samples that no channel follows any more are dropped.
   const isLeft = channels.some(({ kind }) => kind === 'samples');
   return isLeft ? { ...clip, channels } : { ...rest, channels };
 }

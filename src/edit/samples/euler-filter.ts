@@ -1,10 +1,10 @@
 /**
- * The Euler filter over a clip: the same rotations, at every key and in every frame, with angles that don't jump.
+ * The Euler filter for a clip: the same rotations, at every key and in every frame, with angles that don't jump.
  *
- * Frames are taken for keys, at even times, and filtered as keys are (`channels/rotations.ts`): joint by joint, within
- * the limits that hold. What follows the samples still does: only the numbers in its columns are others, by whole turns
- * or as the other triple of the same rotation. Between frames nothing changes, for samples turn joints from rotation to
- * rotation; the curves do, and so does what is made of them: keys, files.
+ * Frames are treated as evenly spaced keys and filtered like keys (`channels/rotations.ts`): joint by joint, within
+ * enforced limits. Sampled channels stay sampled: only the numbers in their columns change, by whole turns or to the
+ * other triple of the same rotation. Between frames nothing changes, since samples interpolate rotations; the curves
+ * do, and so do keys and files made from them.
  */
 
 import { type Steps, within } from '../../evaluate/steps.ts';
@@ -17,17 +17,17 @@ import { filterCharacter } from '../channels/rotations.ts';
 import { replacingColumns, takingColumns } from './columns.ts';
 
 export interface FilteredClip {
-  /** The very same channels and samples where nothing changed. */
+  /** The same channels and samples if nothing changed. */
   readonly clip: ChannelClip;
   /** Channels that changed. */
   readonly changed: readonly number[];
-  /** Keys that have other values; frames of samples are not counted. */
+  /** Keys whose values changed; frames of samples are not counted. */
   readonly keysChanged: number;
   /** Sentences on what was not done, and why. */
   readonly notes: readonly string[];
 }
 
-/** @param given channels of the clip, with keys or following samples. Pauses after each joint */
+/** @param given channels of the clip, keyed or sampled. Yields after each joint */
 export function* filteringAngles(
   character: Character,
   clip: ChannelClip,
@@ -72,7 +72,7 @@ function frameTimes({ frameCount, startSeconds, frameSeconds }: Samples): Float6
   return Float64Array.from({ length: frameCount }, (_, f) => startSeconds + f * frameSeconds);
 }
 
-/** A key a frame; without tangents, which the filter only turns where they are numbers. */
+/** A key per frame, without tangents, of which the filter only changes numeric ones. */
 function framesAsKeys(
   { extrapolateIn, extrapolateOut }: Channel,
   times: Float64Array,
@@ -82,7 +82,7 @@ function framesAsKeys(
   return { kind: 'keys', extrapolateIn, extrapolateOut, times, values, tangentsIn: none, tangentsOut: none };
 }
 
-/** The channels of each joint together, in the order of its first; those of none each by itself. */
+/** The channels grouped by joint, in the order of each joint's first; those without a joint alone. */
 function byJoint({ skeleton, morphs }: Character, given: readonly number[]): readonly (readonly number[])[] {
   const dofs = characterDofs(skeleton, morphs);
   const groups = new Map<number | string, number[]>();

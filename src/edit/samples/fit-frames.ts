@@ -1,9 +1,11 @@
 /**
- * Keys for one sampled channel, within a tolerance: the method of *simplify* (`channels/simplify.ts`, `channels/fit.ts`)
- * on a smooth curve through the frames. A curve that stays within the tolerance of one value gets a single key.
+ * Fits keys to a sampled channel within a tolerance: the method of *simplify* (`channels/simplify.ts`,
+ * `channels/fit.ts`) on a smooth curve through the frames. A curve that stays within tolerance of a single value gets a
+ * single key.
  *
- * Long takes are fitted piece by piece, with a key where two pieces meet and the frames' own slope on both of its sides,
- * so that the curve is smooth there too: a key in two thousand frames more, and somebody may look up between pieces.
+ * Long takes are fitted in pieces, with a key where two pieces meet and the frames' own slope on both of its sides, so
+ * that the curve is smooth there too. This costs an extra key per two thousand frames, and lets the page respond in
+ * between.
  */
 import { FIXED_TANGENT, type KeyedChannel, SMOOTH } from '../../model/clip.ts';
 import { simplifyChannel } from '../channels/simplify.ts';
@@ -11,9 +13,9 @@ import { simplifyChannel } from '../channels/simplify.ts';
 const PIECE_FRAMES = 2048;
 
 /**
- * Pauses after each piece.
+ * Yields after each piece.
  * @param times of the frames, ascending
- * @param tolerance in the channel's own unit, above 0
+ * @param tolerance in the channel's unit; greater than 0
  */
 export function* fittingFrames(
   times: Float64Array,
@@ -32,7 +34,7 @@ export function* fittingFrames(
   return joined(pieces);
 }
 
-/** One key, where that is enough. */
+/** A single key, if that is enough. */
 function stillAt(times: Float64Array, values: Float64Array, tolerance: number): KeyedChannel | undefined {
   let low = values[0];
   let high = values[0];
@@ -44,7 +46,7 @@ function stillAt(times: Float64Array, values: Float64Array, tolerance: number): 
   return smoothChannel(times.slice(0, 1), Float64Array.of(high === low ? low : low + (high - low) / 2));
 }
 
-/** Frames `from` to `to` as keys, with fixed slopes at those of its ends that are not the take's. */
+/** Frames `from` to `to` as keys, with fixed slopes at ends that are not the take's. */
 function piece(times: Float64Array, values: Float64Array, from: number, to: number): KeyedChannel {
   const channel = smoothChannel(times.slice(from, to + 1), values.slice(from, to + 1));
   const fix = (side: KeyedChannel['tangentsIn'], key: number, frame: number) => {
@@ -69,7 +71,7 @@ function smoothChannel(times: Float64Array, values: Float64Array): KeyedChannel 
   };
 }
 
-/** Pieces in a row, of which each ends with the key that the next one begins with. */
+/** Consecutive pieces, each ending with the first key of the next. */
 function joined(pieces: readonly KeyedChannel[]): KeyedChannel {
   if (pieces.length === 1) return pieces[0];
   const count = pieces.reduce((sum, { times }) => sum + times.length - 1, 1);
@@ -79,7 +81,7 @@ function joined(pieces: readonly KeyedChannel[]): KeyedChannel {
     const first = at > 0 ? 1 : 0;
     const to = at - 1 + (first === 0 ? 1 : 0);
     if (first) {
-      // The key that is there already takes the way out of this piece.
+      // The existing key gets the out tangent of this piece.
       whole.tangentsOut.kinds[at - 1] = tangentsOut.kinds[0];
       whole.tangentsOut.slopes[at - 1] = tangentsOut.slopes[0];
     }

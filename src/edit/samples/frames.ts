@@ -1,32 +1,32 @@
 /**
- * Which frames of a take lie where in time, and takes of some of them: what trimming, cropping and splitting have in
- * common. Frames keep their times.
+ * Finding frames by time, and takes with some of the frames: what trimming, cropping and splitting share. Frames keep
+ * their times.
  *
- * Many rows that stay are a view of those that were there: copying 100 MB takes longer than a frame of the screen, and
- * the history holds on to what went anyway. Few are copied, or a second of an hour would hold all of it for good.
+ * Many remaining rows are a view of the originals: copying 100 MB takes longer than a display frame, and the history
+ * retains the originals anyway. Few are copied, or one second would retain a whole hour.
  */
 import type { ChannelClip } from '../../model/clip.ts';
 import { rangeOfSamples, type Samples } from '../../model/samples.ts';
 import { CommandError } from '../store.ts';
 
-/** Up to so many values are copied: 8 MB. */
+/** Up to this many values are copied: 8 MB. */
 const COPIED_VALUES = 1 << 20;
-/** Nearer to a frame than this part of one is that frame. */
+/** Fraction of a frame below which a time counts as that frame. */
 const SAME_FRAME = 1e-4;
 
-/** The samples of a take; refuses where it has none. */
+/** The samples of a take; refuses if it has none. */
 export function requireSamples(clip: ChannelClip): Samples {
   if (clip.samples) return clip.samples;
   throw new CommandError(`${clip.name} has no samples, only keys.`);
 }
 
-/** The first frame at a time or after it, from 0 up to and with the count of frames. */
+/** The first frame at or after a time, from 0 to the number of frames. */
 export function firstFrameFrom({ startSeconds, frameSeconds, frameCount }: Samples, seconds: number): number {
   const frame = Math.ceil((seconds - startSeconds) / frameSeconds - SAME_FRAME);
   return Math.min(frameCount, Math.max(0, frame));
 }
 
-/** Frames `first` up to (not including) `end`; the very same samples where that is all of them. */
+/** Frames `first` up to (excluding) `end`; the same samples if that is all of them. */
 export function framesBetween(samples: Samples, first: number, end: number): Samples {
   const { frameCount, frameSeconds, startSeconds, scales } = samples;
   if (first === 0 && end === frameCount) return samples;
@@ -40,8 +40,8 @@ export function framesBetween(samples: Samples, first: number, end: number): Sam
 }
 
 /**
- * The take with the frames from one time to another, both included, and nothing else played; keys stay. The very same
- * where nothing goes. Refuses where no frame lies there.
+ * The take with the frames from one time to another, both included, as its playback range; keys are kept. The same
+ * object if nothing is removed. Refuses if there are no frames in between.
  */
 export function cropped(clip: ChannelClip, from: number, to: number): ChannelClip {
   const samples = requireSamples(clip);
@@ -57,21 +57,21 @@ export function cropped(clip: ChannelClip, from: number, to: number): ChannelCli
   return { ...clip, range, samples: kept };
 }
 
-/** The last frame at a time or before it; −1 where there is none. */
+/** The last frame at or before a time; −1 if there is none. */
 export function lastFrameTo({ startSeconds, frameSeconds, frameCount }: Samples, seconds: number): number {
   const frame = Math.floor((seconds - startSeconds) / frameSeconds + SAME_FRAME);
   return Math.min(frameCount - 1, Math.max(-1, frame));
 }
 
-/** Without the frames before a time, or after it; the frame there stays. */
+/** Without the frames before a time, or after it; the frame there is kept. */
 export function trimmed(clip: ChannelClip, side: 'start' | 'end', seconds: number): ChannelClip {
   const everything = Number.MAX_VALUE;
   return side === 'start' ? cropped(clip, seconds, everything) : cropped(clip, -everything, seconds);
 }
 
 /**
- * Two takes: the frames before a time, and those from it on. Keys are in both, for they say what lies between them.
- * Refuses where one of the two would have no frame.
+ * Two takes: the frames before a time, and the others. Both keep all keys, since these determine the curve in between.
+ * Refuses if one would have no frame.
  */
 export function split(clip: ChannelClip, seconds: number): readonly [ChannelClip, ChannelClip] {
   const samples = requireSamples(clip);

@@ -1,18 +1,18 @@
 /**
- * A Gaussian over the frames around each, the same to both sides, so that nothing comes later than it did.
+ * A symmetric Gaussian over the surrounding frames, so that nothing is delayed.
  *
  *     out(f) = Σₙ w(n) · in(f + n)      w(n) ∝ exp(−n² / 2σ²), σ in frames, up to 3σ to either side
  *
- * Beyond its ends the curve goes on as its mirror image about the end point, so that ends stay where they are.
+ * Beyond its ends the curve is continued by its mirror image about the end point, so that ends stay in place.
  */
 
-/** Additions from one pause to the next: frames cost as much as the filter is wide. */
+/** Additions between two yields: the cost per frame is the filter's width. */
 const STEP_TERMS = 1 << 21;
 
-/** Weights of the frames n = 0, 1 … to either side; together they come to 1. */
+/** Weights of the frames n = 0, 1 … to either side; they sum to 1. */
 export function gaussian(sigmaFrames: number, frameCount: number): Float64Array {
   const reach = Math.min(frameCount - 1, Math.ceil(3 * sigmaFrames));
-  // Divided before it is squared: the square of a tiny σ is 0.
+  // Divided before squaring, since the square of a tiny σ is 0.
   const weights = Float64Array.from({ length: reach + 1 }, (_, n) =>
     n === 0 ? 1 : Math.exp(-0.5 * (n / sigmaFrames) ** 2),
   );
@@ -21,7 +21,7 @@ export function gaussian(sigmaFrames: number, frameCount: number): Float64Array 
   return weights.map((w) => w / sum);
 }
 
-/** Every `step`-th of the values from `first` on, convolved into `out`. Pauses every few milliseconds. */
+/** Every `step`-th of the values from `first` on, convolved into `out`. Yields every few milliseconds. */
 export function* convolving(
   values: Float64Array,
   step: number,
@@ -31,7 +31,7 @@ export function* convolving(
 ): Generator<void> {
   const count = out.length;
   const reach = weights.length - 1;
-  // Both ends continued by their mirror images about the end points; where the filter is longer than that, they stand.
+  // Both ends are continued by their mirror images about the end points, and by constants where the filter is longer.
   const long = new Float64Array(count + 2 * reach);
   const at = (f: number) => values[first + Math.min(count - 1, Math.max(0, f)) * step];
   for (let f = 0; f < count; f++) long[reach + f] = at(f);

@@ -1,11 +1,11 @@
-/** How many frames may be made: what a page can hold, and no slip of a rate. */
+/** Limits the number of frames to what a page can hold. */
 import { MAX_FRAMES, MAX_VALUES } from '../../evaluate/bake.ts';
 import { CommandError } from '../store.ts';
 
 /**
  * Refuses, in a sentence, more frames or values than can be held.
- * @param width channels of a frame
- * @param there frames that there are already: so many may be made again, and fewer
+ * @param width channels per frame
+ * @param there existing frames, whose number is always allowed
  */
 export function refuseTooMany(frameCount: number, width: number, there = 0): void {
   if (frameCount <= there) return;

@@ -1,11 +1,11 @@
 /**
- * How far apart two clips put the joints of one skeleton: the largest distance in world position, and the largest angle
- * between world rotations, for each joint over all frames.
+ * Compares two clips of one skeleton: the largest distance in world position, and the largest angle between world
+ * rotations, for each joint over all frames.
  *
  *     distance     |p − p′| of the joint's origin, and of its End Sites
  *     angle        2·asin(‖R − R′‖ / 2√2), ‖·‖ the root of the sum of squares
  *
- * World means the character's own space, before it is placed, with limits not held.
+ * World is the character's own space, before its placement, without limits.
  */
 
 import { compileSkeleton, worldMatrices } from '../../evaluate/kinematics.ts';
@@ -22,15 +22,15 @@ export interface PoseErrors {
   readonly distances: Float64Array;
   /** Radians. */
   readonly angles: Float64Array;
-  /** Frames in which those are. */
+  /** The frames in which these occur. */
   readonly distanceFrames: Int32Array;
   readonly angleFrames: Int32Array;
 }
 
-/** Frames from one pause to the next. */
+/** Frames between two yields. */
 const SLICE_FRAMES = 64;
 
-/** Compares at every frame of the samples; pauses now and then, with the part that is done. */
+/** Compares every frame of the samples, yielding progress. */
 export function* measuringPoses(
   character: Character,
   before: ChannelClip,
@@ -68,7 +68,7 @@ export function* measuringPoses(
         errors.distances[j] = distance;
         errors.distanceFrames[j] = f;
       }
-      // Squares, until the end.
+      // Squared until the end.
       if (turn > errors.angles[j]) {
         errors.angles[j] = turn;
         errors.angleFrames[j] = f;
@@ -83,7 +83,7 @@ export function* measuringPoses(
   return errors;
 }
 
-/** Squared distance between where two matrices put a point. */
+/** Squared distance of a point transformed by two matrices. */
 function apart(a: Float64Array, b: Float64Array, o: number, x: number, y: number, z: number): number {
   let sum = 0;
   for (let r = o; r < o + 3; r++) {

@@ -1,6 +1,6 @@
 /**
- * Another frame rate: what is played, taken at other times. Between frames that is what the samples say (nearest, linear
- * or cubic), and joints turn along their way from one rotation to the next, not angle by angle.
+ * Changes the frame rate by sampling what plays at other times. Between frames the samples are interpolated (nearest,
+ * linear or cubic), with joints interpolated as rotations, not angle by angle.
  */
 import { poseAt } from '../../evaluate/pose.ts';
 import type { Steps } from '../../evaluate/steps.ts';
@@ -11,12 +11,12 @@ import { requireSamples } from './frames.ts';
 import { refuseTooMany } from './most-frames.ts';
 import { takeAlone } from './take-alone.ts';
 
-/** Frames from one pause to the next. */
+/** Frames between two yields. */
 const STEP_FRAMES = 64;
-/** A last frame that is missed by less than this part of one is there. */
+/** A last frame missed by less than this fraction is included. */
 const SAME_FRAME = 1e-4;
 
-/** The clip with samples at this rate, from its first frame on; the very same where they have it. */
+/** The clip with samples at this rate, starting at its first frame; the same object if they have it. */
 export function* resampling(character: Character, clip: ChannelClip, framesPerSecond: number): Steps<ChannelClip> {
   const samples = requireSamples(clip);
   const frameSeconds = 1 / framesPerSecond;
@@ -42,7 +42,7 @@ export function* resampling(character: Character, clip: ChannelClip, framesPerSe
   return { ...clip, samples: { ...samples, frameCount, frameSeconds, values } };
 }
 
-/** What lies beneath a channel that has keys by now: the nearest frame. In file units. */
+/** The column beneath a channel that has keys: from the nearest frame. In file units. */
 function undriven({ values, scales, startSeconds, frameSeconds, frameCount }: Samples, column: number, time: number) {
   const frame = Math.min(frameCount - 1, Math.max(0, Math.round((time - startSeconds) / frameSeconds)));
   return values[frame * scales.length + column];

@@ -1,5 +1,5 @@
 /**
- * A take backwards, frame by frame and key by key, about the middle of its samples: the last frame becomes the first.
+ * Reverses a take, frames and keys, about the middle of its samples: the last frame becomes the first.
  *
  *     t  →  start + stop − t
  */

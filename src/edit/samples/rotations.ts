@@ -1,10 +1,10 @@
 /**
- * Rotations of sampled joints: which angles turn one joint together, angles that don't jump, and quaternions.
+ * Rotations of sampled joints: which angles rotate a joint together, angles that don't jump, and quaternions.
  *
  *     R = R_i(α) · R_j(β) · R_k(γ)      i j k the axes from left to right, each of x y z once
  *
- * The same rotation is (α, β, γ), whole turns more or less, and (α + π, π − β, γ + π). With σ the sign of ijk as a
- * permutation of xyz, and R's entry [row i][column k]:
+ * The same rotation is (α, β, γ), plus whole turns, and (α + π, π − β, γ + π). With σ the sign of ijk as a permutation
+ * of xyz, and R's entry [row i][column k]:
  *
  *     sin β = σ·R[i][k]      α = atan2(−σ·R[j][k], R[k][k])      γ = atan2(−σ·R[i][j], R[i][i])
  */
@@ -14,7 +14,7 @@ import { turnedNear } from '../../math/euler.ts';
 import { firstDofs } from '../../model/dofs.ts';
 import type { Skeleton } from '../../model/skeleton.ts';
 
-/** A joint that turns about three axes. */
+/** A joint that rotates about three axes. */
 export interface JointRotation {
   readonly joint: number;
   /** The channels of α, β, γ. */
@@ -23,7 +23,7 @@ export interface JointRotation {
   readonly axes: readonly [number, number, number];
 }
 
-/** The joints of a skeleton that turn about three axes by three angles. */
+/** The joints of a skeleton that rotate about three axes by three angles. */
 export function jointRotations(skeleton: Skeleton): JointRotation[] {
   const starts = firstDofs(skeleton);
   return skeleton.joints.flatMap(({ motion }, joint) => {
@@ -36,14 +36,14 @@ export function jointRotations(skeleton: Skeleton): JointRotation[] {
   });
 }
 
-/** Each angle within half a turn of the one before it, in place. */
+/** Brings each angle within half a turn of the previous one, in place. */
 export function unroll(angles: Float64Array): void {
   for (let f = 1; f < angles.length; f++) angles[f] = turnedNear(angles[f], angles[f - 1]);
 }
 
 /**
- * Each triple the form of its rotation that is nearest to the one before it, in place.
- * @param from the first frame that is looked at, with those before it done; up to, not including, `to`
+ * Replaces each triple by the form of its rotation nearest to the previous one, in place.
+ * @param from the first frame to process, with those before it done; up to (excluding) `to`
  */
 export function unrollTriples(
   [a, b, c]: readonly [Float64Array, Float64Array, Float64Array],
@@ -58,12 +58,12 @@ export function unrollTriples(
   }
 }
 
-/** What `nearestForm` and `anglesOf` found. */
+/** Results of `nearestForm` and `anglesOf`. */
 const form = new Float64Array(3);
 
 /**
- * The form of a rotation, whole turns and the other triple included, that is nearest to other angles.
- * @returns scratch that the next call fills again, as that of `anglesOf`
+ * The form of a rotation, including whole turns and the other triple, nearest to given angles.
+ * @returns scratch that the next call overwrites, shared with `anglesOf`
  */
 export function nearestForm(a: number, b: number, c: number, a0: number, b0: number, c0: number): Float64Array {
   writeNearestForm(a, b, c, a0, b0, c0, form, 0);
@@ -71,9 +71,9 @@ export function nearestForm(a: number, b: number, c: number, a0: number, b0: num
 }
 
 /**
- * The rotations of frames `from` up to (not including) `to` as quaternions x y z w, four a frame, each on the side of the
- * one before it: none jumps to its opposite.
- * @param out of all frames, those before `from` filled in already
+ * The rotations of frames `from` up to (excluding) `to` as quaternions x y z w, four per frame, each with the sign
+ * nearest to the previous one.
+ * @param out of all frames, those before `from` already filled in
  */
 export function putQuaternions(
   [a, b, c]: readonly [Float64Array, Float64Array, Float64Array],
@@ -109,9 +109,9 @@ function turnBy(q: Float64Array, axis: number, angle: number): void {
 }
 
 /**
- * The angles of a quaternion (of any length but 0), in the form that is nearest to other angles.
- * @param o where it begins in `q`
- * @returns scratch that the next call fills again
+ * The angles of a quaternion (of any length but 0), in the form nearest to given angles.
+ * @param o where it starts in `q`
+ * @returns scratch that the next call overwrites
  */
 export function anglesOf(
   q: Float64Array,
@@ -125,7 +125,7 @@ export function anglesOf(
   const t = 2 / size;
   const w = q[o + 3];
   const sign = (j - i + 3) % 3 === 1 ? 1 : -1;
-  // R[r][c] for r ≠ c is t·(q_r·q_c ∓ w·q_other), minus where r c other is an even permutation.
+  // R[r][c] for r ≠ c is t·(q_r·q_c ∓ w·q_other), minus if r c other is an even permutation.
   const entry = (r: number, c: number) => {
     if (r === c) return 1 - t * (q[o + ((r + 1) % 3)] ** 2 + q[o + ((r + 2) % 3)] ** 2);
     const even = (c - r + 3) % 3 === 1;
@@ -134,7 +134,7 @@ export function anglesOf(
   const sin = Math.min(1, Math.max(-1, sign * entry(i, k)));
   const b = Math.asin(sin);
   if (Math.abs(sin) > 1 - 1e-9) {
-    // Gimbal lock: α and γ turn about one axis, and only α + σ·γ counts (α − σ·γ where sin β is −1). γ stays.
+    // Gimbal lock: α and γ rotate about the same axis, and only α + σ·γ matters (α − σ·γ if sin β is −1). γ is kept.
     const together = Math.atan2(sign * entry(k, j), entry(j, j));
     nearestForm(together - (sin > 0 ? sign : -sign) * c0, b, c0, a0, b0, c0);
     return form;

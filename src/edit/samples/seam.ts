@@ -1,24 +1,23 @@
 /**
- * The frames that a filter is for, and how it sets in: little by little from either end of a range, so that there is no
- * jump where it begins and ends.
+ * The range of a filter, with a gradual transition at either end, so that there is no jump.
  *
  *     weight(f) = smoothstep((d + 1) / (s + 1))      d frames from the range's nearer end, s the seam's
- *     s = the filter's reach, or half of the range where that is less
+ *     s = the filter's reach, or half of the range if that is less
  *
- * The seam lies within the range: outside nothing changes. Where the range ends with the take there is none.
+ * The seam is within the range: nothing changes outside. There is none where the range ends with the take.
  */
 import { rangeOfSamples, type Samples } from '../../model/samples.ts';
 import { CommandError } from '../store.ts';
 import { firstFrameFrom, lastFrameTo } from './frames.ts';
 
-/** Frames `first` up to (not including) `end` of a take of `frameCount`. */
+/** Frames `first` up to (excluding) `end` of a take of `frameCount`. */
 export interface FrameRange {
   readonly first: number;
   readonly end: number;
   readonly frameCount: number;
 }
 
-/** Those from one time to another, both included; all where there is no range. Refuses where none lies there. */
+/** The frames from one time to another, both included; all without a range. Refuses if there are none. */
 export function frameRange(samples: Samples, range: readonly [number, number] | undefined): FrameRange {
   const { frameCount } = samples;
   if (!range) return { first: 0, end: frameCount, frameCount };
@@ -33,7 +32,7 @@ export function isWhole({ first, end, frameCount }: FrameRange): boolean {
   return first === 0 && end === frameCount;
 }
 
-/** How much of the filter a frame gets, from 0 outside of the range to 1. */
+/** The filter's weight for a frame, from 0 outside of the range to 1. */
 export function weightAt({ first, end, frameCount }: FrameRange, reach: number, frame: number): number {
   if (frame < first || frame >= end) return 0;
   const seam = Math.min(reach, Math.floor((end - first) / 2));

@@ -1,22 +1,22 @@
 /**
- * Smoothing, and taking out spikes: filters over the frames around each, the same to both sides.
+ * Smoothing and removing spikes: symmetric filters over the surrounding frames.
  *
- *     gaussian     jitter goes, and what is quick gets less (`gaussian.ts`)
- *     median       what stands out for a frame or a few goes, and all else stays as it is (`median.ts`)
+ *     gaussian     removes jitter and attenuates fast motion (`gaussian.ts`)
+ *     median       removes outliers of one or a few frames, and keeps everything else (`median.ts`)
  *
- * A movement to and fro with period P keeps of a Gaussian exp(−2(πσ/P)²) of its height: with σ = 0.05 s 95 % of one a
- * second, 29 % of five a second, less than 1 % of ten.
+ * An oscillation of period P keeps exp(−2(πσ/P)²) of its amplitude under a Gaussian: with σ = 0.05 s 95 % at one per
+ * second, 29 % at five per second, less than 1 % at ten.
  *
- * Joints with three angles are filtered as rotations: their quaternions are, each on the side of the one before it, and
- * brought back to length and to angles. Angles by themselves would smear where they jump from 179° to −179° or swing
- * about near gimbal lock, while the joint hardly moves. Single angles are unrolled first.
+ * Joints with three angles are filtered as rotations: their quaternions, with consistent signs, are filtered,
+ * normalised and converted back to angles. Filtering angles separately would smear jumps from 179° to −179° and swings
+ * near gimbal lock, while the joint hardly moves. Single angles are unrolled first.
  *
- * Within a range, the filter sets in and ends little by little (`seam.ts`): values and rotations lie between what was and
- * what the filter makes of it. It sees the frames outside. There, angles are those nearest to what was, so that no turn
- * is added where the range ends; over a whole take those nearest to the frame before.
+ * Within a range, the filter starts and ends gradually (`seam.ts`): values and rotations are blended between before and
+ * after. It reads the frames outside. In a range, angles are those nearest to the previous ones, so that no turn is
+ * added where it ends; over a whole take those nearest to the previous frame.
  *
- * (Savitzky–Golay keeps peaks higher for the same window but lets some jitter through with its sign turned; a Gaussian's
- * one number is one that people have a feeling for.)
+ * (Savitzky–Golay keeps peaks higher for the same window but lets some jitter through with reversed sign; and the
+ * single parameter of a Gaussian is intuitive.)
  */
 
 import { type Steps, within } from '../../evaluate/steps.ts';
@@ -32,32 +32,32 @@ import { anglesOf, type JointRotation, nearestForm, putQuaternions, unroll } fro
 import { type FrameRange, frameRange, isWhole, weightAt } from './seam.ts';
 
 export type SampleFilter =
-  /** σ in seconds, above 0. */
+  /** σ in seconds; greater than 0. */
   | { readonly kind: 'gaussian'; readonly sigmaSeconds: number }
   /** One of `MEDIAN_FRAMES`. */
   | { readonly kind: 'median'; readonly frames: number };
 
-/** From where to where the work is filtering: columns are taken out before it, and put back after it. */
+/** Share of filtering in the progress: before it columns are extracted, after it replaced. */
 const FILTERING = [0.05, 0.9] as const;
-/** Frames from one pause to the next where a frame costs a few sines. */
+/** Frames between two yields if a frame takes a few sines. */
 const STEP_FRAMES = 1 << 14;
 
 type Triple = readonly [Float64Array, Float64Array, Float64Array];
 
-/** What is filtered, of columns that begin and end with the frames that the filter sees. */
+/** A filter job, on columns cut to the frames that the filter reads. */
 interface Job {
-  /** Of those columns. */
+  /** Within those columns. */
   readonly range: FrameRange;
-  /** How far the filter sees to either side. */
+  /** Frames that the filter reads to either side. */
   readonly reach: number;
-  /** Of the Gaussian; a median has none. */
+  /** Of the Gaussian; undefined for a median. */
   readonly weights: Float64Array | undefined;
 }
 
 /**
  * @param rotations of the character's skeleton
- * @param channels only these; others, and those with keys, stay
- * @param seconds of the clip; all frames where absent
+ * @param channels only these; others, and keyed ones, are kept
+ * @param seconds of the clip; default: all frames
  */
 export function* smoothing(
   clip: ChannelClip,
@@ -105,7 +105,7 @@ export function* smoothing(
   return { ...clip, samples: yield* within(replacingColumns(samples, made, first), FILTERING[1], 1) };
 }
 
-/** Lengths, weights, and angles that turn by themselves; in place. */
+/** Lengths, weights and independent angles; in place. */
 function* filteringValues(values: Float64Array, isAngle: boolean, { range, reach, weights }: Job): Generator<void> {
   const flat = values.slice();
   if (isAngle) unroll(flat);
@@ -143,7 +143,7 @@ function* filteringRotations(angles: Triple, axes: JointRotation['axes'], job: J
   }
 }
 
-/** The angles of quaternions given part by part, in place of those that are there, from frame `from` up to `to`. */
+/** Replaces angles by those of quaternions, given by component, in frames `from` up to `to`. */
 function putSmooth(
   q: Float64Array,
   parts: readonly Float64Array[],
@@ -158,9 +158,9 @@ function putSmooth(
   const whole = isWhole(range);
   for (let f = from; f < to; f++) {
     const weight = weightAt(range, reach, f);
-    // The filter's result is near the frame's own, on its side.
+    // The filter's result is close to the frame's own quaternion, with the same sign.
     for (let n = 0; n < 4; n++) mixed[n] = q[4 * f + n] + weight * (parts[n][f] - q[4 * f + n]);
-    // The first is nearest to its own angles, the others to those before them.
+    // The first is nearest to its own angles, the others to the previous ones.
     const p = whole ? Math.max(0, f - 1) : f;
     putForm(anglesOf(mixed, 0, axes, a[p], b[p], c[p]), angles, f);
   }
@@ -173,8 +173,8 @@ function putForm(form: Float64Array, [a, b, c]: Triple, frame: number): void {
 }
 
 /**
- * The rotations of other frames in place of spikes, each in the form that is nearest to the frame before.
- * @param own the angles as they were
+ * Replaces spikes by the rotations of other frames, each in the form nearest to the previous frame.
+ * @param own the previous angles
  */
 function putMedians(
   q: Float64Array,
@@ -189,7 +189,7 @@ function putMedians(
   const mixed = new Float64Array(4);
   for (let f = from; f < to; f++) {
     const m = medianRotation(q, f, reach);
-    // The first frame's window is itself alone: there is one before each that changes.
+    // The first frame never changes, since its window is only itself; so there is always a previous one.
     if (m === f) continue;
     const weight = weightAt(range, reach, f);
     if (weight === 1) putForm(nearestForm(own[0][m], own[1][m], own[2][m], a[f - 1], b[f - 1], c[f - 1]), angles, f);

@@ -1,6 +1,6 @@
 /**
- * A character as one of its takes has it: nothing set by hand, no limits held, no offset in time, no other character's
- * take that moves it. For `poseAt`.
+ * A character exactly as in one of its takes, for `poseAt`: without unkeyed changes, limits, time offset or
+ * retargeting.
  */
 import type { ChannelClip } from '../../model/clip.ts';
 import type { Character } from '../../model/document.ts';
