@@ -14,6 +14,8 @@ import {
   unit,
   type Vec3,
 } from '../../math/vec3.ts';
+import { hasOwnBox } from '../../model/axis-angle.ts';
+import { hasBox } from '../../model/boxes.ts';
 import { coupleOf } from '../../model/couples.ts';
 import { characterDofs } from '../../model/dofs.ts';
 import { isUnlimited, type Skeleton } from '../../model/skeleton.ts';
@@ -47,6 +49,8 @@ export interface Handle extends DofAxis {
 export interface JointHandles {
   /** The joint's origin in the world. */
   readonly pivot: Vec3;
+  /** Length of the joint's longest bone, or of its box, in the world; 0 if it has neither. */
+  readonly size: number;
   readonly handles: readonly Handle[];
   readonly freeTurn: FreeTurn | undefined;
 }
@@ -84,7 +88,7 @@ export function jointHandles(
     });
   const turn = freeTurn(skeleton, joint);
   if (turn && turnsOnlyFreely(skeleton.joints[joint])) handles.push(...ownRings(joint, turn, world, placement, pivot));
-  return { pivot, handles, freeTurn: turn };
+  return { pivot, size: sizeOf(skeleton, joint, world, placement), handles, freeTurn: turn };
 }
 
 /** Rings about the joint's own axes, if no DOF turns about an axis of its own. */
@@ -124,19 +128,13 @@ function rotated(across: Vec3, axis: Vec3, angle: number): Vec3 {
 
 /** The unit direction of the joint's bone in the world: towards its children, its own end, or the middle of its box. */
 function boneDirection(
-  { joints }: Skeleton,
+  skeleton: Skeleton,
   joint: number,
   world: Float64Array,
   placement: Float64Array,
 ): Vec3 | undefined {
-  const { box, length, endSites } = joints[joint];
-  const ends: Vec3[] = [];
-  for (let j = joint + 1; j < joints.length && joints[j].parent >= joint; j++) {
-    if (joints[j].parent === joint) {
-      const own: Vec3 = [world[16 * joint + 12], world[16 * joint + 13], world[16 * joint + 14]];
-      ends.push(subtract([world[16 * j + 12], world[16 * j + 13], world[16 * j + 14]], own));
-    }
-  }
+  const { box, length, endSites } = skeleton.joints[joint];
+  const ends = toChildren(skeleton, joint, world);
   if (!ends.length) {
     const tip: Vec3 | undefined = length !== undefined ? [0, length, 0] : endSites?.[0];
     const middle: Vec3 = [0, 1, 2].map((k) => (box.min[k] + box.max[k]) / 2) as [number, number, number];
@@ -144,4 +142,37 @@ function boneDirection(
   }
   const sum = ends.reduce<Vec3>((all, end) => add(all, end), [0, 0, 0]);
   return unit(transformVector(placement, sum));
+}
+
+function sizeOf(skeleton: Skeleton, joint: number, world: Float64Array, placement: Float64Array): number {
+  const own = skeleton.joints[joint];
+  const tip: readonly Vec3[] = own.length === undefined ? [] : [[0, own.length, 0]];
+  const ends = [...tip, ...(own.endSites ?? [])].map((end) => transformVector(world, end, 16 * joint));
+  ends.push(...toChildren(skeleton, joint, world));
+  // A default box says nothing of a joint's size, unless it is all that there is to see.
+  if (hasBox(own) && (hasOwnBox(own) || !ends.length)) {
+    const { min, max } = own.box;
+    const middle: Vec3 = [(min[0] + max[0]) / 2, (min[1] + max[1]) / 2, (min[2] + max[2]) / 2];
+    ends.push(transformVector(world, scaled(middle, 2), 16 * joint));
+    for (let k = 0; k < 3; k++) {
+      const half = Math.abs(max[k] - min[k]) / 2;
+      ends.push([
+        half * world[16 * joint + 4 * k],
+        half * world[16 * joint + 4 * k + 1],
+        half * world[16 * joint + 4 * k + 2],
+      ]);
+    }
+  }
+  return ends.reduce((most, end) => Math.max(most, Math.hypot(...transformVector(placement, end))), 0);
+}
+
+/** From a joint's origin to those of its children, in the character's space. */
+function toChildren({ joints }: Skeleton, joint: number, world: Float64Array): Vec3[] {
+  const own: Vec3 = [world[16 * joint + 12], world[16 * joint + 13], world[16 * joint + 14]];
+  const found: Vec3[] = [];
+  for (let j = joint + 1; j < joints.length && joints[j].parent >= joint; j++) {
+    if (joints[j].parent === joint)
+      found.push(subtract([world[16 * j + 12], world[16 * j + 13], world[16 * j + 14]], own));
+  }
+  return found;
 }

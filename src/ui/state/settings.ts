@@ -9,6 +9,8 @@ import { type Observable, observable } from '../kit/observable.ts';
 export const THEMES = ['system', 'light', 'dark'] as const;
 export const ANGLES = ['degrees', 'radians'] as const;
 export const NEW_KEY_TANGENTS = ['smooth', 'linear', 'flat'] as const;
+/** Smallest and largest. */
+export const GIZMO_SCALES = [0.5, 2] as const;
 export const TIME_DISPLAYS = ['seconds', 'frames'] as const;
 
 export interface Settings {
@@ -19,6 +21,8 @@ export interface Settings {
   readonly panels: Panels;
   /** Tangents of new keys, on both sides. */
   readonly newKeyTangents: (typeof NEW_KEY_TANGENTS)[number];
+  /** Factor of the size of the viewport's gizmo, within `GIZMO_SCALES`. */
+  readonly gizmoScale: number;
   /** Sections of the inspector and groups of the outliner that the user has expanded (true) or collapsed. */
   readonly folds: Readonly<Record<string, boolean>>;
   /** Whether shortcuts without Ctrl, Cmd or Alt are enabled; speech input and switch devices may conflict with them. */
@@ -58,6 +62,7 @@ export const DEFAULT_SETTINGS: Settings = {
     drawer: 'none',
   },
   newKeyTangents: 'smooth',
+  gizmoScale: 1,
   folds: {},
   singleKeys: true,
   keys: {},
@@ -104,6 +109,7 @@ export function parseSettings(text: string | null): Settings {
     timeDisplay: oneOf(TIME_DISPLAYS, kept.timeDisplay, d.timeDisplay),
     panels: { ...sameTypes(d.panels, asRecord(kept.panels)), drawer: d.panels.drawer },
     newKeyTangents: oneOf(NEW_KEY_TANGENTS, kept.newKeyTangents, d.newKeyTangents),
+    gizmoScale: within(GIZMO_SCALES, kept.gizmoScale, d.gizmoScale),
     folds: Object.fromEntries(Object.entries(asRecord(kept.folds)).filter(isFold)),
     singleKeys: typeof singleKeys === 'boolean' ? singleKeys : d.singleKeys,
     keys: Object.fromEntries(Object.entries(asRecord(kept.keys)).filter(isKeys)),
@@ -148,6 +154,10 @@ function sameTypes<T extends object>(defaults: T, kept: Record<string, unknown>)
 
 function oneOf<T extends string>(allowed: readonly T[], value: unknown, otherwise: T): T {
   return allowed.find((a) => a === value) ?? otherwise;
+}
+
+function within([min, max]: readonly [number, number], value: unknown, otherwise: number): number {
+  return typeof value === 'number' && value >= min && value <= max ? value : otherwise;
 }
 
 function isFold(entry: [string, unknown]): entry is [string, boolean] {

@@ -17,22 +17,18 @@ export class GizmoPen {
   private readonly straights: StraightPen;
   private theme: StageTheme | undefined;
 
-  /** @param side of the canvas in CSS pixels */
-  constructor(
-    private readonly pen: CanvasRenderingContext2D,
-    private readonly side: number,
-  ) {
+  constructor(private readonly pen: CanvasRenderingContext2D) {
     this.rings = new RingPen(pen);
-    this.straights = new StraightPen(pen, side);
+    this.straights = new StraightPen(pen);
   }
 
   setTheme(theme: StageTheme): void {
     this.theme = theme;
   }
 
-  /** @param left, top of the canvas in the viewport */
-  draw(layout: Layout, state: GizmoState, left: number, top: number, ratio: number): void {
-    const { pen, side, theme, rings, straights } = this;
+  /** @param left, top of the canvas in the viewport @param side of the canvas; all in CSS pixels */
+  draw(layout: Layout, state: GizmoState, left: number, top: number, side: number, ratio: number): void {
+    const { pen, theme, rings, straights } = this;
     pen.setTransform(ratio, 0, 0, ratio, 0, 0);
     pen.clearRect(0, 0, side, side);
     if (!theme) return;
@@ -43,10 +39,10 @@ export class GizmoPen {
     const shown = layout.shapes.filter(({ id }) => !dragged || sameHandle(id, dragged.id));
     for (const shape of shown) if (shape.form === 'disc') this.disc(layout, shape, state, theme);
     for (const shape of shown) if (shape.form === 'ring') rings.draw(shape, state, theme, true);
-    for (const shape of shown) {
-      if (shape.form === 'ring') rings.draw(shape, state, theme, false);
-      else if (shape.form !== 'disc') straights.draw(shape, state, theme);
-    }
+    // Behind the near halves of the rings, as picking has it; what comes out in front of them is drawn again.
+    for (const shape of shown) if (isStraight(shape)) straights.draw(shape, state, theme, side);
+    for (const shape of shown) if (shape.form === 'ring') rings.draw(shape, state, theme, false);
+    for (const shape of shown) if (isStraight(shape) && shape.depths[1] >= 0) straights.drawEnd(shape, state, theme);
     const [x, y] = layout.pivot;
     drawKnob(pen, x, y, 3, theme.selected, theme);
   }
@@ -61,4 +57,8 @@ export class GizmoPen {
     pen.fill();
     pen.globalAlpha = 1;
   }
+}
+
+function isStraight({ form }: Shape): boolean {
+  return form !== 'ring' && form !== 'disc';
 }

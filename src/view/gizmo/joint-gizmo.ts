@@ -4,8 +4,8 @@
  * Not three.js's TransformControls: it rotates about the axes of one object, while each of a joint's DOFs has its own
  * axis, so it would take one (of some fifty meshes) per DOF, each on a proxy. Its rings seen face on rotate by pointer
  * motion along one line, so that the pointer doesn't stay on the spot it grabbed. And it shows neither limits nor the
- * swept angle. Its conventions are kept: red, green and blue rings, arrows and boxes of constant size on screen, the
- * far half of rings faint, an outer ring for the view axis.
+ * swept angle. Its conventions are kept: red, green and blue rings, arrows and boxes, the far half of rings faint,
+ * an outer ring for the view axis. Unlike its handles, these have the size of the joint on screen, within bounds.
  *
  * Drawn on a 2D canvas, as labels are: it is always on top anyway, its lines are antialiased, and it isn't in saved
  * pictures of the scene. The canvas is only as large as the gizmo.
@@ -17,10 +17,13 @@ import type { Overlay } from '../overlay.ts';
 import type { StageTheme } from '../theme.ts';
 import type { GizmoState } from './gizmo-look.ts';
 import { GizmoPen } from './gizmo-pen.ts';
-import { handleAt, type Layout, layOut, RING_PIXELS } from './shapes.ts';
+import { handleAt } from './handle-at.ts';
+import { type Layout, layOut, ringRadius } from './shapes.ts';
 
-/** CSS pixels: side of the canvas. */
-const SIDE = Math.ceil(2 * 1.5 * RING_PIXELS);
+/** Side of the canvas as a part of the rings' radius. */
+const SIDE_PART = 3;
+/** The canvas grows in steps, so that a dolly doesn't allocate one a frame. CSS pixels. */
+const SIDE_STEP = 48;
 const MAX_PIXELS_PER_PIXEL = 2;
 
 export interface GizmoSource {
@@ -30,6 +33,8 @@ export interface GizmoSource {
    */
   handles(): JointHandles | undefined;
   state(): GizmoState;
+  /** Factor of the gizmo's size. */
+  scale(): number;
 }
 
 export class JointGizmo implements Overlay {
@@ -40,8 +45,11 @@ export class JointGizmo implements Overlay {
   private readonly projection = new CameraProjection();
   /** What the layout was computed for. */
   private handles: JointHandles | undefined;
+  private scale = 0;
   private layout: Layout | undefined;
   private ratio = 0;
+  /** CSS pixels. */
+  private side = 0;
 
   /** @param container the element that contains the viewport */
   constructor(
@@ -50,34 +58,35 @@ export class JointGizmo implements Overlay {
   ) {
     this.canvas.className = 'joint-gizmo';
     this.canvas.setAttribute('aria-hidden', 'true');
-    this.canvas.style.cssText = `position:absolute;left:0;top:0;width:${SIDE}px;height:${SIDE}px;pointer-events:none`;
+    this.canvas.style.cssText = `position:absolute;left:0;top:0;pointer-events:none`;
     this.canvas.hidden = true;
     const context = this.canvas.getContext('2d');
-    this.pen = context ? new GizmoPen(context, SIDE) : undefined;
+    this.pen = context ? new GizmoPen(context) : undefined;
     // Below the labels and the axis widget, which follow it.
     container.querySelector('canvas')?.after(this.canvas);
   }
 
   update(camera: PerspectiveCamera | OrthographicCamera, heightPx: number): void {
-    const handles = this.source.handles();
+    const { canvas, pen, source } = this;
+    const handles = source.handles();
+    const state = source.state();
+    const scale = source.scale();
     const isAnotherView = this.projection.look(camera, heightPx);
-    if (isAnotherView || handles !== this.handles) {
+    if (isAnotherView || handles !== this.handles || scale !== this.scale) {
       this.handles = handles;
-      this.layout = handles && layOut(handles, this.projection);
+      this.scale = scale;
+      this.layout = handles && layOut(handles, this.projection, this.radiusOf(handles, state));
     }
-    const { layout, canvas, pen } = this;
+    const { layout } = this;
     if (canvas.hidden !== (layout === undefined)) canvas.hidden = layout === undefined;
     if (!layout || !pen) return;
-    const ratio = Math.min(window.devicePixelRatio || 1, MAX_PIXELS_PER_PIXEL);
-    if (ratio !== this.ratio) {
-      this.ratio = ratio;
-      canvas.width = canvas.height = Math.round(SIDE * ratio);
-    }
+    this.resize(layout.radius);
+    const { side, ratio } = this;
     // Aligned to device pixels, or its lines would be blurred.
-    const snap = (at: number) => Math.round((at - SIDE / 2) * ratio) / ratio;
+    const snap = (at: number) => Math.round((at - side / 2) * ratio) / ratio;
     const [left, top] = [snap(layout.pivot[0]), snap(layout.pivot[1])];
     canvas.style.transform = `translate(${left}px, ${top}px)`;
-    pen.draw(layout, this.source.state(), left, top, ratio);
+    pen.draw(layout, state, left, top, side, ratio);
   }
 
   /** The handle under a point of the page, as last drawn. */
@@ -89,7 +98,7 @@ export class JointGizmo implements Overlay {
 
   /** Radius of the rings as last drawn, CSS pixels. */
   get radius(): number {
-    return this.layout?.radius ?? RING_PIXELS;
+    return this.layout?.radius ?? 1;
   }
 
   setTheme(theme: StageTheme): void {
@@ -98,5 +107,21 @@ export class JointGizmo implements Overlay {
 
   dispose(): void {
     this.canvas.remove();
+  }
+
+  /** Constant during a drag, which may scale the joint or move it in depth. */
+  private radiusOf(handles: JointHandles, { dragged }: GizmoState): number {
+    return dragged && this.layout ? this.layout.radius : ringRadius(handles, this.projection, this.scale);
+  }
+
+  private resize(radius: number): void {
+    const { canvas } = this;
+    const ratio = Math.min(window.devicePixelRatio || 1, MAX_PIXELS_PER_PIXEL);
+    const side = SIDE_STEP * Math.ceil((SIDE_PART * radius) / SIDE_STEP);
+    if (ratio === this.ratio && side === this.side) return;
+    this.ratio = ratio;
+    this.side = side;
+    canvas.width = canvas.height = Math.round(side * ratio);
+    canvas.style.width = canvas.style.height = `${side}px`;
   }
 }

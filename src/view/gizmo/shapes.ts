@@ -1,25 +1,31 @@
 /**
- * Handles on screen: polylines, which parts are on the far side, and hit testing. Sizes are in pixels at any distance.
+ * Handles on screen: polylines, their depths, and which parts are on the far side.
  *
  *     ring         64 pieces, the first at the mark (where the bone points), by the right-hand rule
  *     arrow, box   from the middle outwards along the axis
  */
 import type { Hue } from '../../evaluate/handles/dof-axes.ts';
 import type { Handle, HandleId, HandleRange, JointHandles } from '../../evaluate/handles/joint-handles.ts';
-import { add, cross, dot, scaled, unit, type Vec3 } from '../../math/vec3.ts';
+import { add, cross, dot, scaled, subtract, unit, type Vec3 } from '../../math/vec3.ts';
 
-/** CSS pixels. */
-export const RING_PIXELS = 90;
+/**
+ * Radius of the rings, in CSS pixels: the outer ring is a fifth larger. Smaller ones can't be hit, larger ones cover the
+ * joints around.
+ */
+const MIN_RADIUS = 30;
+const MAX_RADIUS = 90;
+/** As a part of the joint's size: the rings stay clear of the next joint. */
+const SIZE_PART = 0.6;
+/** At most this part of the viewport's width and height. */
+const VIEW_PART = 0.24;
 /** As a part of the radius, if there are rings too: outside of them. */
 const ARROW_PART = 1.25;
+/** Where an arrow comes out of the rings, as a part of its length. */
+export const RINGS_END = 1 / ARROW_PART;
 const VIEW_RING_PART = 1.2;
 /** The ball inside the rings; the gap between is empty, so that the rings are easy to hit. */
 export const BALL_PART = 0.86;
 const PIECES = 64;
-/** Hit tolerance. */
-const REACH_PIXELS = 7;
-/** Far sides take more precise aim. */
-const BACK_REACH_PIXELS = 3;
 /** An axis shorter than this on screen points at the viewer and can't be dragged along. */
 const SHORTEST_PIXELS = 14;
 
@@ -41,6 +47,8 @@ export interface Shape {
   readonly form: 'ring' | 'arrow' | 'box' | 'diamond' | 'disc';
   /** x y each. */
   readonly points: Float64Array;
+  /** World length of each point in front of the pivot; negative behind it. */
+  readonly depths: Float64Array;
   /** For each piece between two points, whether it is on the far side; never for a ring that faces the viewer. */
   readonly isBehind: readonly boolean[];
   /** Undefined: not one DOF's. */
@@ -61,15 +69,27 @@ export interface Layout {
 
 const FREE: HandleRange = { value: 0, min: -Infinity, max: Infinity };
 
-/** Undefined if the joint is behind the viewer. */
-export function layOut(joint: JointHandles, view: Projection): Layout | undefined {
+/**
+ * Radius of the rings in CSS pixels: by the size of the joint on screen, within bounds.
+ *
+ * @param scale the size the user wants: a factor, 1 by default
+ */
+export function ringRadius({ pivot, size }: JointHandles, view: Projection, scale: number): number {
+  const pixels = (SIZE_PART * size) / view.unitsPerPixel(pivot);
+  const within = Math.min(MAX_RADIUS, Math.max(MIN_RADIUS, pixels));
+  return Math.min(scale * within, VIEW_PART * Math.min(view.width, view.height));
+}
+
+/** Undefined if the joint is behind the viewer. @param radius of the rings, CSS pixels */
+export function layOut(joint: JointHandles, view: Projection, radius: number): Layout | undefined {
   const at = new Float64Array(2);
   if (!view.project(joint.pivot, at, 0)) return undefined;
-  const radius = Math.min(RING_PIXELS, 0.24 * Math.min(view.width, view.height));
+  const depthOf = depthsFrom(joint.pivot, view);
   const hasRings = joint.handles.some(({ kind }) => kind === 'turn');
   const shapes: Shape[] = [];
   for (const handle of joint.handles) {
-    const shape = handle.kind === 'turn' ? ring(handle, view, radius) : straight(handle, view, radius, hasRings);
+    const shape =
+      handle.kind === 'turn' ? ring(handle, view, radius, depthOf) : straight(handle, view, radius, hasRings, depthOf);
     if (shape) shapes.push(shape);
   }
   if (joint.freeTurn) {
@@ -79,7 +99,15 @@ export function layOut(joint: JointHandles, view: Projection): Layout | undefine
   return { pivot: [at[0], at[1]], radius, shapes };
 }
 
-function ring(handle: Handle, view: Projection, pixels: number): Shape | undefined {
+/** World length of a point in front of the pivot. */
+type DepthOf = (point: Vec3) => number;
+
+function depthsFrom(pivot: Vec3, view: Projection): DepthOf {
+  const eye = view.towardsViewer(pivot);
+  return (point) => dot(subtract(point, pivot), eye);
+}
+
+function ring(handle: Handle, view: Projection, pixels: number, depthOf: DepthOf): Shape | undefined {
   const { axis, centre, mark, id, hue, range } = handle;
   const size = pixels * view.unitsPerPixel(centre);
   const side = cross(axis, mark);
@@ -87,20 +115,29 @@ function ring(handle: Handle, view: Projection, pixels: number): Shape | undefin
   // Almost face-on, no part is on the far side.
   const faces = Math.abs(dot(axis, eye)) > 0.96;
   const points = new Float64Array(2 * (PIECES + 1));
+  const depths = new Float64Array(PIECES + 1);
   const isBehind: boolean[] = [];
   for (let i = 0; i <= PIECES; i++) {
     const angle = (2 * Math.PI * i) / PIECES;
     const out = add(scaled(mark, Math.cos(angle)), side, Math.sin(angle));
-    if (!view.project(add(centre, out, size), points, 2 * i)) return undefined;
+    const point = add(centre, out, size);
+    if (!view.project(point, points, 2 * i)) return undefined;
+    depths[i] = depthOf(point);
     if (i === PIECES) break;
     const middle = angle + Math.PI / PIECES;
     const away = add(scaled(mark, Math.cos(middle)), side, Math.sin(middle));
     isBehind.push(!faces && dot(away, eye) < 0);
   }
-  return { id, form: 'ring', points, isBehind, hue, range, isAway: false, step: (2 * Math.PI) / PIECES };
+  return { id, form: 'ring', points, depths, isBehind, hue, range, isAway: false, step: (2 * Math.PI) / PIECES };
 }
 
-function straight(handle: Handle, view: Projection, pixels: number, hasRings: boolean): Shape | undefined {
+function straight(
+  handle: Handle,
+  view: Projection,
+  pixels: number,
+  hasRings: boolean,
+  depthOf: DepthOf,
+): Shape | undefined {
   const { kind, axis, centre, id, hue, range, reach, arm } = handle;
   const size = pixels * view.unitsPerPixel(centre);
   const points = new Float64Array(4);
@@ -109,7 +146,8 @@ function straight(handle: Handle, view: Projection, pixels: number, hasRings: bo
     // Uniform scale has no axis: up to the right in any view.
     const out = (hasRings ? ARROW_PART : 0.8) * pixels * Math.SQRT1_2;
     points.set([points[0] + out, points[1] - out], 2);
-    return { id, form: 'box', points, isBehind: [false], hue: undefined, range, isAway: false, step: size };
+    const depths = new Float64Array(2).fill(depthOf(centre));
+    return { id, form: 'box', points, depths, isBehind: [false], hue: undefined, range, isAway: false, step: size };
   }
   const length = (hasRings ? ARROW_PART : 1) * size;
   let from = centre;
@@ -127,7 +165,8 @@ function straight(handle: Handle, view: Projection, pixels: number, hasRings: bo
   const across = kind === 'shear' ? acrossOnScreen(to, axis, size, view) : seen;
   const form = kind === 'slide' ? 'arrow' : kind === 'shear' ? 'diamond' : 'box';
   const step = kind === 'slide' ? length / (reach || 1) : 1;
-  return { id, form, points, isBehind: [false], hue, range, isAway: across < SHORTEST_PIXELS, step };
+  const depths = Float64Array.of(depthOf(from), depthOf(to));
+  return { id, form, points, depths, isBehind: [false], hue, range, isAway: across < SHORTEST_PIXELS, step };
 }
 
 /**
@@ -151,52 +190,18 @@ function circle(id: HandleId, form: 'ring' | 'disc', at: Float64Array, radius: n
     points.set([at[0] + radius * Math.cos(angle), at[1] - radius * Math.sin(angle)], 2 * i);
   }
   const isBehind = Array.from({ length: PIECES }, () => false);
-  return { id, form, points, isBehind, hue: undefined, range: FREE, isAway: false, step: (2 * Math.PI) / PIECES };
-}
-
-/**
- * The handle under a point of the viewport: the nearest line, near sides before far ones, and last the ball inside.
- *
- * @param slack extra tolerance, for touch
- */
-export function handleAt(layout: Layout, x: number, y: number, slack = 0): HandleId | undefined {
-  let found: HandleId | undefined;
-  let best = Infinity;
-  for (const shape of layout.shapes) {
-    if (shape.isAway || shape.form === 'disc') continue;
-    const { points, isBehind } = shape;
-    for (let i = 0; i < isBehind.length; i++) {
-      const reach = (isBehind[i] ? BACK_REACH_PIXELS : REACH_PIXELS) + slack;
-      let distance = distanceTo(points, 2 * i, x, y);
-      // Arrows are hit at the head first, and not near the centre, where they all meet.
-      if (shape.form !== 'ring') distance = toHandle(points, x, y, distance);
-      if (distance > reach) continue;
-      const rank = distance + (isBehind[i] ? REACH_PIXELS : 0);
-      if (rank >= best) continue;
-      best = rank;
-      found = shape.id;
-    }
-  }
-  if (found) return found;
-  const ball = layout.shapes.find(({ form }) => form === 'disc');
-  const [px, py] = layout.pivot;
-  return ball && Math.hypot(x - px, y - py) <= BALL_PART * layout.radius ? ball.id : undefined;
-}
-
-/** Half the size of a handle's head, in pixels. */
-const HEAD_PIXELS = 6;
-const MIDDLE_PIXELS = 16;
-
-function toHandle(points: Float64Array, x: number, y: number, distance: number): number {
-  if (Math.hypot(x - points[0], y - points[1]) < MIDDLE_PIXELS) return Infinity;
-  return Math.max(0, Math.min(distance, Math.hypot(x - points[2], y - points[3]) - HEAD_PIXELS));
-}
-
-function distanceTo(points: Float64Array, o: number, x: number, y: number): number {
-  const [ax, ay, bx, by] = [points[o], points[o + 1], points[o + 2], points[o + 3]];
-  const square = (bx - ax) ** 2 + (by - ay) ** 2;
-  const t = square > 0 ? Math.min(1, Math.max(0, ((x - ax) * (bx - ax) + (y - ay) * (by - ay)) / square)) : 0;
-  return Math.hypot(x - ax - t * (bx - ax), y - ay - t * (by - ay));
+  const depths = new Float64Array(PIECES + 1);
+  return {
+    id,
+    form,
+    points,
+    depths,
+    isBehind,
+    hue: undefined,
+    range: FREE,
+    isAway: false,
+    step: (2 * Math.PI) / PIECES,
+  };
 }
 
 /** Whether a ring has limits to show: a range of less than a full turn. */

@@ -1,26 +1,36 @@
 /** Draws arrows and boxes, with the limits of their range. */
 import type { StageTheme } from '../theme.ts';
 import { type DraggedHandle, type GizmoState, lookOf, TICK } from './gizmo-look.ts';
-import type { Shape } from './shapes.ts';
+import { RINGS_END, type Shape } from './shapes.ts';
 
 const AWAY = 0.2;
 /** CSS pixels. */
 const HEAD = 6;
 
 export class StraightPen {
-  /** @param side of the canvas in CSS pixels */
-  constructor(
-    private readonly pen: CanvasRenderingContext2D,
-    private readonly side: number,
-  ) {}
+  constructor(private readonly pen: CanvasRenderingContext2D) {}
 
-  draw(shape: Shape, state: GizmoState, theme: StageTheme): void {
+  /** @param side of the canvas in CSS pixels */
+  draw(shape: Shape, state: GizmoState, theme: StageTheme, side: number): void {
+    const { isActive, isLit, color } = lookOf(shape, state, theme);
+    this.pen.globalAlpha = shape.isAway ? AWAY : 1;
+    if (isActive || isLit) this.rail(shape, state.dragged, color, theme, side);
+    this.line(shape, state, theme, 0);
+  }
+
+  /** The part beyond the rings. */
+  drawEnd(shape: Shape, state: GizmoState, theme: StageTheme): void {
+    if (!shape.isAway) this.line(shape, state, theme, RINGS_END);
+  }
+
+  /** @param from where the line begins, as a part of its length */
+  private line(shape: Shape, state: GizmoState, theme: StageTheme, from: number): void {
     const { points, form, isAway } = shape;
     const { isActive, isLit, color } = lookOf(shape, state, theme);
     const { pen } = this;
-    const [ax, ay, bx, by] = points;
+    const [bx, by] = [points[2], points[3]];
+    const [ax, ay] = [points[0] + from * (bx - points[0]), points[1] + from * (by - points[1])];
     pen.globalAlpha = isAway ? AWAY : 1;
-    if (isActive || isLit) this.rail(shape, state.dragged, color, theme);
     for (const [width, stroke] of [
       [isLit || isActive ? 5 : 4, theme.labelHalo],
       [isLit || isActive ? 3 : 1.75, color],
@@ -57,10 +67,11 @@ export class StraightPen {
     dragged: DraggedHandle | undefined,
     color: string,
     theme: StageTheme,
+    side: number,
   ): void {
     if (form !== 'arrow' || !(Number.isFinite(range.min) && Number.isFinite(range.max))) return;
     const [ax, ay, bx, by] = points;
-    const { pen, side } = this;
+    const { pen } = this;
     const length = Math.hypot(bx - ax, by - ay) || 1;
     const most = (0.48 * side) / length;
     const [nx, ny] = [-(by - ay) / length, (bx - ax) / length];

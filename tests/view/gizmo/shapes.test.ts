@@ -1,56 +1,22 @@
 import { describe, expect, it } from 'vitest';
-import type { Handle, JointHandles } from '../../../src/evaluate/handles/joint-handles.ts';
-import type { Vec3 } from '../../../src/math/vec3.ts';
-import { BALL_PART, handleAt, hasArc, isAllowed, layOut, type Projection } from '../../../src/view/gizmo/shapes.ts';
-
-/** Looks along −z, a hundred pixels a unit, the origin in the middle of 800 × 600. */
-const view: Projection = {
-  width: 800,
-  height: 600,
-  project([x, y, z], out, o) {
-    out[o] = 400 + 100 * x;
-    out[o + 1] = 300 - 100 * y;
-    return z < 10;
-  },
-  towardsViewer: () => [0, 0, 1],
-  unitsPerPixel: () => 0.01,
-};
-const FREE = { value: 0, min: -Infinity, max: Infinity };
-
-function handle(dof: number, kind: Handle['kind'], axis: Vec3, mark: Vec3, more: Partial<Handle> = {}): Handle {
-  const id = { kind: 'dof', dof } as const;
-  return { id, dof, name: 'rx', kind, axis, centre: [0, 0, 0], reach: 1, hue: 0, mark, range: FREE, ...more };
-}
-
-function joint(handles: readonly Handle[], free = false): JointHandles {
-  const freeTurn = free ? { joint: 0, dofs: [0, 1, 2], order: 'xyz' as const } : undefined;
-  return { pivot: [0, 0, 0], handles, freeTurn };
-}
-
-const laid = (handles: readonly Handle[], free = false) => {
-  const layout = layOut(joint(handles, free), view);
-  if (!layout) throw new Error('It is in front.');
-  return layout;
-};
-/** Faces the viewer, and stands on edge. */
-const facing = handle(1, 'turn', [0, 0, 1], [1, 0, 0]);
-const onEdge = handle(2, 'turn', [1, 0, 0], [0, 0, 1]);
+import { hasArc, isAllowed, layOut, type Projection, ringRadius } from '../../../src/view/gizmo/shapes.ts';
+import { FREE, facing, handle, joint, laid, onEdge, view } from './on-screen.ts';
 
 describe('a gizmo on the screen', () => {
-  it('a gizmo on the screen has rings of the same size at any distance', () => {
+  it('a gizmo on the screen has rings of the radius that is asked for, at any distance', () => {
     const far: Projection = {
       ...view,
       unitsPerPixel: () => 1,
       project: (p, out, o) => view.project([p[0] / 100, p[1] / 100, 0], out, o),
     };
     for (const sight of [view, far]) {
-      const ring = layOut(joint([facing]), sight)?.shapes[0];
+      const ring = layOut(joint([facing]), sight, 90)?.shapes[0];
       expect(ring && Math.hypot(ring.points[0] - 400, ring.points[1] - 300)).toBeCloseTo(90, 9);
     }
   });
 
   it('a gizmo on the screen is not there where the joint is behind the viewer', () => {
-    expect(layOut({ ...joint([facing]), pivot: [0, 0, 20] }, view)).toBeUndefined();
+    expect(layOut({ ...joint([facing]), pivot: [0, 0, 20] }, view, 90)).toBeUndefined();
   });
 
   it('a gizmo on the screen has the far half of a ring behind, and nothing of one that faces the viewer', () => {
@@ -60,28 +26,21 @@ describe('a gizmo on the screen', () => {
     expect(behind).toBe(layout.shapes[1].isBehind.length / 2);
   });
 
-  it('a gizmo on the screen is taken hold of by the line that is nearest', () => {
-    const layout = laid([facing, onEdge], true);
-    expect(handleAt(layout, 400 + 90 * Math.SQRT1_2, 300 - 90 * Math.SQRT1_2)).toEqual({ kind: 'dof', dof: 1 });
-    expect(handleAt(layout, 403, 330)).toEqual({ kind: 'dof', dof: 2 });
-    expect(handleAt(layout, 400 + 108, 300)).toEqual({ kind: 'view' });
-    expect(handleAt(layout, 400 + 40, 300)).toEqual({ kind: 'ball' });
-    // Between ball and ring is the camera's.
-    expect(handleAt(layout, 400 + 90 * BALL_PART + 2, 300)).toBeUndefined();
-    expect(handleAt(layout, 400 + 130, 300)).toBeUndefined();
-    expect(handleAt(layout, 400 + 118, 300, 10)).toEqual({ kind: 'view' });
+  it('a gizmo on the screen has the size of its joint, within bounds and times what the user wants', () => {
+    const radius = (size: number, scale = 1, sight = view) => ringRadius(joint([facing], false, size), sight, scale);
+    expect(radius(1)).toBeCloseTo(60, 9);
+    expect(radius(0.6)).toBeCloseTo(36, 9);
+    expect([radius(0), radius(0.01), radius(100)]).toEqual([30, 30, 90]);
+    expect(radius(1, 0.5)).toBeCloseTo(30, 9);
+    expect(radius(100, 1.5)).toBeCloseTo(135, 9);
+    // Never most of a small viewport.
+    expect(radius(100, 2, { ...view, height: 200 })).toBeCloseTo(48, 9);
   });
 
-  it('a gizmo on the screen has no ball where the joint can’t turn freely', () => {
-    expect(handleAt(laid([facing]), 440, 300)).toBeUndefined();
-  });
-
-  it('a gizmo on the screen has arrows by their length, and none to drag along the line of sight', () => {
-    const layout = laid([handle(0, 'slide', [0, 1, 0], [1, 0, 0]), handle(1, 'slide', [0, 0, 1], [1, 0, 0])]);
-    expect(handleAt(layout, 402, 230)).toEqual({ kind: 'dof', dof: 0 });
-    expect(layout.shapes[1].isAway).toBe(true);
-    // The middle, where all arrows meet, is none's.
-    expect(handleAt(layout, 400, 295)).toBeUndefined();
+  it('a gizmo on the screen is smaller where its joint is farther away', () => {
+    const far: Projection = { ...view, unitsPerPixel: () => 0.02 };
+    expect(ringRadius(joint([facing]), far, 1)).toBeCloseTo(30, 9);
+    expect(ringRadius(joint([facing], false, 2), far, 1)).toBeCloseTo(60, 9);
   });
 
   it('a gizmo on the screen has a handle for what has no axis, and one that goes with a shear', () => {

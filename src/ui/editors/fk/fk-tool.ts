@@ -48,6 +48,7 @@ class FkTool implements ModeTool {
     this.gizmo = new JointGizmo(wb.viewportElement, {
       handles: () => this.handles(),
       state: () => this.state(),
+      scale: () => wb.settings.get().gizmoScale,
     });
     this.removeGizmo = wb.viewport.addOverlay(this.gizmo);
     this.readout = new Readout(wb.viewportElement);
@@ -55,6 +56,9 @@ class FkTool implements ModeTool {
     const { signal } = this.listening;
     const stops = [
       wb.posing.chosenDof.subscribe(() => wb.viewport.requestRender()),
+      wb.settings.subscribe((now, before) => {
+        if (now.gizmoScale !== before.gizmoScale) wb.viewport.requestRender();
+      }),
       wb.store.subscribe((now, before) => {
         if (now.selection !== before.selection) this.light(undefined);
       }),

@@ -2,11 +2,15 @@
 import { stepFrames } from '../../../edit/playback.ts';
 import { NOTHING_SELECTED } from '../../../model/session.ts';
 import type { PosingMode } from '../../state/posing.ts';
+import { GIZMO_SCALES } from '../../state/settings.ts';
 import type { Action, Uses, Workbench } from '../../state/workbench.ts';
 import { activeDof, chooseNextDof, nudgeDof } from './active-dof.ts';
 
 /** Radians that an arrow key orbits the view. */
 const TURN = Math.PI / 36;
+/** Factor of the gizmo's size for one key press: three double it. */
+const GIZMO_STEP = 2 ** (1 / 3);
+const NO_GIZMO = 'Only FK mode has a gizmo.';
 
 export const POSING_ACTIONS: readonly Action[] = [
   mode('fk', 'Forward kinematics (FK)'),
@@ -37,6 +41,8 @@ export const POSING_ACTIONS: readonly Action[] = [
   dofKey('posing.previousDof', 'Previous DOF of joint', ['Shift+V'], (wb) => chooseNextDof(wb, -1)),
   dofKey('posing.more', 'Increase active DOF by a step', ['+', '='], (wb) => nudgeDof(wb, 1)),
   dofKey('posing.less', 'Decrease active DOF by a step', ['-'], (wb) => nudgeDof(wb, -1)),
+  gizmoSize('larger', 'Larger gizmo', ']', GIZMO_STEP),
+  gizmoSize('smaller', 'Smaller gizmo', '[', 1 / GIZMO_STEP),
   turn('posing.turnLeft', 'Orbit left, or step back while playing', 'Left', -1),
   turn('posing.turnRight', 'Orbit right, or step forward while playing', 'Right', 1),
 ];
@@ -63,6 +69,25 @@ function mode(to: PosingMode, label: string, shortcuts?: readonly string[]): Act
 function dofKey(id: string, label: string, shortcuts: readonly string[], run: (wb: Workbench) => void): Action {
   const enabled = (wb: Uses<'store' | 'posing'>) => wb.posing.mode.get() === 'fk' && activeDof(wb) !== undefined;
   return { id, label, group: 'Pose', shortcuts, panel: 'viewport', repeats: true, enabled, run };
+}
+
+function gizmoSize(what: 'larger' | 'smaller', label: string, key: string, factor: number): Action {
+  const [min, max] = GIZMO_SCALES;
+  const next = (now: number) => Math.min(max, Math.max(min, now * factor));
+  return {
+    id: `gizmo.${what}`,
+    label,
+    group: 'Pose',
+    menu: 'View/Gizmo',
+    section: 3,
+    shortcuts: [key],
+    repeats: true,
+    enabled: (wb) =>
+      wb.posing.mode.get() === 'fk' && next(wb.settings.get().gizmoScale) !== wb.settings.get().gizmoScale,
+    whyNot: (wb) =>
+      wb.posing.mode.get() === 'fk' ? `The gizmo is as ${what === 'larger' ? 'large' : 'small'} as it gets.` : NO_GIZMO,
+    run: (wb) => wb.settings.update((s) => ({ ...s, gizmoScale: next(s.gizmoScale) })),
+  };
 }
 
 /** While playing, arrow keys step frames, wherever the focus is. */

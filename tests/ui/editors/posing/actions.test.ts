@@ -39,6 +39,24 @@ describe('the keys of posing', () => {
     expect(wb.store.selection.characterId).toBeUndefined();
   });
 
+  it('the keys [ and ] change the size of the gizmo within bounds, and say where they end', () => {
+    const { wb, press } = posing();
+    const size = () => wb.settings.get().gizmoScale;
+    press(']', 'viewport');
+    expect(size()).toBeCloseTo(2 ** (1 / 3), 12);
+    for (let i = 0; i < 6; i++) press(']');
+    expect(size()).toBe(2);
+    const larger = actionsOf(wb).find(({ id }) => id === 'gizmo.larger');
+    expect(larger?.enabled?.(wb)).toBe(false);
+    expect(larger?.whyNot?.(wb)).toContain('as large as it gets');
+    for (let i = 0; i < 9; i++) press('[');
+    expect(size()).toBe(0.5);
+    wb.posing.mode.set('ik');
+    press(']');
+    expect(size()).toBe(0.5);
+    expect(larger?.whyNot?.(wb)).toBe('Only FK mode has a gizmo.');
+  });
+
   it('the keys of posing has one line on the page of shortcuts for what Escape leaves', () => {
     const { wb } = posing();
     const lines = actionsOf(wb).filter(({ shortcuts, panel }) => shortcuts?.includes('Escape') && !panel);

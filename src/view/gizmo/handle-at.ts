@@ -1,0 +1,66 @@
+/**
+ * The handle under a point of the screen. Only what faces the viewer is hit: far halves of rings, hidden by the ball if
+ * it were solid, are not.
+ */
+import type { HandleId } from '../../evaluate/handles/joint-handles.ts';
+import { BALL_PART, type Layout, type Shape } from './shapes.ts';
+
+/** Hit tolerance, CSS pixels. */
+const REACH = 7;
+/** A point this close to a line is on it: where several lines cross, the one in front is hit. CSS pixels. */
+const ON_LINE = 3;
+/** Half the size of a handle's head, CSS pixels. */
+const HEAD = 6;
+/** Arrows aren't hit near the pivot, where they all meet. CSS pixels. */
+const MIDDLE = 16;
+
+/** Distance from a piece in CSS pixels, and the depth of its nearest point. */
+interface Nearest {
+  distance: number;
+  depth: number;
+}
+
+/**
+ * The line nearest to a point of the viewport; where several cross, the one in front. Inside the rings, the ball.
+ *
+ * @param slack extra tolerance, for touch; CSS pixels
+ */
+export function handleAt(layout: Layout, x: number, y: number, slack = 0): HandleId | undefined {
+  let found: HandleId | undefined;
+  let bestOff = Infinity;
+  let bestDepth = -Infinity;
+  const nearest: Nearest = { distance: 0, depth: 0 };
+  for (const shape of layout.shapes) {
+    if (shape.isAway || shape.form === 'disc') continue;
+    for (let i = 0; i < shape.isBehind.length; i++) {
+      if (shape.isBehind[i]) continue;
+      toPiece(shape, i, x, y, nearest);
+      if (nearest.distance > REACH + slack) continue;
+      const off = Math.max(0, nearest.distance - ON_LINE);
+      if (off > bestOff || (off === bestOff && nearest.depth <= bestDepth)) continue;
+      bestOff = off;
+      bestDepth = nearest.depth;
+      found = shape.id;
+    }
+  }
+  if (found) return found;
+  const ball = layout.shapes.find(({ form }) => form === 'disc');
+  const [px, py] = layout.pivot;
+  return ball && Math.hypot(x - px, y - py) <= BALL_PART * layout.radius ? ball.id : undefined;
+}
+
+function toPiece({ form, points, depths }: Shape, i: number, x: number, y: number, out: Nearest): void {
+  const o = 2 * i;
+  const [ax, ay, bx, by] = [points[o], points[o + 1], points[o + 2], points[o + 3]];
+  const square = (bx - ax) ** 2 + (by - ay) ** 2;
+  const t = square > 0 ? Math.min(1, Math.max(0, ((x - ax) * (bx - ax) + (y - ay) * (by - ay)) / square)) : 0;
+  out.distance = Math.hypot(x - ax - t * (bx - ax), y - ay - t * (by - ay));
+  out.depth = depths[i] + t * (depths[i + 1] - depths[i]);
+  if (form === 'ring') return;
+  const toHead = Math.hypot(x - bx, y - by) - HEAD;
+  if (Math.hypot(x - ax, y - ay) < MIDDLE) out.distance = Infinity;
+  else if (toHead < out.distance) {
+    out.distance = Math.max(0, toHead);
+    out.depth = depths[i + 1];
+  }
+}

@@ -1,0 +1,84 @@
+import fc from 'fast-check';
+import { describe, expect, it } from 'vitest';
+import type { Vec3 } from '../../../src/math/vec3.ts';
+import { handleAt } from '../../../src/view/gizmo/handle-at.ts';
+import { BALL_PART } from '../../../src/view/gizmo/shapes.ts';
+import { facing, handle, laid, onEdge } from './on-screen.ts';
+
+/** A ring that leans away from the viewer by some radians, about the screen's x. */
+const leaning = (dof: number, angle: number) => handle(dof, 'turn', [0, Math.sin(angle), Math.cos(angle)], [1, 0, 0]);
+
+describe('a handle of a gizmo under the pointer', () => {
+  it('a handle under the pointer is the line that is nearest', () => {
+    const layout = laid([facing, onEdge], true);
+    expect(handleAt(layout, 400 + 90 * Math.SQRT1_2, 300 - 90 * Math.SQRT1_2)).toEqual({ kind: 'dof', dof: 1 });
+    expect(handleAt(layout, 403, 330)).toEqual({ kind: 'dof', dof: 2 });
+    expect(handleAt(layout, 400 + 108, 300)).toEqual({ kind: 'view' });
+    expect(handleAt(layout, 400 + 40, 300)).toEqual({ kind: 'ball' });
+    // Between ball and ring is the camera's.
+    expect(handleAt(layout, 400 + 90 * BALL_PART + 2, 300)).toBeUndefined();
+    expect(handleAt(layout, 400 + 130, 300)).toBeUndefined();
+    expect(handleAt(layout, 400 + 118, 300, 10)).toEqual({ kind: 'view' });
+  });
+
+  it('a handle under the pointer is no ball where the joint can’t turn freely', () => {
+    expect(handleAt(laid([facing]), 440, 300)).toBeUndefined();
+  });
+
+  it('an arrow is hit by its length, but not in the middle, and not at all along the line of sight', () => {
+    const layout = laid([handle(0, 'slide', [0, 1, 0], [1, 0, 0]), handle(1, 'slide', [0, 0, 1], [1, 0, 0])]);
+    expect(handleAt(layout, 402, 230)).toEqual({ kind: 'dof', dof: 0 });
+    expect(layout.shapes[1].isAway).toBe(true);
+    expect(handleAt(layout, 400, 295)).toBeUndefined();
+  });
+
+  it('the far half of a ring is not hit, at any lean and with any tolerance', () => {
+    fc.assert(
+      fc.property(
+        fc.double({ min: 0.6, max: 1.2, noNaN: true }),
+        fc.double({ min: 0.3, max: Math.PI - 0.3, noNaN: true }),
+        (lean, angle) => {
+          const layout = laid([leaning(3, lean)]);
+          const ring = layout.shapes[0];
+          const at = Math.round((angle / (2 * Math.PI)) * 64);
+          const opposite = (at + 32) % 64;
+          const [near, far] = ring.depths[at] > 0 ? [at, opposite] : [opposite, at];
+          const point = (i: number) => [ring.points[2 * i], ring.points[2 * i + 1]] as const;
+          expect(handleAt(layout, ...point(near))).toEqual({ kind: 'dof', dof: 3 });
+          expect(handleAt(layout, ...point(far))).toBeUndefined();
+        },
+      ),
+    );
+  });
+
+  it('where lines cross, the one in front is hit, whichever comes first', () => {
+    fc.assert(
+      fc.property(fc.double({ min: 0.4, max: 1.1, noNaN: true }), fc.boolean(), (lean, isFirst) => {
+        const ring = leaning(4, lean);
+        // An arrow in the screen's plane, over the near half of the ring, which comes below the middle.
+        const arrow = handle(5, 'slide', [0, -1, 0], [1, 0, 0]);
+        const layout = laid(isFirst ? [arrow, ring] : [ring, arrow]);
+        const shape = layout.shapes[isFirst ? 1 : 0];
+        const crossing = [16, 48].find((i) => shape.depths[i] > 0) ?? Number.NaN;
+        const [x, y] = [shape.points[2 * crossing], shape.points[2 * crossing + 1]];
+        expect(x).toBeCloseTo(400, 9);
+        const down = y > 300;
+        const toward: Vec3 = [0, down ? -1 : 1, 0];
+        const both = laid(isFirst ? [{ ...arrow, axis: toward }, ring] : [ring, { ...arrow, axis: toward }]);
+        expect(handleAt(both, x, y)).toEqual({ kind: 'dof', dof: 4 });
+        // Beside the ring, the arrow.
+        expect(handleAt(both, x, 300 + (y - 300) + (down ? 12 : -12))).toEqual({ kind: 'dof', dof: 5 });
+      }),
+    );
+  });
+
+  it('an arrow that comes toward the viewer is in front of a ring that faces them', () => {
+    const toward = handle(5, 'slide', [Math.SQRT1_2, 0, Math.SQRT1_2], [0, 1, 0]);
+    const away = handle(5, 'slide', [Math.SQRT1_2, 0, -Math.SQRT1_2], [0, 1, 0]);
+    // A ring that the arrow's shaft crosses; its own end is some pixels short of it.
+    const ring = { ...facing, centre: [-0.2, 0, 0] as Vec3 };
+    const x = 400 + 90 - 20;
+    expect(handleAt(laid([ring, toward]), x, 300)).toEqual({ kind: 'dof', dof: 5 });
+    expect(handleAt(laid([ring, away]), x, 300)).toEqual({ kind: 'dof', dof: 1 });
+  });
+});
