@@ -13,14 +13,14 @@ const page: UserConfig = {
   plugins: [leanThree()],
   build: {
     sourcemap: true,
-    // Minified, not gzipped: three.js alone has 490 kB of that, 124 kB of this.
+    // Size before gzip: three.js alone has 490 kB, 124 kB gzipped.
     chunkSizeWarningLimit: 700,
-    // Fetched ahead by the HTML itself; the polyfill is for browsers older than WebGL 2.
+    // Preloaded by the HTML itself; the polyfill is for browsers without WebGL 2.
     modulePreload: { polyfill: false },
     rolldownOptions: {
-      // three.js changes seldom and is most of the script: a chunk of its own stays cached from version to version.
-      // What the page begins with is one other, and what comes right after it a third: by themselves, modules that a
-      // panel has too would be many small ones.
+      // three.js rarely changes and is most of the script: in its own chunk it stays cached across versions. The
+      // initial script is another chunk, and what follows it a third: split automatically, modules shared with panels
+      // would become many small chunks.
       output: {
         codeSplitting: {
           groups: [
@@ -45,7 +45,7 @@ const command: UserConfig = {
       output: { entryFileNames: '[name].js', chunkFileNames: 'shared/[name].js' },
     },
   },
-  // One folder that runs without node_modules.
+  // A single folder that runs without node_modules.
   ssr: { noExternal: true },
   plugins: [executable('build/marrow.js')],
 };
@@ -59,7 +59,7 @@ const QUICK = ['tests/**/*.test.ts'];
 const DEEP = ['tests/**/*.deep.test.ts'];
 const BROWSER = ['tests/e2e/**/*.test.ts'];
 
-/** The projects run one after the other. @param order where among them, from 0 */
+/** Projects run one after the other. @param order from 0 */
 function tests(
   name: string,
   include: string[],
@@ -82,7 +82,7 @@ function tests(
 export default defineConfig(({ mode }) => {
   const building = mode === 'cli' ? command : page;
   return {
-    // Relative addresses: the built page works from any sub-path.
+    // Relative addresses: the built page works under any path.
     base: './',
     ...building,
     worker: { format: 'es' },
@@ -90,15 +90,14 @@ export default defineConfig(({ mode }) => {
     test: {
       reporters: ['default', './tests/helpers/count-reporter.ts'],
       projects: [
-        // Quick, and the first to tell. No test leaves anything behind in what it imports: a worker imports it once.
-        // Their properties try hundreds of cases, which takes a busy machine longer than it takes this one.
+        // Quick, and reported first. Tests leave no global state, so a worker imports modules once. Properties try
+        // hundreds of cases, which takes longer on a busy machine.
         tests('unit', QUICK, 0, { exclude: [...DEEP, ...BROWSER], isolate: false, testTimeout: 30_000 }),
-        // The same of properties over many cases and files, which take longer than all the others together.
-        // Processes instead of threads: some count the CPU time of theirs.
+        // Properties over many cases and files, which take longer than all other tests together. Processes instead of
+        // threads: some measure their CPU time.
         tests('deep', DEEP, 1, { pool: 'forks', isolate: false, testTimeout: 60_000 }),
-        // Two browsers draw in software: more than that get in each other's way. What a test polls for comes late where
-        // the machine is busy: a second, as vitest has it, is too little.
-        // Processes, so that their browsers end with them.
+        // Two browsers at most, since they draw in software. On a busy machine, polled conditions need longer than
+        // vitest's default of a second. Processes, so that their browsers end with them.
         tests('browser', BROWSER, 2, {
           pool: 'forks',
           isolate: false,
@@ -107,7 +106,7 @@ export default defineConfig(({ mode }) => {
           hookTimeout: 60_000,
           expect: { poll: { timeout: 15_000, interval: 100 } },
         }),
-        // Benchmarks only, each alone in a process of its own.
+        // Benchmarks only, each alone in its own process.
         tests('bench', [], 3, { pool: 'forks', maxWorkers: 1 }),
       ],
     },

@@ -1,10 +1,10 @@
 /**
- * three.js without what nothing here is drawn with: headsets, environment maps, and in its shaders the lights, maps and
- * materials that no object has. A bundler cannot see that by itself, for the renderer finds all of them by name as it
- * runs. That is a seventh of three.js, gzipped.
+ * three.js without unused features: headsets, environment maps, and in its shaders the lights, maps and materials that
+ * no object has. Bundlers can't detect this, since the renderer looks them up by name at run time. Saves a seventh of
+ * three.js, gzipped.
  *
- * What is left out says so where it is reached all the same: modules throw, shaders do not compile (`#error`). Whoever
- * needs one of these takes it off its list.
+ * Removed features fail when used: modules throw, shaders don't compile (`#error`). To use one, remove it from its
+ * list.
  */
 import type { Plugin } from 'vite';
 
@@ -12,7 +12,7 @@ const SOURCE = '/node_modules/three/src/';
 const SHADERS = `${SOURCE}renderers/shaders/`;
 const leftOut = (what: string) => `${what} is left out of the build: see vite.three.ts`;
 
-/** Of materials that no object has. */
+/** Features of materials that no object has. */
 const SHADER_FILES = [
   'ShaderChunk/lights_phong_pars_fragment',
   'ShaderChunk/lights_toon_pars_fragment',
@@ -67,12 +67,12 @@ const MACROS = [
   'USE_TRANSMISSION',
 ];
 
-/** Modules, as paths in three.js's `src/`, and what takes their place. */
+/** Modules, as paths in three.js's `src/`, and their replacements. */
 const MODULES: Readonly<Record<string, string>> = {
   'extras/PMREMGenerator.js': thrower('PMREMGenerator'),
   'renderers/WebGLCubeRenderTarget.js': thrower('WebGLCubeRenderTarget'),
   'renderers/webgl/WebGLOutput.js': thrower('WebGLOutput'),
-  // The renderer makes one of each, and asks it every frame.
+  // The renderer creates one of each and calls it every frame.
   'renderers/webgl/WebGLUniformsGroups.js': `
     const fail = () => { throw new Error(${JSON.stringify(leftOut('WebGLUniformsGroups'))}); };
     export const WebGLUniformsGroups = function () { return { bind: fail, update: fail, dispose() {} }; };`,
@@ -92,7 +92,7 @@ function thrower(name: string): string {
   return `export class ${name} { constructor() { throw new Error(${JSON.stringify(leftOut(name))}); } }`;
 }
 
-/** Takes three.js from its sources, module by module, and the above out of it. */
+/** Bundles three.js from its sources, without the above. */
 export function leanThree(): Plugin {
   const unseen = new Set([...SHADER_FILES, ...MACROS, ...Object.keys(MODULES)]);
   return {
@@ -118,19 +118,20 @@ export function leanThree(): Plugin {
       return { code: short, map: null };
     },
     buildEnd(error) {
-      // A later three.js may have renamed it, and would bring it back unnoticed.
+      // A later three.js may have renamed it, which would silently bring it back.
       if (!error && unseen.size > 0) this.error(`vite.three.ts: three.js has no ${[...unseen].join(', ')} any more`);
     },
   };
 }
 
 /**
- * GLSL without comments, indentation and what is compiled only if one of the macros is defined, or above 0.
- * @param unseen the macros found are taken out of it
+ * GLSL without comments and indentation, and without code compiled only if one of the macros is defined or above 0.
+ *
+ * @param unseen macros found are removed from it
  */
 export function leaner(glsl: string, unseen = new Set<string>()): string {
   const kept: string[] = [];
-  /** How many conditions deep the lines are that go; 0: they stay. */
+  /** Nesting depth within removed code; 0: code is kept. */
   let skipped = 0;
   for (const line of glsl.replace(/\/\*[\s\S]*?\*\//g, '').split('\n')) {
     const text = line.replace(/\/\/.*/, '').trim();
@@ -144,14 +145,14 @@ export function leaner(glsl: string, unseen = new Set<string>()): string {
     const macro = neededMacro(text);
     if (!macro) continue;
     unseen.delete(macro);
-    // In small letters, for three.js writes numbers in the place of names like NUM_SPOT_LIGHTS.
+    // In lower case, since three.js replaces names such as NUM_SPOT_LIGHTS by numbers.
     kept.push(`#error ${leftOut(macro.toLowerCase())}`);
     skipped = 1;
   }
   return kept.join('\n');
 }
 
-/** Which of the macros has to be there for what follows a condition to be compiled at all. */
+/** The macro that is required for the code after a condition to be compiled. */
 function neededMacro(line: string): string | undefined {
   if (!/^#\s*(if|ifdef|elif)\b/.test(line) || /\|\||[!=<]/.test(line)) return undefined;
   return MACROS.find((macro) => new RegExp(`\\b${macro}\\b`).test(line));

@@ -1,4 +1,4 @@
-/** Work that outlives its page: killed, closed and reloaded, beside other tabs, and where nothing can be kept. */
+/** Restoring work after a page was killed, closed or reloaded, with other tabs, and without storage. */
 import type { Page } from 'playwright-core';
 import { describe, expect, it } from 'vitest';
 import { dropFiles, type OpenPage, type PageOptions, withPage } from '../helpers/page.ts';
@@ -25,15 +25,15 @@ const openArm = async (page: Page) => {
   await shown(page, 'arm');
 };
 
-/** Many pages come and go here, and each is drawn by the processor. */
+/** Small, since many pages are opened here, each drawn in software. */
 const withSmallPage = (body: (open: OpenPage) => Promise<void>, options: PageOptions = {}) =>
   withPage(body, { size: { width: 960, height: 600 }, ...options });
 
-/** How a page ends in the middle of work. */
+/** Crashes the page in the middle of work. */
 async function crash(page: Page): Promise<void> {
   const session = await page.context().newCDPSession(page);
   const crashed = page.waitForEvent('crash');
-  // It never answers: there is nobody left to.
+  // Never answered, as the page is gone.
   session.send('Page.crash').catch(() => undefined);
   await crashed;
 }
@@ -110,7 +110,7 @@ describe('work', () => {
     withSmallPage(async ({ page, openAnother }) => {
       await openArm(page);
       await kept(page);
-      // A page with nothing but the sample, seen from elsewhere and at another time.
+      // A page with nothing but the example, with another view and time.
       const idle = await openAnother();
       await ready(idle);
       await idle.evaluate(() => window.marrow.seek(0.5));
@@ -134,7 +134,7 @@ describe('work', () => {
       await kept(other);
       await setDof(page, 7, 0.1);
       await kept(page);
-      // Neither is offered the other's, which is still worked on.
+      // Neither is offered the other's session, which is still open.
       expect(await offer(other).count()).toBe(0);
       await other.close();
       await page.reload();
@@ -157,7 +157,7 @@ describe('work', () => {
       expect(await offer(page).count()).toBe(0);
       await openMenu();
       await inMenu.click();
-      // The focus is on the answer, so that Enter restores.
+      // The offer has the focus, so that Enter restores.
       await page.keyboard.press('Enter');
       await shown(page, 'arm');
       await openMenu();
@@ -243,7 +243,7 @@ describe('a file that can’t be copied', () => {
         expect(await page.evaluate(() => window.marrow.vertices())).toEqual(before);
       },
       {
-        // As where it was changed or removed on disk since it was opened.
+        // As if it was changed or removed on disk after opening.
         before: () => {
           const { put } = IDBObjectStore.prototype;
           IDBObjectStore.prototype.put = function (value, key) {

@@ -1,4 +1,4 @@
-/** Motion capture on the built page: dropped, looked at, played, compared with the reference, saved. */
+/** Motion capture on the built page: dropped, displayed, played, compared with the reference, saved. */
 import { readdirSync } from 'node:fs';
 import { expect, it } from 'vitest';
 import { expectClose } from '../helpers/close.ts';
@@ -89,7 +89,7 @@ describeShared('all takes of the field at once', () => {
           expectAtFrame(figures, reference[file], frame, `${file}, frame ${frame}`);
         }
       }
-      // However many they are, they cost the same few draw calls: joints, bones, ground, axes and what is selected.
+      // Any number of them costs the same few draw calls: joints, bones, ground, axes and the selection.
       expect((await page.evaluate(() => window.marrow.stats())).drawCalls).toBeLessThan(16);
     }));
 });
@@ -135,7 +135,7 @@ it('opens a take, plays it between its frames, and writes the bytes that it read
 
 it('plays one take after the other by key, and compares two by the distance of their joints', () =>
   withPage(async ({ page }) => {
-    // Another step: it begins turned about the hips, which stay where they are.
+    // Another step: its start is rotated about the hips, which stay in place.
     const turned = TAKE.replace('0 90 0 0 0 0 0 0 0', '0 90 0 90 0 0 0 0 0');
     await dropFiles(page, [
       { name: 'step.bvh', bytes: TAKE },
@@ -144,7 +144,7 @@ it('plays one take after the other by key, and compares two by the distance of t
     await page.waitForFunction(() => window.marrow.characters().length >= 2);
     await page.getByRole('tab', { name: 'Takes' }).click();
     const rows = page.getByRole('grid').getByRole('row');
-    // The heading is a row too.
+    // The header is a row too.
     await expect.poll(() => rows.count()).toBe(3);
 
     await page.evaluate(() => window.marrow.run('take.next'));
@@ -158,7 +158,7 @@ it('plays one take after the other by key, and compares two by the distance of t
     await page.getByRole('button', { name: 'Compare' }).click();
     const joints = page.getByRole('listbox', { name: 'Joints by distance' }).getByRole('option');
     await expect.poll(() => joints.count()).toBe(2);
-    // The legs differ, the hips never do: the list begins with what differs most.
+    // The legs differ, the hips don't: the list starts with the largest difference.
     expect(await joints.first().textContent()).toContain('Leg');
     expect(await joints.last().textContent()).toBe('Hips00');
   }));

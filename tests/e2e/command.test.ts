@@ -1,4 +1,4 @@
-/** The built command as a process: what only a process has, such as exit codes, pipes and npm's folders. */
+/** The built command as a process: exit codes, pipes and npm's folders. */
 import { execFile, spawn } from 'node:child_process';
 import { accessSync, constants, existsSync, mkdtempSync, rmSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
@@ -8,7 +8,7 @@ import { afterAll, beforeAll, describe, expect, it } from 'vitest';
 
 const ROOT = fileURLToPath(new URL('../../', import.meta.url));
 const BUILT = join(ROOT, 'build', 'marrow.js');
-/** Enough joints for several megabytes of JSON, far more than a pipe holds at once. */
+/** Enough joints for several megabytes of JSON, far more than a pipe buffers. */
 const JOINTS = 12_000;
 
 let folder = '';
@@ -30,7 +30,7 @@ interface Ended {
 
 function start(file: string, args: readonly string[]): Promise<Ended> {
   return new Promise((resolve) => {
-    // On Windows npm is a script for the shell.
+    // On Windows npm is a shell script.
     const options = { cwd: folder, maxBuffer: 2 ** 28, shell: file === 'npm' && process.platform === 'win32' };
     const child = execFile(file, args, options, (_, out, err) => resolve({ code: child.exitCode ?? -1, out, err }));
   });
@@ -58,7 +58,7 @@ describe('the built command', () => {
   it('writes long results whole into a pipe that is read late', async () => {
     const child = spawn(process.execPath, [BUILT, 'pose', 'wide.skel', '--json'], { cwd: folder });
     const ended = new Promise((resolve) => child.once('close', resolve));
-    // Read only once the pipe has been full.
+    // Read only after the pipe is full.
     await new Promise((resolve) => child.stdout.once('readable', resolve));
     let text = '';
     child.stdout.setEncoding('utf8').on('data', (part) => {

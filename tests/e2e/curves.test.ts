@@ -1,4 +1,4 @@
-/** The picture of the curves against the evaluator: every coloured pixel is on its curve, and the curve is all there. */
+/** The drawn curves against the evaluator: every coloured pixel is on its curve, and the curve is complete. */
 import type { Page } from 'playwright-core';
 import { expect, it } from 'vitest';
 import { compileClip } from '../../src/evaluate/compiled-clip.ts';
@@ -9,12 +9,12 @@ import { TIME_RULER_HEIGHT } from '../../src/ui/editors/timeline/time-ruler.ts';
 import { dropFiles, type Pixels, readPixels, withPage } from '../helpers/page.ts';
 import { describeShared, sharedBytes } from '../helpers/shared.ts';
 
-/** How much redder, greener or bluer than grey a pixel has to be, of 255. */
+/** How much a channel of a pixel has to exceed the others, of 255. */
 const COLOURED = 24;
-/** A line is 1.5 pixels wide, and has soft edges. */
+/** A line is 1.5 pixels wide, with antialiased edges. */
 const HALF_LINE_PIXELS = 2;
 
-/** Pixels of a column in which red (0), green (1) or blue (2) stands out. */
+/** Rows of a column in which red (0), green (1) or blue (2) dominates. */
 function colouredRows({ width, height, data }: Pixels, x: number, colour: number, from: number): number[] {
   const rows: number[] = [];
   for (let y = from; y < height; y++) {
@@ -31,7 +31,7 @@ async function plotBox(page: Page) {
   return box;
 }
 
-/** Two points of a channel give the whole mapping between the plot's pixels and seconds and values. */
+/** Two points of a channel determine the mapping between pixels and seconds and values. */
 async function mapping(page: Page, left: number, top: number) {
   const places = await page.evaluate(() => [window.marrow.placeOf(0, 0, 0), window.marrow.placeOf(0, 1, 1)]);
   const [a, b] = places;
@@ -48,11 +48,11 @@ function drop(name: string, text: string | Uint8Array) {
     await dropFiles(page, [{ name, bytes: text }]);
     const stem = name.replace(/\.anim$/, '');
     await page.waitForFunction((n) => window.marrow.characters()[0]?.name === n, stem);
-    // Away with the playhead: it is of a colour too.
+    // Moves the playhead away, as it is coloured too.
     await page.evaluate(() => window.marrow.seek(-100));
     await page.locator('.curve-plot').focus();
     await page.keyboard.press('a');
-    // And with the ring of the focus.
+    // Hides the focus ring too.
     await page.locator('.curve-plot').blur();
     await page.waitForFunction(() => window.marrow.placeOf(0, 0, 0) !== undefined);
     await page.evaluate(() => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done))));
@@ -71,7 +71,7 @@ async function expectDrawn(page: Page, clip: ChannelClip): Promise<void> {
     let dotted = 0;
     let gaps = 0;
     for (let x = 1; x < picture.width - 1; x++) {
-      // The edges of the range have the accent's colour.
+      // The edges of the range have the accent colour.
       if (edges.some((edge) => Math.abs(edge - x) < 4)) continue;
       let low = Number.POSITIVE_INFINITY;
       let high = Number.NEGATIVE_INFINITY;
@@ -92,14 +92,14 @@ async function expectDrawn(page: Page, clip: ChannelClip): Promise<void> {
       } else if (rows.length) dotted++;
       else gaps++;
     }
-    // It has been looked at, and is dotted where it is extrapolated: neither whole nor gone.
+    // Dotted where extrapolated: neither solid nor missing.
     expect(solid).toBeGreaterThan(100);
     if (dotted + gaps > 60) expect(dotted / (dotted + gaps)).toBeGreaterThan(0.2);
     if (dotted + gaps > 60) expect(gaps).toBeGreaterThan(10);
   });
 }
 
-/** Keys and other curves lie over the line. */
+/** Keys and other curves cover the line. */
 function coveredByKey(clip: ChannelClip, channel: number, x: number, xOf: (time: number) => number): boolean {
   return clip.channels.map(keysOf).some(({ times }, c) => {
     const near = Array.from(times).some((time) => Math.abs(xOf(time) - x) < 8);

@@ -1,10 +1,10 @@
-/** The page's frame is on screen before any script, in the system's theme, and stays where it is when the script comes. */
+/** The page's frame is visible before any script, in the system's theme, and doesn't shift when the script runs. */
 import type { Page } from 'playwright-core';
 import { describe, expect, it } from 'vitest';
 import { withPage } from '../helpers/page.ts';
 
 const PARTS = ['.menu-bar', '.menu-titles', '.outliner', '.stage', '.inspector', '.transport', '.timeline'];
-/** Of the whole page, text that comes later in its place included; a good page has 0.1 (web.dev/cls). */
+/** Layout shift of the whole page, including late text; 0.1 is considered good (web.dev/cls). */
 const MAX_SHIFT = 0.01;
 
 const boxes = (page: Page) =>
@@ -17,7 +17,7 @@ const boxes = (page: Page) =>
     PARTS,
   );
 
-/** The addresses stay the same, so the page that comes without its script is the page that gets it after all. */
+/** The addresses don't change, so that a page loaded without its script can then load it. */
 async function withoutScript(page: Page, look: () => Promise<void>): Promise<void> {
   await page.route('**/*.js', (route) => route.abort());
   await page.reload();
@@ -41,7 +41,7 @@ describe('the frame of the page', () => {
         const shift = await page.evaluate(
           () =>
             new Promise<number>((resolve) => {
-              // It gives what was before, too; nothing where nothing moved.
+              // Includes earlier entries; empty if nothing has moved.
               const found = (list: PerformanceObserverEntryList) =>
                 resolve(
                   list.getEntries().reduce((sum, entry) => sum + (entry as unknown as { value: number }).value, 0),

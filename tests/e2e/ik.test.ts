@@ -1,4 +1,4 @@
-/** Inverse kinematics by hand on the built page: pins made by clicking, points dragged by the mouse, one undo step each. */
+/** Inverse kinematics on the built page: pins set by clicking, points dragged by mouse, one undo step each. */
 import type { Page } from 'playwright-core';
 import { expect, it } from 'vitest';
 import { dropFiles, withPage } from '../helpers/page.ts';
@@ -6,7 +6,7 @@ import { describeShared, sharedBytes } from '../helpers/shared.ts';
 
 type Point = readonly [number, number, number];
 
-/** A leg of three bones that hangs from above, with knees that bend one way only. */
+/** A leg of three bones hanging down, with knees that bend one way only. */
 const LEG = `balljoint hip {
   offset 0 2 0
   boxmin -0.1 -0.8 -0.1
@@ -33,7 +33,7 @@ const drawn = (page: Page) =>
     for (let i = 0; i < 3; i++) await new Promise((next) => requestAnimationFrame(next));
   });
 
-/** The camera has come to where it was going. */
+/** Waits until the camera has stopped moving. */
 async function standing(page: Page): Promise<void> {
   const places = () => page.evaluate(() => JSON.stringify([0, 1].map((y) => window.marrow.pointOnPage([y, y, y]))));
   for (let before = '', now = await places(); now !== before; ) {
@@ -118,7 +118,7 @@ it('draws what can’t be reached and names the limit, until it is reached or gi
     const from = await onPage(page, foot);
     await page.mouse.move(from.x, from.y);
     await page.mouse.down();
-    // Forward of where the shin is straight: the knee does not bend that way, and the hip is locked.
+    // In front of the straight shin: the knee doesn't bend that way, and the hip is locked.
     const ahead = await onPage(page, [0, 0.5, 0.5]);
     await page.mouse.move(ahead.x, ahead.y, { steps: 10 });
     await drawn(page);
@@ -164,7 +164,7 @@ it('tells how far a drag in depth has gone, in perspective and without', () =>
   }));
 
 const WASP = ['data/cse169/wasp.skel', 'data/cse169/wasp.skin'] as const;
-/** From its wings to its feet and from front to back, the longest of these. */
+/** Longest extent: from wings to feet and front to back. */
 const SIZE = 2.85;
 /** Of its size. */
 const FEET_HOLD = 1e-3;
@@ -184,7 +184,7 @@ it('keeps a pinned point where it is while a slider moves what is above it, in o
     expect((await jointPlace(page, 'hip'))[1]).toBeCloseTo(hip[1] - 0.2, 9);
     expect(apart(await jointPlace(page, 'foot_l'), foot)).toBeLessThan(1e-3);
     expect(await undoLabel(page)).toBe('Set ty of hip');
-    // By the keyboard, many small steps; too far for the leg, and back.
+    // By keyboard, many small steps; further than the leg reaches, and back.
     for (const key of ['ArrowDown', 'ArrowDown', 'ArrowUp']) await field.press(key);
     expect(apart(await jointPlace(page, 'foot_l'), foot)).toBeLessThan(1e-3);
     await field.fill('3');
@@ -193,7 +193,7 @@ it('keeps a pinned point where it is while a slider moves what is above it, in o
     await field.fill('0');
     await field.press('Enter');
     expect(apart(await jointPlace(page, 'foot_l'), foot)).toBeLessThan(1e-3);
-    // In FK the hand has the joints themselves.
+    // In FK mode pins don't hold.
     await page.evaluate(() => window.marrow.run('posing.fk'));
     await field.fill('0.1');
     await field.press('Enter');
@@ -211,7 +211,7 @@ describeShared('the wasp of data/cse169', () => {
       await page.waitForFunction(() => window.marrow.characters()[0]?.vertexCount === 694);
       await drawn(page);
       await intoIk(page);
-      // The lowest vertices far from the middle are the ends of its legs, one on each side and in each third.
+      // The lowest vertices far from the centre are the ends of its legs, one on each side and in each third.
       const vertices = await page.evaluate(() => window.marrow.vertices());
       const points: Point[] = [];
       for (let v = 0; v < vertices.length; v += 3) points.push([vertices[v], vertices[v + 1], vertices[v + 2]]);
@@ -222,7 +222,7 @@ describeShared('the wasp of data/cse169', () => {
           return near.reduce((a, b) => (b[1] < a[1] ? b : a));
         }),
       );
-      // From below every foot is seen.
+      // From below every foot is visible.
       for (const view of ['view.front', 'view.left', 'view.right', 'view.back', 'view.bottom']) {
         await page.evaluate((id) => window.marrow.run(id), view);
         await standing(page);

@@ -1,6 +1,6 @@
 /**
- * A take from nothing, with the mouse and the keyboard of a person: keyed, dragged, bent, cycled, undone, redone, saved,
- * and played by the command.
+ * A take from scratch, by mouse and keyboard: keyed, dragged, edited, cycled, undone, redone, saved, and played by the
+ * command.
  */
 import { mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
@@ -56,7 +56,7 @@ async function drag(page: Page, from: Point, to: Point, held?: 'Alt'): Promise<v
   if (held) await page.keyboard.up(held);
 }
 
-/** Poses the joint at a moment and keys the whole pose, as one does by hand. */
+/** Poses the joint at a time and keys the whole pose, as a user would. */
 async function keyPoseAt(page: Page, seconds: number, degrees: number): Promise<void> {
   await typeInto(page, 'Time in seconds', seconds);
   await typeInto(page, 'rx', degrees);
@@ -64,7 +64,7 @@ async function keyPoseAt(page: Page, seconds: number, degrees: number): Promise<
   await page.keyboard.press('k');
 }
 
-/** Presses the key for as long as there is a step to take; gives how many there were. */
+/** Presses the shortcut while there are steps left; returns their number. */
 async function pressAll(page: Page, shortcut: string, way: 'undo' | 'redo'): Promise<number> {
   await page.locator('canvas[role=img]').focus();
   for (let steps = 0; ; steps++) {
@@ -89,7 +89,7 @@ async function makeTake({ files, joint, channel }: Subject): Promise<void> {
     const keyed = await keys(page, channel);
     expect(keyed[1].value).toBeCloseTo((50 * Math.PI) / 180, 9);
 
-    // A key is dragged up by hand; the character follows while the mouse is still down.
+    // Drags a key upwards; the character follows during the drag.
     await page.locator('.curve-plot').focus();
     await page.keyboard.press('a');
     await page.evaluate(() => new Promise(requestAnimationFrame));
@@ -100,7 +100,7 @@ async function makeTake({ files, joint, channel }: Subject): Promise<void> {
     expect(dragged[1].value).toBeGreaterThan(keyed[1].value + 0.01);
     expect(await dof(page, channel)).toBeCloseTo(dragged[1].value, 9);
 
-    // Its left handle goes down, alone: the tangent is broken.
+    // Its left handle is dragged down alone: the tangent breaks.
     const at = await place(page, channel, 1, dragged[1].value);
     const slope = await place(page, channel, 0.9, dragged[1].value - 0.1 * dragged[1].slopeIn);
     const length = Math.hypot(slope.x - at.x, slope.y - at.y);
@@ -113,7 +113,7 @@ async function makeTake({ files, joint, channel }: Subject): Promise<void> {
     expect(broken[1].slopeIn).not.toBeCloseTo(dragged[1].slopeIn, 3);
     expect(broken[1].slopeOut).toBeCloseTo(dragged[1].slopeOut, 12);
 
-    // Extrapolation from the menu, on everything.
+    // Extrapolation from the menu, for all keys.
     await page.locator('.curve-plot').focus();
     await page.keyboard.press('Control+a');
     await page.getByRole('menuitem', { name: 'Keys', exact: true }).click();
@@ -123,7 +123,7 @@ async function makeTake({ files, joint, channel }: Subject): Promise<void> {
     expect(made).toContain('extrapolate cycle_offset cycle_offset');
     const skeleton = await skelText(page);
 
-    // All the way back, to a character without a take, and all the way forth.
+    // Undoes everything, back to a character without a take, and redoes it.
     const steps = await pressAll(page, 'Control+z', 'undo');
     expect(steps).toBeGreaterThanOrEqual(7);
     expect(await page.evaluate(() => window.marrow.characters()[0]?.name)).not.toBe(name);
@@ -131,7 +131,7 @@ async function makeTake({ files, joint, channel }: Subject): Promise<void> {
     expect(await animText(page)).toBe(made);
     expect(await skelText(page)).toBe(skeleton);
 
-    // Saved by Ctrl+S, and played by the command: the page's numbers.
+    // Saved by Ctrl+S and played by the command: the same numbers as in the page.
     await page.evaluate(() => Object.assign(window, { showSaveFilePicker: undefined }));
     const download = page.waitForEvent('download');
     await page.locator('canvas[role=img]').focus();

@@ -1,4 +1,4 @@
-/** What the page begins with, what comes later, and what happens where that does not come. */
+/** What the page loads first, what it loads later, and what happens if that fails. */
 import { readdirSync, readFileSync } from 'node:fs';
 import { dirname, join } from 'node:path';
 import { fileURLToPath } from 'node:url';
@@ -8,13 +8,13 @@ import { describe, expect, it } from 'vitest';
 import { dropFiles, withPage } from '../helpers/page.ts';
 
 const DIST = fileURLToPath(new URL('../../dist/', import.meta.url));
-/** Script before the first character is on screen, gzipped; what reads its files is the worker's and not counted. */
+/** Script before the first character is visible, gzipped, without the worker that reads its files. */
 const MAX_BYTES = 240_000;
 
 const shown = (page: Page, name: string) =>
   page.waitForFunction((wanted) => window.marrow?.characters().some((c) => c.name === wanted), name);
 
-/** The scripts that the HTML names, and all that those import themselves. */
+/** The scripts named in the HTML, with their static imports. */
 function firstScripts(): readonly string[] {
   const html = readFileSync(join(DIST, 'index.html'), 'utf8');
   const found = new Set([...html.matchAll(/(?:src|href)="\.\/([^"]+\.js)"/g)].map((m) => m[1]));
@@ -55,7 +55,7 @@ describe('the page', () => {
       },
       {
         early: true,
-        // A page that never has nothing to do.
+        // A page that is never idle.
         before: () => {
           window.requestIdleCallback = () => 0;
         },

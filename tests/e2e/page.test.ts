@@ -1,4 +1,6 @@
-/** What a hand does on the page: dropping folders and zips, picking, scrubbing, sliding, in both themes and small. */
+/**
+ * User input on the page: dropping folders and zips, picking, scrubbing, sliding, in both themes and on a small page.
+ */
 import { mkdtempSync, rmSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
@@ -79,7 +81,7 @@ describe('by hand', () => {
       await page.evaluate(() => window.marrow.run('draw.boxes.solid'));
       const selected = page.locator('[role=treeitem][aria-selected=true].row-joint');
       const at = await page.evaluate(async () => {
-        // The camera may be on its way to what was opened.
+        // The camera may still be moving to what was opened.
         await new Promise((drawn) => requestAnimationFrame(() => requestAnimationFrame(drawn)));
         const elbow = window.marrow.worldMatrices('arm')[1];
         return window.marrow.pointOnPage([elbow[12], elbow[13] + 0.5, elbow[14]], 'arm');
@@ -136,7 +138,7 @@ describe('the look', () => {
     withPage(
       async ({ page }) => {
         await ready(page);
-        // A screenshot waits for a picture between two frames.
+        // A screenshot waits for a frame.
         await page.evaluate(() => window.marrow.pause());
         const overflow = await page.evaluate(() => {
           const { scrollWidth, clientWidth, scrollHeight, clientHeight } = document.documentElement;
@@ -169,7 +171,7 @@ describe('the look', () => {
         await page.evaluate(() => window.marrow.seek(1));
         await page.waitForFunction(() => window.marrow.stats().triangles > 1000);
       },
-      // three.js tells the console that the context was lost.
+      // three.js logs the lost context.
       { expected: /Context Lost|context lost/i, walking: true },
     ));
 });

@@ -1,4 +1,4 @@
-/** FK with the hands of a person: rings, bones, keys, and what stops them. */
+/** FK by hand on the built page: rings, bones, keys, and limits. */
 import type { Page } from 'playwright-core';
 import { expect, it } from 'vitest';
 import { dropFiles, withPage } from '../helpers/page.ts';
@@ -6,7 +6,7 @@ import { describeShared, sharedBytes } from '../helpers/shared.ts';
 
 type Point = { readonly x: number; readonly y: number };
 
-/** A ball of three joints, whose elbow has limits about x. */
+/** Three ball joints; the elbow has limits about x. */
 const ARM = `balljoint shoulder {
   offset 0 0 0
   boxmin -0.1 0 -0.1
@@ -22,7 +22,7 @@ const ARM = `balljoint shoulder {
 
 const dofs = (page: Page) => page.evaluate(() => window.marrow.characters()[0]?.dofs ?? []);
 const undo = (page: Page) => page.evaluate(() => window.marrow.steps().undo);
-/** Where on the page a point beside the arm is: another place for every way the camera is turned. */
+/** Page position of a point beside the arm: differs for every camera orientation. */
 const turnOfView = (page: Page) => page.evaluate(() => window.marrow.pointOnPage([1, 0, 0])?.x ?? Number.NaN);
 
 const readout = (page: Page) =>
@@ -43,14 +43,14 @@ async function openArm(page: Page, joint = 'elbow'): Promise<void> {
   await page.getByRole('radio', { name: 'rx', exact: true }).waitFor();
 }
 
-/** Where the joint is on the page: the middle of its gizmo. */
+/** Page position of the joint: the centre of its gizmo. */
 const middle = (page: Page): Promise<Point> =>
   page.evaluate(() => {
     const box = document.querySelector('.joint-gizmo')?.getBoundingClientRect();
     return box ? { x: box.x + box.width / 2, y: box.y + box.height / 2 } : { x: Number.NaN, y: Number.NaN };
   });
 
-/** Feels for a handle as a hand does: from the middle outwards, until its name stands beside the pointer. */
+/** Searches for a handle from the centre outwards, until the readout shows its name. */
 async function feelFor(page: Page, name: string): Promise<Point> {
   const { x, y } = await middle(page);
   for (let angle = 0.3; angle < 2 * Math.PI; angle += 0.6) {
@@ -63,7 +63,7 @@ async function feelFor(page: Page, name: string): Promise<Point> {
   throw new Error(`There is no handle ${name} to be felt.`);
 }
 
-/** Round the middle from where the pointer is pressed, or straight to a place. */
+/** Presses and moves along points. */
 async function pressAndGo(page: Page, from: Point, way: readonly Point[]): Promise<void> {
   await page.mouse.move(from.x, from.y);
   await page.mouse.down();
@@ -118,7 +118,7 @@ it('turns the active DOF by dragging the bone up and down, and gives it up at Es
     await openArm(page);
     await page.getByRole('radio', { name: 'rz', exact: true }).click();
     const bone = await middle(page);
-    // Two pixels a degree.
+    // Two pixels per degree.
     await pressAndGo(page, bone, [
       { x: bone.x, y: bone.y - 30 },
       { x: bone.x, y: bone.y - 60 },

@@ -1,4 +1,4 @@
-/** A take put onto the walker on the built page: by the menu and the keyboard, played, baked, saved, undone, redone. */
+/** Retargeting to the walker on the built page: by menu and keyboard, played, baked, saved, undone, redone. */
 import { execFileSync } from 'node:child_process';
 import { mkdtempSync, rmSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
@@ -17,7 +17,7 @@ interface Part {
   readonly parts?: readonly Part[];
 }
 
-/** A leg or an arm, named as Mixamo does: the left one's x is positive where the person looks along z. */
+/** A leg or arm with Mixamo's names: the left one's x is positive for a person facing +z. */
 const limb = (side: 'Left' | 'Right'): { readonly leg: Part; readonly arm: Part } => {
   const x = side === 'Left' ? 1 : -1;
   const toe: Part = { name: `${side}ToeBase`, offset: [0, -8, 12] };
@@ -35,7 +35,7 @@ const [LEFT, RIGHT] = [limb('Left'), limb('Right')];
 const HEAD: Part = { name: 'Head', offset: [0, 10, 0] };
 const NECK: Part = { name: 'Neck', offset: [0, 22, 0], parts: [HEAD] };
 const CHEST: Part = { name: 'Spine1', offset: [0, 14, 0], parts: [LEFT.arm, NECK, RIGHT.arm] };
-/** Twenty joints, 1.7 m in centimetres, in a T. */
+/** Twenty joints, 1.7 m in centimetres, in a T-pose. */
 const PERSON: Part = {
   name: 'Hips',
   offset: [0, 96, 0],
@@ -45,7 +45,7 @@ const PERSON: Part = {
 const FRAMES = 41;
 const FRAME_SECONDS = 0.05;
 
-/** A walk on the spot, arms hanging: degrees about z x y of a joint at a moment. One step a second. */
+/** Walking on the spot, arms down: degrees about z x y of a joint at a time. One step per second. */
 function angles(name: string, seconds: number): readonly [number, number, number] {
   const swing = Math.sin(2 * Math.PI * seconds) * (name.startsWith('Left') ? 1 : -1);
   const left = name.startsWith('Left') ? 1 : -1;
@@ -79,7 +79,7 @@ function bvh(): string {
 }
 
 type Way = readonly [from: string, to: string];
-/** Bones of the source, and those of the walker that stand for them. */
+/** Bones of the source, and the corresponding ones of the walker. */
 const BONES: readonly (readonly [Way, Way])[] = (['Left', 'Right'] as const).flatMap((side) => {
   const s = side === 'Left' ? 'l' : 'r';
   const of = (from: string, to: string, own: string, ownTo: string): readonly [Way, Way] => [
@@ -94,7 +94,7 @@ const BONES: readonly (readonly [Way, Way])[] = (['Left', 'Right'] as const).fla
   ];
 });
 
-/** Unit vectors along bones of a character at a moment, as drawn; neither of the two is turned in the scene. */
+/** Unit vectors along bones of a character at a time, as drawn; neither placement is rotated. */
 function directions(page: Page, character: string, bones: readonly Way[], seconds: number): Promise<number[][]> {
   return page.evaluate(
     async ([name, ways, time]) => {
@@ -115,7 +115,7 @@ function directions(page: Page, character: string, bones: readonly Way[], second
 const degreesBetween = (a: readonly number[], b: readonly number[]) =>
   (180 / Math.PI) * Math.acos(Math.min(1, a[0] * b[0] + a[1] * b[1] + a[2] * b[2]));
 
-/** What would be saved of the walker and of the take, all of it. */
+/** Everything that would be saved of the walker and the take. */
 const saved = (page: Page) =>
   page.evaluate(() =>
     Promise.all(
@@ -163,9 +163,9 @@ it('moves the walker as the take moves, is changed by keyboard, baked, saved and
     ]) {
       expect(await followed(joint), joint).toBe(source);
     }
-    // Seen behind the dialog before it is applied, and no step yet.
+    // Previewed behind the dialog before applying, without a step.
     expect(await page.evaluate(() => window.marrow.steps().undo)).not.toContain('Retarget');
-    // By keyboard: the ear follows the head. The first letter of a name goes to it, as in every list.
+    // By keyboard: the ear follows the head. Typing a letter selects a name, as in every list.
     await follows('ear_l').focus();
     await page.keyboard.type('Head');
     expect(await followed('ear_l')).toBe('Head');
@@ -176,7 +176,7 @@ it('moves the walker as the take moves, is changed by keyboard, baked, saved and
     await dialog.waitFor({ state: 'detached' });
     expect(await page.evaluate(() => window.marrow.steps().undo)).toBe('Retarget step to walker');
 
-    // Arms and legs point where the take's do. Where feet are planted, legs may give way a little.
+    // Arms and legs point like the take's. Legs with planted feet may differ slightly.
     const own = BONES.map(([, way]) => way);
     const theirs = BONES.map(([way]) => way);
     for (const seconds of [0, 0.25, 0.6, 0.75, 1.3]) {
@@ -186,11 +186,11 @@ it('moves the walker as the take moves, is changed by keyboard, baked, saved and
         expect(degreesBetween(way, walker[i]), `${own[i].join(' to ')} at ${seconds} s`).toBeLessThan(12);
       });
     }
-    // It moves at all.
+    // It does move.
     const [up, down] = [await directions(page, 'walker', own, 0.25), await directions(page, 'walker', own, 0.75)];
     expect(degreesBetween(up[2], down[2])).toBeGreaterThan(15);
 
-    // Its own keys stand aside, and say so; a key is refused in a sentence that has the way out.
+    // Its own keys have no effect, with a notice; keying is refused with a remedy.
     await page.evaluate(() => window.marrow.run('view.frameAll'));
     await page
       .getByRole('treeitem', { name: /^walker/ })
@@ -210,7 +210,7 @@ it('moves the walker as the take moves, is changed by keyboard, baked, saved and
       .first()
       .waitFor();
     expect(await page.evaluate(() => window.marrow.steps().undo)).toBe('Retarget step to walker');
-    // A value set by hand stands over what moves it, for that moment; then it is gone, and so is its step.
+    // An unkeyed change overrides retargeting at that time; then it is discarded, with its step.
     const tx = page.locator('.dof[data-dof="0"]').first();
     await expect.poll(() => tx.getAttribute('data-driver')).toBe('moved');
     await tx.locator('input[type="text"]').fill('0.7');
@@ -231,7 +231,7 @@ it('moves the walker as the take moves, is changed by keyboard, baked, saved and
     for (const [i, seconds] of times.entries()) {
       expectClose((await matrices(page, seconds)).flat(), live[i].flat(), 1e-6, `baked, at ${seconds} s`);
     }
-    // Saved, it plays the same without the page and without the take.
+    // Saved, it plays the same without the page and without the source.
     const [skel, anim] = await page.evaluate(() =>
       Promise.all(['walker.skel', 'walker_step.anim'].map((name) => window.marrow.save(name))),
     );
@@ -242,7 +242,7 @@ it('moves the walker as the take moves, is changed by keyboard, baked, saved and
       for (const [i, seconds] of times.entries()) {
         const args = ['pose', 'walker.skel', 'walker_step.anim', '--time', String(seconds), '--json'];
         const text = execFileSync(process.execPath, [MARROW, ...args], { cwd: folder, encoding: 'utf8' });
-        // What the command prints: joints with their world matrices, as the conformance files have them.
+        // The command's output: joints with world matrices, as in the conformance files.
         const posed = JSON.parse(text) as { characters: { joints: { world: number[] }[] }[] };
         expectClose(
           posed.characters[0].joints.flatMap(({ world }) => world),
@@ -281,7 +281,7 @@ it('follows the take as it is cropped or read again, and keeps moving when it is
     });
     const at = 0.25;
     const live = await matrices(page, at);
-    // Held from 0.5 s on: what was at 0.25 s is cut away.
+    // Cropped to start at 0.5 s: what was at 0.25 s is gone.
     await page.evaluate(() => window.marrow.run('samples.crop', { character: 'step', from: 0.5, to: 1 }));
     expect(await matrices(page, at)).not.toEqual(live);
     await page.evaluate(() => window.marrow.undo());
@@ -298,7 +298,7 @@ it('follows the take as it is cropped or read again, and keeps moving when it is
       return (await matrices(page, 0))[index][13];
     };
     const hanging = await handHeight();
-    // Read again with the arms held out: a T.
+    // Reloaded with raised arms: a T-pose.
     const still = take.split('\n').map((line) => line.replace(/-?75(?=[ \n])/g, '0'));
     await dropFiles(page, [{ name: 'step.bvh', bytes: still.join('\n') }]);
     await expect.poll(handHeight).toBeGreaterThan(hanging + 0.1);

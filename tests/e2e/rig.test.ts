@@ -1,6 +1,6 @@
 /**
- * Rigging with the mouse and the keyboard of a person: a creature from nothing, named, mirrored, hinged, saved, read
- * back and undone; and a skin that stays where it is while its joints are moved, or follows.
+ * Rigging by mouse and keyboard: a creature from scratch, named, mirrored, constrained, saved, read back and undone;
+ * and a skin that stays in place while its joints are moved, or follows.
  */
 import type { Page } from 'playwright-core';
 import { expect, it } from 'vitest';
@@ -8,7 +8,7 @@ import { readSkel } from '../../src/formats/skel/read.ts';
 import { dropFiles, withPage } from '../helpers/page.ts';
 import { describeShared, sharedBytes } from '../helpers/shared.ts';
 
-/** What vertices may move in bind mode: parts of the character's size. */
+/** Maximum motion of vertices in bind mode, as a part of the character's size. */
 const STILL = 1e-9;
 
 const joints = (page: Page) =>
@@ -28,7 +28,7 @@ async function canvasMiddle(page: Page): Promise<{ x: number; y: number }> {
   return { x: box.x + box.width / 2, y: box.y + box.height / 2 };
 }
 
-/** A click of the mouse, from the middle of the viewport; waits until there are so many joints. */
+/** Clicks relative to the centre of the viewport; waits for that many joints. */
 async function clickAt(page: Page, dx: number, dy: number, count: number): Promise<void> {
   const { x, y } = await canvasMiddle(page);
   await page.mouse.move(x + dx, y + dy);
@@ -36,7 +36,7 @@ async function clickAt(page: Page, dx: number, dy: number, count: number): Promi
   await page.waitForFunction((n) => window.marrow.characters()[0]?.joints.length === n, count);
 }
 
-/** Where a handle is: the pointer is moved until the cursor says so; again, until they are drawn. */
+/** Finds a handle by moving the pointer until the cursor changes; retries until they are drawn. */
 async function findHandle(page: Page): Promise<{ x: number; y: number }> {
   const found = await page.waitForFunction(() => {
     const canvas = document.querySelector<HTMLCanvasElement>('canvas[role=img]');
@@ -77,7 +77,7 @@ it('builds a creature from nothing by clicking, and takes all of it back', () =>
     await clickAt(page, 40, 30, 4);
     await clickAt(page, 45, 90, 5);
     expect(await joints(page)).toEqual(['root -1', 'joint1 0', 'joint2 1', 'joint3 0', 'joint4 3']);
-    // Escape ends the adding, and not the mode.
+    // Escape ends adding, but not the mode.
     await page.keyboard.press('Escape');
     await page.getByRole('button', { name: 'Add joints', pressed: false }).waitFor();
     expect(await page.getByRole('radio', { name: 'Rig', exact: true }).getAttribute('aria-checked')).toBe('true');
@@ -135,13 +135,13 @@ it('adds a child with Ctrl, and removes a joint with Delete so that its children
     });
   }));
 
-/** Length in the scene that a CSS pixel shows where a new skeleton begins. */
+/** Scene length of a CSS pixel where a new skeleton starts. */
 async function unitsPerPixel(page: Page): Promise<number> {
   const box = await page.locator('canvas[role=img]').boundingBox();
   return (2 * 5 * Math.tan((16 * Math.PI) / 180)) / (box?.height ?? 1);
 }
 
-/** Where a joint is in its parent's space, as the saved file has it. */
+/** A joint's offset, from the saved file. */
 async function offsetOf(page: Page, joint: number): Promise<readonly number[]> {
   const saved = await text(page, 'character.skel');
   return readSkel(saved, 'character.skel').value?.[0].joints[joint].offset ?? [];
@@ -176,7 +176,7 @@ it('takes hold of the copy that was clicked, and frames that', () =>
       const [, now] = await offsetOf(page, 0);
       expect(now).toBeCloseTo(to, 1);
     };
-    // Without a click before it, and with one.
+    // Without a preceding click, and with one.
     await lifted(1);
     await drag(page, { x: x + aside, y }, 0, -40);
     await lifted(1 + 40 * perPixel);
@@ -184,7 +184,7 @@ it('takes hold of the copy that was clicked, and frames that', () =>
     await drag(page, { x: x + aside, y: y - 40 }, 0, 40);
     await lifted(1);
     await page.keyboard.press('f');
-    // In the middle now, where a handle is of that copy alone.
+    // In the centre now, where only that instance's handles are.
     await handleAt(page, x, y);
     await page.evaluate(() =>
       window.marrow.run('character.removeCopy', { characterId: window.marrow.characters()[0].id, index: 1 }),
@@ -216,7 +216,7 @@ it('lets a click on a joint branch, however quickly it comes after another', () 
     await page.getByRole('button', { name: 'Add joints', pressed: true }).waitFor();
     await clickAt(page, 0, -40, 2);
     const { x, y } = await canvasMiddle(page);
-    // The hand is quicker than any picture.
+    // Input is faster than frames.
     await page.evaluate(() => {
       window.requestAnimationFrame = () => 1;
     });
@@ -231,7 +231,7 @@ it('comes to the side that a key asked for, though a click falls on the way', ()
     await page.waitForFunction(() => (window.marrow?.characters().length ?? 0) > 0);
     const { x, y } = await canvasMiddle(page);
     await page.locator('canvas[role=img]').focus();
-    /** Until one looks along an axis: its arm in the corner is a point then. */
+    /** Until the view is along an axis: its arm in the axis widget is then a point. */
     const looksAlong = (axis: 0 | 2) =>
       page.waitForFunction((which) => {
         const arm = document.querySelectorAll('[aria-label="Look along an axis"] line')[which];

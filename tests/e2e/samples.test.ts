@@ -1,6 +1,6 @@
 /**
- * The tools for samples on the built page, one after the other on one take: each is a step, all of them taken back give
- * the bytes that were dropped, and what is saved after them plays in the command as it does on the page.
+ * The sample tools on the built page, one after the other on one take: each is one step, undoing all of them restores
+ * the dropped bytes, and the saved result plays in the command as on the page.
  */
 import { mkdtempSync, rmSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
@@ -14,7 +14,7 @@ import { dropFiles, withPage } from '../helpers/page.ts';
 const FRAMES = 241;
 const RATE = 60;
 
-/** Hips that travel and an arm that swings, with a tremble of a tenth of a degree. */
+/** Moving hips and a swinging arm, with a tenth of a degree of noise. */
 function takeText(): string {
   const rows = Array.from({ length: FRAMES }, (_, f) => {
     const t = f / RATE;
@@ -56,7 +56,7 @@ async function opened(page: Page): Promise<void> {
   await page.evaluate(() => window.marrow.pause());
 }
 
-/** Finds a command by its name and runs it, as the keyboard does. */
+/** Finds a command by name and runs it, by keyboard. */
 async function find(page: Page, command: string): Promise<void> {
   await page.keyboard.press('Control+k');
   await page.getByRole('combobox', { name: 'Find a command' }).fill(command);
@@ -64,7 +64,7 @@ async function find(page: Page, command: string): Promise<void> {
   await page.keyboard.press('Enter');
 }
 
-/** Fills in one of the dialogs and applies it, when it has said what it comes to. */
+/** Fills in a dialog and applies it, once it shows its result. */
 async function applyTool(page: Page, command: string, fields: Record<string, string>, says: RegExp): Promise<void> {
   await find(page, command);
   const dialog = page.getByRole('dialog', { name: command });
@@ -75,7 +75,7 @@ async function applyTool(page: Page, command: string, fields: Record<string, str
   await dialog.waitFor({ state: 'hidden' });
 }
 
-/** Hips, arm and End Site at a moment. */
+/** Positions of hips, arm and End Site at a time. */
 function points(page: Page, seconds: number): Promise<number[]> {
   return page.evaluate(async (time) => {
     window.marrow.seek(time);
@@ -92,7 +92,7 @@ it('crops, smooths, converts to keys and drags one of them, each a step; all und
     const steps: (string | undefined)[] = [await undoLabel(page)];
     const texts: string[] = [await saved(page)];
     const stepMade = async () => {
-      // A release of the mouse may still be on its way through the browser.
+      // The mouse release may not have been processed yet.
       await page.waitForFunction((before) => window.marrow.steps().undo !== before, steps.at(-1));
       const label = await undoLabel(page);
       steps.push(label);
@@ -118,11 +118,11 @@ it('crops, smooths, converts to keys and drags one of them, each a step; all und
     expect(await page.evaluate(() => window.marrow.keys(6).length)).toBeGreaterThan(2);
     expect(await page.evaluate(() => window.marrow.keys(6).length)).toBeLessThan(90);
 
-    // The arm's first angle: a key in the middle of the take, up by some pixels.
+    // The arm's first angle: drags a key in the middle of the take upwards.
     await page.getByRole('treeitem', { name: 'Arm' }).click();
     await page.locator('.curve-plot').focus();
     await page.keyboard.press('a');
-    // Keys are taken hold of where they were drawn last.
+    // Keys are hit where they were last drawn.
     await page.evaluate(() => new Promise((drawn) => requestAnimationFrame(() => requestAnimationFrame(drawn))));
     const before = await page.evaluate(() => window.marrow.keys(6));
     const { time, value } = before[Math.floor(before.length / 2)];

@@ -1,6 +1,6 @@
 /**
- * Saving, marks and reloading with real files: those of the browser's own private disk, whose handles are the same kind
- * as a real disk's. Only the dialogs are stood in for, since no test can press a button of the system.
+ * Saving, marks and reloading with real files, in the browser's origin private file system, whose handles are of the
+ * same kind as a real disk's. Only the dialogs are replaced, since tests can't press system buttons.
  */
 import { readFileSync } from 'node:fs';
 import type { Page } from 'playwright-core';
@@ -24,7 +24,7 @@ const HERO = [
   { name: 'hero_walk.anim', bytes: anim(0.5) },
 ];
 
-/** Dialogs that pick from the private disk: for opening all of it, for saving the name suggested. */
+/** Dialogs that pick from the private file system: everything to open, the suggested name to save. */
 function privateDisk(): void {
   window.showOpenFilePicker = async () => {
     const found: FileSystemFileHandle[] = [];
@@ -69,7 +69,7 @@ const menu = async (page: Page, title: string, entry: string) => {
   await page.getByRole('menuitem', { name: entry }).click();
 };
 
-/** A page on which the hero was opened from the private disk. */
+/** A page with the hero opened from the private file system. */
 const withHero = (body: (page: Page) => Promise<void>, options: PageOptions = {}) =>
   withPage(
     async ({ page }) => {
@@ -90,7 +90,7 @@ const firstName = async (page: Page) => {
   return page.evaluate(() => window.marrow.characters()[0].name);
 };
 
-/** Saves as a person does who has several new characters: with dialogs whose end `answers` says, one after the other. */
+/** Dialogs that end one after the other as in `answers`, for saving several new characters. */
 function dialogsOneByOne(): void {
   const answers: ('AbortError' | 'NotAllowedError' | 'saved')[] = ['AbortError', 'saved', 'NotAllowedError', 'saved'];
   const asked: string[] = [];
@@ -209,7 +209,7 @@ describe('reloading', () => {
         height: await height(page),
         clip: await page.evaluate(() => window.marrow.save('hero_walk.anim')),
       };
-      // An edit of the take goes too: its file says otherwise now. It can be had back.
+      // The take's edit is replaced too, since its file has changed. Undo restores it.
       await setRange(page, 5);
       await write(page, 'hero_walk.anim', anim(4));
       await write(page, 'hero.skel', SKEL.replace('offset 0 1 0', 'offset 0 7 0'));
@@ -220,14 +220,14 @@ describe('reloading', () => {
       expect(await page.evaluate(() => window.marrow.characters().length)).toBe(1);
       expect(await page.evaluate(() => window.marrow.characters()[0].clips)).toEqual(['hero_walk']);
       expect(await page.getByRole('treeitem', { name: 'tip' }).getAttribute('aria-selected')).toBe('true');
-      // Time stands where it stood: the curve of 4 at 0.5 s, on top of the new offset.
+      // Time hasn't changed: the curve is 4 at 0.5 s, added to the new offset.
       const at = await page.evaluate(() => {
         const now = window.marrow.worldMatrices()[0][13];
         window.marrow.seek(0.5);
         return [now, window.marrow.worldMatrices()[0][13]];
       });
       expect(at[0]).toBe(at[1]);
-      // Both are other than on disk again; then the edit goes as well.
+      // Both differ from the disk again; then the edit is reverted too.
       await page.keyboard.press('Control+z');
       await titled(page, '• 2 files – Marrow');
       expect(await page.evaluate(() => window.marrow.save('hero_walk.anim'))).toContain('range 0 5');
@@ -243,7 +243,7 @@ describe('reloading', () => {
       await page.keyboard.press('Alt+r');
       await page.getByText('nine').first().waitFor();
       expect(await height(page)).toBe(before);
-      // Put right, it comes in with the next.
+      // Corrected, it is loaded with the next reload.
       await write(page, 'hero_walk.anim', anim(2));
       await page.keyboard.press('Alt+r');
       await page.getByText('Reloaded hero_walk.anim.').waitFor();

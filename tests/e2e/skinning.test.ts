@@ -1,4 +1,4 @@
-/** Skinning on a real GPU (or one in software): vertices and pixels read back, and held against the core. */
+/** Skinning on a real GPU (or in software): vertices and pixels read back and compared with the core. */
 import { mkdtempSync, readFileSync, rmSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
@@ -24,7 +24,7 @@ let page: Page;
 const problems: string[] = [];
 
 beforeAll(async () => {
-  // The sources as they are: nothing bundled ahead, and nothing of the project's own configuration.
+  // The sources unbundled, without the project's own configuration.
   server = await createServer({
     root: ROOT,
     configFile: false,
@@ -66,7 +66,7 @@ function need<T>(value: T | undefined): T {
   return value;
 }
 
-/** What the core makes of it, in doubles. */
+/** The core's result, in doubles. */
 function reference(what: Case): { positions: Float64Array; normals: Float64Array } {
   const skin = need(readSkin(what.skin, 'a.skin').value);
   const compiled = compileSkin(skin);
@@ -92,11 +92,11 @@ async function expectVertices(what: Case): Promise<void> {
   const scaled = (list: ArrayLike<number>) => Array.from(list, (x) => x / largest);
   expectClose(scaled(got.positions), scaled(expected.positions), WITHIN.referenceFloat, 'positions on the GPU');
   expectClose(scaled(got.asked), scaled(expected.positions), WITHIN.referenceFloat, 'positions from getVertexPosition');
-  // Normals of length 1 from sums that may cancel: a little wider than positions.
+  // Unit normals from sums that may cancel: a wider tolerance than for positions.
   expectClose(got.normals, expected.normals, 20 * WITHIN.referenceFloat, 'normals on the GPU');
 }
 
-/** How many of the pixels that either has differ by more than a hair. */
+/** Number of covered pixels that differ noticeably. */
 function differing(a: Picture, b: Picture, hair = 6): number {
   let count = 0;
   for (let i = 0; i < a.pixels.length; i += 4) {
@@ -106,7 +106,7 @@ function differing(a: Picture, b: Picture, hair = 6): number {
   return count;
 }
 
-/** Three joints in a chain, and vertices with the given lists of attachments, at places and with normals of their own. */
+/** Three joints in a chain, and vertices with the given lists of attachments, with their own positions and normals. */
 function madeUp(lists: readonly (readonly (readonly [number, number])[])[], bindings: readonly string[]): Case {
   const rows = (value: (v: number) => readonly number[]) => lists.map((_, v) => value(v).join(' ')).join('\n');
   const skin = `
@@ -162,7 +162,7 @@ describe('vertices as the GPU makes them', () => {
 });
 
 describe('light', () => {
-  /** A square of four triangles around its middle, which faces +z; one corner's normal may be the other way round. */
+  /** A square of four triangles around its centre, facing +z; one corner's normal may be flipped. */
   const square = (corner: string): Case => ({
     skin: `
 positions 5 { -1 -1 0  1 -1 0  1 1 0  -1 1 0  0 0 0.1 }
@@ -178,7 +178,7 @@ bindings 0 { }`,
     const wrong = await ask.turned(square('0.3 0.3 -0.9'), false);
     expect(right.drawn).toBeGreaterThan(1000);
     expect(differing(right, wrong, 0)).toBe(0);
-    // Not so by winding alone.
+    // Differs if only the winding is used.
     const plain = await ask.turned(square('0.3 0.3 -0.9'), true);
     expect(differing(right, plain)).toBeGreaterThan(0.1 * right.drawn);
   });
@@ -223,7 +223,7 @@ describeShared('the reference’s skins in a real browser', () => {
 
   it.each(all)('%s: the picture, shadow included, is that of the core’s vertices', async (_, make) => {
     const { skinned, rigid } = await ask.pictures(make());
-    // But for pixels on edges, which rounding may tip.
+    // Except for edge pixels, which rounding may change.
     expect(differing(skinned, rigid)).toBeLessThan(0.004 * skinned.drawn);
   });
 
@@ -234,14 +234,14 @@ describeShared('the reference’s skins in a real browser', () => {
     const what = course(skel, skin, AT_REST);
     const away = ({ pixels }: Picture) => {
       let count = 0;
-      // The blue is the normal's part toward the viewer: 128 is 0.
+      // Blue is the normal's component toward the viewer: 128 is 0.
       for (let i = 0; i < pixels.length; i += 4) if (pixels[i + 3] > 0 && pixels[i + 2] < 127) count++;
       return count;
     };
     const given = await ask.turned(what, false);
     expect(given.drawn).toBeGreaterThan(1000);
     expect(away(given)).toBe(0);
-    // With three.js's own chunk there are.
+    // With three.js's own chunk there are some.
     expect(away(await ask.turned(what, true))).toBeGreaterThan(0.05 * given.drawn);
     for (const winding of ['reversed', 'mixed'] as const) {
       expect(differing(given, await ask.turned({ ...what, winding }, false))).toBeLessThan(0.002 * given.drawn);

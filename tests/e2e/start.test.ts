@@ -27,9 +27,9 @@ afterAll(() => {
 });
 
 interface Started {
-  /** What it has printed so far. */
+  /** Its output so far. */
   text(): string;
-  /** The page's address; empty where the process ended instead. */
+  /** The page's address; empty if the process ended instead. */
   readonly url: string;
   readonly code: number | null;
 }
@@ -38,8 +38,8 @@ const WITH_FILES = /Files: +(\S+)\n/;
 const PLAIN = /Local: +(\S+)\n/;
 
 /**
- * What the script of package.json runs, with the environment that npm gives it; npm itself would be one more process
- * to end. Resolves when the address is printed, or the process has ended.
+ * Runs the script of package.json directly, with npm's environment; npm itself would be another process to end.
+ * Resolves when the address is printed, or the process has ended.
  */
 function start(from: string, args: readonly string[], address: RegExp): Promise<Started> {
   const child = spawn(process.execPath, [VITE, '--open', '--', ...args], {
@@ -69,7 +69,7 @@ function start(from: string, args: readonly string[], address: RegExp): Promise<
   });
 }
 
-/** Status and body; the path goes out as written, where `fetch` would tidy `..` away. */
+/** Status and body; the path is sent as written, while `fetch` would normalise `..`. */
 function get(base: string, path: string): Promise<{ status: number; body: string }> {
   return new Promise((resolve, reject) => {
     const { hostname, port } = new URL(base);
@@ -103,7 +103,7 @@ describe('npm start', () => {
 
   it('opens the plain page where there are none', async () => {
     const { url, text } = await start(join(folder, 'empty'), [], PLAIN);
-    // By the time that it answers, all of what it prints at the start is printed.
+    // When it answers, all of its startup output is printed.
     expect((await get(url, '/')).status).toBe(200);
     expect(text()).not.toContain('Files:');
   });

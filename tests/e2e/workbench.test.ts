@@ -19,7 +19,7 @@ const WASP = ['wasp.skel', 'wasp.skin', 'wasp_walk.anim'];
 const course = (names: readonly string[]) => names.map((name) => ({ name, bytes: sharedBytes(`data/cse169/${name}`) }));
 const broken = (name: string) => ({ name, bytes: sharedBytes(`data/malformed/${name}`) });
 
-/** The opening sample stands, or whatever was opened last. */
+/** Waits for the opening example, or what was opened last. */
 const opened = (page: Page, name?: string) =>
   page.waitForFunction(
     (wanted) => window.marrow?.characters().some((c) => wanted === undefined || c.name === wanted),

@@ -71,7 +71,7 @@ export function documentOf(...characters: Character[]): Document {
   return { ...EMPTY_DOCUMENT, characters };
 }
 
-/** Records what the viewport is told instead of drawing it. */
+/** Records calls to the viewport instead of drawing. */
 export function workbench(document: Document = EMPTY_DOCUMENT, playback: Partial<Playback> = {}) {
   const seeks: number[] = [];
   const saved: string[] = [];
@@ -88,7 +88,7 @@ export function workbench(document: Document = EMPTY_DOCUMENT, playback: Partial
     character: () => undefined,
     holdTravel: () => () => {},
   };
-  // What no test touches, the canvas and the element around it, needs a browser.
+  // The canvas and its element need a browser, and no test uses them.
   const wb: Workbench = {
     actions: {
       all: () => pageActions(wb),

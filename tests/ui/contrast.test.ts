@@ -1,4 +1,4 @@
-/** Text, and whatever colour alone tells apart, has a contrast of 4.5:1 on both themes (WCAG 2.2, 1.4.3). */
+/** Text, and everything distinguished by colour alone, has a contrast of 4.5:1 in both themes (WCAG 2.2, 1.4.3). */
 import { readFileSync } from 'node:fs';
 import { describe, expect, it } from 'vitest';
 

@@ -65,7 +65,7 @@ describe.each(cameras)('a %s camera', (_kind, made) => {
     const projection = new CameraProjection();
     projection.look(camera, HEIGHT);
     const wanted = camera.getWorldDirection(new Vector3()).negate();
-    // In the middle of the picture, for a perspective one.
+    // In the centre of the view, for a perspective camera.
     projection.towardsViewer([0, 0, 0]).forEach((v, k) => {
       expect(Math.abs(v - wanted.getComponent(k))).toBeLessThan(NEAR);
     });

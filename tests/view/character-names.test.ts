@@ -4,7 +4,7 @@ import { placeName } from '../../src/view/character-names.ts';
 import { assignInstances } from '../../src/view/drawn-skeletons.ts';
 import { joint } from '../helpers/builders.ts';
 
-/** Ten units of the world are a picture of 1000 × 1000 pixels, the origin in its middle. */
+/** Ten world units are a viewport of 1000 × 1000 pixels, with the origin at its centre. */
 const camera = new OrthographicCamera(-5, 5, 5, -5, -100, 100);
 const toClip = new Matrix4().multiplyMatrices(camera.projectionMatrix, camera.matrixWorldInverse);
 

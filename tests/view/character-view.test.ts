@@ -58,7 +58,7 @@ function shown(what: Character, timeSeconds = 0): CharacterView {
   return view;
 }
 
-/** Deformed positions and the box around them, against the reference, in floats as the GPU has them. */
+/** Compares deformed positions and their bounding box with the reference, in floats as on the GPU. */
 function expectVertices(view: CharacterView, expected: Expected, vertices: readonly number[]): void {
   const all = view.vertices();
   const largest = all.reduce((most, x) => Math.max(most, Math.abs(x)), 1);
@@ -207,7 +207,7 @@ describe('a character in the picture', () => {
     expect(two.geometry).toBe(one.geometry);
     expect(two.skeleton).toBe(one.skeleton);
     view.object.updateMatrixWorld();
-    // Vertex 1 is at (1, 1, 0): the root is one up.
+    // Vertex 1 is at (1, 1, 0); the root is raised by 1.
     const at = two.getVertexPosition(1, new Vector3()).applyMatrix4(two.matrixWorld);
     expectClose([...at], [10, 2, -2], WITHIN.rounding);
     expect(view.bounds(new Box3()).max.x).toBeCloseTo(10, 9);
@@ -241,7 +241,7 @@ describe('a character in the picture', () => {
     const capture = shown(character({ skeleton: captured, clips: take ? [take] : [], shownClip: 0 }), 0.5);
     const other = turning(['rx', 'rz', 'ry']);
     const view = shown(character({ skeleton: other, pose: [...capture.dofs] }), 0.5);
-    // One after the other, as the page plays them.
+    // One after the other, as in playback.
     capture.seek(0.5);
     view.seek(0.5);
     expect(view.dofs).toEqual(capture.dofs);

@@ -3,14 +3,14 @@ import { describe, expect, it } from 'vitest';
 import { runToEnd } from '../../src/evaluate/steps.ts';
 import { facingOf } from '../../src/view/facing.ts';
 
-/** An octahedron wound outward, and its smooth normals, which are its corners. */
+/** An octahedron wound outwards, with smooth normals, which equal its corners. */
 const CORNERS = Float64Array.of(1, 0, 0, -1, 0, 0, 0, 1, 0, 0, -1, 0, 0, 0, 1, 0, 0, -1);
 const OUTWARD = Uint32Array.of(0, 2, 4, 2, 1, 4, 1, 3, 4, 3, 0, 4, 2, 0, 5, 1, 2, 5, 3, 1, 5, 0, 3, 5);
 const UNTURNED = new Float32Array(6);
 
 const facing = (triangles: Uint32Array, normals = CORNERS) => runToEnd(facingOf(triangles, CORNERS, normals));
 
-/** Some triangles with their first two corners exchanged. */
+/** The triangles with the first two corners of some swapped. */
 function rewound(which: readonly boolean[]): Uint32Array {
   const out = OUTWARD.slice();
   which.forEach((is, t) => {
@@ -59,7 +59,7 @@ describe('the facing of a skin', () => {
   });
 
   it('takes both sides of a sheet, if they are triangles of their own, by their normals', () => {
-    // Two triangles, each there twice: their common edge has four triangles.
+    // Two triangles, twice each: their common edge belongs to four triangles.
     const positions = Float64Array.of(0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0);
     const normals = Float64Array.of(0, 0, 1, 0, 0, 1, 0, 0, 1, 0, 0, 1);
     const twice = Uint32Array.of(0, 1, 2, 0, 2, 3, 1, 0, 2, 2, 0, 3);
@@ -72,7 +72,7 @@ describe('the facing of a skin', () => {
     const positions = Float64Array.from({ length: 3 * (count + 2) }, (_, i) => [Math.floor(i / 6), 0, 0][i % 3]);
     for (let v = 1; v < count + 2; v += 2) positions[3 * v + 1] = 1;
     const normals = Float64Array.from(positions, (_, i) => (i % 3 === 2 ? 1 : 0));
-    // Below, above, below, above, to the right: three in a row face forward from the second on, and every other time.
+    // Below, above, below, above, to the right: a strip.
     const strip = Array.from({ length: count }, (_, t) => (t % 2 ? [t, t + 1, t + 2] : [t + 1, t, t + 2]));
     const turns = fc.array(fc.boolean(), { minLength: count, maxLength: count });
     fc.assert(

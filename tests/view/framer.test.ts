@@ -11,7 +11,7 @@ import { character, documentOf, skeleton } from '../helpers/builders.ts';
 const STILL = [0, 0] as const;
 const COVERED = 90;
 
-/** Two copies, the second ten to the right and twice as large; what the camera was told, in words. */
+/** Two instances, the second ten to the right and twice as large; logs the calls to the camera. */
 function framing() {
   const second = { ...DEFAULT_PLACEMENT, position: [10, 0, 0] as const, scale: 2 };
   const shown = character({ skeleton: skeleton(3), placements: [DEFAULT_PLACEMENT, second] });

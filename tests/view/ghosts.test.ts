@@ -8,7 +8,7 @@ import { captured, figure, take } from '../helpers/mocap.ts';
 
 const ON: Display = { ...DEFAULT_DISPLAY, ghosts: true, ghostsBefore: 2, ghostsAfter: 2, ghostStep: 0.1 };
 
-/** Where the balls of node 0 are, ghost by ghost. */
+/** Positions of node 0's ball, ghost by ghost. */
 function roots(ghosts: Ghosts, nodes: number): number[][] {
   const [balls] = ghosts.object.children.filter((m) => m instanceof InstancedMesh).slice(-1);
   const matrix = new Matrix4();

@@ -2,7 +2,7 @@ import { Vector3 } from 'three';
 import { beforeEach, expect, it } from 'vitest';
 import { JointFollower } from '../../src/view/joint-follower.ts';
 
-/** Where every joint is. */
+/** Position of every joint. */
 const place = new Vector3();
 let moves: string[];
 let follower: JointFollower;

@@ -12,7 +12,7 @@ const rows = (indices: number[], values: number[]) => ({
 });
 const none = rows([], []);
 
-/** `filler` more morphs than the two that are looked at. */
+/** `filler` more morphs than the two being tested. */
 function morphed(filler: number) {
   const base = skin();
   const normals = Float64Array.of(0, 0, 1, 0, 0, 1, 0, 0, 1);
@@ -66,7 +66,7 @@ describe('morphs', () => {
 
   it('leave the GPU alone when there are more than its texture takes, but for what changed', () => {
     const { geometry, made, apply } = morphed(3000);
-    // Packed as one: it is not interleaved.
+    // Packed as such: it isn't interleaved.
     const position = geometry.getAttribute('position') as BufferAttribute;
     expect(geometry.morphAttributes.position).toBeUndefined();
     expect(made.influences).toEqual([]);

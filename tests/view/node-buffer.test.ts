@@ -5,7 +5,7 @@ import { NODE_STRIDE, NodeBuffer, NodeMesh, type NodeShape } from '../../src/vie
 import { fillBones, fillNodes, placePoints, placePositions } from '../../src/view/node-matrices.ts';
 import { figure } from '../helpers/mocap.ts';
 
-/** Floats beside doubles, of a figure some 100 units high. */
+/** Floats against doubles, for a character some 100 units high. */
 const SAME_ELEMENT = 1e-4;
 
 const skeleton = figure();

@@ -2,7 +2,7 @@ import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
 import { decodeId, encodeId, IdRuns, nearestId } from '../../src/view/pick-ids.ts';
 
-/** A picture of `size` × `size` ids, rows from the bottom. */
+/** An image of `size` × `size` ids, rows from the bottom. */
 function picture(size: number, ids: Readonly<Record<number, number>>): Uint8Array {
   const pixels = new Uint8Array(4 * size * size);
   for (const [index, id] of Object.entries(ids)) pixels.set(encodeId(id), 4 * Number(index));

@@ -104,7 +104,7 @@ describe('the track of a character', () => {
         for (const time of times) {
           played.seek(time);
           poseAt(model, time, expected);
-          // −0 and 0 are one value here.
+          // −0 counts as 0.
           expect([...played.dofs].map((x) => x + 0)).toEqual([...expected].map((x) => x + 0));
           expect(played.dofs.every(Number.isFinite)).toBe(true);
         }

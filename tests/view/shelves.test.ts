@@ -6,7 +6,7 @@ const WIDTH = 100;
 const HEIGHT = 60;
 const SHELF = 20;
 
-/** Strips that found room, until one did not. */
+/** Places strips until one doesn't fit. */
 function placed(widths: readonly number[]): { x: number; y: number; width: number }[] {
   const shelves = new Shelves(WIDTH, HEIGHT, SHELF);
   const corner = new Float64Array(2);

@@ -30,21 +30,21 @@ function drawn(skeletons: readonly Skeleton[], display: Partial<Display> = {}): 
   return drawing;
 }
 
-/** What a frame draws: meshes with something in them. */
+/** The draw calls of a frame: meshes that aren't empty. */
 function calls({ object }: SkeletonDrawing): InstancedMesh[] {
   return object.children.filter(
     (mesh): mesh is InstancedMesh => mesh instanceof InstancedMesh && mesh.visible && mesh.count > 0,
   );
 }
 
-/** Of one instance of each mesh that is drawn. */
+/** Triangles per instance of each mesh drawn. */
 function triangles(drawing: SkeletonDrawing): number[] {
   return calls(drawing)
     .map(({ geometry }) => (geometry.index?.count ?? 0) / 3)
     .sort((a, b) => b - a);
 }
 
-/** Instances of a mesh that have any size. */
+/** Instances of a mesh with a size other than 0. */
 function seen(mesh: InstancedMesh): number[] {
   const matrix = new Matrix4();
   return Array.from({ length: mesh.count }, (_, i) => i).filter((i) => {
@@ -57,7 +57,7 @@ describe('a skeleton without boxes', () => {
   it('a skeleton without boxes is drawn as balls and bones, End Sites included', () => {
     const [balls, bones] = calls(drawn([figure()]));
     expect(seen(balls)).toHaveLength(9);
-    // One to each joint but the root, one to each End Site.
+    // One for each joint but the root, one for each End Site.
     expect(seen(bones)).toEqual([1, 2, 3, 4, 5, 6, 7, 8]);
   });
 

@@ -81,7 +81,7 @@ describe('the wire of a skin', () => {
     const triangles = fc
       .array(fc.tuple(fc.nat(9), fc.nat(9), fc.nat(9)), { maxLength: 30 })
       .map((all) => Uint32Array.from(all.flat()));
-    /** Plainly: a set of pairs, the lower vertex first, none of a vertex with itself. */
+    /** Naively: a set of pairs, the lower vertex first, without degenerate ones. */
     const sidesOf = (all: Uint32Array) => {
       const sides = new Set<string>();
       for (let i = 0; i < all.length; i++) {

@@ -9,7 +9,7 @@ import { withExactSkinning } from '../../src/view/skinning.ts';
 import { character, joint, skin } from '../helpers/builders.ts';
 import { expectClose, WITHIN } from '../helpers/close.ts';
 
-/** One vertex a list of (joint, weight) pairs, all at the same place. */
+/** One vertex per list of (joint, weight) pairs, all at the same position. */
 function attached(lists: readonly (readonly (readonly [number, number])[])[], bindings: readonly Matrix4[]): Skin {
   const start = Uint32Array.of(0, ...lists.map((_, v) => lists.slice(0, v + 1).flat().length));
   return skin('hero', 0, {
@@ -93,7 +93,7 @@ describe('skinning on the CPU, as three.js asks for it', () => {
     mesh.skeleton.update();
     expect([...boneMatrices.subarray(16, 32)]).toEqual([0.5, 0, 0, 0, 0, 0.5, 0, 0, 0, 0, 0.5, 0, 0, 2, 0, 1]);
     expect([...boneMatrices.subarray(32, 48)]).toEqual(new Matrix4().elements);
-    // For exporters: three.js's own idea of the same.
+    // For exporters: three.js's own inverse bindings.
     expect(mesh.skeleton.boneInverses[1].elements[0]).toBe(0.5);
   });
 });
@@ -101,7 +101,7 @@ describe('skinning on the CPU, as three.js asks for it', () => {
 describe('a material with exact skinning', () => {
   const compiled = (material: MeshStandardMaterial, shaders: { vertexShader: string; fragmentShader: string }) => {
     const shader = { ...shaders, uniforms: {} };
-    // Only these three are touched; a whole set of program parameters is the renderer's to make.
+    // Only these three are used; the renderer has many more parameters.
     material.onBeforeCompile(shader as Parameters<typeof material.onBeforeCompile>[0], {} as never);
     return shader;
   };

@@ -12,7 +12,7 @@ const skeleton = figure();
 const motion = take(skeleton, [[0, 85, 0]]);
 const document = documentOf(captured(skeleton, motion, { id: 'a' }), captured(skeleton, motion, { id: 'b' }));
 
-/** Colours of the joints, as instances. */
+/** Colours of the joints, by instance. */
 function painted(tints: Tints): Color[] {
   const characters = new ShownCharacters(
     new Group(),

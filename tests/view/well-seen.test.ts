@@ -2,7 +2,7 @@ import { Box3, OrthographicCamera, PerspectiveCamera, Vector3 } from 'three';
 import { describe, expect, it } from 'vitest';
 import { isWellSeen } from '../../src/view/well-seen.ts';
 
-/** Five metres in front of a person who stands at the origin. */
+/** Five metres in front of a person at the origin. */
 function camera(distance = 5) {
   const made = new PerspectiveCamera(40, 1.5, 0.01, 100);
   made.position.set(0, 0.9, distance);

@@ -1,18 +1,18 @@
 /**
- * Shows tooltips: one element for the page, in the top layer so that it lies over dialogs too, and listeners on the
- * window instead of on every element. The pointer acts through it on what is below.
+ * Shows tooltips: a single element in the top layer, so that it is over dialogs too, with listeners on the window
+ * rather than on every element. It lets pointer events through.
  */
 import { element, setAttribute, setText, uniqueId } from './dom.ts';
 import { type Tooltip, tooltipAround, tooltipOf } from './tooltip.ts';
 import { isOnTooltip, placeTooltip } from './tooltip-placement.ts';
 import { dueAt, NO_TOOLTIP, nextTooltip, type TooltipEvent, type TooltipState } from './tooltip-state.ts';
 
-/** How often the text of a shown one is asked for again. */
+/** Interval at which the shown text is updated. */
 const REFRESH_MS = 200;
-/** A finger that moves farther scrolls or drags. */
+/** A finger that moves further scrolls or drags. */
 const HOLD_SLOP = 8;
 
-/** @param signal takes it and its listeners away again */
+/** @param signal removes it and its listeners */
 export function startTooltips(signal: AbortSignal): void {
   const layer = new TooltipLayer();
   const on = <K extends keyof WindowEventMap>(type: K, listener: (event: WindowEventMap[K]) => void) =>
@@ -52,9 +52,9 @@ class TooltipLayer {
   private state: TooltipState<Element> = NO_TOOLTIP;
   private timer: ReturnType<typeof setTimeout> | undefined;
   private refreshing: ReturnType<typeof setInterval> | undefined;
-  /** What the target was described by without its tooltip. */
+  /** The target's `aria-describedby` without the tooltip. */
   private described: { readonly target: Element; readonly by: string | null } | undefined;
-  /** The last thing used was the keyboard. */
+  /** Whether the keyboard was used last. */
   private isByKeyboard = false;
   private finger: { readonly x: number; readonly y: number; hasShown: boolean } | undefined;
 
@@ -74,7 +74,7 @@ class TooltipLayer {
     this.state = next;
     clearTimeout(this.timer);
     const due = dueAt(next);
-    // Timers may come a little early.
+    // Timers may fire slightly early.
     if (due !== undefined) this.timer = setTimeout(() => this.send({ kind: 'time' }), due - performance.now() + 1);
     const shown = next.kind === 'shown' ? next.target : undefined;
     if (shown === (before.kind === 'shown' ? before.target : undefined)) return;
@@ -91,7 +91,7 @@ class TooltipLayer {
       }
       return;
     }
-    // Only what is over something new matters while none is shown.
+    // While none is shown, only entering a new element matters.
     if (event.buttons || (event.type === 'pointermove' && this.state.kind !== 'shown')) return;
     const found = event.target instanceof Element ? worthShowing(tooltipAround(event.target)) : undefined;
     const isOn =
@@ -112,7 +112,7 @@ class TooltipLayer {
     this.send({ kind: 'hold', target: found.target });
   }
 
-  /** A finger that held to read has not pressed the button. */
+  /** Holding a finger to read doesn't press the button. */
   onClick(event: MouseEvent): void {
     if (!this.finger?.hasShown || event.detail === 0) return;
     this.finger = undefined;
@@ -132,13 +132,13 @@ class TooltipLayer {
     if (event.key === 'Escape' || event.key === 'Enter' || event.key === ' ') this.send({ kind: 'dismiss' });
   }
 
-  /** Lists keep the focus while arrow keys go from row to row. */
+  /** Lists keep the focus while arrow keys move between rows. */
   onKeyUp(event: KeyboardEvent): void {
     const isMove = /^(Arrow|Home|End|Page)/.test(event.key);
     if (isMove && document.activeElement?.hasAttribute('aria-activedescendant')) this.showFocus();
   }
 
-  /** The tooltip of what the keyboard has come to: a control, or the row that its list points at. */
+  /** Tooltip of the focused control, or of its active row. */
   showFocus(): void {
     const { activeElement } = document;
     if (!this.isByKeyboard || !activeElement?.matches(':focus-visible')) return;
@@ -148,7 +148,7 @@ class TooltipLayer {
     this.send({ kind: 'focus', target: found?.target });
   }
 
-  /** Of what the target is in: what scrolls elsewhere moves nothing of it. */
+  /** Scrolling of what contains the target; other scrolling doesn't move it. */
   onScroll(event: Event): void {
     const { state } = this;
     if (state.kind === 'hidden' || !(event.target instanceof Node) || !event.target.contains(state.target)) return;
@@ -181,7 +181,7 @@ class TooltipLayer {
     if (this.element.matches(':popover-open')) this.element.hidePopover();
   }
 
-  /** What a text depends on may change while it is read, and its element may go. */
+  /** The text may change while shown, and its element may be removed. */
   private refresh(target: Element): void {
     const tooltip = target.isConnected && target.getClientRects().length > 0 ? tooltipOf(target) : undefined;
     if (!tooltip) this.send({ kind: 'dismiss' });
@@ -208,7 +208,7 @@ class TooltipLayer {
     this.element.style.top = `${at.top}px`;
   }
 
-  /** A text that is the name already is not read out twice. */
+  /** A text equal to the name isn't read twice. */
   private describe({ target, text, shortcut }: Tooltip): void {
     const isNamed = text === (target.getAttribute('aria-label') ?? plain(target.textContent));
     const id = !isNamed ? this.element.id : shortcut ? this.shortcut.id : undefined;
@@ -219,7 +219,7 @@ class TooltipLayer {
   }
 }
 
-/** None that only repeats a text which can be read in full. */
+/** No tooltip that only repeats a fully visible text. */
 function worthShowing(tooltip: Tooltip | undefined): Tooltip | undefined {
   if (!tooltip || tooltip.shortcut || plain(tooltip.target.textContent) !== plain(tooltip.text)) return tooltip;
   const parts = [tooltip.target, ...tooltip.target.querySelectorAll('*')];

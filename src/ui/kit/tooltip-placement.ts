@@ -1,4 +1,4 @@
-/** Where a tooltip is put. All in CSS pixels from the window's upper left corner. */
+/** Placement of tooltips. CSS pixels from the window's upper left corner. */
 
 export interface Box {
   readonly left: number;
@@ -14,12 +14,12 @@ export interface Size {
 
 /** Between an element and its tooltip. */
 export const GAP = 6;
-/** Kept free at the window's edges. */
+/** Margin at the window's edges. */
 export const MARGIN = 4;
 
 /**
- * Below the element and centred on it, or above where there is no room below; always inside the window. Below an element
- * that is wider than the tooltip it begins where the element does.
+ * Below the element and centred, or above if there is no room below; always inside the window. Under an element wider
+ * than the tooltip, it is left-aligned with it.
  */
 export function placeTooltip(anchor: Box, size: Size, room: Size): { readonly left: number; readonly top: number } {
   const bottom = Math.min(room.height, anchor.top + anchor.height);
@@ -35,7 +35,7 @@ export function placeTooltip(anchor: Box, size: Size, room: Size): { readonly le
   };
 }
 
-/** Whether a point is on the tooltip, or in the gap on the way to it. */
+/** Whether a point is on the tooltip, or in the gap before it. */
 export function isOnTooltip(x: number, y: number, tooltip: Box): boolean {
   return (
     x >= tooltip.left &&

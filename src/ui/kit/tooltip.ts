@@ -1,9 +1,9 @@
 /**
- * Tooltips: what an element says when the pointer rests on it, the keyboard focuses it, or a finger holds it. Instead of
- * the browser's `title`, which neither focus nor touch shows. `startTooltips` (tooltip-layer.ts) shows them.
+ * Tooltips: shown when the pointer rests on an element, the keyboard focuses it, or a finger holds it. Replaces the
+ * browser's `title`, which neither focus nor touch shows. `startTooltips` (tooltip-layer.ts) displays them.
  */
 
-/** A text that depends on something is a function, called while it is shown; empty or undefined is none. */
+/** A function is called while shown, for texts that depend on state; empty or undefined: no tooltip. */
 export type TooltipText = string | (() => string | undefined);
 
 export interface Tooltip {
@@ -20,8 +20,9 @@ interface Source {
 const sources = new WeakMap<Element, Source>();
 
 /**
- * Replaces the tooltip of an element. It is no accessible name: an element without a label needs an `aria-label` too.
- * @param shortcut the key that does the same, as text
+ * Sets the tooltip of an element. It isn't the accessible name: an element without a label needs an `aria-label` too.
+ *
+ * @param shortcut the equivalent shortcut, as text
  */
 export function setTooltip(target: Element, text: TooltipText | undefined, shortcut?: () => string | undefined): void {
   if (text === undefined || text === '') sources.delete(target);
@@ -35,7 +36,7 @@ export function tooltipOf(target: Element): Tooltip | undefined {
   return text ? { target, text, shortcut: source?.shortcut?.() } : undefined;
 }
 
-/** The tooltip of an element, or of the nearest one around it that has one. */
+/** The tooltip of an element, or of its nearest ancestor with one. */
 export function tooltipAround(inner: Element | null): Tooltip | undefined {
   for (let target = inner; target; target = target.parentElement) {
     const tooltip = tooltipOf(target);

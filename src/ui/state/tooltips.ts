@@ -1,4 +1,4 @@
-/** Tooltips that name the key of what a button does, as it is when they are shown. */
+/** Tooltips with the current shortcut of a button's action. */
 import { isMac } from '../kit/keyboard.ts';
 import { setTooltip, type TooltipText } from '../kit/tooltip.ts';
 import { findAction } from './action.ts';

@@ -1,6 +1,6 @@
 /**
- * What a test of skinning needs of a real GPU: vertices as the vertex shader makes them, read back in floats, and
- * pictures, read back in bytes. The page's side of `../skinning.test.ts`.
+ * Reads back what a real GPU makes of skinning: vertices from the vertex shader, in floats, and pictures, in bytes. The
+ * page's side of `../skinning.test.ts`.
  */
 import {
   AmbientLight,
@@ -34,14 +34,14 @@ import { DEFAULT_DISPLAY, type Display } from '../../../src/model/session.ts';
 import { CharacterView } from '../../../src/view/character-view.ts';
 import { type MarrowSkinnedMesh, withExactSkinning } from '../../../src/view/skinning.ts';
 
-/** Files as text, and what is asked of them. */
+/** Files as text, with what to do with them. */
 export interface Case {
   readonly skel?: string;
   readonly skin: string;
   readonly morphs?: readonly string[];
   /** All of the character's DOFs; not clamped. */
   readonly pose: readonly number[];
-  /** So many morphs that move nothing, beside those given. */
+  /** Number of additional morphs that move nothing. */
   readonly idleMorphs?: number;
   /** A texture for the skin, from a canvas: whether it is there. */
   readonly winding?: 'as given' | 'reversed' | 'mixed';
@@ -49,10 +49,10 @@ export interface Case {
 }
 
 export interface Vertices {
-  /** As the GPU made them. */
+  /** From the GPU. */
   readonly positions: number[];
   readonly normals: number[];
-  /** As `getVertexPosition` says. */
+  /** From `getVertexPosition`. */
   readonly asked: number[];
 }
 
@@ -107,7 +107,7 @@ function characterOf(what: Case): Character {
   };
 }
 
-/** Points that are skinned as a mesh is, one pixel each. */
+/** Points skinned like a mesh, one pixel each. */
 class SkinnedPoints extends Points {
   readonly isSkinnedMesh = true;
   readonly skeleton: MarrowSkinnedMesh['skeleton'];
@@ -126,7 +126,7 @@ class SkinnedPoints extends Points {
   }
 }
 
-/** A pixel a vertex, row after row; what its fragment gets is `what`. */
+/** One pixel per vertex, row by row; the fragment shader outputs `what`. */
 const READ_BACK = (what: string) => /* glsl */ `
 flat out vec3 vValue;
 #include <common>
@@ -185,7 +185,7 @@ function vertices(what: Case): Vertices {
   return out;
 }
 
-/** A camera that looks at the origin of a box, from the front and a little above. */
+/** A camera that looks at a box's centre, from the front and slightly above. */
 function cameraFor(centre: Vector3, radius: number): OrthographicCamera {
   const camera = new OrthographicCamera(-radius, radius, radius, -radius, 0, 6 * radius);
   camera.position.copy(centre).add(new Vector3(0.6, 0.5, 1).setLength(3 * radius));
@@ -193,7 +193,7 @@ function cameraFor(centre: Vector3, radius: number): OrthographicCamera {
   return camera;
 }
 
-/** Two lights, and a floor that takes shadows. */
+/** Two lights, and a floor that receives shadows. */
 function stage(centre: Vector3, radius: number): Scene {
   const scene = new Scene();
   const light = new DirectionalLight(0xffffff, 3);
@@ -228,7 +228,7 @@ function picture(scene: Scene, camera: Camera): Picture {
   return { pixels: [...pixels], drawn };
 }
 
-/** The character as the page draws it, and the same vertices deformed by the core and drawn as a mesh that is rigid. */
+/** The character as the page draws it, and its vertices deformed by the core and drawn as a rigid mesh. */
 function pictures(what: Case): { readonly skinned: Picture; readonly rigid: Picture } {
   const character = characterOf(what);
   const view = new CharacterView(renderer);
@@ -264,7 +264,7 @@ function pictures(what: Case): { readonly skinned: Picture; readonly rigid: Pict
   return both;
 }
 
-/** The character alone in some style, after its texture has come. */
+/** The character alone in some style, after its texture has loaded. */
 async function styled(what: Case, display: Partial<Display>, heatJoint?: number): Promise<Picture> {
   let came: (() => void) | undefined;
   const textured = new Promise<void>((resolve) => {
@@ -284,7 +284,7 @@ async function styled(what: Case, display: Partial<Display>, heatJoint?: number)
   return taken;
 }
 
-/** Shading normals in the space of the view, as colours: 0.5 + 0.5 n. `plain`: as three.js turns them, by the file's winding. */
+/** Shading normals in view space as colours: 0.5 + 0.5 n. `plain`: as oriented by three.js, by the file's winding. */
 function turned(what: Case, plain: boolean): Picture {
   const view = new CharacterView(renderer);
   view.show(characterOf(what), DEFAULT_DISPLAY, undefined);

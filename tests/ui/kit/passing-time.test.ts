@@ -1,7 +1,7 @@
 import { beforeEach, describe, expect, it } from 'vitest';
 import { type Clock, PassingTime } from '../../../src/ui/kit/passing-time.ts';
 
-/** Time that goes on when it is told to. */
+/** A clock that advances on request. */
 class Hands implements Clock {
   private at = 0;
   private waiting: { readonly due: number; readonly run: () => void }[] = [];

@@ -98,7 +98,7 @@ describe('runAction', () => {
         return wb.store.selection.joint;
       },
     );
-    // The root first; its first child; that one's sibling, which has no child; and up again.
+    // The root; its first child; that one's sibling, which has no child; and its parent.
     expect(joints).toEqual([0, 1, 3, 3, 0]);
   });
 

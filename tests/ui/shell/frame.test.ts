@@ -1,4 +1,4 @@
-/** What index.html repeats, for it is there before any script, is what the script would say. */
+/** What index.html repeats, to be visible before any script, matches what the script would show. */
 import { readFileSync } from 'node:fs';
 import { describe, expect, it } from 'vitest';
 import { MENUS } from '../../../src/ui/state/menus.ts';

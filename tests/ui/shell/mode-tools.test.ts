@@ -11,12 +11,12 @@ beforeEach(() => {
 });
 afterEach(() => void vi.unstubAllGlobals());
 
-/** What was fetched arrives, and whoever waited for it goes on. */
+/** Lets pending promises settle. */
 const settled = async () => {
   for (let i = 0; i < 10; i++) await Promise.resolve();
 };
 
-/** Tools that arrive when the test says so. */
+/** Tools that load when the test says so. */
 function page() {
   const { wb } = workbench();
   const log: string[] = [];

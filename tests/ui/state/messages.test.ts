@@ -103,7 +103,7 @@ describe('an opening', () => {
       ['a.skel', false],
       ['b.skin', true],
     ]);
-    // What has nothing to say takes nobody's attention from what has.
+    // An info doesn't replace a message that matters.
     messages.report([diagnostic({ file: 'c.bvh', severity: 'info' })]);
     expect(messages.list.get().map((m) => m.unread)).toEqual([false, true, false]);
   });

@@ -65,7 +65,7 @@ describe('rememberedSettings', () => {
         writes.push(value);
       },
     };
-    // As much of a Storage as is used.
+    // The part of a Storage that is used.
     return { store: store as unknown as Storage, writes };
   }
 

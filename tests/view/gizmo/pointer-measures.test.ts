@@ -11,7 +11,7 @@ import {
 } from '../../../src/view/gizmo/pointer-measures.ts';
 import { expectClose } from '../../helpers/close.ts';
 
-/** Looks along −z, a hundred pixels a unit, the origin in the middle of 800 × 600. */
+/** Looks along −z, 100 pixels per unit, the origin at the centre of 800 × 600. */
 const flat: Sight = {
   toScreen: ([x, y, z]) => ({ x: 400 + 100 * x, y: 300 - 100 * y, depth: 10 - z }),
   rayAt: (x, y) => ({ origin: [(x - 400) / 100, (300 - y) / 100, 10], direction: [0, 0, -1] }),
@@ -41,7 +41,7 @@ describe('a ring that faces the viewer', () => {
 describe('a ring seen aslant', () => {
   it('a ring seen aslant stays under the pointer', () => {
     const axis: Vec3 = [Math.SQRT1_2, 0, Math.SQRT1_2];
-    // Points of the ring, by angle from y on: y · cos + (axis × y) · sin.
+    // Points of the ring, by angle from y: y · cos + (axis × y) · sin.
     const at = (angle: number): [number, number] => {
       const side: Vec3 = [-Math.SQRT1_2, 0, Math.SQRT1_2];
       const { x, y } = flat.toScreen([side[0] * Math.sin(angle), Math.cos(angle), side[2] * Math.sin(angle)]);
@@ -55,7 +55,7 @@ describe('a ring seen aslant', () => {
 
 describe('a ring on edge', () => {
   it('turns along its line, its near half by the right-hand rule', () => {
-    // About x, seen along −z: what is near, at +z, goes down the screen as the angle grows.
+    // About x, seen along −z: the near part, at +z, moves down the screen as the angle grows.
     const measure = turnMeasure(flat, [1, 0, 0], ORIGIN, 1, 400, 300);
     expect(measure(400, 350)).toBeCloseTo(0.5, 9);
     expect(measure(480, 350)).toBeCloseTo(0, 9);
@@ -71,7 +71,7 @@ describe('other ways of a hand', () => {
   it('slides along an axis by what its point under the pointer does', () => {
     const axis: Vec3 = [0.6, 0, 0.8];
     const measure = slideMeasure(flat, axis, ORIGIN, 460, 300);
-    // The screen shows 0.6 of what goes along it.
+    // The screen shows 0.6 of a motion along it.
     expect(measure(520, 330)).toBeCloseTo(1, 9);
   });
 

@@ -50,7 +50,7 @@ describe('a gizmo on the screen', () => {
     const range = { ...FREE, value: 0.5 };
     const shear = laid([handle(0, 'shear', [1, 0, 0], [0, 1, 0], { arm: [0, 1, 0], range })]).shapes[0];
     expect([...shear.points.slice(2)]).toEqual([445, 210]);
-    // Another one on the same arm is not in its way.
+    // Another one on the same arm doesn't overlap.
     const other = laid([handle(0, 'shear', [0, 0, 1], [0, 1, 0], { arm: [0, 1, 0], hue: 1 })]).shapes[0];
     expect(other.points[3]).toBeGreaterThan(210 + 12);
   });
@@ -67,7 +67,7 @@ describe('the range on a ring', () => {
   it('the range on a ring is counted from where the DOF stands', () => {
     const range = { value: 1, min: -0.5, max: 1.5 };
     expect([-1.6, -1.4, 0, 0.4, 0.6].map((angle) => isAllowed(range, angle))).toEqual([false, true, true, true, false]);
-    // The same places a turn on.
+    // The same positions, a full turn away.
     expect(isAllowed(range, 0.4 - 2 * Math.PI)).toBe(true);
     expect(isAllowed(range, 0.6 - 2 * Math.PI)).toBe(false);
   });

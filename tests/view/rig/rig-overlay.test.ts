@@ -6,7 +6,7 @@ import { skeleton } from '../../ui/builders.ts';
 
 const IDENTITY = Float64Array.of(1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1);
 
-/** Joints stand a unit apart along x; the second copy stands a unit higher. */
+/** Joints are a unit apart along x; the second instance is a unit higher. */
 function picture(of: Skeleton, copy = 0): RigPicture {
   const world = new Float64Array(16 * of.joints.length);
   for (const j of of.joints.keys()) {

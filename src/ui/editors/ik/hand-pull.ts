@@ -1,6 +1,6 @@
 /**
- * What a drag does to the page: its pose is a preview, its release one undo step, its end leaves where the pins hold.
- * Owns the gesture of the store; not how the hand moves (`PinDrag`, `PinNudge`), nor what the pose does (`Pull`).
+ * A drag's effect on the page: the pose is previewed, the release is one undo step, and pin targets stay where it ends.
+ * Owns the store's gesture; pointer motion belongs to `PinDrag` and `PinNudge`, the pose to `Pull`.
  */
 import { type SetDofs, setDofs } from '../../../edit/commands/pose.ts';
 import type { Command, Edit } from '../../../edit/store.ts';

@@ -1,10 +1,10 @@
 /**
- * From the pointer to places in the world. Owns the press, its manner and one step a frame; not the document
- * (`HandPull`), nor what the pose does (`evaluate/ik/drag/pull.ts`).
+ * Converts pointer motion to world positions. Owns the press, its kind and one step per frame; the document belongs to
+ * `HandPull`, the pose to `evaluate/ik/drag/pull.ts`.
  *
- * The mouse drags a point in the plane through it that faces the camera, or in depth (up is away) while Alt is held
- * or a second finger is down, or from the beginning by the right button. A press that goes nowhere is a click, and nothing
- * has begun; one of a finger that stays is a long press.
+ * The mouse drags a point in the camera-facing plane through it, or in depth (up is away) while Alt is held or a second
+ * finger is down, or always with the right button. A press without motion is a click, and starts nothing; a finger held
+ * still is a long press.
  */
 import type { Vec3 } from '../../../math/vec3.ts';
 import { findCharacter } from '../../../model/document.ts';

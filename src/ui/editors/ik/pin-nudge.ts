@@ -1,6 +1,6 @@
 /**
- * Arrow keys move the selected pin: over the screen, with Alt up and down in depth, with Shift further. Presses that
- * follow each other are one undo step. Owns which presses belong together; where the hand is, `Pull` knows.
+ * Arrow keys move the selected pin: in the screen plane, with Alt up and down in depth, with Shift further. Presses in
+ * quick succession are one undo step. Owns which presses belong together; `Pull` knows the target.
  */
 import type { Workbench } from '../../state/workbench.ts';
 import { HandPull, type PullState } from './hand-pull.ts';

@@ -1,4 +1,4 @@
-/** What pins make of a DOF that is set by its slider or its number: `BesidePins`, from what the page shows. */
+/** How pins adapt to a DOF set by slider or number: `BesidePins` for the page's current state. */
 import { BesidePins } from '../../../evaluate/ik/drag/beside-pins.ts';
 import { ikOf } from '../../../evaluate/ik/set-up.ts';
 import { findCharacter } from '../../../model/document.ts';
@@ -16,7 +16,7 @@ export function besidePins(
   const character = findCharacter(wb.store.document, characterId);
   if (!character?.skeleton || ikOf(character).pins.length === 0) return undefined;
   if (dof >= rootDofCount(character.skeleton) + jointDofCount(character.skeleton)) return undefined;
-  // The others move too.
+  // The others change too.
   standStillToPose(wb, character);
   const facts = wb.viewport.character(characterId);
   if (!facts) return undefined;

@@ -1,4 +1,4 @@
-/** Solving all pins with restarts, on request. */
+/** Re-solves all pins with restarts, on request. */
 import { setDofs } from '../../../edit/commands/pose.ts';
 import { resolvePins } from '../../../evaluate/ik/drag/re-solve.ts';
 import { ikOf } from '../../../evaluate/ik/set-up.ts';

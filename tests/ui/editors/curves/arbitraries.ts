@@ -3,7 +3,7 @@ import fc from 'fast-check';
 import type { TraceMap } from '../../../../src/evaluate/plot/trace-path.ts';
 import { type Channel, EXTRAPOLATIONS, restChannel } from '../../../../src/model/clip.ts';
 
-/** Times that clocks and files know: between 0 and the smallest double there is no moment, and no pixel either. */
+/** Times as clocks and files have them: nothing between 0 and the smallest double matters. */
 const toMicroseconds = (seconds: number) => Math.round(seconds * 1e6) / 1e6;
 
 export const PLOT = { width: 300, top: 22, bottom: 222 };
@@ -18,7 +18,7 @@ const extrapolation = fc.constantFrom(...EXTRAPOLATIONS);
 const side = fc.record({ kind: fc.integer({ min: 0, max: 3 }), slope: fc.double({ min: -30, max: 30, noNaN: true }) });
 const key = fc.record({ gap, value: fc.double({ min: -2, max: 2, noNaN: true }), in: side, out: side });
 
-/** @param keys at most; fewer than `least` never */
+/** @param keys at most; at least `least` */
 export function anyChannel(keys: number, least = 0): fc.Arbitrary<Channel> {
   return fc
     .record({
@@ -50,7 +50,7 @@ export function anyChannel(keys: number, least = 0): fc.Arbitrary<Channel> {
     });
 }
 
-/** A view of so many seconds, from some time near the keys of `anyChannel` on. */
+/** A view of that many seconds, starting near the keys of `anyChannel`. */
 export function anyMap(leastSeconds: number, mostSeconds: number): fc.Arbitrary<TraceMap> {
   return fc
     .record({

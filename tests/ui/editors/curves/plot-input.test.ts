@@ -9,7 +9,7 @@ import { runAction } from '../../../../src/ui/state/action.ts';
 import type { Workbench } from '../../../../src/ui/state/workbench.ts';
 import { channel, character, clip, documentOf, skeleton, workbench } from '../../builders.ts';
 
-/** As much of a page as the input listens to: what is dispatched on the plot goes through the window first. */
+/** The part of a page that the input listens to: events on the plot pass the window first. */
 class FakeElement extends EventTarget {
   readonly style = { cursor: '' };
   focus(): void {}
@@ -19,7 +19,7 @@ class FakeElement extends EventTarget {
   }
 }
 
-/** Node's own forgets that `true` means capture when it removes. */
+/** Node's own version ignores `true` for capture when removing. */
 class FakeWindow extends EventTarget {
   override removeEventListener(type: string, listener: EventListener, capture = false): void {
     super.removeEventListener(type, listener, { capture });
@@ -37,7 +37,7 @@ const times = () => [...(keysOf(shownClip(wb.store.document.characters[0])?.chan
 function host(): PlotHost {
   return {
     wb,
-    // What a browser's element has beside is not used.
+    // The other members of an element aren't used.
     element: element as unknown as HTMLElement,
     scene: () => scene.scene,
     look: () => {},
@@ -81,7 +81,7 @@ function send(type: string, more: object): Event {
   return event;
 }
 
-/** @returns whether the plot and the page behind it get to hear of it */
+/** @returns whether the plot and the page behind it receive it */
 function press(key: string, code: string, more: object = {}): boolean {
   const make = (type: string) => Object.assign(new Event(type, { cancelable: true }), { ...HELD, key, code, ...more });
   const atPage = make('keydown');

@@ -5,7 +5,7 @@ import type { ChannelKeys } from '../../../../src/model/session.ts';
 import type { Sheet } from '../../../../src/ui/editors/dope/sheet.ts';
 import { channel } from '../../builders.ts';
 
-/** Times on a grid, so that keys of several channels, and of one, often coincide; some are off it. */
+/** Times on a grid, so that keys often coincide, within and across channels; some are off it. */
 const time = fc.oneof(
   fc.integer({ min: -20, max: 60 }).map((i) => i / 30),
   fc.double({ min: -1, max: 2, noNaN: true }),
@@ -18,7 +18,7 @@ export const channels: fc.Arbitrary<Channel[]> = fc.array(
   { minLength: 1, maxLength: 6 },
 );
 
-/** Some of the keys, by a coin for each. */
+/** Some of the keys, by a coin flip each. */
 export function someKeys(of: readonly Channel[], coin: (channel: number, index: number) => boolean): ChannelKeys[] {
   return of.map(keysOf).flatMap(({ times }, c) => {
     const indices = [...times.keys()].filter((i) => coin(c, i));

@@ -17,7 +17,10 @@ beforeEach(() => {
 });
 afterEach(() => void vi.unstubAllGlobals());
 
-/** 100 pixels a second, ten frames a second: ten pixels a frame. The hips have keys at 1, 2 and 4 s, twice at 1 s. */
+/**
+ * 100 pixels per second, ten frames per second: ten pixels per frame. The hips have keys at 1, 2 and 4 s, two of them
+ * at 1 s.
+ */
 const SHEET: Sheet = {
   width: 1000,
   height: 200,
@@ -50,7 +53,7 @@ function stage() {
     if (to) gesture?.move(to);
     return gesture;
   };
-  /** From one place to another, and letting go. */
+  /** Drags from one point to another and releases. */
   const dragTo = (from: Pointer, to: Pointer) => drag(from, to)?.release(to, true);
   const click = (at: Pointer) => drag(at)?.release(at, false);
   const times = (c = 3) => [...keysOf(channels()[c]).times].map((t) => Number(t.toFixed(6)));

@@ -148,7 +148,7 @@ it('goes from a row to its height and back', () => {
     fc.property(sheets, fc.integer({ min: 0, max: 30 }), (drawn, index) => {
       const full = { ...drawn, rowCount: 31, height: 2000 };
       const y = rowTop(full, index) + full.rowHeight / 2;
-      // A row that is scrolled up lies under the summary.
+      // A scrolled row is covered by the summary.
       expect(rowAt(full, y)).toBe(y < HEAD ? undefined : y < HEAD + full.rowHeight ? 0 : index);
     }),
   );

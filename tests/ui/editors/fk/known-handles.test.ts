@@ -26,7 +26,7 @@ it('works them out anew for another pose, place, joint or skeleton', () => {
     expect(found).toEqual(jointHandles(...args));
     seen.push(found);
   };
-  // The arrays are the view's own, filled anew.
+  // The view overwrites its own arrays.
   pose[6] = 0.3;
   again(ARM, 1, pose, world, place);
   place[12] = 2;

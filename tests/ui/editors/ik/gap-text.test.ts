@@ -6,7 +6,7 @@ import { character, skeleton } from '../../builders.ts';
 const ch = character({
   skeleton: skeleton(['root', -1], ['hip_l', 0], ['knee_l', 1], ['hip_r', 0], ['knee_r', 3], ['', 0]),
 });
-/** Of the joints, x. */
+/** x rotation of each joint. */
 const [ROOT, HIP_L, KNEE_L, HIP_R] = [3, 6, 9, 12];
 const NOTHING: Hindrance = { binding: [], holders: [], locks: [], canMove: true, rootStays: false };
 const text = (change: Partial<Hindrance>) => gapText(ch, 2, { ...NOTHING, ...change });
@@ -36,7 +36,7 @@ describe('what is in the way of a pin', () => {
     expect(text({ locks: [4, 1], binding: [KNEE_L] })).toBe('knee_l rx at its limit, knee_r and hip_l are locked');
     expect(text({ locks: [1, 2, 3, 4] })).toBe('hip_l, knee_l and 2 more are locked');
     expect(text({ locks: [1], canMove: false })).toBe('hip_l is locked');
-    // Behind its own name.
+    // Follows its own name.
     expect(text({ locks: [2] })).toBe('it is locked');
   });
   it('what is in the way of a pin is the root where that could travel and does not', () => {

@@ -4,7 +4,7 @@ import { firstRange, writtenOutText } from '../../../../src/ui/editors/ik/hold-d
 import { character, clip, skeleton } from '../../builders.ts';
 
 const BODY = skeleton(['root', -1], ['toe_r', 0]);
-/** Of the toe: x, y. */
+/** x and y of the toe. */
 const [TOE_X, TOE_Y] = [6, 7];
 
 function keyed(before: Extrapolation, after: Extrapolation): Channel {

@@ -1,7 +1,7 @@
 import { expect, it } from 'vitest';
 import { ikHintText } from '../../../../src/ui/editors/ik/ik-controls.ts';
 
-/** Letters that have room beside the switch of modes, in a window of 1440. */
+/** Characters that fit beside the mode switch, in a window of 1440. */
 const ROOM = 52;
 
 it.each([0, 1, 6])('tells what to do first in one line (%i pins)', (pins) => {

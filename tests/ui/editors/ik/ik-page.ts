@@ -1,6 +1,6 @@
 /**
- * A workbench whose viewport knows poses and places but draws nothing: the camera looks along −z, a hundred pixels to a
- * unit of the world, and its origin is at 0, 0 of the page.
+ * A workbench whose viewport knows poses and positions but draws nothing: the camera looks along −z, 100 pixels per
+ * world unit, with the world's origin at 0, 0 of the page.
  */
 import { vi } from 'vitest';
 import { shownAt } from '../../../../src/edit/rig/shown.ts';
@@ -15,7 +15,7 @@ export const PIXELS_PER_UNIT = 100;
 
 const bone = (name: string, parent: number, offset: Vec3): Joint => ({ ...joint(name, parent), offset });
 
-/** A body that stands at the origin, an arm of three to either side, bent: hands at −3 and 3. */
+/** A body at the origin with an arm of three bones to either side, bent: hands at −3 and 3. */
 export const BODY: Skeleton = {
   name: 'body',
   joints: [
@@ -47,7 +47,7 @@ export const body = (more: Partial<Character> = {}): Character =>
     ...more,
   });
 
-/** `stop` gives the window back. */
+/** `stop` restores the window. */
 export function ikPage(document: Document = documentOf(body())) {
   vi.stubGlobal('window', new EventTarget());
   const { wb } = workbench(document);
@@ -74,7 +74,7 @@ export function ikPage(document: Document = documentOf(body())) {
       unitsPerPixel: () => 1 / PIXELS_PER_UNIT,
     },
   };
-  // What no test here touches needs a browser.
+  // Nothing that these tests use needs a browser.
   const page: Workbench = { ...wb, viewport: { ...wb.viewport, ...viewport } as unknown as Workbench['viewport'] };
   const placeOf = (on: number, id = 'c1'): Vec3 => {
     const world = shown(id)?.world ?? new Float64Array(0);

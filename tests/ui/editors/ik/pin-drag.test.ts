@@ -8,7 +8,7 @@ const KEYS = [{ channel: 0, indices: [0] }];
 
 let page: ReturnType<typeof ikPage>;
 beforeEach(() => {
-  // Two bodies; the one that is dragged is not the selected one.
+  // Two bodies; the dragged one isn't selected.
   const second = { ...body(), id: 'c2' };
   page = ikPage(documentOf(body(), second));
   vi.stubGlobal('requestAnimationFrame', () => 0);
@@ -23,7 +23,7 @@ const at = (clientX: number, clientY: number, more: Partial<CanvasPointer> = {})
   ...more,
 });
 
-/** `wait` holds what is to run later. */
+/** `wait` collects what is to run later. */
 function dragBody(press: CanvasPointer = at(0, 0)) {
   const told: (number | undefined)[] = [];
   let clicks = 0;

@@ -17,11 +17,11 @@ afterEach(() => {
   page.stop();
 });
 
-/** Whether it was for the pin. */
+/** Whether the key was used for the pin. */
 function press(key: string, held: { altKey?: boolean; shiftKey?: boolean; ctrlKey?: boolean } = {}): boolean {
   let prevented = false;
   const keys = { altKey: false, shiftKey: false, ctrlKey: false, metaKey: false, ...held };
-  // As much of an event as is asked for.
+  // The part of an event that is used.
   const preventDefault = () => {
     prevented = true;
   };

@@ -14,7 +14,7 @@ beforeEach(() => {
 });
 afterEach(() => page.stop());
 
-/** As the slider of a DOF does, one value after the other in one gesture. */
+/** Like the slider of a DOF: successive values in one gesture. */
 function slide(dof: number, values: readonly number[]): void {
   const { wb } = page;
   const beside = besidePins(wb, 'c1', dof);

@@ -14,7 +14,7 @@ beforeEach(() => {
 });
 afterEach(() => page.stop());
 
-/** As if an earlier drag had left the left hand's pin there. */
+/** As if an earlier drag had left the left hand's target there. */
 function wantLeftHandAt(position: Vec3): void {
   const { wb } = page;
   const [{ ik }] = wb.store.document.characters;
@@ -64,7 +64,7 @@ describe('solving all pins', () => {
     page.stop();
     const ik = { pins: [pin(1, HAND_L)], stiff: [{ joint: FORE_L }], rootIsFree: false };
     page = ikPage(documentOf(body({ ik })));
-    // Nearer to the middle than a straight arm comes.
+    // Closer to the centre than a straight arm gets.
     wantLeftHandAt([0.3, 0.2, 0]);
     solve();
     expect(said()).toBe('hand_l is as close as it can get: fore_l is locked.');

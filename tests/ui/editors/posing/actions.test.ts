@@ -67,7 +67,7 @@ describe('the keys of posing', () => {
     const still = posing();
     still.press('Space');
     expect([still.wb.posing.mode.get(), still.wb.transport.get().playing]).toEqual(['ik', false]);
-    // The transport's button lets time pass all the same.
+    // The transport's button plays all the same.
     void runAction(still.wb, 'play.toggle', 'button');
     expect(still.wb.transport.get().playing).toBe(true);
     still.press('Space');

@@ -212,7 +212,7 @@ describe('the mark of a DOF', () => {
     expect(state(wb)).toBe('driven');
     wb.store.apply(setDofs, { characterId: 'c1', dofs: [{ index: 4, value: 1 }], timeSeconds: 1 });
     expect(state(wb)).toBe('unkeyed');
-    // Said of its own moment only.
+    // Only at its own time.
     at(wb, 0);
     expect(state(wb)).toBe('keyed');
   });

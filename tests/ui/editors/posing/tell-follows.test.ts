@@ -9,7 +9,7 @@ import { leaveRefusalsBehind } from '../../../../src/ui/shell/stale-messages.ts'
 import { character, clip, documentOf, skeleton, workbench } from '../../builders.ts';
 
 const BODY = skeleton(['root', -1], ['arm', 0], ['hand', 1], ['tail', 0]);
-/** Of the joints, x; all have three. */
+/** x rotation of joints; all have three DOFs. */
 const [ARM, HAND, TAIL] = [6, 9, 12];
 
 const driver: Driver = {

@@ -4,7 +4,7 @@ import { Posing } from '../../../../src/ui/state/posing.ts';
 
 it('listens from each coming to its going, and not in between', () => {
   const posing = new Posing();
-  // They are only told apart.
+  // Only their identity matters.
   const [own, other] = [{}, {}] as HTMLElement[];
   const log: string[] = [];
   whileShown(posing, own, () => {

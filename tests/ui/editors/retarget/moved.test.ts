@@ -1,4 +1,4 @@
-/** Whoever is moved by another's take is called so, and its own keys are not shown. */
+/** Retargeted characters are marked as such, and their own keys aren't shown. */
 import { expect, it } from 'vitest';
 import { clearRetarget, setRetarget } from '../../../../src/edit/commands/retarget.ts';
 import { Store } from '../../../../src/edit/store.ts';

@@ -4,7 +4,7 @@ import { DEFAULT_PLACEMENT } from '../../../../src/model/document.ts';
 import { runAction } from '../../../../src/ui/state/action.ts';
 import { character, documentOf, skeleton, workbench } from '../../builders.ts';
 
-/** Places of a character that was shown once more, where its last copy is drawn so large. */
+/** Placements after duplicating an instance, with the last one drawn at this size. */
 function placesAfter(size: Vec3 | undefined): readonly Vec3[] {
   const last = { ...DEFAULT_PLACEMENT, position: [5, 1, 2] as const, scale: 3 };
   const placements = [DEFAULT_PLACEMENT, last];

@@ -12,7 +12,7 @@ const twice = character({
 });
 const IDENTITY = [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1];
 
-/** A unit is a pixel; the hips are at 0, the leg at 30, the second copy a hundred to the right. */
+/** A unit is a pixel; the hips are at 0, the leg at 30, the second instance a hundred to the right. */
 function found(hit: Partial<Hit> | undefined, clientX: number, picked = 0, what = twice) {
   const worlds = Float64Array.from([...IDENTITY, ...IDENTITY]);
   worlds[16 + 12] = 30;

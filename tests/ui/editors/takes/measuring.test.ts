@@ -8,7 +8,7 @@ import { listOfTakes } from '../../../../src/ui/editors/takes/play.ts';
 import { character, clip, documentOf, skeleton } from '../../../helpers/builders.ts';
 import { workbench } from '../../builders.ts';
 
-/** At x, with three joints; what its take does not drive can be posed. */
+/** Three joints at x; DOFs that its take doesn't drive can be posed. */
 function take(id: string, x: number): Character {
   return character({ id, name: id, skeleton: skeleton(3), clips: [clip(id, [x])], shownClip: 0 });
 }
@@ -47,12 +47,12 @@ describe('the distance of two compared takes', () => {
     wb.timeline.takes.distances.update((now) => ({ ...now, alignment: 'root' }));
     expect(await result).toBe(0);
     result = next();
-    // The middle joint bends: only the last of the three goes elsewhere.
+    // The middle joint bends: only the last of the three moves.
     wb.store.apply(setDofs, { characterId: 'b', dofs: [{ index: 6, value: Math.PI }], timeSeconds: 0 });
     expect(await result).toBeCloseTo(2 / 3, 6);
     result = next();
     wb.store.apply(setTimeOffset, { characterId: 'a', seconds: 9 });
-    // No time in common any more.
+    // They don't overlap in time any more.
     expect(await result).toBeUndefined();
     expect(measuring.result.get()?.match.first).toHaveLength(3);
   });

@@ -76,7 +76,7 @@ describe('the next take', () => {
     expect(wb.transport.get().framesPerSecond).toBe(100);
     wb.transport.update((p) => ({ ...p, timeSeconds: 0.2537, playing: true }));
     runAction(wb, 'play.toggle');
-    // Keys are no frames.
+    // Keyed takes have no frames.
     expect(wb.transport.get().timeSeconds).toBe(0.2537);
   });
 

@@ -18,7 +18,7 @@ const picked = () => {
   return { pinned, hidden, isolated, unfolded };
 };
 const NOTHING = { pinned: [], hidden: [], isolated: undefined, unfolded: [] };
-/** As files that are read again. */
+/** As when files are reloaded. */
 const become = (...characters: Character[]) => wb.store.replace('Reload', documentOf(...characters));
 
 beforeEach(() => {

@@ -85,7 +85,7 @@ describe('editing from the keyboard', () => {
       { channel: 3, indices: [0] },
     ]);
     run('up');
-    // A hips alone is as large as its box, 0.28.
+    // The size of a lone joint is that of its box, 0.28.
     expect(keysOf(channelOf(0)).values[0]).toBeCloseTo(0.001, 12);
     expect(keysOf(channelOf(3)).values[0]).toBeCloseTo(Math.PI / 180, 12);
   });

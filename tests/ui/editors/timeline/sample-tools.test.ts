@@ -1,4 +1,4 @@
-/** What the tools for samples say they did, and how numbers of them are called. */
+/** Messages of the sample tools, and their units. */
 import { describe, expect, it } from 'vitest';
 import { cropped, split } from '../../../../src/edit/samples/frames.ts';
 import { DEFAULT_SPACE } from '../../../../src/model/document.ts';

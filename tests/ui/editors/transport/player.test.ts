@@ -6,7 +6,7 @@ import { channel, character, clip, documentOf, skeleton, workbench } from '../..
 
 let frames: ((now: number) => void)[] = [];
 
-/** The browser's next frame, at this many milliseconds. */
+/** Runs the browser's next frame, at this many milliseconds. */
 function frame(now: number): void {
   const due = frames;
   frames = [];
@@ -32,7 +32,7 @@ it('moves time on by what passed between frames', () => {
 
 it('lets every frame have its picture: what a tick asked for comes before the next tick', () => {
   const { wb, seeks } = workbench(undefined, { range: [0, 10], playing: true });
-  // As the viewport does: however often it is asked in between, one picture in the next frame.
+  // Like the viewport: several requests draw once, in the next frame.
   let asked = false;
   const drawn: number[] = [];
   wb.transport.subscribe(() => {

@@ -1,7 +1,7 @@
 import { afterEach, beforeEach, describe, expect, it, vi } from 'vitest';
 import { type CanvasTool, CLICK_PIXELS, listenToCanvas } from '../../../../src/ui/editors/viewport/canvas-tools.ts';
 
-/** As much of a canvas as the router asks for. */
+/** The part of a canvas that the router uses. */
 class FakeCanvas extends EventTarget {
   readonly style = { cursor: '' };
   readonly captured = new Set<number>();
@@ -34,7 +34,7 @@ function page(tool: CanvasTool | undefined) {
   const canvas = new FakeCanvas();
   const picked: number[][] = [];
   const claims: boolean[] = [];
-  // It stands in for the browser's.
+  // Replaces the browser's canvas.
   const asCanvas = canvas as unknown as HTMLCanvasElement;
   listenToCanvas(
     asCanvas,
@@ -43,7 +43,7 @@ function page(tool: CanvasTool | undefined) {
     stop.signal,
     (isTools) => void claims.push(isTools),
   );
-  /** As the browser does it: first the window, capturing, then the canvas, unless someone stopped it. */
+  /** As in the browser: first the window, capturing, then the canvas, unless stopped. */
   const pointer = (type: string, x: number, y: number, more: object = {}) => {
     const event = new Event(type, { cancelable: true });
     const seen = { stopped: false };
@@ -65,7 +65,7 @@ function page(tool: CanvasTool | undefined) {
   return { canvas, picked, claims, pointer, key };
 }
 
-/** Takes every press to the left of 100; writes down what comes. */
+/** Takes every press left of 100, and logs the calls. */
 function leftTool() {
   const said: string[] = [];
   const tool: CanvasTool = {

@@ -14,7 +14,7 @@ import {
 import type { Answers } from '../../../../../src/ui/editors/timeline/tool-dialog.ts';
 import { channel, character, clip, documentOf, skeleton } from '../../../builders.ts';
 
-/** Fails as the dialog does where something is read that was not asked for. */
+/** Fails, like the dialog, if something is read that was not asked for. */
 function typed(given: Readonly<Record<string, number | string>>): Answers {
   return {
     number(name) {
@@ -26,16 +26,16 @@ function typed(given: Readonly<Record<string, number | string>>): Answers {
   };
 }
 
-/** A key a frame, and a wave of this height. */
+/** A key per frame, and a wave of this height. */
 function wave(height: number) {
   const times = Array.from({ length: 61 }, (_, i) => i / 30);
   return { ...channel(...times), values: Float64Array.from(times, (t) => height * Math.sin(6 * t)) };
 }
 
 const waves = (count: number) => clip([0, 2], ...Array.from({ length: count }, () => wave(1)));
-/** Root translation, three angles, and two channels past them. */
+/** Root translation, three angles, and two channels beyond the DOFs. */
 const walker = character({ skeleton: skeleton(['hips', -1]), clips: [waves(8)], timeOffsetSeconds: 0.25 });
-/** As a `.anim` that was opened alone. */
+/** Like an `.anim` that was opened alone. */
 const alone = character({ clips: [waves(6)] });
 
 describe('what simplifying is asked for', () => {

@@ -1,4 +1,4 @@
-/** What a click means: the thing one sees there. */
+/** A click means what is visible there. */
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
 import { evaluateChannel } from '../../../../../src/evaluate/curves.ts';

@@ -1,4 +1,4 @@
-/** Which lines there are, what they are called, and that each can be seen. */
+/** Lines, their names, and their visibility. */
 import { readFileSync } from 'node:fs';
 import { describe, expect, it } from 'vitest';
 import { mixOklab } from '../../../../../src/math/oklab.ts';
@@ -139,7 +139,7 @@ describe('mixing', () => {
   it('gives both ends back, and a grey between black and white', () => {
     expect(mixOklab('#a594ff', '#123456', 0)).toBe('#a594ff');
     expect(mixOklab('#a594ff', '#123456', 1)).toBe('#123456');
-    // As CSS has it: color-mix(in oklab, black, white).
+    // As in CSS: color-mix(in oklab, black, white).
     expect(mixOklab('#000000', '#ffffff', 0.5)).toBe('#636363');
   });
 });

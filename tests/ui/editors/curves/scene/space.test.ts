@@ -1,4 +1,4 @@
-/** Where times and values are on screen, and how the view of them moves. */
+/** Screen positions of times and values, and how the view changes. */
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
 import { evaluateChannel } from '../../../../../src/evaluate/curves.ts';
@@ -68,7 +68,7 @@ describe('the space of the curves', () => {
 });
 
 describe('fitting', () => {
-  // Between its keys the curve goes further than any of them.
+  // Between its keys the curve exceeds all of them.
   const wave = keyed(
     [
       [1, 0],

@@ -1,4 +1,4 @@
-/** What is drawn is what the evaluator says: paths on the curve, columns around it, and nothing of it left out. */
+/** What is drawn equals what is evaluated: paths are on the curve, columns contain it, and nothing is left out. */
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
 import { type CompiledClip, compileChannels } from '../../../../../src/evaluate/compiled-clip.ts';
@@ -9,9 +9,9 @@ import { type Channel, type KeyedChannel, restChannel, SMOOTH } from '../../../.
 import { LineTrace, traceLine } from '../../../../../src/ui/editors/curves/scene/trace.ts';
 import { anyChannel, anyMap, PLOT } from '../arbitraries.ts';
 
-/** A twentieth, and what single floats make of it. */
+/** A twentieth, plus rounding to single floats. */
 const WITHIN_PIXELS = 0.0501;
-/** Single floats, and rounding in the time of a period's beginning. */
+/** Single floats, and rounding of a period's start. */
 const ASIDE_PIXELS = 0.02;
 const FAR = 4096;
 
@@ -22,7 +22,7 @@ interface Piece {
   at(u: number): number;
 }
 
-/** The pieces of a path that are not upright. */
+/** The pieces of a path that aren't vertical. */
 function pieces({ verbs, points, verbCount }: TracedPath): Piece[] {
   const found: Piece[] = [];
   let p = 0;
@@ -33,7 +33,7 @@ function pieces({ verbs, points, verbCount }: TracedPath): Piece[] {
     if (verbs[v] === CURVE) {
       const [x1, y1, x2, y2, x3, y3] = points.subarray(p, p + 6);
       p += 6;
-      // Time runs evenly along a curve, for its control points stand at thirds.
+      // Time is linear along a segment, since its control points are at thirds.
       expect(x1).toBeCloseTo(x0 + (x3 - x0) / 3, 2);
       expect(x2).toBeCloseTo(x0 + (2 * (x3 - x0)) / 3, 2);
       const at = (u: number) => (1 - u) ** 3 * y0 + 3 * u * (1 - u) ** 2 * y1 + 3 * u * u * (1 - u) * y2 + u ** 3 * y3;
@@ -45,17 +45,17 @@ function pieces({ verbs, points, verbCount }: TracedPath): Piece[] {
     p += 2;
     const end = y;
     if (verbs[v] === MOVE || x === x0) continue;
-    // What is extrapolated to the left goes there from the first key.
+    // Extrapolation to the left is drawn from the first key.
     if (x > x0) found.push({ x0, x1: x, at: (u) => y0 + u * (end - y0) });
     else found.push({ x0: x, x1: x0, at: (u) => end + u * (y0 - end) });
   }
   return found;
 }
 
-/** Ever nearer: beside a jump each side counts, and on a steep curve not much beside it. */
+/** Ever closer: next to a jump both sides count, and on a steep curve only the immediate neighbourhood. */
 const BESIDE = [-1, -0.3, -0.1, -0.03, -0.01, -0.001, 0, 0.001, 0.01, 0.03, 0.1, 0.3, 1];
 
-/** Heights of the curve about x, from one pixel to another at most. */
+/** Heights of the curve about x, within a pixel at most. */
 function heightsBeside(
   curves: CompiledClip,
   map: TraceMap,
@@ -68,7 +68,7 @@ function heightsBeside(
   });
 }
 
-/** Smallest and largest height of the curve about x, cut off where drawing does; wider where it is nearly upright. */
+/** Smallest and largest height of the curve about x, clipped like the drawing; wider where it is nearly vertical. */
 function heightsAbout(curves: CompiledClip, map: TraceMap, x: number): [number, number] {
   const heights = heightsBeside(curves, map, x);
   const between = Math.max(...heights.slice(1).map((y, i) => Math.abs(y - heights[i])));
@@ -112,8 +112,8 @@ describe('a traced line', () => {
           const x = u * PLOT.width;
           const column = Math.min(PLOT.width - 1, Math.floor(x));
           if (line.columns.to > column && line.columns.kinds[column] !== NO_COLUMN) continue;
-          // Without any margin: a step far out of view is as far out as its ends. And in view alone: where a step is at
-          // the very edge, its other side lies beyond it.
+          // Without margin: a step far out of view is as far as its ends. And only in view: of a step at the very edge,
+          // the other side is beyond it.
           const heights = heightsBeside(curves, map, x, [0, PLOT.width - 1e-6]);
           if (Math.max(...heights) < 0 || Math.min(...heights) > PLOT.bottom) continue;
           expect(drawn.some((p) => p.x0 <= x + ASIDE_PIXELS && p.x1 >= x - ASIDE_PIXELS)).toBe(true);

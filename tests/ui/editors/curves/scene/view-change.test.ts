@@ -1,4 +1,4 @@
-/** A picture that stands for the next one: where its pixels are in another view of the same curves. */
+/** Transforming an image to the next view: positions of its pixels in another view of the same curves. */
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
 import {

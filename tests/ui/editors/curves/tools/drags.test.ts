@@ -27,7 +27,7 @@ const at = (x: number, y: number, more: Partial<PointerAt> = {}): PointerAt => (
   alt: false,
   ...more,
 });
-/** Where a key is on screen. */
+/** Screen position of a key. */
 const pointOf = (index: number, key: number, more: Partial<PointerAt> = {}): PointerAt => {
   const scene = plot.scene();
   const line = scene?.lines.find((l) => l.channel === index);
@@ -54,7 +54,7 @@ beforeEach(() => {
 
 afterEach(() => void vi.unstubAllGlobals());
 
-/** Presses on a key and drags it so far. */
+/** Presses on a key and drags it. */
 function drag(index: number, key: number, dx: number, dy: number, more: Partial<PointerAt> = {}) {
   const from = pointOf(index, key, more);
   const made = keysDrag(plot, { kind: 'key', channel: index, index: key }, from);
@@ -74,7 +74,7 @@ describe('dragging keys', () => {
   it('moves it by what the pixels are worth, as one step of undo', () => {
     const { end, to } = drag(0, 1, 25, -50);
     end(to, true);
-    // 100 pixels a second; 200 pixels for a length of 2.
+    // 100 pixels per second; 200 pixels for a length of 2.
     expect(keysOf(held(0)).times[1]).toBeCloseTo(1.25, 9);
     expect(keysOf(held(0)).values[1]).toBeCloseTo(0.5, 9);
     wb.store.undo();
@@ -126,7 +126,7 @@ describe('dragging keys', () => {
     const { end, to } = drag(0, 1, 10, 0);
     end(to, true);
     expect(keysOf(held(1)).times[1]).toBe(2);
-    // And selected: they are there again when the curve is.
+    // Still selected: they are editable again when the curve is shown.
     wb.timeline.change({ hidden: [] });
     expect(keysInHand(wb)).toEqual([
       { channel: 0, indices: [1] },
@@ -184,7 +184,7 @@ describe('dragging a handle', () => {
     const key = pointOf(0, 1);
     const made = slopeDrag(plot, { kind: 'handle', channel: 0, index: 1, side: 'out' });
     made.end(at(key.x + 40, key.y - 40), true);
-    // A pixel to the side is 0.01 s, one up 0.01.
+    // A pixel sideways is 0.01 s, one upwards 0.01.
     expect(keysOf(held(0)).tangentsOut.slopes[1]).toBeCloseTo(1, 9);
     expect(keysOf(held(0)).tangentsIn.slopes[1]).toBeCloseTo(1, 9);
     expect(keysInHand(wb)).toEqual(keys);
