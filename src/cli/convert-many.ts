@@ -11,6 +11,7 @@ import { CommandError } from '../edit/store.ts';
 import { type Diagnostic, hasErrors } from '../model/diagnostic.ts';
 import { type Character, EMPTY_DOCUMENT } from '../model/document.ts';
 import { formatOf } from '../project/codecs.ts';
+import { openingOf } from '../project/kinds.ts';
 import { openFiles } from '../project/open/open-files.ts';
 import { outputsOf, refusal, sourceFor, type Target } from '../project/save/conversion.ts';
 import type { ConversionOptions } from '../project/save/copies.ts';
@@ -52,9 +53,10 @@ export async function convertMany(
 ): Promise<boolean> {
   const { files, missing } = findGiven(args, folder);
   const many = new Many(args, folder, options, progress);
-  // Folders also hold readmes and pictures: take only files in known formats.
-  const [takes, others] = [files.filter(isBvh), files.filter((file) => !isBvh(file) && formatOf(file.absolute))];
-  const groups = [...takes.map((take) => [take.path]), others.map(({ path }) => path)].filter((g) => g.length > 0);
+  // Folders also hold readmes and pictures, which are left out.
+  const whole = files.filter((file) => openingOfFile(file) === 'whole');
+  const others = files.filter((file) => openingOfFile(file) === 'with others');
+  const groups = [...whole.map(({ path }) => [path]), others.map(({ path }) => path)].filter((g) => g.length > 0);
   if (missing.length) many.tell(loadFiles(missing, folder).diagnostics);
   for (const group of groups) await many.convert(group);
   if (groups.length === 0 && missing.length === 0) {
@@ -63,8 +65,12 @@ export async function convertMany(
   return !many.hasFailed;
 }
 
-function isBvh({ absolute }: GivenPath): boolean {
-  return formatOf(absolute)?.kind === 'bvh';
+/** Files that are complete, as motion capture is, are opened one by one; skeletons and their parts together. */
+function openingOfFile({ absolute }: GivenPath): 'whole' | 'with others' | undefined {
+  const format = formatOf(absolute);
+  const opening = format && openingOf(format.kind);
+  if (!opening || opening.as === 'texture') return undefined;
+  return opening.as === 'characters' && !opening.takesParts ? 'whole' : 'with others';
 }
 
 class Many {

@@ -2,9 +2,8 @@
  * Files from disk to models, through the same readers as in the page, a megabyte at a time: memory is bounded by the
  * model, not the file.
  */
-import { closeSync, openSync, readFileSync, readSync, statSync } from 'node:fs';
+import { closeSync, openSync, readSync, statSync } from 'node:fs';
 import { basename } from 'node:path';
-import { TEXTURE_EXTENSIONS, textureTypeOf } from '../formats/textures.ts';
 import { type Diagnostic, withoutPlace } from '../model/diagnostic.ts';
 import type { BrokenFile, FileContent, FileKind, ParsedFile, SourceFile } from '../model/files.ts';
 import { type Format, formatOf } from '../project/codecs.ts';
@@ -70,16 +69,10 @@ interface LoadedOne {
 
 function loadOne({ absolute }: GivenPath, name: string): LoadedOne {
   const format = formatOf(name);
-  const mime = textureTypeOf(name);
   try {
     const bytes = statSync(absolute).size;
-    if (format) return { bytes, ...readText(absolute, bytes, name, format) };
-    if (!mime) return { bytes, diagnostics: [unknownFormat(name)] };
-    return {
-      bytes,
-      content: { kind: 'texture', texture: { name, mime, bytes: wholeFile(absolute) } },
-      diagnostics: [],
-    };
+    if (!format) return { bytes, diagnostics: [unknownFormat(name)] };
+    return { bytes, ...readFile(absolute, bytes, name, format) };
   } catch (error) {
     const reason = error instanceof Error ? error.message : String(error);
     const message = `The file could not be read: ${reason}.`;
@@ -87,7 +80,7 @@ function loadOne({ absolute }: GivenPath, name: string): LoadedOne {
   }
 }
 
-function readText(path: string, bytes: number, name: string, format: Format): Omit<LoadedOne, 'bytes'> {
+function readFile(path: string, bytes: number, name: string, format: Format): Omit<LoadedOne, 'bytes'> {
   const reader = format.reader(name, bytes);
   const chunk = new Uint8Array(CHUNK_BYTES);
   const file = openSync(path, 'r');
@@ -100,17 +93,12 @@ function readText(path: string, bytes: number, name: string, format: Format): Om
   return value ? { content: value, diagnostics } : { diagnostics };
 }
 
-/** Copied to a buffer of its own: Node's may be slices of a shared pool. */
-function wholeFile(path: string): Uint8Array<ArrayBuffer> {
-  return new Uint8Array(readFileSync(path));
-}
-
 function kindOf(name: string): FileKind | 'unknown' {
-  return formatOf(name)?.kind ?? (textureTypeOf(name) ? 'texture' : 'unknown');
+  return formatOf(name)?.kind ?? 'unknown';
 }
 
 function unknownFormat(name: string): Diagnostic {
-  const known = [...READABLE_EXTENSIONS, ...TEXTURE_EXTENSIONS].map((extension) => `.${extension}`).join(' ');
+  const known = READABLE_EXTENSIONS.map((extension) => `.${extension}`).join(' ');
   const message = `The command does not read this kind of file; it reads ${known}.`;
   return withoutPlace('warning', 'format-unknown', message, name, 'skipped');
 }

@@ -10,7 +10,7 @@
  * its size twice over and ends at 512 MB.
  */
 import type { Diagnostic } from '../model/diagnostic.ts';
-import { ParseError } from './report.ts';
+import { ParseError, Report } from './report.ts';
 import { Tokens } from './tokens.ts';
 
 /** Synchronous; a chunk's bytes are not kept after `feed` returns. */
@@ -75,6 +75,43 @@ export function grammarReader<T>(fileName: string, grammar: Grammar<T>): Reader<
       return report.hasErrors || value === undefined ? { diagnostics } : { value, diagnostics };
     },
   };
+}
+
+/**
+ * A reader that decodes all bytes of a file together, as most binary formats need.
+ * @param decode checks every length before it reads: it may only throw a `ParseError`. Undefined where it reported an
+ * error.
+ */
+export function bytesReader<T>(
+  fileName: string,
+  decode: (bytes: Uint8Array<ArrayBuffer>, report: Report) => T | undefined,
+): Reader<T> {
+  const chunks: Uint8Array<ArrayBuffer>[] = [];
+  return {
+    feed: (chunk) => void chunks.push(chunk.slice()),
+    end() {
+      const report = new Report(fileName);
+      let value: T | undefined;
+      try {
+        value = decode(joined(chunks), report);
+      } catch (error) {
+        if (!(error instanceof ParseError)) throw error;
+      }
+      const diagnostics = report.finish();
+      return report.hasErrors || value === undefined ? { diagnostics } : { value, diagnostics };
+    },
+  };
+}
+
+function joined(chunks: readonly Uint8Array<ArrayBuffer>[]): Uint8Array<ArrayBuffer> {
+  if (chunks.length === 1) return chunks[0];
+  const bytes = new Uint8Array(chunks.reduce((sum, { length }) => sum + length, 0));
+  let at = 0;
+  for (const chunk of chunks) {
+    bytes.set(chunk, at);
+    at += chunk.length;
+  }
+  return bytes;
 }
 
 /** Reads a whole file at once. */

@@ -9,7 +9,7 @@ import { excerptOf, type Place } from './places.ts';
 /** How many of each severity are kept for a file. */
 export const KEPT = 100;
 
-/** Thrown inside a reader when nothing after this place can be read; only `grammarReader` catches it. */
+/** Thrown inside a reader when nothing after this place can be read; only the readers of `reader.ts` catch it. */
 export class ParseError extends Error {
   override readonly name = 'ParseError';
 }

@@ -17,6 +17,7 @@ import { skelReader } from '../formats/skel/read.ts';
 import { writeSkel } from '../formats/skel/write.ts';
 import { skinReader } from '../formats/skin/read.ts';
 import { writeSkin } from '../formats/skin/write.ts';
+import { textureReader } from '../formats/texture/read.ts';
 import { type Character, isBvh, shownClip, shownSkin } from '../model/document.ts';
 import type { ContentOf, FileContent, FileKind } from '../model/files.ts';
 import { vertexCount } from '../model/skin.ts';
@@ -48,6 +49,7 @@ const READERS: { readonly [K in FormatKind]: MakeReader<HeldBy<K>> } = {
   rig: (name) => mapped(rigReader(name), (rig) => ({ kind: 'rig', rig })),
   bvh: (name, byteLength) => mapped(bvhReader(name, byteLength), (figures) => ({ kind: 'bvh', figures })),
   pose: (name) => mapped(poseReader(name), (poses) => ({ kind: 'pose', poses })),
+  texture: (name) => mapped(textureReader(name), (texture) => ({ kind: 'texture', texture })),
 };
 
 /** What saving in a kind of file takes. */

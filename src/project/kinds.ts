@@ -5,6 +5,7 @@
  * saved.
  */
 import { withoutUnkeyed } from '../edit/unkeyed.ts';
+import { TEXTURE_EXTENSIONS } from '../formats/texture/read.ts';
 import { axisAngleObstacle, savesAsAxisAngle } from '../model/axis-angle.ts';
 import { type ChannelClip, keysOf } from '../model/clip.ts';
 import { type Character, isBvh, shownClip, shownSkin } from '../model/document.ts';
@@ -125,6 +126,11 @@ export const KINDS = {
       has: ({ poses }) => (poses?.length ?? 0) > 0,
       isOwn: isAnyones,
     },
+  },
+  texture: {
+    extensions: TEXTURE_EXTENSIONS,
+    label: 'image',
+    content: 'texture',
   },
 } as const satisfies Readonly<Record<string, Kind>>;
 

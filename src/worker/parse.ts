@@ -4,9 +4,8 @@
  */
 import { checkMorph } from '../evaluate/binding.ts';
 import { skinFacts } from '../evaluate/bounds.ts';
-import { TEXTURE_EXTENSIONS, textureTypeOf } from '../formats/textures.ts';
 import { type Diagnostic, withoutPlace } from '../model/diagnostic.ts';
-import { type BrokenFile, folderOf, type ParsedFile, type SourceFile, type Texture } from '../model/files.ts';
+import { type BrokenFile, folderOf, type ParsedFile, type SourceFile } from '../model/files.ts';
 import type { Morph } from '../model/morph.ts';
 import type { Skin } from '../model/skin.ts';
 import { formatOf } from '../project/codecs.ts';
@@ -35,7 +34,6 @@ export async function parse(input: ParseInput, onProgress: (progress: Progress) 
       onProgress({ label: source.name, bytesDone, bytesTotal });
     };
     const format = formatOf(source.name);
-    const mime = textureTypeOf(source.name);
     if (format) {
       const reader = format.reader(source.name, source.bytes);
       try {
@@ -52,10 +50,6 @@ export async function parse(input: ParseInput, onProgress: (progress: Progress) 
       diagnostics.push(...result.diagnostics);
       if (result.value) files.push({ ...result.value, source });
       else broken.push({ kind: format.kind, source });
-    } else if (mime) {
-      const texture: Texture = { name: source.name, mime, bytes: new Uint8Array(await blob.arrayBuffer()) };
-      files.push({ kind: 'texture', texture, source });
-      count(blob.size);
     } else passedOver.push(source);
   }
   // A readme beside a character is no more than worth a note.
@@ -93,7 +87,7 @@ function sourceOf(path: string, bytes: number): SourceFile {
 }
 
 function isReadable(name: string): boolean {
-  return formatOf(name) !== undefined || textureTypeOf(name) !== undefined;
+  return formatOf(name) !== undefined;
 }
 
 /** The files given, with those inside zips in place of the zips. */
@@ -131,7 +125,7 @@ function unreadable(source: SourceFile, error: unknown): Diagnostic {
 }
 
 function unknownFormat(source: SourceFile, severity: 'info' | 'warning'): Diagnostic {
-  const known = [...READABLE_EXTENSIONS, ...TEXTURE_EXTENSIONS, 'zip'].map((e) => `.${e}`).join(' ');
+  const known = [...READABLE_EXTENSIONS, 'zip'].map((e) => `.${e}`).join(' ');
   const message = `Marrow does not read this kind of file; it reads ${known}.`;
   return withoutPlace(severity, 'format-unknown', message, source.name, 'skipped');
 }

@@ -42,6 +42,10 @@ const EXAMPLES: Readonly<Record<FormatKind, FileContent | GivenFile>> = {
     figures: [bvhFigure({ name: 'x', joints: [bvhJoint(-1, ['rx'], { name: 'hips' })] }, [[0], [5]])],
   },
   pose: { kind: 'pose', poses: [{ name: 'x', joints: [], weights: [] }] },
+  texture: {
+    bytes: Uint8Array.of(1, 2),
+    content: { kind: 'texture', texture: { name: 'x.bmp', mime: 'image/bmp', bytes: Uint8Array.of(1, 2) } },
+  },
 };
 
 describe('the list of kinds of files', () => {
@@ -49,7 +53,8 @@ describe('the list of kinds of files', () => {
     expect(formatOf('wasp.skel')?.kind).toBe('skel');
     expect(formatOf('a/b.c/WASP.Walk.ANIM')?.kind).toBe('anim');
     expect(formatOf('skin')).toBeUndefined();
-    expect(formatOf('head.bmp')).toBeUndefined();
+    expect(formatOf('head.BMP')?.kind).toBe('texture');
+    expect(formatOf('head.txt')).toBeUndefined();
   });
 
   it('the list of formats has each extension once', () => {

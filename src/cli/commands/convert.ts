@@ -14,12 +14,13 @@ import { EMPTY_DOCUMENT } from '../../model/document.ts';
 import { type FileContent, type FileKind, type ParsedFile, stemOf } from '../../model/files.ts';
 import type { Skeleton } from '../../model/skeleton.ts';
 import { type Format, formatOf } from '../../project/codecs.ts';
-import { formatKindOf, isSaved, WRITABLE_EXTENSIONS } from '../../project/kinds.ts';
+import { formatKindOf, isSaved, KINDS, WRITABLE_EXTENSIONS } from '../../project/kinds.ts';
 import { openFiles } from '../../project/open/open-files.ts';
 import { bvhOf, type NamedFigure, skelOf } from '../../project/save/character-files.ts';
 import { outputsOf, refusal, TARGETS, type Target } from '../../project/save/conversion.ts';
 import { bvhCopy, type ConversionOptions } from '../../project/save/copies.ts';
 import { type Output, outputOf } from '../../project/save/output.ts';
+import { copiesOf, isCopy } from '../../project/save/saving.ts';
 import { type Arguments, numberOf, parseArguments, UsageError } from '../arguments.ts';
 import { convertMany, type WrittenFile } from '../convert-many.ts';
 import type { CliCommand, CommandIo, ExitCode } from '../io.ts';
@@ -143,11 +144,29 @@ function pick(files: readonly ParsedFile[], format: Format, out: string, options
   }
   if (kind === 'rig') return rigOf(files, out);
   const target = TARGETS.find((t) => t === kind);
-  const converted = target ? convertedTo(target, files, format, out, options) : undefined;
+  const converted = target ? convertedTo(target, files, format, out, options) : copiedTo(files, format, out, options);
   if (converted) return converted;
   const held = files.map((file) => file.source.name).join(', ') || 'nothing';
   const message = `Expected ${format.label} input for ${out}, found ${held}.`;
   return { refusal: refusal('part-missing', message, out) };
+}
+
+/** The copy of a character that such a file holds; undefined if it holds none. */
+function copiedTo(
+  files: readonly ParsedFile[],
+  format: Format,
+  out: string,
+  options: ConversionOptions,
+): Picked | undefined {
+  const kind = format.format;
+  if (!isSaved(kind)) return undefined;
+  const { characters } = openFiles(EMPTY_DOCUMENT, files).document;
+  const made = characters
+    .filter((c) => KINDS[kind].save.has(c) && isCopy(c, kind))
+    .flatMap((c) => copiesOf(c, kind, options));
+  if (made.length <= 1) return made[0] && { output: made[0] };
+  const names = made.map(({ name }) => name);
+  return { refusal: tooMany(format, names, out) };
 }
 
 function tooMany({ label }: Format, names: readonly string[], out: string): Diagnostic {
