@@ -26,8 +26,11 @@ export function checkedName(value: unknown): string {
 export function checkedMotion(motion: Motion): Motion {
   const kind = oneOf(motion?.kind, MOTION_KINDS, 'The type of a joint');
   // Only parameters of its kind are read, whatever else the value contains.
-  const given = motion as unknown as Readonly<Record<string, unknown>>;
-  const values = parametersOf({ kind }).map(([name, parameter]) => [name, checkedParameter(given[name], parameter)]);
+  const given: ReadonlyMap<string, unknown> = new Map(Object.entries(motion));
+  const values = parametersOf({ kind }).map(([name, parameter]) => [
+    name,
+    checkedParameter(given.get(name), parameter),
+  ]);
   // All parameters of its kind, each with a value of its own type.
   return { kind, ...Object.fromEntries(values) } as Motion;
 }

@@ -1,6 +1,6 @@
 /** The crawler's mesh and colours: a shell over a round body, a friendly head, six legs, two feelers. */
 
-import { add, cross, dot, scaled, subtract, type Vec3 } from '../../math/vec3.ts';
+import { add, cross, scaled, subtract, type Vec3 } from '../../math/vec3.ts';
 import { Atlas, blend, type Colour, colour } from '../paint/atlas.ts';
 import {
   along,
@@ -14,7 +14,7 @@ import {
 } from '../shape/mesh.ts';
 import { jointIndex, posedFrames } from '../shape/skeletons.ts';
 import { apply, normalise, smoothstep } from '../shape/vectors.ts';
-import { chainWeights } from '../shape/weights.ts';
+import { chainWeights, placeAlong } from '../shape/weights.ts';
 import { BODY_HEIGHT, COXA, CRAWLER_SKELETON, FEMUR, LEGS, type LegPlan, TIBIA } from './skeleton.ts';
 
 const ATLAS_SIZE = 256;
@@ -115,14 +115,7 @@ function legShape({ name, side }: LegPlan): Shape {
     startPole: false,
     endPole: true,
     weights: (p) => {
-      let place = 0;
-      let nearest = Number.POSITIVE_INFINITY;
-      for (let i = 0; i < 3; i++) {
-        const d = subtract(bones[i + 1], bones[i]);
-        const t = Math.max(i === 0 ? -1 : 0, Math.min(1, dot(subtract(p, bones[i]), d) / dot(d, d)));
-        const miss = subtract(p, add(bones[i], scaled(d, t)));
-        if (dot(miss, miss) < nearest) [nearest, place] = [dot(miss, miss), i + t];
-      }
+      const place = placeAlong(bones, p);
       return chainWeights(place, joint('body'), [
         { joint: joint(`coxa_${name}`), from: 0, soft: 0.4 },
         { joint: joint(`femur_${name}`), from: 1, soft: 0.3 },

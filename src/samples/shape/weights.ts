@@ -1,4 +1,5 @@
 /** Weights that change smoothly along a limb, as if painted with one soft brush. */
+import { add, dot, scaled, subtract, type Vec3 } from '../../math/vec3.ts';
 import type { Weights } from './mesh.ts';
 import { smoothstep } from './vectors.ts';
 
@@ -29,4 +30,17 @@ export function mixWeights(a: Weights, b: Weights, t: number): Weights {
   for (const [joint, w] of a) weights.set(joint, w * (1 - t));
   for (const [joint, w] of b) weights.set(joint, (weights.get(joint) ?? 0) + w * t);
   return weights;
+}
+
+/** Position of the point of a polyline nearest to `p`: i + t on segment i; below 0 before its start. */
+export function placeAlong(line: readonly Vec3[], p: Vec3): number {
+  let place = 0;
+  let nearest = Number.POSITIVE_INFINITY;
+  for (let i = 0; i + 1 < line.length; i++) {
+    const d = subtract(line[i + 1], line[i]);
+    const t = Math.max(i === 0 ? -1 : 0, Math.min(1, dot(subtract(p, line[i]), d) / dot(d, d)));
+    const miss = subtract(p, add(line[i], scaled(d, t)));
+    if (dot(miss, miss) < nearest) [nearest, place] = [dot(miss, miss), i + t];
+  }
+  return place;
 }

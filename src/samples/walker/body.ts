@@ -1,65 +1,13 @@
 /** The walker's mesh: its parts, their shapes, and the joints they follow. */
 
 import { add, cross, dot, scaled, subtract, type Vec3 } from '../../math/vec3.ts';
-import {
-  along,
-  around,
-  loft,
-  MeshBuilder,
-  type MeshPart,
-  type Rect,
-  type Section,
-  type Span,
-  type Weights,
-} from '../shape/mesh.ts';
-import { jointIndex, posedFrames } from '../shape/skeletons.ts';
+import { along, around, loft, MeshBuilder, type Section, type Span } from '../shape/mesh.ts';
 import { apply, mixVec, normalise, smoothstep } from '../shape/vectors.ts';
-import { type Bend, chainWeights, mixWeights } from '../shape/weights.ts';
+import { chainWeights, mixWeights, placeAlong } from '../shape/weights.ts';
+import { GEAR } from './gear.ts';
 import { eyePoint, headPoint, mouthPoint, nosePoint } from './head.ts';
-import { FOREARM, UPPER_ARM, WALKER_SKELETON } from './skeleton.ts';
-
-export const ATLAS_SIZE = 512;
-
-/** Rectangle of each part's texture, in texels from the upper left. Left and right limbs share theirs. */
-export const RECTS = {
-  head: [4, 4, 236, 216],
-  torso: [248, 4, 150, 150],
-  pack: [406, 4, 100, 100],
-  arm: [248, 162, 100, 110],
-  leg: [356, 162, 70, 110],
-  foot: [434, 112, 72, 120],
-  tail: [4, 228, 110, 160],
-  scarf: [122, 228, 118, 50],
-  scarfTail: [122, 286, 60, 90],
-  bedroll: [190, 286, 60, 80],
-  ear: [258, 280, 80, 80],
-  tuft: [346, 280, 40, 40],
-  eye: [394, 280, 64, 64],
-  nose: [466, 240, 40, 32],
-  mouth: [466, 280, 40, 40],
-  thumb: [346, 328, 40, 32],
-} as const satisfies Record<string, Rect>;
-
-export type PartName = keyof typeof RECTS;
-
-const joint = (name: string) => jointIndex(WALKER_SKELETON, name);
-const frames = posedFrames(WALKER_SKELETON);
-const at = (name: string): Vec3 => frames[joint(name)].at;
-const only = (name: string): Weights => new Map([[joint(name), 1]]);
-const bend = (name: string, from: number, soft: number): Bend => ({ joint: joint(name), from, soft });
-
-/** A horizontal elliptic section. */
-const level = (y: number, side: number, front: number, z = 0, squareness = 2): Section => ({
-  at: [0, y, z],
-  side: [side, 0, 0],
-  front: [0, 0, front],
-  squareness,
-});
-
-/** Rows at a loft's sections, each halved `finer` times. */
-const rowsOf = (sections: readonly Section[], finer = 1) => along((sections.length - 1) * finer);
-
-type Shape = Omit<MeshPart, 'rect'> & { readonly name: PartName };
+import { ATLAS_SIZE, at, bend, bentTube, frames, joint, level, only, RECTS, rowsOf, type Shape } from './parts.ts';
+import { FOREARM, UPPER_ARM } from './skeleton.ts';
 
 const head: Shape = {
   name: 'head',
@@ -244,16 +192,6 @@ function footShape(suffix: '_l' | '_r', side: number): Shape {
   };
 }
 
-/** A tube along a curve in a plane x = constant, `front` up or back in that plane. */
-function bentTube(points: readonly Vec3[], sizes: readonly (readonly [number, number])[]): Section[] {
-  return points.map((p, i) => {
-    const tangent = normalise(subtract(points[Math.min(points.length - 1, i + 1)], points[Math.max(0, i - 1)]));
-    const side: Vec3 = [1, 0, 0];
-    const front = normalise(cross(side, tangent));
-    return { at: p, side: scaled(side, sizes[i][0]), front: scaled(front, sizes[i][1]) };
-  });
-}
-
 const tailJoints = [1, 2, 3, 4].map((i) => at(`tail_${i}`));
 const tailPoints: Vec3[] = [
   [0, 0.66, -0.12],
@@ -282,16 +220,7 @@ const tail: Shape = {
   startPole: false,
   endPole: true,
   weights: (p) => {
-    // Position along the joints' polyline, by the nearest segment.
-    const line = [...tailJoints, add(tailJoints[3], [0, 0.24, -0.02])];
-    let best = 0;
-    let nearest = Number.POSITIVE_INFINITY;
-    for (let i = 0; i < 4; i++) {
-      const d = subtract(line[i + 1], line[i]);
-      const t = Math.max(i === 0 ? -1 : 0, Math.min(1, dot(subtract(p, line[i]), d) / dot(d, d)));
-      const q = subtract(p, add(line[i], scaled(d, t)));
-      if (dot(q, q) < nearest) [nearest, best] = [dot(q, q), i + t];
-    }
+    const best = placeAlong([...tailJoints, add(tailJoints[3], [0, 0.24, -0.02])], p);
     return chainWeights(best, joint('hips'), [
       bend('tail_1', 0, 0.3),
       bend('tail_2', 1, 0.4),
@@ -299,94 +228,6 @@ const tail: Shape = {
       bend('tail_4', 3, 0.45),
     ]);
   },
-};
-
-/** A ring about the neck; its tube is the loft, closed on itself through a fold at the back. */
-const scarf: Shape = {
-  name: 'scarf',
-  point: (angle, v) => {
-    // Here `angle` runs about the neck and v over and under the roll: 0 and 1 are both on its inside.
-    const b = (v - 0.5) * 2 * Math.PI;
-    const drop = 0.02 * Math.cos(angle);
-    const thick = 0.066 + 0.008 * Math.cos(3 * angle);
-    const out = thick * Math.cos(b);
-    return [
-      Math.sin(angle) * (0.13 + out),
-      1.14 - drop + 0.95 * thick * Math.sin(b),
-      -0.004 + Math.cos(angle) * (0.124 + out),
-    ];
-  },
-  angles: around(16),
-  rows: along(6),
-  startPole: false,
-  endPole: false,
-  weights: () => mixWeights(only('chest'), only('neck'), 0.45),
-};
-
-const scarfTailSections = bentTube(
-  [
-    [0.07, 1.12, 0.15],
-    [0.09, 1.06, 0.195],
-    [0.095, 1.0, 0.212],
-    [0.1, 0.93, 0.222],
-    [0.1, 0.86, 0.232],
-    [0.1, 0.79, 0.24],
-    [0.1, 0.772, 0.241],
-  ],
-  [
-    [0.03, 0.012],
-    [0.044, 0.016],
-    [0.048, 0.015],
-    [0.052, 0.014],
-    [0.056, 0.013],
-    [0.058, 0.012],
-    [0.05, 0.002],
-  ],
-);
-const scarfTail: Shape = {
-  name: 'scarfTail',
-  point: loft(scarfTailSections),
-  angles: around(8),
-  rows: rowsOf(scarfTailSections),
-  startPole: false,
-  endPole: false,
-  weights: (p) =>
-    chainWeights(-p[1], joint('chest'), [bend('scarf_1', -1.07, 0.04), bend('scarf_2', -at('scarf_2')[1], 0.06)]),
-};
-
-const packSections = [
-  level(0.755, 0.001, 0.001, -0.275),
-  level(0.757, 0.12, 0.06, -0.275, 3),
-  level(0.79, 0.17, 0.098, -0.272, 3.4),
-  level(0.87, 0.182, 0.108, -0.27, 3.4),
-  level(0.96, 0.178, 0.105, -0.265, 3.4),
-  level(1.04, 0.162, 0.092, -0.26, 3.4),
-  level(1.075, 0.12, 0.065, -0.258, 3),
-  level(1.078, 0.001, 0.001, -0.258),
-];
-const pack: Shape = {
-  name: 'pack',
-  point: loft(packSections),
-  angles: around(14),
-  rows: rowsOf(packSections),
-  startPole: true,
-  endPole: true,
-  weights: () => only('pack'),
-};
-
-/** Across the top of the pack: the loft runs from right to left. */
-const bedrollSections = [-0.2, -0.199, -0.1, 0.1, 0.199, 0.2].map((x, i): Section => {
-  const r = i === 0 || i === 5 ? 0.001 : 0.066;
-  return { at: [x, 1.115, -0.285], side: [0, r, 0], front: [0, 0, -r] };
-});
-const bedroll: Shape = {
-  name: 'bedroll',
-  point: loft(bedrollSections),
-  angles: around(10),
-  rows: [0, 0.2, 0.23, 0.77, 0.8, 1],
-  startPole: true,
-  endPole: true,
-  weights: () => only('pack'),
 };
 
 function earShape(suffix: '_l' | '_r', side: number): Shape {
@@ -462,10 +303,7 @@ export const SHAPES: readonly Shape[] = [
   legShape('_r', -1),
   footShape('_r', -1),
   tail,
-  scarf,
-  scarfTail,
-  pack,
-  bedroll,
+  ...GEAR,
   earShape('_l', 1),
   earShape('_r', -1),
   ...tufts,

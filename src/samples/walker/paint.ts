@@ -2,8 +2,9 @@
 import type { Vec3 } from '../../math/vec3.ts';
 import { Atlas, blend, type Colour, colour } from '../paint/atlas.ts';
 import { smoothstep } from '../shape/vectors.ts';
-import { ATLAS_SIZE, type PartName, RECTS, SHAPES } from './body.ts';
+import { SHAPES } from './body.ts';
 import { squareToDisc } from './head.ts';
+import { ATLAS_SIZE, type PartName, RECTS } from './parts.ts';
 
 const FUR = colour('#dd7b3c');
 const FUR_DARK = colour('#b9552a');
