@@ -18,7 +18,7 @@ function following() {
   return { store, transport };
 }
 
-it('takes the range of the clip that comes, and of the take that is chosen', () => {
+it('uses the range of the first clip, and of a selected take', () => {
   const { store, transport } = following();
   store.replace('Open', documentOf(walking));
   expect(transport.get().range).toEqual([1, 3]);
@@ -28,14 +28,14 @@ it('takes the range of the clip that comes, and of the take that is chosen', () 
   expect(transport.get().range).toEqual([1, 3]);
 });
 
-it('spans all characters, each with its offset in time', () => {
+it('spans all characters, each with its start time', () => {
   const { store, transport } = following();
   const later = { ...walking, id: 'c2', timeOffsetSeconds: -4 };
   store.replace('Open', documentOf(walking, later));
   expect(transport.get().range).toEqual([1, 7]);
 });
 
-it('leaves a range alone that was set by hand', () => {
+it('keeps a range that was set by hand', () => {
   const { store, transport } = following();
   store.replace('Open', documentOf(walking));
   transport.update((now) => ({ ...now, range: [1.5, 2] }));
@@ -43,7 +43,7 @@ it('leaves a range alone that was set by hand', () => {
   expect(transport.get().range).toEqual([1.5, 2]);
 });
 
-it('stops where nothing is left to play', () => {
+it('stops if nothing is left to play', () => {
   const { store, transport } = following();
   store.replace('Open', documentOf(walking));
   transport.update((now) => ({ ...now, playing: true }));
@@ -51,20 +51,20 @@ it('stops where nothing is left to play', () => {
   expect(transport.get().playing).toBe(false);
 });
 
-it('follows the range of a take that is changed', () => {
+it('follows the range of an edited take', () => {
   const { store, transport } = following();
   store.replace('Open', documentOf(walking));
   store.apply(setClipRange, { characterId: 'c1', range: [0, 5] });
   expect(transport.get().range).toEqual([0, 5]);
 });
 
-it('has a range to key poses on without any clip', () => {
+it('has a range for keying poses without any clip', () => {
   const { store, transport } = following();
   store.replace('Open', documentOf(character()));
   expect(transport.get().range).toEqual([0, 2]);
 });
 
-it('keeps range and time when the first key makes a take, and when that is undone', () => {
+it('keeps range and time when the first key creates a take, and when that is undone', () => {
   const { store, transport } = following();
   store.replace('Open', documentOf(character()));
   transport.update((now) => ({ ...now, range: [0, 4], timeSeconds: 3 }));
@@ -74,7 +74,7 @@ it('keeps range and time when the first key makes a take, and when that is undon
   expect(transport.get()).toMatchObject({ range: [0, 4], timeSeconds: 3 });
 });
 
-it('starts anew with another character that has no clip', () => {
+it('resets the range for another character without a clip', () => {
   const { store, transport } = following();
   store.replace('Open', documentOf(walking));
   transport.update((now) => ({ ...now, timeSeconds: 2.7, playing: true }));
@@ -98,7 +98,7 @@ function sampled(id: string, frameSeconds: number) {
   return character({ id, clips: [frames], shownClip: 0 });
 }
 
-it('counts frames as the takes do that come into an empty page, or in the place of everything', () => {
+it('takes the frame rate of takes opened into an empty page, or replacing everything', () => {
   const { store, transport } = following();
   const rate = () => transport.get().framesPerSecond;
   store.replace('Open', documentOf(sampled('c1', 0.0083333), sampled('c2', 1 / 120)));
@@ -107,7 +107,7 @@ it('counts frames as the takes do that come into an empty page, or in the place 
   expect(rate()).toBe(100);
 });
 
-it('leaves the rate alone where takes come beside others, differ, or play keys', () => {
+it('keeps the frame rate when takes are added, differ in rate, or are keyed', () => {
   const { store, transport } = following();
   const rate = () => transport.get().framesPerSecond;
   store.replace('Open', documentOf(walking));
@@ -118,7 +118,7 @@ it('leaves the rate alone where takes come beside others, differ, or play keys',
   expect(rate()).toBe(30);
 });
 
-it('leaves a rate that was set by hand', () => {
+it('keeps a frame rate that was set by hand', () => {
   const { store, transport } = following();
   store.replace('Open', documentOf(sampled('c1', 0.01)));
   transport.update((now) => ({ ...now, framesPerSecond: 24 }));
@@ -126,7 +126,7 @@ it('leaves a rate that was set by hand', () => {
   expect(transport.get().framesPerSecond).toBe(24);
 });
 
-it('begins where a character’s take does, whoever moves it', () => {
+it('starts where a character’s take does, even if retargeted', () => {
   const later = { ...walking, timeOffsetSeconds: -1.5 };
   expect(startSeconds(later)).toBe(2.5);
   expect(startSeconds({ ...character(), shownClip: -1, timeOffsetSeconds: 0.5 })).toBe(-0.5);

@@ -27,14 +27,14 @@ const shown = ({ document: { characters, isOpeningSample } }: Store) => ({
 });
 
 describe('the opening sample', () => {
-  it('the opening sample is there to be looked at, without a step', async () => {
+  it('the opening example is shown without an undo step', async () => {
     const store = new Store();
     await openerOf(store).open(sample, { asOpeningSample: true });
     expect(shown(store)).toEqual({ names: ['walker'], isOpeningSample: true });
     expect(store.undoLabel).toBeUndefined();
   });
 
-  it('stays away where something was begun before it came', async () => {
+  it('is not opened if something else was begun before', async () => {
     const store = new Store();
     const opening = openerOf(store).open(sample, { asOpeningSample: true });
     store.apply(createRig, {});
@@ -43,7 +43,7 @@ describe('the opening sample', () => {
   });
 });
 
-it('opening selects the character that is new, a part for the selected one keeps what is selected, and undo gives it back', async () => {
+it('opening selects a new character, keeps the selection for a part of the selected one, and undo restores it', async () => {
   const store = new Store();
   const opener = openerOf(store);
   await opener.open(sample);

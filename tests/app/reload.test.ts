@@ -59,7 +59,7 @@ const longer = (c: Character): Character => ({ ...c, clips: c.clips.map((own) =>
 const value = (c: Character) => keysOf(c.clips[0].channels[0]).values[0];
 
 describe('reloading', () => {
-  it('replaces the part whose file changed, and nothing else', async () => {
+  it('replaces the part whose file has changed, and nothing else', async () => {
     const here = await page();
     const before = here.own();
     here.edit('hero_walk.anim', animOf(2));
@@ -71,7 +71,7 @@ describe('reloading', () => {
     expect(here.messages.passing.get()).toBe('Reloaded hero_walk.anim.');
   });
 
-  it('keeps time, playing and camera, and what is selected', async () => {
+  it('keeps time, playback, camera and selection', async () => {
     const here = await page();
     const selection = { characterId: 'c1', joint: 1 };
     here.store.select(selection);
@@ -85,7 +85,7 @@ describe('reloading', () => {
     expect(here.store.selection).toEqual(selection);
   });
 
-  it('reloading is one step for several files, and gives an edit back when undone', async () => {
+  it('reloading several files is one step, whose undo restores an edit', async () => {
     const here = await page();
     here.change(longer);
     const edited = here.store.document;
@@ -97,7 +97,7 @@ describe('reloading', () => {
     expect(here.store.document).toEqual(edited);
   });
 
-  it('keeps the character selected of a joint that its file has no more, and undo selects the joint again', async () => {
+  it('keeps the character of a removed joint selected, and undo selects the joint again', async () => {
     const here = await page({ 'hero.skel': SKEL });
     const selection = { characterId: 'c1', joint: 1 };
     here.store.select(selection);
@@ -108,7 +108,7 @@ describe('reloading', () => {
     expect(here.store.selection).toEqual(selection);
   });
 
-  it('keeps keys selected where their channel is the same, and lets others go', async () => {
+  it('keeps keys of unchanged channels selected, and deselects others', async () => {
     const here = await page();
     const keys = [0, 4].map((channel) => ({ channel, indices: [0] }));
     here.store.select({ characterId: 'c1', keys });
@@ -125,7 +125,7 @@ describe('reloading', () => {
     expect(here.store.selection.keys).toEqual([keys[0]]);
   });
 
-  it('goes on showing the take that was shown', async () => {
+  it('keeps showing the same take', async () => {
     const here = await page({ ...HERO, 'hero_run.anim': animOf(1, 'hero_run') });
     const [run, walk] = ['hero_run', 'hero_walk'].map((name) => here.own().clips.findIndex((c) => c.name === name));
     here.change((c) => ({ ...c, shownClip: walk }));
@@ -135,7 +135,7 @@ describe('reloading', () => {
     expect(keysOf(here.own().clips[run].channels[0]).values[0]).toBe(3);
   });
 
-  it('changes nothing where a file is broken, and takes it when it is whole again', async () => {
+  it('changes nothing if a file is broken, and loads it once it is corrected', async () => {
     const here = await page();
     const before = here.store.document;
     here.edit('hero_walk.anim', animOf(2).replace('numchannels 9', 'numchannels nine'));
@@ -148,7 +148,7 @@ describe('reloading', () => {
     expect(here.messages.list.get()).toEqual([]);
   });
 
-  it('gives back what the file has, where nothing changed there but something here', async () => {
+  it('reverts edits if the file itself has not changed', async () => {
     const here = await page();
     here.change(longer);
     await here.reloadIt();
@@ -158,7 +158,7 @@ describe('reloading', () => {
     expect(here.names()).toEqual(['hero_walk.anim']);
   });
 
-  it('leaves what was edited here alone where another file changed', async () => {
+  it('keeps edits here if another file has changed', async () => {
     const here = await page();
     here.change(longer);
     here.edit('hero.skel', SKEL.replace('offset 0 1 0', 'offset 0 3 0'));
@@ -167,7 +167,7 @@ describe('reloading', () => {
     expect(here.names()).toEqual(['hero_walk.anim']);
   });
 
-  it('reads a library of poses again', async () => {
+  it('reloads a pose library', async () => {
     const poses = (...values: number[]) =>
       saveCharacter(character({ poses: values.map((v) => ({ name: `pose ${v}`, values: [v] })) }), 'pose')[0].text;
     const here = await page({ ...HERO, 'hero.pose': poses(1, 2) });
@@ -183,7 +183,7 @@ describe('reloading', () => {
     expect(here.own().sources.filter(({ name }) => name === 'hero.pose')).toHaveLength(1);
   });
 
-  it('reloading says that nothing has changed', async () => {
+  it('reloading reports that nothing has changed', async () => {
     const here = await page();
     const before = here.store.document;
     await here.reloadIt();
@@ -201,7 +201,7 @@ describe('reloading', () => {
     expect(here.messages.list.get().map((m) => m.text)).toEqual(['hero.skel: Not reloaded. It is gone.']);
   });
 
-  it('reads a take again that was made here and saved', async () => {
+  it('reloads a take that was created here and saved', async () => {
     const here = await page();
     here.change((c) => ({ ...c, clips: [...c.clips, clip('new', new Array(9).fill(1), [0, 3])], shownClip: 1 }));
     const handle = here.disk.put('new.anim', '');
@@ -213,7 +213,7 @@ describe('reloading', () => {
     expect(keysOf(here.own().clips[1].channels[0]).values[0]).toBe(6);
   });
 
-  it('reloading is for what came from files only, and not for the opening sample', async () => {
+  it('reloading is available only for content of files, and not for the opening example', async () => {
     const here = await page();
     expect(canReload(here.parts, 'c1')).toBe(true);
     expect(canReload(here.parts, 'c9')).toBe(false);
@@ -224,7 +224,7 @@ describe('reloading', () => {
   });
 });
 
-it('a skeleton that is read again has its own pose, and counts as saved', async () => {
+it('a reloaded skeleton has its file pose, and counts as saved', async () => {
   const here = await page({ 'hero.skel': SKEL });
   here.change((c) => ({ ...c, pose: c.pose.map((v, i) => (i === 4 ? 0.5 : v)) }));
   expect(here.names()).toEqual(['hero.skel']);

@@ -21,7 +21,7 @@ describe('what a sample asks to be drawn', () => {
     return { all, names, setNames, store, show, display, open: display.show.bind(display) };
   };
 
-  it('what a sample asks to be drawn is drawn from then on, until another sample opens', () => {
+  it('display options of an example apply until another example opens', () => {
     const { names, open, all } = settings();
     open({ names: true });
     expect(names()).toBe(true);
@@ -30,7 +30,7 @@ describe('what a sample asks to be drawn', () => {
     expect(all.get().display).toEqual(DEFAULT_SETTINGS.display);
   });
 
-  it('what a sample asks to be drawn is put back when any other character opens', () => {
+  it('display options of an example are restored when any other character opens', () => {
     const { names, open, show } = settings();
     show('a');
     open({ names: true });
@@ -40,7 +40,7 @@ describe('what a sample asks to be drawn', () => {
     expect(names()).toBe(false);
   });
 
-  it('what a sample asks to be drawn is put back when the sample goes, and not when others do', () => {
+  it('display options of an example are restored when it is removed, and not when others are', () => {
     const { names, open, show, store } = settings();
     show('a');
     open({ names: true });
@@ -52,7 +52,7 @@ describe('what a sample asks to be drawn', () => {
     expect(names()).toBe(false);
   });
 
-  it('what a sample asks to be drawn is not remembered', () => {
+  it('display options of an example are not remembered', () => {
     const { all, names, setNames, open, display } = settings();
     open({ names: true });
     expect(names()).toBe(true);
@@ -62,7 +62,7 @@ describe('what a sample asks to be drawn', () => {
     expect(display.without(all.get()).display.names).toBe(true);
   });
 
-  it('stays as a person has set it', () => {
+  it('display options keep what the user sets', () => {
     const { names, setNames, open } = settings();
     setNames(true);
     open({ names: true });

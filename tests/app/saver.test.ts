@@ -21,7 +21,7 @@ const limited = (c: Character): Character => {
 const said = (page: Awaited<ReturnType<typeof pageWith>>) => page.messages.passing.get();
 
 describe('saving what changed', () => {
-  it('writes it in place, and nothing else', async () => {
+  it('saves a changed part in place, and nothing else', async () => {
     const page = await pageWith(HERO);
     page.change(longer);
     await page.saver.saveChanged();
@@ -31,13 +31,13 @@ describe('saving what changed', () => {
     expect(said(page)).toBe('Saved hero_walk.anim.');
   });
 
-  it('says so where there is nothing to save', async () => {
+  it('reports that there is nothing to save', async () => {
     const page = await pageWith(HERO);
     await page.saver.saveChanged();
     expect(said(page)).toBe('Everything is saved. Use Save as to write copies.');
   });
 
-  it('writes a take that has another name into a file of that name, and under its own name into its own', async () => {
+  it('saves a renamed take to a file of that name, and under its own name to its own', async () => {
     const page = await pageWith(HERO);
     page.disk.picks = 'as suggested';
     page.store.apply(renameClip, { characterId: 'c1', clip: 0, name: 'hero_run' });
@@ -53,7 +53,7 @@ describe('saving what changed', () => {
     expect(page.names()).toEqual([]);
   });
 
-  it('writes each part into its own file, and a part made here beside them', async () => {
+  it('saves each part to its own file, and new parts next to them', async () => {
     const page = await pageWith({ ...HERO, 'hero_run.anim': ANIM, 'other/hero.skin': SKIN });
     page.disk.picks = 'as suggested';
     page.change((c) => ({
@@ -70,7 +70,7 @@ describe('saving what changed', () => {
     expect(said(page)).toBe('Saved hero_walk.anim, hero_run.anim, hero_new.anim.');
   });
 
-  it('writes pose and limits into the skeleton’s file', async () => {
+  it('saves pose and limits to the skeleton’s file', async () => {
     const page = await pageWith(HERO);
     page.change((c) => limited(posed(c)));
     await page.saver.saveChanged();
@@ -79,7 +79,7 @@ describe('saving what changed', () => {
     expect(page.names()).toEqual([]);
   });
 
-  it('leaves a pose out that a take covers', async () => {
+  it('leaves out a pose that a take overrides', async () => {
     const page = await pageWith(HERO);
     page.change((c) => limited({ ...posed(c), shownClip: 0 }));
     await page.saver.saveChanged();
@@ -97,7 +97,7 @@ describe('saving what changed', () => {
     expect(page.names()).toEqual([]);
   });
 
-  it('asks for a place where there is none yet, and goes on writing there', async () => {
+  it('asks for a location once, and then saves there', async () => {
     const page = await pageWith(HERO);
     page.disk.picks = page.disk.put('mine.anim', '');
     page.change((c) => ({ ...c, clips: [...c.clips, clip('new', new Array(9).fill(1), [0, 3])] }));
@@ -111,7 +111,7 @@ describe('saving what changed', () => {
     expect(page.text('mine.anim')).toContain('range 0 7');
   });
 
-  it('writes the library of poses, into its own file where it came from one', async () => {
+  it('saves the pose library, to its own file if it has one', async () => {
     const page = await pageWith(HERO);
     page.disk.picks = page.disk.put('hero.pose', '');
     page.change((c) => ({ ...c, poses: [{ name: 'sit', values: c.pose.map(() => 0.5) }] }));
@@ -131,7 +131,7 @@ describe('saving what changed', () => {
     expect(next.names()).toEqual([]);
   });
 
-  it('keeps the mark where the person gives up', async () => {
+  it('keeps the unsaved mark if the user cancels', async () => {
     const page = await pageWith(HERO, false);
     page.disk.picks = 'give up';
     page.change(longer);
@@ -141,7 +141,7 @@ describe('saving what changed', () => {
     expect(said(page)).toBeUndefined();
   });
 
-  it('downloads where the browser asks for no place', async () => {
+  it('downloads if the browser has no save dialog', async () => {
     const page = await pageWith(HERO, false);
     page.change(longer);
     await page.saver.saveChanged();
@@ -149,7 +149,7 @@ describe('saving what changed', () => {
     expect(page.names()).toEqual([]);
   });
 
-  it('says first, and overwrites when asked again, what someone else changed meanwhile', async () => {
+  it('warns of changes on disk first, and overwrites when saved again', async () => {
     const page = await pageWith(HERO);
     const handle = page.handle('hero_walk.anim');
     if (handle) page.disk.files.set(handle, 'theirs');
@@ -163,7 +163,7 @@ describe('saving what changed', () => {
     expect(page.messages.list.get()).toEqual([]);
   });
 
-  it('keeps the mark where writing fails, says why, and asks for another place next', async () => {
+  it('keeps the mark if writing fails, tells why, and asks for another location next', async () => {
     const page = await pageWith(HERO);
     const handle = page.handle('hero_walk.anim');
     if (handle) page.disk.files.delete(handle);
@@ -179,7 +179,7 @@ describe('saving what changed', () => {
     expect(page.messages.list.get()).toEqual([]);
   });
 
-  it('saves what is well though another file fails', async () => {
+  it('saves the other files if one fails', async () => {
     const page = await pageWith(HERO);
     const handle = page.handle('hero.skel');
     if (handle) page.disk.files.delete(handle);
@@ -201,7 +201,7 @@ const listed = (page: Awaited<ReturnType<typeof pageWith>>) =>
   page.store.document.characters.map(({ sources }) => sources.map(({ name }) => name));
 
 describe('saving several files that have no place yet', () => {
-  it('ends with the first dialog that is given up, and says in one note what is not saved', async () => {
+  it('ends with the first cancelled dialog, and lists in one message what is not saved', async () => {
     const page = await withMadeHere(3);
     page.disk.picks = 'give up';
     await page.saver.saveChanged();
@@ -211,7 +211,7 @@ describe('saving several files that have no place yet', () => {
     expect(page.names()).toEqual(['character.skel', 'character2.skel', 'character3.skel']);
   });
 
-  it('goes on with the next at the next click, where the browser opens one dialog for each', async () => {
+  it('continues with the next click, if the browser opens one dialog each', async () => {
     const page = await withMadeHere(3);
     page.disk.dialogs = 1;
     await page.saver.saveChanged();
@@ -229,7 +229,7 @@ describe('saving several files that have no place yet', () => {
     expect(page.names()).toEqual([]);
   });
 
-  it('warns where the browser opens no dialog at all', async () => {
+  it('warns if the browser opens no dialog at all', async () => {
     const page = await withMadeHere(2);
     page.disk.dialogs = 0;
     await page.saver.saveChanged();
@@ -241,7 +241,7 @@ describe('saving several files that have no place yet', () => {
     ]);
   });
 
-  it('says what the browser wants to be asked where no dialog was open before', async () => {
+  it('tells what the browser requires if no dialog was open before', async () => {
     const page = await pageWith(HERO);
     page.disk.picks = 'as suggested';
     page.disk.mayWrite = false;
@@ -260,7 +260,7 @@ describe('saving several files that have no place yet', () => {
     expect(said(page)).toBe('Saved hero_walk.anim, character.skel.');
   });
 
-  it('speaks of each by the name that it is given', async () => {
+  it('names each file as it is saved', async () => {
     const page = await withMadeHere(2);
     const named = (c: Character): Character => {
       const own = c.skeleton ?? skeleton();
@@ -274,7 +274,7 @@ describe('saving several files that have no place yet', () => {
     expect(about).toEqual(['character.skel', 'character2.skel']);
   });
 
-  it('never gives two the same name', async () => {
+  it('never gives two files the same name', async () => {
     const page = await pageWith(HERO);
     for (const name of ['hero', 'Hero', 'hero']) page.store.apply(createRig, { name });
     page.change(posed);
@@ -285,7 +285,7 @@ describe('saving several files that have no place yet', () => {
 });
 
 describe('a part that was made here', () => {
-  it('comes from the file that it was saved as, under the name that was picked', async () => {
+  it('a part created here gets the file that it was saved as, under the picked name', async () => {
     const page = await withMadeHere(1);
     page.disk.picks = page.disk.put('crab.skel', '');
     await page.saver.saveChanged();
@@ -299,7 +299,7 @@ describe('a part that was made here', () => {
     expect(page.store.document.characters[0].sources[0].bytes).toBe(page.text('crab.skel')?.length);
   });
 
-  it('keeps its file when what was done before the saving is undone', async () => {
+  it('a part created here keeps its file when steps before the saving are undone', async () => {
     const page = await withMadeHere(1);
     page.change(limited);
     await page.saver.saveChanged();
@@ -318,7 +318,7 @@ describe('a part that was made here', () => {
     expect(page.store.document.characters).toEqual([]);
   });
 
-  it('leaves its file to nobody when it is undone and another one is made', async () => {
+  it('a part created here takes its file with it when undone and replaced by another', async () => {
     const page = await withMadeHere(1);
     await page.saver.saveChanged();
     const first = page.text('character.skel');
@@ -335,7 +335,7 @@ describe('a part that was made here', () => {
     expect(page.text('character.skel')).toBe(first);
   });
 
-  it('a part that was made here has its file still when it is undone and redone', async () => {
+  it('a part created here still has its file when undone and redone', async () => {
     const page = await withMadeHere(1);
     await page.saver.saveChanged();
     page.store.undo();
@@ -347,14 +347,14 @@ describe('a part that was made here', () => {
     expect(page.text('character.skel')).toContain('rotxlimit');
   });
 
-  it('a part that was made here is listed where it was downloaded, too', async () => {
+  it('a part created here is listed with its downloaded file, too', async () => {
     const page = await withMadeHere(1);
     page.disk.picks = undefined;
     await page.saver.saveChanged();
     expect(listed(page)).toEqual([['character.skel']]);
   });
 
-  it('a part that was made here is put back in its place by its file', async () => {
+  it('a part created here is replaced when its file is opened', async () => {
     const page = await withMadeHere(1);
     await page.saver.saveChanged();
     await page.open([{ path: 'character.skel', blob: new Blob([SKEL]) }]);
@@ -362,7 +362,7 @@ describe('a part that was made here', () => {
     expect(page.store.document.characters[0].skeleton?.joints).toHaveLength(2);
   });
 
-  it('a part that was made here is not taken for a root of another file of that name', async () => {
+  it('a part created here is not taken for a root of another file of that name', async () => {
     const page = await pageWith(HERO);
     page.store.apply(createRig, { name: 'hero' });
     page.disk.picks = page.disk.put('hero.skel', '');
@@ -376,7 +376,7 @@ describe('a part that was made here', () => {
 });
 
 describe('saving as', () => {
-  it('asks, and saves there from then on', async () => {
+  it('asks for a location, and saves there from then on', async () => {
     const page = await pageWith(HERO);
     page.disk.picks = page.disk.put('copy.anim', '');
     page.change(longer);
@@ -398,7 +398,7 @@ describe('saving as', () => {
     expect(page.names()).toEqual([]);
   });
 
-  it('saving as says what is not there', async () => {
+  it('saving as tells what is missing', async () => {
     const page = await pageWith(HERO);
     await page.saver.saveAs('c1', 'skin');
     expect(page.messages.list.get()[0]?.text).toBe('hero has nothing to save as .skin.');

@@ -48,11 +48,11 @@ const moved = (own: ChannelClip, by = 1): ChannelClip => ({
 const withClip = (edit: (clip: ChannelClip) => ChannelClip) => (c: Character) => ({ ...c, clips: c.clips.map(edit) });
 
 describe('what is unsaved', () => {
-  it('what is unsaved is nothing of what was opened', () => {
+  it('nothing that was just opened is unsaved', () => {
     expect(opened(...hero(), animFile('hero_walk.anim', clip('hero_walk', [1]))).names()).toEqual([]);
   });
 
-  it('what is unsaved is a clip that was edited, until it is undone', () => {
+  it('an edited clip is unsaved until undone', () => {
     const { store, names, change } = opened(...hero(), animFile('hero_walk.anim', clip('hero_walk', [1])));
     change(withClip((c) => moved(c)));
     expect(names()).toEqual(['hero_walk.anim']);
@@ -62,7 +62,7 @@ describe('what is unsaved', () => {
     expect(names()).toEqual(['hero_walk.anim']);
   });
 
-  it('what is unsaved is a clip that was changed there and back, until that is undone', () => {
+  it('a clip changed back and forth is unsaved until undone', () => {
     const { store, names, change } = opened(...hero(), animFile('hero_walk.anim', clip('hero_walk', [1])));
     change(withClip((c) => moved(c)));
     change(withClip((c) => moved(c, -1)));
@@ -72,7 +72,7 @@ describe('what is unsaved', () => {
     expect(names()).toEqual([]);
   });
 
-  it('what is unsaved is nothing that other steps come to after the ones that were saved are undone', () => {
+  it('nothing is unsaved after undoing to the saved state', () => {
     const { store, unsaved, names, change } = opened(...hero(), animFile('hero_walk.anim', clip('hero_walk', [1])));
     const save = () => {
       for (const part of partsOf(store.document.characters[0])) if (part.kind === 'anim') unsaved.written(part);
@@ -85,7 +85,7 @@ describe('what is unsaved', () => {
     expect(names()).toEqual(['hero_walk.anim']);
   });
 
-  it('what is unsaved is a clip made here, and one that has another name now', () => {
+  it('a clip created here, and a renamed one, are unsaved', () => {
     const { names, change } = opened(...hero(), animFile('hero_walk.anim', clip('hero_walk', [1])));
     change((c) => ({ ...c, clips: [...c.clips, clip('new', [0])] }));
     expect(names()).toEqual(['new.anim']);
@@ -93,7 +93,7 @@ describe('what is unsaved', () => {
     expect(names()).toEqual(['hero_walk2.anim', 'new2.anim']);
   });
 
-  it('what is unsaved is told of when a file of its name takes its place', () => {
+  it('reports when an unsaved part is replaced by a file of its name', () => {
     const walk = () => animFile('hero_walk.anim', clip('hero_walk', [1]));
     const { open, names, change } = opened(...hero(), walk());
     expect(open(walk())).toEqual([]);
@@ -104,7 +104,7 @@ describe('what is unsaved', () => {
     expect(names()).toEqual([]);
   });
 
-  it('what is unsaved is the skeleton when its limits or the pose of its joints change', () => {
+  it('a skeleton is unsaved when its limits or file pose change', () => {
     const { store, names, change, setDof } = opened(...hero());
     setDof(4, 0.5);
     expect(names()).toEqual(['hero.skel']);
@@ -118,7 +118,7 @@ describe('what is unsaved', () => {
     expect(names()).toEqual([]);
   });
 
-  it('what is unsaved is no skeleton for where the root stands, for a morph, nor for a pose that a take covers', () => {
+  it('a skeleton is not unsaved for its root position, a morph, or a pose that a take overrides', () => {
     const { names, change, setDof } = opened(...hero());
     setDof(1, 3);
     setDof(9, 1);
@@ -128,7 +128,7 @@ describe('what is unsaved', () => {
     expect(names()).toEqual(['hero_walk.anim']);
   });
 
-  it('what is unsaved is nothing for a name, a place, or another take shown', () => {
+  it('nothing is unsaved for a name, a placement, or another take shown', () => {
     const files = [
       ...hero(),
       animFile('hero_a.anim', clip('hero_a', [1])),
@@ -140,7 +140,7 @@ describe('what is unsaved', () => {
     expect(names()).toEqual([]);
   });
 
-  it('what is unsaved is the library of poses, as long as it is in no file or another', () => {
+  it('the pose library is unsaved while it has no file, or differs from it', () => {
     const { store, open, names, change } = opened(...hero());
     store.apply(keepPose, { characterId: 'c1', timeSeconds: 0 });
     expect(names()).toEqual(['hero.pose']);
@@ -164,7 +164,7 @@ describe('what is unsaved', () => {
     expect(names()).toEqual(['hero.skel', 'kept.pose']);
   });
 
-  it('what is unsaved is the library where a second file of poses was added to it', () => {
+  it('the pose library is unsaved after a second file of poses was added', () => {
     const { store, open, names } = opened(...hero());
     const poseFile = (path: string, name: string) =>
       file(path, { kind: 'pose', poses: [poseByNames(store.document.characters[0], { name, values: [1] })] });
@@ -173,7 +173,7 @@ describe('what is unsaved', () => {
     expect(names()).toEqual(['hero.pose']);
   });
 
-  it('what is unsaved is a library that happens to be as in a file that another character has', () => {
+  it('the pose library is unsaved even if equal to a file of another character', () => {
     const { store, open, names } = opened(
       skelFile('hero.skel', skeleton()),
       skelFile('twin.skel', skeleton(2, 'twin')),
@@ -191,14 +191,14 @@ describe('what is unsaved', () => {
     expect(names()).toEqual(['twin.pose']);
   });
 
-  it('what is unsaved is told by character, kind and index', () => {
+  it('unsaved parts have character, kind and index', () => {
     const other = skelFile('b/other.skel', skeleton(2, 'other'));
     const { unsaved, change } = opened(skelFile('a/hero.skel', skeleton()), other);
     change((c) => ({ ...c, clips: [clip('x', [0])] }), 1);
     expect(unsaved.current()).toEqual([{ characterId: 'c2', kind: 'anim', index: 0, name: 'x.anim' }]);
   });
 
-  it('knows two takes of one name apart', () => {
+  it('tells two takes of one name apart', () => {
     const { names, change } = opened(
       skelFile('hero.skel', skeleton()),
       animFile('a/walk.anim', clip('walk', [1])),
@@ -209,13 +209,13 @@ describe('what is unsaved', () => {
     expect(names()).toEqual(['walk.anim']);
   });
 
-  it('what is unsaved is nothing of a file that waited for its character', () => {
+  it('nothing is unsaved of a file that waits for its character', () => {
     const { names, open } = opened(morphFile('hero_smile.morph', morph('hero_smile')));
     open(skelFile('hero.skel', skeleton()), skinFile('hero.skin', skin()));
     expect(names()).toEqual([]);
   });
 
-  it('what is unsaved is decided anew by what is opened over it, and by taking that back', () => {
+  it('opening a file decides anew what is unsaved, and so does undoing it', () => {
     const { store, names, change, open } = opened(...hero(), animFile('hero_walk.anim', clip('hero_walk', [1])));
     change(withClip((c) => moved(c)));
     open(animFile('hero_walk.anim', clip('hero_walk', [7])));
@@ -226,7 +226,7 @@ describe('what is unsaved', () => {
 });
 
 describe('saving', () => {
-  it('makes what was written the measure', () => {
+  it('saving makes the written state the saved one', () => {
     const { store, unsaved, names, change } = opened(...hero(), animFile('hero_walk.anim', clip('hero_walk', [1])));
     change(withClip((c) => moved(c)));
     const [character] = store.document.characters;
@@ -236,7 +236,7 @@ describe('saving', () => {
     expect(names()).toEqual(['hero_walk.anim']);
   });
 
-  it('tells those who listen once for a change, and not for what changes nothing', async () => {
+  it('notifies listeners once per change, and not if nothing changes', async () => {
     const { unsaved, change, setDof } = opened(...hero(), animFile('hero_walk.anim', clip('hero_walk', [1])));
     await Promise.resolve();
     const heard: string[][] = [];

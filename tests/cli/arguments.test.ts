@@ -5,37 +5,37 @@ import { numberOf, numbersOf, parseArguments, UsageError } from '../../src/cli/a
 const TYPES = { time: 'value', root: 'value', json: 'flag' } as const;
 
 describe('arguments', () => {
-  it('take a value after a blank or after an equals sign', () => {
+  it('option values follow a blank or an equals sign', () => {
     expect(parseArguments(['--time', '2'], TYPES).value('time')).toBe('2');
     expect(parseArguments(['--time=2'], TYPES).value('time')).toBe('2');
   });
 
-  it('take values that begin with a minus, either way', () => {
+  it('option values may begin with a minus, either way', () => {
     const given = parseArguments(['--time', '-1', '--root=-1,-2,-3', 'a.skel'], TYPES);
     expect(given.value('time')).toBe('-1');
     expect(given.value('root')).toBe('-1,-2,-3');
     expect(given.files).toEqual(['a.skel']);
   });
 
-  it('keep an equals sign that belongs to the value, and an empty value', () => {
+  it('option values may contain an equals sign, or be empty', () => {
     expect(parseArguments(['--time=a=b'], TYPES).value('time')).toBe('a=b');
     expect(parseArguments(['--time='], TYPES).value('time')).toBe('');
     expect(parseArguments(['--time', ''], TYPES).value('time')).toBe('');
   });
 
-  it('leave files where they are, before, between and after options', () => {
+  it('arguments take files before, between and after options', () => {
     const given = parseArguments(['a.skel', '--json', 'b c.skin', '--time', '1', 'd.anim'], TYPES);
     expect(given.files).toEqual(['a.skel', 'b c.skin', 'd.anim']);
     expect(given.flag('json')).toBe(true);
   });
 
-  it('take everything after -- for files', () => {
+  it('arguments take everything after -- for files', () => {
     const given = parseArguments(['--', '--json', '-x.skel'], TYPES);
     expect(given.files).toEqual(['--json', '-x.skel']);
     expect(given.flag('json')).toBe(false);
   });
 
-  it('give the last of an option that comes twice, or all of them', () => {
+  it('a repeated option gives its last value, or all of them', () => {
     const given = parseArguments(['--time', '1', '--time=2'], TYPES);
     expect(given.value('time')).toBe('2');
     expect(given.values('time')).toEqual(['1', '2']);

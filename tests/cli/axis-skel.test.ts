@@ -78,7 +78,7 @@ describeShared('marrow convert of axis-angle files', () => {
 });
 
 describe('the axis-angle form in the command', () => {
-  it('tells joints and DOFs, and tips as text', async () => {
+  it('prints axis-angle joints and DOFs, and tips as text', async () => {
     put('arm.axskel', ARM);
     const { files } = await commandJson<InfoJson>(['info', 'arm.axskel'], folder);
     const counts = { joints: 3, dofs: 3, roots: 1, form: 'axis-angle' };
@@ -86,14 +86,14 @@ describe('the axis-angle form in the command', () => {
     expect((await command(['pose', 'arm.axskel', '--dofs=0,0,0', '--root=1,0,0'], folder)).out).toContain('tip 1 2 0');
   });
 
-  it('gives tips to whatever joint has a length, and to no other', async () => {
+  it('gives tips to joints with a length, and to no others', async () => {
     put('mixed.skel', 'balljoint a {\n pose 0 0 1.5707963267948966\n length 2\n balljoint b {\n }\n}\n');
     const [{ joints }] = (await commandJson<PoseJson>(['pose', 'mixed.skel'], folder)).characters;
     expectClose(joints[0].tip ?? [], [-2, 0, 0], WITHIN.rounding);
     expect(joints[1]).not.toHaveProperty('tip');
   });
 
-  it('keeps the form of a .skel, and refuses what it can not hold, saying why', async () => {
+  it('keeps the joint types of a .skel, and refuses what axis-angle files can not hold, saying why', async () => {
     put('arm.skel', ARM);
     put('ball.skel', 'balljoint a {\n}\n');
     put('two.skel', 'hingejoint {\n length 1\n}\nhingejoint {\n length 1\n}\n');
@@ -106,7 +106,7 @@ describe('the axis-angle form in the command', () => {
     expect(two.err).toContain('it holds one tree, and there are 2.');
   });
 
-  it('becomes motion capture with End Sites at the tips', async () => {
+  it('axis-angle files become motion capture with End Sites at the tips', async () => {
     put('arm.axskel', ARM);
     expect((await command(['convert', 'arm.axskel', 'arm.bvh'], folder)).code).toBe(0);
     const [{ endSites = [] }] = (await commandJson<PoseJson>(['pose', 'arm.bvh'], folder)).characters;

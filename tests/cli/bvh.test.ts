@@ -83,7 +83,7 @@ describe('marrow pose, of motion capture', () => {
     ]);
   });
 
-  it('prints End Sites in words too', async () => {
+  it('prints End Sites as text too', async () => {
     expect((await command(['pose', 'two.bvh', '--frame', '0'], folder)).out).toContain('end site of 1: 0 15 0');
   });
 
@@ -163,7 +163,7 @@ describe('marrow convert, to .skel and .anim and back', () => {
     expect(await rate('back.bvh')).toEqual([4, Number(seconds)]);
   });
 
-  it('says so where it takes 30 frames a second, for keys at times of their own', async () => {
+  it('reports that keys at arbitrary times are written at 30 frames per second', async () => {
     writeFileSync(join(folder, 'slow.bvh'), text('0.5'));
     await command(['convert', 'slow.bvh', 'slow.skel'], folder);
     await command(['convert', 'slow.bvh', 'slow.anim'], folder);

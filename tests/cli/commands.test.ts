@@ -59,7 +59,7 @@ const HERO = ['hero.skel', 'hero.skin', 'hero.morph', 'hero_walk.anim'];
 const pose = async (...args: string[]) => (await commandJson<PoseJson>(['pose', ...args], folder)).characters[0];
 
 describe('marrow', () => {
-  it('says what there is when asked, and when it does not understand', async () => {
+  it('prints help when asked, and on unknown arguments', async () => {
     const asked = await command(['--help'], folder);
     expect(asked).toMatchObject({ code: 0, err: '' });
     for (const name of ['info', 'pose', 'channels', 'convert']) expect(asked.out).toContain(`marrow ${name}`);
@@ -86,13 +86,13 @@ describe('marrow', () => {
     expect(err).toContain('usage: marrow');
   });
 
-  it('says how many DOFs it takes', async () => {
+  it('tells how many DOFs it expects', async () => {
     expect((await command(['pose', 'hero.skel', '--dofs', '1'], folder)).err).toContain('takes 6 numbers');
   });
 });
 
 describe('marrow info', () => {
-  it('says that there is nothing in a folder without files', async () => {
+  it('reports a folder without readable files', async () => {
     mkdirSync(join(folder, 'nothing'));
     const { code, out, err } = await command(['info', 'nothing'], folder);
     expect([code, out]).toEqual([1, '']);
@@ -118,7 +118,7 @@ describe('marrow info', () => {
     expect(err).toContain('    \toffset 0 1,5 0\n    \t         ^');
   });
 
-  it('speaks of a file that does not exist, and still of the others', async () => {
+  it('reports a missing file, and still the others', async () => {
     const { files, diagnostics } = await commandJson<InfoJson>(['info', 'gone.skin', 'hero.skel'], folder, 1);
     expect(files).toMatchObject([
       { name: 'gone.skin', loaded: false },
@@ -127,14 +127,14 @@ describe('marrow info', () => {
     expect(diagnostics).toContainEqual(expect.objectContaining({ severity: 'error', code: 'file-missing', line: 0 }));
   });
 
-  it('finds what does not fit between files', async () => {
+  it('reports what does not match between files', async () => {
     writeFileSync(join(folder, 'one.skel'), 'balljoint root { }');
     const { diagnostics } = await commandJson<InfoJson>(['info', 'one.skel', 'hero.skin'], folder, 1);
     expect(diagnostics.filter((d) => d.severity === 'error').map((d) => d.file)).toEqual(['hero.skin']);
     rmSync(join(folder, 'one.skel'));
   });
 
-  it('takes a folder for the files in it, in natural order and without hidden ones', async () => {
+  it('expands a folder to its files, in natural order and without hidden ones', async () => {
     const { files } = await commandJson<InfoJson>(['info', 'many'], folder);
     expect(files.map((f) => f.name)).toEqual(['a9.skel', 'a10.skel']);
   });
@@ -144,12 +144,12 @@ describe('marrow info', () => {
     expect((await commandJson<InfoJson>(args, folder)).files).toHaveLength(1);
   });
 
-  it('passes over what it does not read, with a warning', async () => {
+  it('skips files that it does not read, with a warning', async () => {
     const { diagnostics } = await commandJson<InfoJson>(['info', 'note.txt', 'hero.skel'], folder);
     expect(diagnostics).toMatchObject([{ severity: 'warning', code: 'format-unknown', file: 'note.txt' }]);
   });
 
-  it('says it in words without --json', async () => {
+  it('prints text without --json', async () => {
     const { out } = await command(['info', ...HERO], folder);
     expect(out).toContain('joints 2, dofs 6, roots 1');
     expect(out).toContain('character hero: hero.skel, hero.skin, hero.morph, hero_walk.anim');
@@ -157,7 +157,7 @@ describe('marrow info', () => {
 });
 
 describe('marrow pose', () => {
-  it('gives the pose of the file where nothing else is asked, whatever animation is there', async () => {
+  it('prints the file pose by default, even with an animation', async () => {
     const character = await pose(...HERO);
     expect(character).toMatchObject({ name: 'hero', root: [0, 0, 0], morphs: [{ name: 'hero', weight: 0 }] });
     expect(character.joints.map((j) => j.dofs)).toEqual([
@@ -184,23 +184,23 @@ describe('marrow pose', () => {
     expect(bent.morphs[0].weight).toBe(-2);
   });
 
-  it('gives the undeformed skin without a skeleton', async () => {
+  it('prints the undeformed skin without a skeleton', async () => {
     const character = await pose('hero.skin', '--vertices', '--time', '3', '--root', '1,1,1');
     expect(character.joints).toEqual([]);
     expect(character.positions?.join(' ')).toBe(ROW);
     expect(character.bounds).toEqual({ min: [0, 0, 0], max: [1, 1, 0] });
   });
 
-  it('bounds the joints where there is no skin', async () => {
+  it('bounds the joints if there is no skin', async () => {
     expect((await pose('hero.skel', '--root', '1,0,0')).bounds).toEqual({ min: [1, 0, 0], max: [1, 2, 0] });
   });
 
-  it('gives several characters when the files make several', async () => {
+  it('prints several characters if the files contain several', async () => {
     const { characters } = await commandJson<PoseJson>(['pose', 'many'], folder);
     expect(characters.map((c) => c.name)).toEqual(['a9', 'a10']);
   });
 
-  it('ends with 1 for a broken file, with the rest posed', async () => {
+  it('exits with 1 for a broken file, and poses the rest', async () => {
     const { characters } = await commandJson<PoseJson>(['pose', 'broken.skel', 'hero.skel'], folder, 1);
     expect(characters.map((c) => c.name)).toEqual(['hero']);
   });
@@ -210,7 +210,7 @@ describe('marrow convert', () => {
   const written = (name: string) => readFileSync(join(folder, name), 'utf8');
   const convert = (...args: string[]) => command(['convert', ...args], folder);
 
-  it('writes each format back, and what it wrote once more to the same bytes', async () => {
+  it('writes each format back, and its own output to the same bytes', async () => {
     for (const name of HERO) {
       const extension = name.slice(name.lastIndexOf('.'));
       expect(await convert(name, `once${extension}`)).toMatchObject({ code: 0, err: '' });
@@ -219,20 +219,20 @@ describe('marrow convert', () => {
     }
   });
 
-  it('picks the part that OUT asks for out of several files', async () => {
+  it('picks the content that OUT asks for from several files', async () => {
     await convert(...HERO, 'picked.skin');
     await convert('hero.skin', 'alone.skin');
     expect(written('picked.skin')).toBe(written('alone.skin'));
   });
 
-  it('makes a rig of the names given', async () => {
+  it('writes a rig of the given names', async () => {
     await convert(...HERO, 'made.rig');
     const { files, diagnostics } = await commandJson<InfoJson>(['info', 'made.rig', ...HERO], folder);
     expect(files[0]).toMatchObject({ kind: 'rig', parts: HERO });
     expect(diagnostics).toEqual([]);
   });
 
-  it('refuses, in a sentence, what IN does not hold, and more than one of it', async () => {
+  it('refuses, with a message, content that IN does not have, or has twice', async () => {
     const missing = await convert('hero.skel', 'none.skin');
     expect(missing).toMatchObject({ code: 1, out: '' });
     expect(missing.err).toContain('Expected skin input');
@@ -240,7 +240,7 @@ describe('marrow convert', () => {
     expect((await convert('hero.skel', 'many/a9.skel', 'both.skel')).err).toContain('Name only one');
   });
 
-  it('leaves what was there when it fails, and nothing beside it', async () => {
+  it('leaves existing files unchanged if it fails, and no temporary ones', async () => {
     writeFileSync(join(folder, 'kept.skel'), SKEL);
     const before = readdirSync(folder);
     expect((await convert('broken.skel', 'kept.skel')).code).toBe(1);
@@ -253,7 +253,7 @@ describe('marrow convert', () => {
     expect(readdirSync(folder)).toEqual(before);
   });
 
-  it('may write over the file that it read', async () => {
+  it('may overwrite the file that it read', async () => {
     writeFileSync(join(folder, 'same.skel'), SKEL);
     expect((await convert('same.skel', 'same.skel')).code).toBe(0);
     await convert('hero.skel', 'other.skel');
@@ -301,14 +301,14 @@ Frame Time: 0.05
     }
   });
 
-  it('rewrites it to the same bytes, and at another rate when asked', async () => {
+  it('rewrites motion capture to the same bytes, and at another frame rate on request', async () => {
     expect(await convert('walk.bvh', 'again.bvh')).toMatchObject({ code: 0, err: '' });
     expect(readFileSync(at('again.bvh'), 'utf8')).toBe(BVH);
     expect(await convert('walk.bvh', 'slow.bvh', '--fps', '10')).toMatchObject({ code: 0 });
     expect(readFileSync(at('slow.bvh'), 'utf8')).toContain('Frames: 2\nFrame Time: 0.1\n');
   });
 
-  it('makes .skel and .anim by the name of OUT, and .bvh of those again', async () => {
+  it('writes .skel and .anim by the extension of OUT, and .bvh from those again', async () => {
     expect(await convert('walk.bvh', 'w.skel')).toMatchObject({ code: 0, err: '' });
     expect(await convert('walk.bvh', 'w.anim')).toMatchObject({ code: 0, err: '' });
     expect(readFileSync(at('w.skel'), 'utf8')).toContain('freejoint Hips {');
@@ -322,7 +322,7 @@ Frame Time: 0.05
     });
   });
 
-  it('keeps fewer keys within a tolerance', async () => {
+  it('writes fewer keys within a tolerance', async () => {
     await convert('walk.bvh', 'all.anim');
     await convert('walk.bvh', 'few.anim', '--tolerance', '0.001');
     const keys = async (name: string) => (await commandJson<InfoJson>(['info', name], folder)).files[0].keys;
@@ -330,7 +330,7 @@ Frame Time: 0.05
     expect(await keys('few.anim')).toBeLessThan(24);
   });
 
-  it('refuses a rate of more frames than anybody has, in one file or in many', async () => {
+  it('refuses a frame rate that gives too many frames, in one file or in many', async () => {
     const one = await convert('walk.bvh', 'mad.bvh', '--fps', '1e12');
     expect(one).toMatchObject({ code: 1, out: '' });
     expect(one.err).toMatch(
@@ -341,7 +341,7 @@ Frame Time: 0.05
     expect(many.err).toContain('walk.bvh error conversion-refused');
   });
 
-  it('converts a folder below another one, goes on past what is broken, and says so in the end', async () => {
+  it('converts a folder to another one, continues after broken files, and exits with an error', async () => {
     const { code, out, err } = await convert('takes', '--to', 'skel', '--out', 'made');
     expect(code).toBe(1);
     expect(err).toContain('broken.bvh:');
@@ -357,7 +357,7 @@ Frame Time: 0.05
     expect(tree('back')).toEqual(['more', 'more/run.bvh', 'walk.bvh']);
   });
 
-  it('writes beside what was read, and replaces nothing unasked', async () => {
+  it('writes next to its input, and overwrites nothing unasked', async () => {
     mkdirSync(at('beside'));
     writeFileSync(at('beside', 'walk.bvh'), BVH);
     writeFileSync(at('beside', 'walk.anim'), 'mine');

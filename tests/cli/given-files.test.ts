@@ -20,7 +20,7 @@ afterAll(() => rmSync(folder, { recursive: true, force: true }));
 const given = (...args: string[]) => findGiven(args, folder);
 
 describe('files given to npm start', () => {
-  it('keep their folders apart, and together what lies together', () => {
+  it('files given to npm start are separated by folder, and kept together within one', () => {
     const table = tableOf(given('one/wasp.skel', 'a b,c%d/wasp.skel', 'one/x,y 50%#?&+ä.skin').files);
     expect([...table.keys()]).toEqual(['/given/0/wasp.skel', '/given/1/wasp.skel', '/given/0/x,y 50%#?&+ä.skin']);
     expect(table.get('/given/1/wasp.skel')).toBe(join(folder, 'a b,c%d', 'wasp.skel'));
@@ -31,7 +31,7 @@ describe('files given to npm start', () => {
     expect(filesInQuery(queryOf(table))).toEqual([...table.keys()].map((address) => address.slice(1)));
   });
 
-  it('are found from the caller on, each once, and missed by the name that was written', () => {
+  it('files given to npm start are relative to the caller, each once; missing ones are named as written', () => {
     const { files, missing } = given('one', './one/wasp.skel', 'one/none.skel', join(folder, 'one', 'wasp.skel'));
     expect(files.map((f) => f.path)).toEqual(['one/wasp.skel', 'one/x,y 50%#?&+ä.skin']);
     expect(missing).toEqual(['one/none.skel']);

@@ -47,7 +47,7 @@ const told = async (...args: string[]) => {
 };
 
 describeShared('marrow ik, against the reference', () => {
-  it('brings tips of axis-angle skeletons to where they can be', async () => {
+  it('brings tips of axis-angle skeletons to reachable targets', async () => {
     const cases = ikCases();
     for (const [name, list] of Object.entries(cases.multi)) {
       const { file, reach } = cases.skeletons[name];
@@ -68,7 +68,7 @@ describeShared('marrow ik, against the reference', () => {
 });
 
 describe('marrow ik', () => {
-  it('poses so that pose finds the points there, within the limits', async () => {
+  it('finds a pose whose points pose confirms, within the limits', async () => {
     const { dofs, root, pins, iterations } = await ikOf('--pin', '#3=1.4,1.2,0.5');
     expect(iterations).toBeGreaterThan(0);
     expect(pins[0].residual).toBeLessThan(1e-4);
@@ -80,13 +80,13 @@ describe('marrow ik', () => {
     expectClose(pins[0].position, characters[0].joints[3].world.slice(12, 15), 1e-12);
   });
 
-  it('pins any point of a joint, called by its name whatever is in it', async () => {
+  it('pins any point of a joint, whatever characters its name contains', async () => {
     const { pins } = await ikOf('--pin', 'elbow@0,1,0=1.4,1.2,0.5', '--pin=upper@2,a=b@0,0.5,0=-1,0,0.5,0.25');
     expect(pins.map(({ joint }) => joint)).toEqual([2, 4]);
     expect(Math.max(...pins.map(({ residual }) => residual))).toBeLessThan(1e-4);
   });
 
-  it('comes as near as it can, and keeps the root where it is unless that is free', async () => {
+  it('gets as close as possible, and keeps the root unless that is free', async () => {
     const fixed = await ikOf('--pin', 'upper=9,0,0');
     expectClose(fixed.pins[0].position, [1, 0, 0], 1e-9);
     expect(fixed.pins[0].residual).toBeCloseTo(8, 9);
@@ -95,7 +95,7 @@ describe('marrow ik', () => {
     expect(free.root[0]).toBeGreaterThan(5);
   });
 
-  it('starts where it is told to, and stays there if that will do', async () => {
+  it('starts from a given pose, and keeps it if it solves the pins', async () => {
     const dofs = [0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7, 0.8, 0.9, 1];
     const { characters } = await commandJson<PoseJson>(['pose', 'arms.skel', `--dofs=${dofs.join(',')}`], folder);
     const hand = characters[0].joints[3].world.slice(12, 15);
@@ -104,18 +104,18 @@ describe('marrow ik', () => {
     expect(found.iterations).toBe(0);
   });
 
-  it('lets weights decide where two pins want the same joint', async () => {
+  it('weights decide between two pins on the same joint', async () => {
     const { pins } = await ikOf('--pin', 'upper=2,0,0,100', '--pin', 'upper=0,2,0', '--free-root');
     expect(pins[0].residual).toBeLessThan(pins[1].residual / 50);
   });
 
-  it('says in text what it says in JSON', async () => {
+  it('prints the same as text and as JSON', async () => {
     const { out, code } = await command(['ik', 'arms.skel', '--pin', 'elbow=1,1,0'], folder);
     expect(code).toBe(0);
     expect(out).toMatch(/^pin on #2 at 1 1 0, off by 0\nroot 0 0 0\ndofs 0,0,0,0,0,0,0,0,0,0\niterations 0\n$/);
   });
 
-  it('says what is wrong with a pin', async () => {
+  it('reports invalid pins', async () => {
     expect(await told('arms.skel')).toMatch('at least one pin');
     expect(await told('arms.skel', '--pin', 'elbow')).toMatch('has no "="');
     expect(await told('arms.skel', '--pin', 'elbow=1,2')).toMatch('"elbow=1,2" has 2');
@@ -129,7 +129,7 @@ describe('marrow ik', () => {
     expect(await told('arms.skel', '--pin', 'hand=1,2,3')).toMatch('use #3 or #5');
   });
 
-  it('says what is wrong with its files and lists', async () => {
+  it('reports problems of its files and lists', async () => {
     expect(await told('arms.skel', '--pin', 'elbow=1,2,3', '--dofs', '1,2')).toMatch('takes 10 numbers');
     expect(await told('arms.skel', 'arms.skel', '--pin', 'elbow=1,2,3', '--twice')).toMatch('no option --twice');
     const broken = await command(['ik', 'broken.skel', '--pin', '#0=1,2,3'], folder);

@@ -39,13 +39,13 @@ describe('the folder of samples', () => {
     expect(Buffer.compare(readFileSync(FOLDER + name), made)).toBe(0);
   });
 
-  it('holds nothing else, and is under 400 kB', () => {
+  it('the folder of examples holds nothing else, and is under 400 kB', () => {
     expect(readdirSync(FOLDER).sort()).toEqual([...folder.keys()].sort());
     const bytes = [...folder.values()].reduce((sum, content) => sum + bytesOf(content).length, 0);
     expect(bytes).toBeLessThan(400_000);
   });
 
-  it('lists every file of every sample, the walker first', () => {
+  it('lists every file of every example, the walker first', () => {
     // JSON written by the code itself.
     const entries = JSON.parse(String(folder.get('samples.json'))) as SampleListing[];
     expect(entries.map((e) => e.id)).toEqual(['walker', 'crawler', 'joints', 'tangents', 'cube']);
@@ -61,7 +61,7 @@ describe.each(samples.map((s) => [s.id, s] as const))('%s', (_id, sample) => {
     for (const [name, content] of files) expect(readAny(name, content)).toEqual([]);
   });
 
-  it('is read as it was made', () => {
+  it('reads back as generated', () => {
     const { skeleton, skin, morphs, clip, rig } = sample;
     const text = (name: string) => String(files.get(name));
     expect(readSkel(text(`${skeleton.name}.skel`), `${skeleton.name}.skel`).value).toEqual([skeleton]);
@@ -172,7 +172,7 @@ describe('joint types', () => {
     expect(skeleton.joints.some((joint) => joint.length !== undefined)).toBe(true);
   });
 
-  it('move in every DOF, but for what carries them and what follows another', () => {
+  it('joint types move every DOF, except carriers and linked DOFs', () => {
     const first = firstDofs(skeleton);
     skeleton.joints.forEach((joint, j) => {
       const count = joint.motion.kind === 'fixed' ? 0 : joint.pose.length;
@@ -183,7 +183,7 @@ describe('joint types', () => {
     });
   });
 
-  it('ask for their names to be shown', () => {
+  it('joint types switch joint names on', () => {
     const entries: SampleListing[] = JSON.parse(String(folder.get('samples.json')));
     expect(entries.find(({ id }) => id === 'joints')?.shows).toEqual({ names: true });
     expect(new Set(skeleton.joints.map(({ name }) => name)).size).toBe(skeleton.joints.length);

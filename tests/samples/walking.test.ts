@@ -123,7 +123,7 @@ describe('the walker', () => {
     }
   });
 
-  it('the walker has no vertex that slides over the ground, and none under it', () => {
+  it('no vertex of the walker slides over the ground, or is below it', () => {
     const { skin } = walker;
     if (!skin) throw new Error('no skin');
     const near = [...Array(skin.positions.length / 3).keys()].filter((v) => skin.positions[3 * v + 1] < 0.2);
@@ -144,7 +144,7 @@ describe('the walker', () => {
     }
   });
 
-  it('lifts its feet clear of the ground in the middle of a step', () => {
+  it('lifts its feet clear of the ground in mid-swing', () => {
     for (const [suffix, lag] of feet) {
       play.seek((lag + (TOE_LEAVES + 1) / 2) * stride);
       expect(play.point(`toe${suffix}`, [0, -0.03, 0.1])[1]).toBeGreaterThan(0.02 * height);
@@ -207,7 +207,7 @@ describe('the crawler', () => {
     }
   });
 
-  it('stands on three feet at least, at any time', () => {
+  it('the crawler has at least three feet planted at any time', () => {
     for (const t of between(0, stride)) {
       const standing = LEGS.filter((leg) => (t / stride + 1 - leg.lag) % 1 < LIFTS);
       expect(standing.length).toBeGreaterThanOrEqual(3);
@@ -216,7 +216,7 @@ describe('the crawler', () => {
 });
 
 describe.each([walker, crawler].map((s) => [s.id, s] as const))('%s, played in a loop', (_id, sample) => {
-  it('ends where it began', () => {
+  it('ends as it began', () => {
     const play = player(sample);
     const [from, to] = sample.clip.range;
     play.seek(from);

@@ -52,7 +52,7 @@ const again = (store: ReturnType<typeof memoryStore>) =>
   });
 
 describe('a kept session with motion capture', () => {
-  it('keeps the file of a take that nobody changed, and not one number of it besides', async () => {
+  it('stores the file of an unedited take, and none of its numbers', async () => {
     const { store, page, unsaved, keeper } = await openedPage();
     await keeper.save(stateOf(page.document, unsaved.snapshot()), 1);
     expect(store.writes[0].files.map((f) => f.given.path)).toEqual(['walk.bvh']);
@@ -63,7 +63,7 @@ describe('a kept session with motion capture', () => {
     expect(after.clips[0].samples?.values).toEqual(before.clips[0].samples?.values);
   });
 
-  it('keeps edited samples once, and what of them is saved', async () => {
+  it('stores edited samples once, and which of them are saved', async () => {
     const { store, page, unsaved, keeper } = await openedPage();
     const [character] = page.document.characters;
     const [clip] = character.clips;

@@ -50,7 +50,7 @@ const poseOf = (character: Character, seconds: number) => {
   return [...dofs];
 };
 
-it('brings back a character that another one’s take moves, and it follows that one’s edits as before', async () => {
+it('restores a retargeted character, which still follows edits of its source', async () => {
   const origins = new Origins();
   const { files } = await read(FILES);
   origins.learn(FILES, files);

@@ -73,7 +73,7 @@ describe('encoding a session', () => {
     );
   });
 
-  it('keeps what is shared shared, large arrays and small ones', () => {
+  it('preserves sharing of large and small arrays', () => {
     const large = new Float64Array(100_000);
     const small = Float64Array.of(1, 2);
     const inner = { large };
@@ -90,7 +90,7 @@ describe('encoding a session', () => {
     expect((tree as Float64Array).buffer.byteLength).toBe(16);
   });
 
-  it('encoding a session has a few words for what came from files, however large', () => {
+  it('stores a few words for content of files of any size', () => {
     const big = skin('hero', 0, { positions: new Float64Array(3_000_000) });
     const files = [skelFile('hero.skel', skeleton(3)), skinFile('hero.skin', big)];
     const origins = new Origins();
@@ -103,7 +103,7 @@ describe('encoding a session', () => {
     expect(encoded.files.map((f) => f.path)).toEqual(['hero.skel', 'hero.skin']);
   });
 
-  it('finds the parts of files again, unedited ones as the very objects of the files read anew', () => {
+  it('finds parts of files again, unedited ones as the objects read', () => {
     const read = () => [skelFile('d/hero.skel', skeleton(3)), animFile('d/walk.anim', clip('walk', [1, 2, 3, 4]))];
     const files = read();
     const origins = new Origins();
@@ -127,7 +127,7 @@ describe('encoding a session', () => {
     expect([...keysOf(back.characters[0].clips[0].channels[2]).values]).toEqual([9]);
   });
 
-  it('gives the channels that earlier versions kept their kind', () => {
+  it('gives channels of earlier versions their kind', () => {
     const extrapolations = { extrapolateIn: 'cycle', extrapolateOut: 'linear' } as const;
     const keys = { ...NO_KEYS, times: Float64Array.of(1), values: Float64Array.of(2) };
     const former = [keys, NO_KEYS, { ...NO_KEYS, rest: 3 }, NO_KEYS].map((c) => ({ ...extrapolations, ...c }));
@@ -143,7 +143,7 @@ describe('encoding a session', () => {
     expect(back).toEqual({ clips: [{ name: 'walk', range: [0, 1], channels, samples }] });
   });
 
-  it('finds what earlier versions kept of a file’s channel without keys', () => {
+  it("finds what earlier versions stored of a file's channel without keys", () => {
     const walk = clip('walk', [1, 2]);
     const read = animFile('walk.anim', { ...walk, channels: [walk.channels[0], restChannel()] });
     const part = (key: string): Encoded => ({ is: 'part', file: 0, path: ['clip', 'channels', 1, key] });
@@ -153,7 +153,7 @@ describe('encoding a session', () => {
     expect(decode({ is: 'object', of: former }, [read], new Map())).toEqual(restChannel(3));
   });
 
-  it('refuses where a file reads differently than it did', () => {
+  it('refuses if a file reads differently than before', () => {
     const files = [skelFile('hero.skel', skeleton(3))];
     const origins = new Origins();
     origins.learn([blob('hero.skel')], files);
@@ -172,14 +172,14 @@ describe('encoding a session', () => {
     expect(origins.find(b)?.file.given.given.path).toBe('b.skel');
   });
 
-  it('takes nothing for a file’s where two were given under one name', () => {
+  it('attributes nothing to a file if two were opened under one name', () => {
     const origins = new Origins();
     const a = skelFile('a.skel', skeleton(1));
     origins.learn([blob('a.skel'), blob('a.skel')], [a]);
     expect(origins.find(a)).toBeUndefined();
   });
 
-  it('keeps the picture of a texture by its file', () => {
+  it('stores a texture as its file', () => {
     const bytes = new Uint8Array(100_000) as StorableNumbers & Uint8Array<ArrayBuffer>;
     const picture = file('hero.png', { kind: 'texture', texture: { name: 'hero.png', mime: 'image/png', bytes } });
     const origins = new Origins();

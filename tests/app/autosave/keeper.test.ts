@@ -79,7 +79,7 @@ const skeletonOf = (file: ParsedFile) => {
 };
 
 describe('a session', () => {
-  it('puts an opened file once, and a few words afterwards', async () => {
+  it('stores an opened file once, and a few words afterwards', async () => {
     const store = memoryStore();
     const { keeper, files } = await opened(store, given('hero.skel'));
     const document = documentOf(character({ skeleton: skeletonOf(files[0]) }));
@@ -91,7 +91,7 @@ describe('a session', () => {
     expect(store.writes[1].pieces).toEqual([]);
   });
 
-  it('writes of a long channel only the columns that changed', async () => {
+  it('stores only the changed columns of a long channel', async () => {
     const store = memoryStore();
     const keeper = new Keeper('s', store, new Origins());
     const [long, other] = [channel(100_000), channel(100_000, 7)];
@@ -100,7 +100,7 @@ describe('a session', () => {
     expect(store.lastBytes()).toBe(long.values.byteLength);
   });
 
-  it('comes back as it was, through any saves', async () => {
+  it('reads back unchanged after any saves', async () => {
     const edit = fc.record({ index: fc.nat(5), keys: fc.nat(3000), first: fc.integer() });
     await fc.assert(
       fc.asyncProperty(fc.array(edit, { maxLength: 12 }), async (edits) => {
@@ -123,7 +123,7 @@ describe('a session', () => {
     );
   });
 
-  it('goes on after it was read: what is stored is not written again, what is not needed goes', async () => {
+  it('continues after reading: stored data is not written again, unneeded data is deleted', async () => {
     const store = memoryStore();
     const { keeper, files } = await opened(store, given('hero.skel'));
     const long = channel(50_000);
@@ -141,7 +141,7 @@ describe('a session', () => {
     expect(store.sessions.get('s')?.files.size).toBe(0);
   });
 
-  it('a session is the earlier one where a save fails, and whole with the next', async () => {
+  it('a session is unchanged after a failed save, and complete after the next', async () => {
     const store = memoryStore();
     const keeper = new Keeper('s', store, new Origins());
     const before = stateOf(animated([channel(5000)]));
@@ -157,7 +157,7 @@ describe('a session', () => {
     expectSame((await readBack(store)).state, after);
   });
 
-  it('keeps what came from a file that can’t be copied any more as its own', async () => {
+  it('stores content of a file that can’t be copied any more as its own', async () => {
     const store = memoryStore();
     const { keeper, files } = await opened(store, given('hero.skel'));
     store.onWrite = (write) => {
@@ -169,7 +169,7 @@ describe('a session', () => {
     expectSame((await readBack(store)).state, state);
   });
 
-  it('keeps what is known of a skin that no file brings back, and nothing of one that a file does', async () => {
+  it('stores facts of skins that no file restores, and none of those that a file does', async () => {
     const store = memoryStore();
     const { keeper, files } = await opened(store, given('hero.skin', SKIN));
     const [made, smile, read] = [skin('made'), morph('smile'), skinOf(files[0])];
@@ -188,7 +188,7 @@ describe('a session', () => {
     expect(store.writes[1]).toMatchObject({ files: [], pieces: [], goneFiles: [], gonePieces: [] });
   });
 
-  it('a session is written anew where someone has cleared the store', async () => {
+  it('a session is written again if its store was cleared', async () => {
     const store = memoryStore();
     const keeper = new Keeper('s', store, new Origins());
     const channels = [channel(5000)];
@@ -199,7 +199,7 @@ describe('a session', () => {
     expectSame((await readBack(store)).state, state);
   });
 
-  it('is right when a hasty save overtakes one that is under way, whether that comes to an end or not', async () => {
+  it('is right if an immediate save overtakes a running one, whether that finishes or not', async () => {
     for (const comesToAnEnd of [true, false]) {
       const store = memoryStore();
       const keeper = new Keeper('s', store, new Origins());
@@ -222,7 +222,7 @@ describe('a session', () => {
     }
   });
 
-  it('a session is refused as a whole where a file reads differently', async () => {
+  it('a session is refused as a whole if a file reads differently', async () => {
     const store = memoryStore();
     const { keeper, files } = await opened(store, given('hero.skel'));
     await keeper.save(stateOf(documentOf(character({ skeleton: skeletonOf(files[0]) }))), 1);

@@ -20,13 +20,13 @@ async function offersOf(...ids: readonly string[]) {
 }
 
 describe('work that was left behind', () => {
-  it('is offered, the newest first', async () => {
+  it('left-behind sessions are offered, the newest first', async () => {
     const { shown, works } = await offersOf('older', 'newer');
     expect(works()).toEqual(['newer', 'older']);
     expect(shown.get()).toMatchObject({ isPutOff: false, isAskedFor: false });
   });
 
-  it('can be asked for again after “not now”', async () => {
+  it('an offer can be requested again after “not now”', async () => {
     const { shown, restored, works } = await offersOf('work');
     shown.get()?.later();
     expect(shown.get()?.isPutOff).toBe(true);
@@ -37,14 +37,14 @@ describe('work that was left behind', () => {
     expect(restored).toEqual(['work']);
   });
 
-  it('stays put off when something else happens', async () => {
+  it('a postponed offer stays postponed when something else happens', async () => {
     const { offers, shown } = await offersOf('work');
     shown.get()?.later();
     offers.setAside();
     expect(shown.get()).toMatchObject({ isPutOff: true, isAside: true });
   });
 
-  it('is not offered any more once it is worked on; the others are there for who asks', async () => {
+  it('a session in use is not offered any more; the others are available on request', async () => {
     const { offers, shown, works } = await offersOf('older', 'newer');
     shown.get()?.restore('newer');
     offers.taken('newer');

@@ -36,20 +36,20 @@ const numbers = (length: number, first = 0) => Float64Array.from({ length }, (_,
 const sizes = (plan: PiecePlan) => plan.puts.map((put) => put.size);
 
 describe('pieces', () => {
-  it('writes an array once, and nothing when nothing changed', () => {
+  it('writes an array once, and nothing if nothing has changed', () => {
     const shelf = new Shelf();
     const arrays = [numbers(100), numbers(LARGE)];
     expect(shelf.save(arrays).puts).toHaveLength(2);
     expect(shelf.save(arrays).puts).toEqual([]);
   });
 
-  it('cuts a large array into pieces, and joins small ones into one', () => {
+  it('splits a large array into pieces, and joins small ones into one', () => {
     const shelf = new Shelf();
     const plan = shelf.save([numbers(PIECE_BYTES / 8 + 1), numbers(50), numbers(60)]);
     expect(sizes(plan)).toEqual([PIECE_BYTES, 8, 8 * 110]);
   });
 
-  it('writes only what is new, and deletes what is not needed any more', () => {
+  it('writes only what is new, and deletes what is no longer needed', () => {
     const shelf = new Shelf();
     const [a, b] = [numbers(LARGE), numbers(LARGE, 5)];
     shelf.save([a, b]);
@@ -66,7 +66,7 @@ describe('pieces', () => {
     expect(shelf.save([a]).puts).toHaveLength(1);
   });
 
-  it('takes nothing for stored that an earlier save has not finished, nor anything it deletes', () => {
+  it('relies on nothing that an earlier save has not finished, nor on anything it deletes', () => {
     const shelf = new Shelf();
     const [a, b] = [numbers(LARGE), numbers(LARGE, 5)];
     shelf.save([a]);
@@ -80,7 +80,7 @@ describe('pieces', () => {
     expect(shelf.bytes).toBe(2 * LARGE_BYTES);
   });
 
-  it('the same where the earlier save is given up', () => {
+  it('the same if the earlier save fails', () => {
     const shelf = new Shelf();
     const [a, b] = [numbers(LARGE), numbers(LARGE, 5)];
     shelf.save([a]);
@@ -92,7 +92,7 @@ describe('pieces', () => {
     expect(shelf.bytes).toBe(2 * LARGE_BYTES);
   });
 
-  it('stores little more than what is needed, whatever changes how often', () => {
+  it('stores little more than needed, however often anything changes', () => {
     const change = fc.record({ index: fc.nat(39), length: fc.integer({ min: 40, max: 40_000 }) });
     fc.assert(
       fc.property(fc.array(fc.array(change, { maxLength: 6 }), { minLength: 1, maxLength: 60 }), (saves) => {

@@ -52,7 +52,7 @@ async function page(edit: (store: Store) => void) {
   return { before: store.document.characters[0], after: next.document.characters[0], unsaved: nextUnsaved };
 }
 
-it('brings back poses that were kept, and what is pinned, locked and stiff', async () => {
+it('restores saved poses, pins, locks and stiffness', async () => {
   const { before, after, unsaved } = await page((store) => {
     store.apply(keepPose, { characterId: 'c1', name: 'kept by hand', timeSeconds: 0 });
     store.apply(pinPoint, { characterId: 'c1', joint: 1, point: [0, 1, 0], weight: 2, holdsOrientation: true });
@@ -68,7 +68,7 @@ it('brings back poses that were kept, and what is pinned, locked and stiff', asy
   expect(unsaved.current().map(({ name }) => name)).toEqual(['hero.pose']);
 });
 
-it('knows poses that are as in their file', async () => {
+it('recognises poses equal to those of their file', async () => {
   const { after, unsaved } = await page(() => undefined);
   expect(after.poses?.map(({ name }) => name)).toEqual(['sit']);
   expect(unsaved.current()).toEqual([]);

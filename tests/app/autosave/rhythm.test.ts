@@ -9,7 +9,7 @@ function counted() {
   return { due, rhythm: new Rhythm(due) };
 }
 
-it('saves once, a while after the last change', () => {
+it('saves once, shortly after the last change', () => {
   const { due, rhythm } = counted();
   rhythm.changed();
   vi.advanceTimersByTime(500);
@@ -22,7 +22,7 @@ it('saves once, a while after the last change', () => {
   expect(due).toHaveBeenCalledTimes(1);
 });
 
-it('saves every few seconds while changes never end', () => {
+it('saves every few seconds during continuous changes', () => {
   const { due, rhythm } = counted();
   for (let i = 0; i < 200; i++) {
     rhythm.changed();
@@ -32,7 +32,7 @@ it('saves every few seconds while changes never end', () => {
   expect(due.mock.calls.length).toBeLessThanOrEqual(4);
 });
 
-it('waits for the hand to let go', () => {
+it('waits for the end of a drag', () => {
   const { due, rhythm } = counted();
   rhythm.hand(true);
   rhythm.changed();
@@ -43,7 +43,7 @@ it('waits for the hand to let go', () => {
   expect(due).toHaveBeenCalledTimes(1);
 });
 
-it('but not for a hand that never does', () => {
+it('does not wait for a drag that never ends', () => {
   const { due, rhythm } = counted();
   rhythm.hand(true);
   rhythm.changed();

@@ -81,7 +81,7 @@ describe('a session kept by version 1', () => {
     page = await restored();
   });
 
-  it('comes back with its characters, takes, poses and files', () => {
+  it('restores characters, takes, poses and files of version 1', () => {
     const { characters } = page.store.document;
     expect(
       characters.map(({ name, clips, sources }) => [name, clips.map((c) => c.name), sources.map((s) => s.name)]),
@@ -106,11 +106,11 @@ describe('a session kept by version 1', () => {
     expect(page.store.selection).toEqual({ characterId: 'c1', joint: 1 });
   });
 
-  it('knows what is not saved, and only that', () => {
+  it('knows what is unsaved, and nothing else', () => {
     expect(page.names()).toEqual(['hero.skel', 'hero_walk.anim', 'hero_new.anim']);
   });
 
-  it('a session kept by version 1 knows where its files lie', () => {
+  it('a session of version 1 knows the locations of its files', () => {
     const [hero, dance] = page.store.document.characters;
     expect(page.handles.ofCharacter(hero).map(({ path }) => path)).toEqual([
       'hero/hero.skel',
@@ -124,7 +124,7 @@ describe('a session kept by version 1', () => {
     expect(page.handles.ofCharacter(dance).map(({ path }) => path)).toEqual(['dance.bvh']);
   });
 
-  it('marks what is changed from then on, until it is undone', () => {
+  it('marks later changes as unsaved, until undone', () => {
     page.change((c) => ({ ...c, clips: c.clips.map((clip, i) => (i === 2 ? { ...clip, range: [0, 5] } : clip)) }), 0);
     expect(page.names()).toEqual(['hero.skel', 'hero_walk.anim', 'hero_jump.anim', 'hero_new.anim']);
     page.store.undo();

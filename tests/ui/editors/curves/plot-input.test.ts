@@ -120,18 +120,18 @@ describe('the keyboard while keys are dragged', () => {
     expect(press(key, code, more)).toBe(true);
   });
 
-  it('the keyboard while keys are dragged waits from the press on', () => {
+  it('shortcuts are blocked from the press on while keys are dragged', () => {
     send('pointerdown', pointer(pointAt(1)));
     expect(press('Delete', 'Delete')).toBe(false);
   });
 
-  it('the keyboard while keys are dragged does not wait while one only looks around', () => {
+  it('shortcuts are not blocked while panning or zooming', () => {
     send('pointerdown', pointer({ ...pointAt(1), button: 1 }));
     expect(input.dragging).toBe(true);
     expect(press('f', 'KeyF')).toBe(true);
   });
 
-  it('gives the drag up with Escape, once and for all', () => {
+  it('Escape cancels the drag for good', () => {
     beginDrag();
     expect(times()[1]).toBeCloseTo(1.25, 9);
     expect(press('Escape', 'Escape')).toBe(false);
@@ -142,7 +142,7 @@ describe('the keyboard while keys are dragged', () => {
     expect(wb.store.undoLabel).toBeUndefined();
   });
 
-  it('follows what is held at once', () => {
+  it('modifiers change the drag at once', () => {
     beginDrag();
     wb.timeline.change({ snapsToFrames: true });
     expect(press('Control', 'ControlLeft', { ctrlKey: true })).toBe(true);
@@ -165,7 +165,7 @@ describe('scaling', () => {
     send('lostpointercapture', pointer({ clientX: 150, clientY: 40 }));
   };
 
-  it('lasts as long as its key is held, whichever key that is', () => {
+  it('scaling lasts as long as its key is held, whichever key that is', () => {
     pressScaling();
     dragFar();
     expect(times()).toEqual([0, 1.5, 3]);
@@ -178,7 +178,7 @@ describe('scaling', () => {
     expect(times()).toEqual([0, 1.5, 3]);
   });
 
-  it('lasts for one drag where it was asked for from a menu', () => {
+  it('scaling lasts for one drag if started from a menu', () => {
     selectKeys(wb, [{ channel: 0, indices: [0, 1, 2] }]);
     runAction(wb, 'timeline.scaleDrag');
     dragFar();
@@ -186,13 +186,13 @@ describe('scaling', () => {
     expect(wb.timeline.scaling.get()).toBe(false);
   });
 
-  it('scaling is not begun by a key that no action has', () => {
+  it('scaling is not started by an unassigned key', () => {
     selectKeys(wb, [{ channel: 0, indices: [0, 1, 2] }]);
     press('s', 'KeyS');
     expect(wb.timeline.scaling.get()).toBe(false);
   });
 
-  it('scaling ends with the focus', () => {
+  it('scaling ends when the focus is lost', () => {
     pressScaling();
     element.dispatchEvent(new Event('blur'));
     expect(wb.timeline.scaling.get()).toBe(false);
@@ -202,12 +202,12 @@ describe('scaling', () => {
 describe('Ctrl with a click', () => {
   const onEmptyGround = { clientX: 50, clientY: 40, ctrlKey: true };
 
-  it('takes keys away with a box', () => {
+  it('Ctrl removes keys with a box', () => {
     send('pointerdown', pointer(onEmptyGround));
     expect(input.dragging).toBe(true);
   });
 
-  it('Ctrl with a click is a Mac’s right button, and begins nothing', async () => {
+  it('Ctrl+click is a Mac’s right click, and starts nothing', async () => {
     vi.stubGlobal('navigator', { userAgent: 'Macintosh' });
     vi.resetModules();
     const mac = await import('../../../../src/ui/editors/curves/plot-input.ts');

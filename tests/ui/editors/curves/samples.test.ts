@@ -44,7 +44,7 @@ describe('extremes of samples', () => {
     expect({ ...extremesOver(samples, 0, -5, 0) }).toEqual({ low: 0, high: 0 });
   });
 
-  it('extremes of samples are made anew for other values only', () => {
+  it('extremes of samples are recomputed for other values only', () => {
     const samples = samplesOf(100, 1, noise);
     expect(sampleExtremes({ ...samples, startSeconds: 9 })).toBe(sampleExtremes(samples));
     expect(sampleExtremes({ ...samples, values: samples.values.slice() })).not.toBe(sampleExtremes(samples));
@@ -69,7 +69,7 @@ describe('a line of samples', () => {
     samples,
   });
 
-  it.each(INTERPOLATIONS)('lies on what is evaluated, seen from near: %s', (interpolation) => {
+  it.each(INTERPOLATIONS)('a line of samples equals what is evaluated, zoomed in: %s', (interpolation) => {
     const clip = clipOf({ ...samplesOf(200, 2, noise), interpolation });
     const curves = compileClip(clip);
     const map = mapFrom(1.2, 0.3);
@@ -89,7 +89,7 @@ describe('a line of samples', () => {
     expect(out.columns.from).toBe(out.columns.to);
   });
 
-  it('a line of samples is columns that hold every frame, seen from afar', () => {
+  it('a line of samples is columns that contain every frame, zoomed out', () => {
     const clip = clipOf(samplesOf(5000, 2, noise));
     const { samples } = clip;
     const map = mapFrom(0, 60);
@@ -107,7 +107,7 @@ describe('a line of samples', () => {
     }
   });
 
-  it('a line of samples is held and dotted before the first frame and after the last one', () => {
+  it('a line of samples is constant and dotted before the first frame and after the last one', () => {
     const clip = clipOf(samplesOf(50, 1, () => 4));
     const map = mapFrom(0, 4);
     const out = new LineTrace();

@@ -18,7 +18,7 @@ function sheet() {
   };
 }
 
-it('has every channel with keys in view, whatever joint is selected, and those that the filter finds', () => {
+it('has every channel with keys in view, whatever joint is selected, or those that match the filter', () => {
   const { wb } = sheet();
   wb.store.select({ characterId: 'c1', joint: 1 });
   expect(channelsInView(wb)).toEqual([3, 4, 6]);
@@ -26,7 +26,7 @@ it('has every channel with keys in view, whatever joint is selected, and those t
   expect(channelsInView(wb)).toEqual([6]);
 });
 
-it('pushes keys on by a frame with all later ones, and pulls them back', () => {
+it('ripples keys by a frame, and back', () => {
   const { wb, times } = sheet();
   selectKeys(wb, [{ channel: 3, indices: [0] }]);
   runAction(wb, 'dope.rippleLater');
@@ -35,7 +35,7 @@ it('pushes keys on by a frame with all later ones, and pulls them back', () => {
   expect(times(3)).toEqual([1, 2]);
 });
 
-it('folds everything out and in', () => {
+it('expands and collapses everything', () => {
   const { wb } = sheet();
   runAction(wb, 'dope.unfoldAll');
   expect(wb.timeline.view.get().unfolded).toEqual([-1, 0, 1]);

@@ -75,7 +75,7 @@ const AT_ONE = [
 const AT_TWO = [{ channel: 3, indices: [1] }];
 
 describe('a click', () => {
-  it('on a diamond selects all keys that it stands for, and no others', () => {
+  it('a click on a diamond selects exactly its keys', () => {
     const { click, keys } = stage();
     click(onHips(2));
     expect(keys()).toEqual(AT_TWO);
@@ -83,7 +83,7 @@ describe('a click', () => {
     expect(keys()).toEqual(AT_ONE);
   });
 
-  it('with Shift adds a diamond, and takes it away again', () => {
+  it('Shift+click adds a diamond, and removes it again', () => {
     const { click, keys } = stage();
     click(onHips(1));
     click(onHips(2, { shift: true }));
@@ -92,7 +92,7 @@ describe('a click', () => {
     expect(keys()).toEqual(AT_TWO);
   });
 
-  it('on one of several selected diamonds leaves that one', () => {
+  it('a click on one of several selected diamonds selects that one only', () => {
     const { click, keys } = stage();
     click(onHips(1));
     click(onHips(2, { shift: true }));
@@ -100,7 +100,7 @@ describe('a click', () => {
     expect(keys()).toEqual(AT_TWO);
   });
 
-  it('beside the keys selects nothing', () => {
+  it('a click beside the keys deselects', () => {
     const { click, keys } = stage();
     click(onHips(1));
     click(onHips(3));
@@ -109,7 +109,7 @@ describe('a click', () => {
 });
 
 describe('dragging a diamond', () => {
-  it('moves its keys onto frames as one step', () => {
+  it('moves its keys to frames as one step', () => {
     const { wb, dragTo, times, keys } = stage();
     dragTo(onHips(1), onHips(1.54));
     expect([times(3), times(4)]).toEqual([[1.5, 2, 4], [1.5]]);
@@ -119,26 +119,26 @@ describe('dragging a diamond', () => {
     expect(wb.store.undoLabel).toBeUndefined();
   });
 
-  it('past others keeps hold of the keys', () => {
+  it('keeps the same keys when passing others', () => {
     const { dragTo, times, keys } = stage();
     dragTo(onHips(2), onHips(5));
     expect(times()).toEqual([1, 4, 5]);
     expect(keys()).toEqual([{ channel: 3, indices: [2] }]);
   });
 
-  it('with Ctrl pressed on the way comes off the frames', () => {
+  it('Ctrl during the drag disables snapping', () => {
     const { dragTo, times } = stage();
     dragTo(onHips(2), onHips(2.34, { ctrl: true }));
     expect(times()).toEqual([1, 2.34, 4]);
   });
 
-  it('with Alt takes the later keys of its channels along', () => {
+  it('Alt moves the later keys of its channels too', () => {
     const { dragTo, times } = stage();
     dragTo(onHips(2, { alt: true }), onHips(2.5, { alt: true }));
     expect([times(3), times(4)]).toEqual([[1, 2.5, 4.5], [1]]);
   });
 
-  it('takes them along without Alt where ripple is on, and with Alt does not', () => {
+  it('ripples without Alt if ripple is on, and not with Alt', () => {
     const { wb, dragTo, times } = stage();
     wb.timeline.change({ ripples: true });
     dragTo(onHips(2), onHips(2.5));
@@ -147,7 +147,7 @@ describe('dragging a diamond', () => {
     expect(times()).toEqual([1, 3, 4.5]);
   });
 
-  it('with Ctrl from the press on leaves the keys and moves copies, on frames', () => {
+  it('Ctrl from the press on moves copies, on frames', () => {
     const { wb, dragTo, times, keys } = stage();
     dragTo(onHips(1, { ctrl: true }), onHips(3.02, { ctrl: true }));
     expect([times(3), times(4)]).toEqual([
@@ -162,14 +162,14 @@ describe('dragging a diamond', () => {
     expect(times(4)).toEqual([1]);
   });
 
-  it('dragging a diamond is given up by Escape, without a step', () => {
+  it('Escape cancels dragging a diamond, without a step', () => {
     const { wb, drag, times } = stage();
     drag(onHips(2), onHips(3))?.cancel();
     expect(times()).toEqual([1, 2, 4]);
     expect(wb.store.undoLabel).toBeUndefined();
   });
 
-  it('says how far, and how many keys', () => {
+  it('shows the distance, and the number of keys', () => {
     const { drag } = stage();
     expect(drag(onHips(1), onHips(1.5))?.readout).toBe('+0.5 s · 2 keys');
   });
@@ -182,7 +182,7 @@ describe('the strip', () => {
     return staged;
   }
 
-  it('moves what is selected by its middle', () => {
+  it('moves the selection by its middle', () => {
     const { dragTo, times } = withTwo();
     dragTo(onStrip(3), onStrip(3.5));
     expect(times()).toEqual([1, 2.5, 4.5]);
@@ -201,7 +201,7 @@ describe('the strip', () => {
     expect(times()).toEqual([1, 1.5, 4.5]);
   });
 
-  it('never scales through the end that stays', () => {
+  it('never scales past the fixed end', () => {
     const { dragTo, times } = withTwo();
     dragTo(onStrip(4), onStrip(0.5));
     expect(times()).toEqual([1, 2, 2.1]);
@@ -209,7 +209,7 @@ describe('the strip', () => {
 });
 
 describe('a box', () => {
-  it('selects, adds with Shift and takes away with Ctrl', () => {
+  it('selects, adds with Shift and removes with Ctrl', () => {
     const { dragTo, keys } = stage();
     dragTo(onHips(1.8), onHips(2.2));
     expect(keys()).toEqual(AT_TWO);
@@ -219,7 +219,7 @@ describe('a box', () => {
     expect(keys()).toEqual([{ channel: 3, indices: [2] }]);
   });
 
-  it('a box is no step of undo, and Escape brings back what was selected', () => {
+  it('a box is no undo step, and Escape restores the selection', () => {
     const { wb, click, drag, keys } = stage();
     click(onHips(1));
     const box = drag(onHips(1.8), onHips(2.2));
@@ -231,7 +231,7 @@ describe('a box', () => {
 });
 
 describe('the arrow keys', () => {
-  it('take later keys along while ripple is on, as dragging does', () => {
+  it('ripple later keys while ripple is on, as dragging does', () => {
     const { wb, click, times } = stage();
     click(onHips(2));
     nudge(wb, 1, 0);

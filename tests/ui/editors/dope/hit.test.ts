@@ -37,7 +37,7 @@ const shown: SheetKeys = {
 const middle = (index: number) => rowTop(sheet, index) + 10;
 
 describe('what is under the pointer', () => {
-  it('what is under the pointer is all keys that the diamond stands for: the row’s at that time', () => {
+  it('a diamond means all keys of its row at that time', () => {
     expect(hitSheet(sheet, shown, 502, middle(1))).toEqual({
       kind: 'keys',
       row: 1,
@@ -49,34 +49,34 @@ describe('what is under the pointer', () => {
     });
   });
 
-  it('what is under the pointer is a whole column on the summary', () => {
+  it('a diamond of the summary means a whole column', () => {
     const hit = hitSheet(sheet, shown, 500, middle(0));
     expect(hit.kind === 'keys' && hit.keys.map((k) => k.channel)).toEqual([0, 1, 2]);
   });
 
-  it('what is under the pointer is the row beside its keys, and nothing below the last row', () => {
+  it('beside its keys a row is hit, and nothing below the last row', () => {
     expect(hitSheet(sheet, shown, 500 + REACH + 1, middle(1))).toEqual({ kind: 'row', row: 1 });
     expect(hitSheet(sheet, shown, 500, middle(3))).toEqual({ kind: 'nothing' });
   });
 
-  it('takes times that are the same but for rounding for one', () => {
+  it('times are equal up to rounding', () => {
     const close: SheetKeys = { ...shown, channels: [channel(0.5), channel(0.5 - 1e-12), restChannel()] };
     const hit = hitSheet(sheet, close, 500, middle(1));
     expect(hit.kind === 'keys' && hit.keys).toHaveLength(2);
   });
 
-  it('counts the character’s offset off the clip’s times', () => {
+  it('the character’s offset is subtracted from the clip’s times', () => {
     const hit = hitSheet(sheet, { ...shown, offsetSeconds: 0.4 }, 100, middle(1));
     expect(hit.kind === 'keys' && hit.timeSeconds).toBeCloseTo(0.1, 12);
   });
 
-  it('finds rows where they are scrolled to, below the summary', () => {
+  it('rows are hit at their scrolled position, below the summary', () => {
     const scrolled = { ...sheet, scrollTop: 20 };
     expect(hitSheet(scrolled, shown, 900, middle(1))).toMatchObject({ kind: 'keys', row: 2 });
     expect(hitSheet(scrolled, shown, 900, middle(0))).toMatchObject({ kind: 'keys', row: 0 });
   });
 
-  it('what is under the pointer is the ruler above everything', () => {
+  it('the ruler is above everything', () => {
     expect(hitSheet(sheet, shown, 500, 3)).toEqual({ kind: 'ruler' });
   });
 });
@@ -94,11 +94,11 @@ describe('the strip of the selection', () => {
     expect([part(150), part(650)]).toEqual(['nothing', 'nothing']);
   });
 
-  it('keeps a middle to be moved by where it is short', () => {
+  it('keeps a middle part for moving if it is short', () => {
     expect(part(205, { ...shown, selectedSpan: [0.2, 0.21] })).toBe('body');
   });
 
-  it('only moves keys of a single moment, and is not there without any', () => {
+  it('only moves keys of a single time, and is hidden without any', () => {
     expect(part(201, { ...shown, selectedSpan: [0.2, 0.2] })).toBe('body');
     expect(part(201, shown)).toBe('nothing');
   });
@@ -107,7 +107,7 @@ describe('the strip of the selection', () => {
 describe('a box', () => {
   const corner = fc.record({ x: fc.integer({ min: -50, max: 950 }), y: fc.integer({ min: HEAD, max: 320 }) });
 
-  it('takes what a walk over all rows and keys finds in it', () => {
+  it('selects what a loop over all rows and keys finds in it', () => {
     fc.assert(
       fc.property(channels, sheets, corner, corner, fc.constantFrom(0, 0.25), (all, drawn, a, b, offsetSeconds) => {
         const rows = rowsOf(all);
@@ -130,12 +130,12 @@ describe('a box', () => {
     );
   });
 
-  it('takes whole columns where it began on the summary', () => {
+  it('selects whole columns if it started on the summary', () => {
     const found = sheetKeysInBox(sheet, shown, { x0: 400, y0: HEAD, x1: 600, y1: HEAD + 5 }, true);
     expect(found.map((k) => k.channel)).toEqual([0, 1, 2]);
   });
 
-  it('takes nothing of a sheet without rows', () => {
+  it('selects nothing in a sheet without rows', () => {
     expect(
       sheetKeysInBox({ ...sheet, rowCount: 0 }, { ...shown, rows: [] }, { x0: 0, y0: 0, x1: 900, y1: 300 }, true),
     ).toEqual([]);

@@ -9,14 +9,14 @@ const dofs = () => new Float64Array(9);
 const world = Float64Array.from([...IDENTITY, ...IDENTITY]);
 const placement = () => Float64Array.from(IDENTITY);
 
-it('finds the very same handles in the same pose at the same place', () => {
+it('returns the same handles for the same pose at the same placement', () => {
   const known = new KnownHandles();
   const first = known.of(ARM, 1, dofs(), world, placement());
   expect(first).toEqual(jointHandles(ARM, 1, dofs(), world, placement()));
   expect(known.of(ARM, 1, dofs(), world, placement())).toBe(first);
 });
 
-it('works them out anew for another pose, place, joint or skeleton', () => {
+it('recomputes them for another pose, placement, joint or skeleton', () => {
   const known = new KnownHandles();
   const [pose, place] = [dofs(), placement()];
   const seen = [known.of(ARM, 1, pose, world, place)];

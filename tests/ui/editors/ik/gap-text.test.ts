@@ -12,26 +12,26 @@ const NOTHING: Hindrance = { binding: [], holders: [], locks: [], canMove: true,
 const text = (change: Partial<Hindrance>) => gapText(ch, 2, { ...NOTHING, ...change });
 
 describe('what is in the way of a pin', () => {
-  it('what is in the way of a pin is the limit that binds', () => {
+  it('a limit that binds is named', () => {
     expect(text({ binding: [KNEE_L] })).toBe('knee_l rx at its limit');
   });
-  it('is named from the pin to the root, others after that, and counted where there are many', () => {
+  it('limits are named from the pin to the root, then others, and counted if there are many', () => {
     expect(text({ binding: [ROOT, HIP_L, KNEE_L] })).toBe('knee_l rx, hip_l rx, root rx at their limits');
     expect(text({ binding: [HIP_R, HIP_L] })).toBe('hip_l rx, hip_r rx at their limits');
     expect(text({ binding: [HIP_R, ROOT, HIP_L, KNEE_L, KNEE_L + 1] })).toBe(
       'knee_l rx, knee_l ry, hip_l rx and 2 more at their limits',
     );
   });
-  it('is the distance where no limit binds and nothing holds, and the locks where nothing can move', () => {
+  it('the distance is named if no limit binds and nothing holds, and the locks if nothing can move', () => {
     expect(text({})).toBe('out of reach');
     expect(text({ canMove: false })).toBe('nothing here can move');
   });
-  it('what is in the way of a pin is the pins that hold against it, each joint once and never its own', () => {
+  it('pins that hold are named, each joint once and never its own', () => {
     expect(text({ holders: [4] })).toBe('out of reach while knee_r holds');
     expect(text({ holders: [4, 5, 4, 2] })).toBe('out of reach while knee_r and joint 5 hold');
     expect(text({ holders: [4, 5, 1, 3] })).toBe('out of reach while knee_r, joint 5 and 2 more hold');
   });
-  it('is the lock, beside a limit, before pins that hold, and where nothing can move for it', () => {
+  it('a lock is named beside a limit, before pins that hold, and if nothing can move because of it', () => {
     expect(text({ locks: [4], holders: [2, 4] })).toBe('knee_r is locked');
     expect(text({ locks: [4, 1], binding: [KNEE_L] })).toBe('knee_l rx at its limit, knee_r and hip_l are locked');
     expect(text({ locks: [1, 2, 3, 4] })).toBe('hip_l, knee_l and 2 more are locked');
@@ -39,12 +39,12 @@ describe('what is in the way of a pin', () => {
     // Follows its own name.
     expect(text({ locks: [2] })).toBe('it is locked');
   });
-  it('what is in the way of a pin is the root where that could travel and does not', () => {
+  it('the root is named if it could move and is not allowed to', () => {
     expect(text({ canMove: false, rootStays: true })).toBe('the root is fixed: allow it to move');
     expect(text({ rootStays: true })).toBe('out of reach while the root is fixed');
     expect(text({ rootStays: true, holders: [4] })).toBe('out of reach while knee_r holds');
   });
-  it('what is in the way of a pin has one cause, the first that one would change', () => {
+  it('one cause is named, the first that one would change', () => {
     const cause = (change: Partial<Hindrance>) => gapCause({ ...NOTHING, ...change });
     expect(cause({ canMove: false, rootStays: true, binding: [1], holders: [2] })).toBe('root');
     expect(cause({ canMove: false })).toBe('locks');

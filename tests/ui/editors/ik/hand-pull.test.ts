@@ -35,7 +35,7 @@ function go(hand: HandPull, by: Vec3): void {
 }
 
 describe('a hand that drags a point', () => {
-  it('takes it along while the pins hold, in one undo step', () => {
+  it('moves the point while the pins hold, in one undo step', () => {
     const { wb, placeOf, pose } = page;
     const before = pose();
     const hand = begin();
@@ -50,7 +50,7 @@ describe('a hand that drags a point', () => {
     expect(wb.store.undoLabel).toBeUndefined();
   });
 
-  it('takes a pin from its place, and the other one holds', () => {
+  it('moves a pin, while the other one holds', () => {
     const hand = begin(LEFT_GRIP);
     go(hand, [-0.4, 0.4, 0]);
     hand.finish();
@@ -58,7 +58,7 @@ describe('a hand that drags a point', () => {
     expect(apart(page.placeOf(HAND_R), [-3, 0, 0])).toBeLessThan(THERE);
   });
 
-  it('leaves everything as it was where it is cancelled, and does nothing any more', () => {
+  it('restores everything when cancelled, and does nothing any more', () => {
     const { wb, pose } = page;
     const { document } = wb.store;
     const hand = begin();
@@ -70,14 +70,14 @@ describe('a hand that drags a point', () => {
     expect(pose()).toBe(document.characters[0].pose);
   });
 
-  it('makes no step where it went nowhere', () => {
+  it('makes no step if nothing has moved', () => {
     const hand = begin();
     hand.to(anchor);
     hand.finish();
     expect(page.wb.store.undoLabel).toBeUndefined();
   });
 
-  it('keys what it moves where keys are made by themselves', () => {
+  it('keys what it moves if auto-key is on', () => {
     page.stop();
     page = ikPage(documentOf(body({ clips: [clip([0, 2])] })));
     const { wb } = page;
@@ -94,7 +94,7 @@ describe('a hand that drags a point', () => {
     expect(wb.store.undoLabel).toBeUndefined();
   });
 
-  it('a hand that drags a point is over where its pins are changed meanwhile; what it had come to is a step', () => {
+  it('ends if its pins are changed meanwhile; its result so far is a step', () => {
     const { wb, pose } = page;
     const hand = begin();
     go(hand, [0, 0.2, 0]);
@@ -110,7 +110,7 @@ describe('a hand that drags a point', () => {
     expect(wb.store.undoLabel).toBe('Drag body');
   });
 
-  it('a hand that drags a point is over where the document is changed by something else at all', () => {
+  it('ends if the document is changed by anything else', () => {
     const { wb } = page;
     const hand = begin();
     go(hand, [0, 0.2, 0]);
@@ -120,7 +120,7 @@ describe('a hand that drags a point', () => {
     expect(page.pose()[4]).toBe(0.1);
   });
 
-  it('leaves the pin’s target where the hand was, for as long as the pose is as it left it', () => {
+  it('leaves the pin’s target at the pointer while the pose stays as it left it', () => {
     const { wb, pose } = page;
     const hand = begin(LEFT_GRIP);
     go(hand, [20, 0, 0]);
@@ -136,14 +136,14 @@ describe('a hand that drags a point', () => {
     expect(targets.leftOf('c1', Float64Array.from(pose()))).toBeUndefined();
   });
 
-  it('names the pins that hold it back, and not the one that could give', () => {
+  it('names the pins that hold it back, and not one that could move', () => {
     const hand = begin(LEFT_GRIP);
     go(hand, [3, 0, 0]);
     expect(hand.state.hindrance).toMatchObject({ holders: [HAND_R], canMove: true, rootStays: false });
     hand.finish();
   });
 
-  it('names the lock that is in the way, and none that is not', () => {
+  it('names the lock in the way, and no other', () => {
     page.stop();
     const kept = body();
     const ik = { pins: [pin(1, HAND_L)], stiff: [{ joint: FORE_L }, { joint: FORE_R }], rootIsFree: true };
@@ -160,7 +160,7 @@ describe('a hand that drags a point', () => {
     free.cancel();
   });
 
-  it('asks for the root where that stays and nothing else moves the point, and says so', () => {
+  it('asks for the root if that is fixed and nothing else moves the point, and says so', () => {
     page.stop();
     const kept = body();
     page = ikPage(documentOf({ ...kept, ik: { pins: [], stiff: [], rootIsFree: false } }));
@@ -177,7 +177,7 @@ describe('a hand that drags a point', () => {
     expect(wantsRoot.get()).toBe(false);
   });
 
-  it('asks for the root where an arm is drawn to its full length, and not before', () => {
+  it('asks for the root only when an arm is fully stretched', () => {
     page.stop();
     const kept = body();
     page = ikPage(documentOf({ ...kept, ik: { pins: [], stiff: [], rootIsFree: false } }));
@@ -193,7 +193,7 @@ describe('a hand that drags a point', () => {
     expect(wantsRoot.get()).toBe(false);
   });
 
-  it('holds the picture still for as long as it drags', () => {
+  it('pauses in place and follow while it drags', () => {
     const { wb } = page;
     const log: string[] = [];
     wb.viewport.holdTravel = (id) => {
@@ -209,7 +209,7 @@ describe('a hand that drags a point', () => {
     expect(log).toEqual(['hold c1', 'go on', 'hold c1', 'go on']);
   });
 
-  it('finds nothing to drag of what is hidden, or gone', () => {
+  it('can’t drag what is hidden or removed', () => {
     const { wb } = page;
     wb.store.apply(setHidden, { ids: ['c1'], hidden: true });
     expect(HandPull.begin(wb, BODY_GRIP)).toBeUndefined();

@@ -39,14 +39,14 @@ describe('what is told of curves that repeated', () => {
     clips: [take({ [TOE_X]: keyed('cycle', 'cycle'), [TOE_Y]: keyed('linear', 'linear') })],
   });
 
-  it('names those that are written out on either side, and no others', () => {
+  it('names curves that are written out on either side, and no others', () => {
     const after = take({ [TOE_X]: keyed('cycle', 'constant'), [TOE_Y]: keyed('constant', 'constant') });
     expect(writtenOutText(before, { clip: after, channels: [TOE_X, TOE_Y] })).toBe(
       'toe_r rx no longer repeats: keys replace the cycle over the played range.',
     );
   });
 
-  it('what is told of curves that repeated is nothing where they go on', () => {
+  it('mentions no curves that are unchanged', () => {
     const after = take({ [TOE_X]: keyed('cycle', 'cycle') });
     expect(writtenOutText(before, { clip: after, channels: [TOE_X] })).toBe('');
   });

@@ -12,14 +12,14 @@ const label = (change: Partial<Label>): Label => ({
 });
 
 describe('labels beside points', () => {
-  it('labels beside points are one for each pin: what is in its way says whose it is too', () => {
+  it('each pin has one label: its problem names the pin, too', () => {
     const name = label({});
     const gap = label({ kind: 'gap', text: 'foot: out of reach' });
     const other = label({ of: 'c1 0 2', text: 'hand' });
     expect(oneForEach([name, other, gap]).map(({ text }) => text)).toEqual(['foot: out of reach', 'hand']);
   });
 
-  it('stand on their side of the point, and never leave the picture', () => {
+  it('labels are on their side of the point, and inside the viewport', () => {
     expect(labelPlace({ side: 'right', lower: 0 }, 100, 50, 800, 600)).toBe(
       'translate(clamp(4.0px, 114.0px, calc(796.0px - 100%)), clamp(4.0px, calc(50.0px - 50%), calc(596.0px - 100%)))',
     );
@@ -28,14 +28,14 @@ describe('labels beside points', () => {
     );
   });
 
-  it('go to the other side of the point where there is no room on theirs', () => {
+  it('labels switch sides if there is no room on theirs', () => {
     expect(labelSpot(label({}), 400, 50, 800).side).toBe('right');
     expect(labelSpot(label({}), 790, 50, 800).side).toBe('left');
     expect(labelSpot(label({ side: 'left' }), 10, 50, 800).side).toBe('right');
     expect(labelSpot(label({}), 10, 50, 20).side).toBe('right');
   });
 
-  it('cover no pin: they go to the other side, else up or down, and stay where nothing is free', () => {
+  it('labels cover no pin: they switch sides or shift vertically, unless nothing is free', () => {
     const at = (...pins: (readonly [number, number])[]) =>
       labelSpot(
         label({}),

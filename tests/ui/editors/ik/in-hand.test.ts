@@ -13,12 +13,12 @@ beforeEach(() => {
 afterEach(() => page.stop());
 
 describe('the pin in hand', () => {
-  it('the pin in hand is one for each page', () => {
+  it('each page has its own selected pin', () => {
     expect(selectedPin(page.wb)?.pin.id).toBe(1);
     expect(selectedPin(ikPage().wb)).toBeUndefined();
   });
 
-  it('stays while its joint is selected, a vertex of it too', () => {
+  it('the selected pin stays while its joint, or a vertex of it, is selected', () => {
     keepInHand(page.wb, true);
     page.wb.store.select({ characterId: 'c1', joint: HAND_L, vertex: 7 });
     keepInHand(page.wb, true);
@@ -36,13 +36,13 @@ describe('the pin in hand', () => {
     expect(page.wb.posing.ik.selected.get()).toBeUndefined();
   });
 
-  it('stays through a change of the document while something else has been selected all along', () => {
+  it('the selected pin stays through an edit while something else is selected', () => {
     page.wb.store.select({ characterId: 'c1' });
     keepInHand(page.wb, false);
     expect(selectedPin(page.wb)?.pin.id).toBe(1);
   });
 
-  it('the pin in hand is let go with the pin, and does not come back with it', () => {
+  it('the selected pin is deselected when removed, and stays so when restored', () => {
     const { wb } = page;
     wb.store.apply(unpin, { characterId: 'c1', pins: [1] });
     expect(selectedPin(wb)).toBeUndefined();

@@ -47,7 +47,7 @@ function dragBody(press: CanvasPointer = at(0, 0)) {
 }
 
 describe('a drag of a point', () => {
-  it('selects the character and the joint that it drags, and is one step', () => {
+  it('selects the character and joint that it drags, in one step', () => {
     const { store } = page.wb;
     const { drag } = dragBody();
     drag.move(at(10, -20));
@@ -61,7 +61,7 @@ describe('a drag of a point', () => {
     expect(apart(page.placeOf(BODY_JOINT, 'c2'), [0, 0, 0])).toBe(0);
   });
 
-  it('leaves selection, keys and the pin in hand as they were where it is cancelled', () => {
+  it('keeps selection, keys and the selected pin if cancelled', () => {
     const { store } = page.wb;
     const { selected } = page.wb.posing.ik;
     const before = { characterId: 'c1', joint: HAND_L, keys: KEYS };
@@ -78,7 +78,7 @@ describe('a drag of a point', () => {
     expect(selected.get()).toEqual({ characterId: 'c1', pin: 1 });
   });
 
-  it('keeps keys of the same character, and a selection that is what it drags already', () => {
+  it('keeps keys of the same character, and a selection of the dragged joint', () => {
     page.stop();
     page = ikPage(documentOf({ ...body({ clips: [clip([0, 2], channel(0))] }), id: 'c2' }));
     vi.stubGlobal('requestAnimationFrame', () => 0);
@@ -96,7 +96,7 @@ describe('a drag of a point', () => {
     expect(store.selection).toBe(selection);
   });
 
-  it('leaves the selection alone where it is a click', () => {
+  it('keeps the selection if it is a click', () => {
     const { drag, clicks } = dragBody();
     drag.move(at(1, 1));
     drag.end(at(1, 1));
@@ -104,7 +104,7 @@ describe('a drag of a point', () => {
     expect(page.wb.store.selection).toEqual({ characterId: 'c1', joint: HAND_L });
   });
 
-  it('tells how far it has gone in depth, of all of its ways there, and nothing in the plane', () => {
+  it('reports the total depth while dragging in depth, and nothing in the plane', () => {
     const { drag, told } = dragBody();
     const deep = { altKey: true };
     drag.move(at(0, -10));
@@ -119,7 +119,7 @@ describe('a drag of a point', () => {
     expect(page.placeOf(BODY_JOINT, 'c2')[2]).toBeCloseTo(-0.1, 2);
   });
 
-  it('takes a last step where it is let go, unless it stands there already', () => {
+  it('makes a last step on release, unless it is already there', () => {
     for (const [letGoAt, steps] of [
       [at(0, -10), 1],
       [at(0, -12), 2],
@@ -137,7 +137,7 @@ describe('a drag of a point', () => {
 describe('a finger on a point', () => {
   const finger = (x: number, y: number) => at(x, y, { pointerType: 'touch' });
 
-  it('that stays presses long, which is no click', () => {
+  it('a long press is no click', () => {
     const { drag, wait, clicks, longPresses } = dragBody(finger(0, 0));
     expect(wait.ms).toBe(LONG_PRESS_MS);
     drag.move(finger(2, 1));
@@ -146,7 +146,7 @@ describe('a finger on a point', () => {
     expect([clicks(), longPresses()]).toEqual([0, 1]);
   });
 
-  it('that goes, or is lifted, does not; nor does a mouse', () => {
+  it('a finger that moves or is lifted is no long press; nor is a mouse', () => {
     const gone = dragBody(finger(0, 0));
     gone.drag.move(finger(20, 0));
     expect(gone.wait.run).toBeUndefined();
@@ -157,7 +157,7 @@ describe('a finger on a point', () => {
     expect(dragBody().wait.run).toBeUndefined();
   });
 
-  it('drags in depth while a second one is down', () => {
+  it('drags in depth while a second finger is down', () => {
     const { drag, told } = dragBody(finger(0, 0));
     drag.fingers(2);
     drag.move(finger(0, -10));

@@ -8,7 +8,7 @@ beforeEach(() => {
 });
 afterEach(() => page.stop());
 
-it('selects a pin and its joint, in the copy that it was picked in', () => {
+it('selects a pin and its joint, in the picked instance', () => {
   const { wb } = page;
   const ref = { characterId: 'c1', pin: 1 };
   selectPin(wb, ref, HAND_L, 2);
@@ -16,7 +16,7 @@ it('selects a pin and its joint, in the copy that it was picked in', () => {
   expect(wb.posing.ik.selected.get()).toBe(ref);
 });
 
-it('leaves the copy that is worked on as it is where none was picked', () => {
+it('keeps the picked instance if none was picked now', () => {
   const { wb } = page;
   selectPin(wb, { characterId: 'c1', pin: 1 }, HAND_L);
   expect(wb.store.selection).toEqual({ characterId: 'c1', joint: HAND_L });

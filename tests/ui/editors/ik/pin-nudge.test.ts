@@ -51,7 +51,7 @@ describe('arrow keys', () => {
     expect(apart(page.placeOf(HAND_R), [-3, 0, 0])).toBeLessThan(THERE);
   });
 
-  it('make one undo step of presses that follow each other, and another of what comes after', () => {
+  it('presses in quick succession are one undo step, later ones another', () => {
     for (let i = 0; i < 4; i++) press('ArrowLeft');
     expect(nudge.state?.grip.pin).toBe(1);
     nudge.finish();
@@ -62,7 +62,7 @@ describe('arrow keys', () => {
     expect(steps()).toBe(2);
   });
 
-  it('begin another step with another pin', () => {
+  it('another pin starts another step', () => {
     press('ArrowLeft');
     page.wb.posing.ik.selected.set({ characterId: 'c1', pin: 2 });
     press('ArrowUp');
@@ -72,7 +72,7 @@ describe('arrow keys', () => {
     expect(steps()).toBe(2);
   });
 
-  it('go on in a new step where something else has ended the one before', () => {
+  it('continues in a new step if something else has ended the previous one', () => {
     press('ArrowLeft');
     page.wb.store.undo();
     expect(nudge.state).toBeUndefined();
@@ -81,7 +81,7 @@ describe('arrow keys', () => {
     expect(apart(page.placeOf(HAND_L), [2.95, 0, 0])).toBeLessThan(THERE);
   });
 
-  it('arrow keys are left to others without a pin in hand, or with Ctrl', () => {
+  it('arrow keys are not handled without a selected pin, or with Ctrl', () => {
     expect(press('ArrowLeft', { ctrlKey: true })).toBe(false);
     expect(press('a')).toBe(false);
     page.wb.posing.ik.selected.set(undefined);
@@ -90,7 +90,7 @@ describe('arrow keys', () => {
   });
 });
 
-it('lets the pin go by Delete, after what was moved', () => {
+it('Delete removes the pin, after committing its motion', () => {
   press('ArrowLeft');
   expect(press('Delete')).toBe(true);
   expect(page.wb.store.document.characters[0].ik?.pins.map(({ id }) => id)).toEqual([2]);

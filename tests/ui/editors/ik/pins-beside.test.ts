@@ -31,7 +31,7 @@ const steps = (to: number, count = 20) => Array.from({ length: count }, (_, i) =
 const hands = () => [HAND_L, HAND_R].map((hand) => page.placeOf(hand));
 
 describe('a DOF set while pins hold', () => {
-  it('a DOF set while pins hold is where it is set, and the pinned points stay where they are', () => {
+  it('a DOF takes its value, and the pinned points stay', () => {
     for (const [dof, to] of [
       [TX, 0.2],
       [TY, -0.25],
@@ -47,7 +47,7 @@ describe('a DOF set while pins hold', () => {
     }
   });
 
-  it('finds the pose as it was where it comes back, also from where the pins could not hold', () => {
+  it('moving a slider back restores the pose, even from where the pins could not hold', () => {
     const before = page.pose();
     const far = steps(5, 40);
     slide(TY, far);
@@ -61,13 +61,13 @@ describe('a DOF set while pins hold', () => {
     expect(apart(page.placeOf(HAND_L), [3, 0, 0])).toBeLessThan(THERE);
   });
 
-  it('lets what could not hold still be seen, from where it should be', () => {
+  it('still shows the gap of a pin that could not hold', () => {
     slide(TY, steps(5));
     const left = page.wb.posing.ik.targets.leftOf('c1', Float64Array.from(page.pose()));
     expect(left?.targets.get(1)?.target.position).toEqual([3, 0, 0]);
   });
 
-  it('a DOF set while pins hold is no matter of pins where there are none, or it is none of the joints’', () => {
+  it('pins affect no DOF if there are none, or if it belongs to no joint', () => {
     const count = page.pose().length;
     expect(besidePins(page.wb, 'c1', count)).toBeUndefined();
     expect(besidePins(page.wb, 'nobody', 0)).toBeUndefined();

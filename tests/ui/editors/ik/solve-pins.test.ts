@@ -31,7 +31,7 @@ const solve = () => solvePins(page.wb, page.wb.store.document.characters[0]);
 const said = () => page.wb.messages.passing.get();
 
 describe('solving all pins', () => {
-  it('brings them where they are to be, however far, in one undo step', () => {
+  it('brings pins to their targets, however far, in one undo step', () => {
     const { wb, placeOf, pose } = page;
     const before = pose();
     wantLeftHandAt([-1, 1.5, 0.5]);
@@ -45,13 +45,13 @@ describe('solving all pins', () => {
     expect(wb.store.undoLabel).toBeUndefined();
   });
 
-  it('says so where there is nothing to do', () => {
+  it('reports if there is nothing to do', () => {
     solve();
     expect(page.wb.store.undoLabel).toBeUndefined();
     expect(said()).toBe('All pins are reached.');
   });
 
-  it('names what can’t be reached, and keeps where it is to be', () => {
+  it('names unreachable pins, and keeps their targets', () => {
     const { wb } = page;
     wantLeftHandAt([30, 0, 0]);
     solve();
@@ -60,7 +60,7 @@ describe('solving all pins', () => {
     expect(left?.targets.get(1)?.target.position).toEqual([30, 0, 0]);
   });
 
-  it('names the lock that keeps a pin from its place', () => {
+  it('names the lock that keeps a pin from its target', () => {
     page.stop();
     const ik = { pins: [pin(1, HAND_L)], stiff: [{ joint: FORE_L }], rootIsFree: false };
     page = ikPage(documentOf(body({ ik })));
@@ -70,7 +70,7 @@ describe('solving all pins', () => {
     expect(said()).toBe('hand_l is as close as it can get: fore_l is locked.');
   });
 
-  it('leaves locked joints as they are', () => {
+  it('keeps locked joints', () => {
     const { wb } = page;
     wb.store.apply(setStiffness, { characterId: 'c1', joints: [2], stiffness: 'locked' });
     wantLeftHandAt([2, 1, 0]);

@@ -39,19 +39,19 @@ const walker = character({ skeleton: skeleton(['hips', -1]), clips: [waves(8)], 
 const alone = character({ clips: [waves(6)] });
 
 describe('what simplifying is asked for', () => {
-  it('the tolerances of simplifying are in the units that occur; a channel that drives no DOF is a plain number', () => {
+  it('the simplify dialog asks for tolerances in the units that occur; a channel without a DOF has plain numbers', () => {
     expect(unitsOf(walker, [3, 4])).toEqual(['angle']);
     expect(unitsOf(walker, [7, 0, 3])).toEqual(['angle', 'length', 'weight']);
     expect(unitsOf(alone, [0, 5])).toEqual(['length', 'weight']);
   });
 
-  it('what simplifying is asked for is passed on for those units and no other, angles in radians', () => {
+  it('the simplify dialog passes on exactly those units, angles in radians', () => {
     const { tolerance } = simplifyArguments(walker, [3, 7], typed({ angle: 90, weight: 0.5 }), 'degrees');
     expect(tolerance).toEqual({ angle: Math.PI / 2, weight: 0.5 });
     expect(simplifyArguments(walker, [3], typed({ angle: 2 }), 'radians').tolerance).toEqual({ angle: 2 });
   });
 
-  it('counts for channels without a DOF, too', () => {
+  it('channels without a DOF count, too', () => {
     for (const [of, channels] of [
       [alone, [4, 5]],
       [walker, [6, 7]],
@@ -66,7 +66,7 @@ describe('what simplifying is asked for', () => {
     }
   });
 
-  it('is not guessed by the command: a unit that is missing is refused, one that is not needed may be', () => {
+  it('the command refuses a missing unit, and accepts an unneeded one', () => {
     const document = documentOf(walker);
     const run = (channels: number[]) =>
       simplify.run(document, { characterId: 'c1', channels, tolerance: { angle: 1 } });
@@ -77,13 +77,13 @@ describe('what simplifying is asked for', () => {
 });
 
 describe('times that were typed', () => {
-  it('times that were typed are the transport’s, and reach the commands as the clip’s', () => {
+  it('typed times are the transport’s, and converted to the clip’s', () => {
     const given = typed({ rate: 10, from: 0, to: 1, tangents: 'linear' });
     expect(bakeArguments(walker, [3], given)).toEqual({ characterId: 'c1', channels: [3], from: 0.25, to: 1.25 });
     expect(resampleArguments(walker, [3], given)).toMatchObject({ from: 0.25, to: 1.25, tangents: 'linear' });
   });
 
-  it('times that were typed have their frames where they are seen: new keys are on frames of the transport', () => {
+  it('frames of typed times are the transport’s: new keys are on them', () => {
     const args = resampleArguments(walker, [3], typed({ rate: 10, from: 0, to: 0.5, tangents: 'smooth' }));
     const [after] = resample.run(documentOf(walker), args).document.characters;
     const times = [...(keysOf(shownClip(after)?.channels[3]).times ?? [])].filter((t) => t >= 0.249 && t <= 0.751);
@@ -92,7 +92,7 @@ describe('times that were typed', () => {
 });
 
 describe('what scaling is asked for', () => {
-  it('what scaling is asked for has a value that stays for each channel, in its own unit', () => {
+  it('the scale dialog asks for a pivot value per unit', () => {
     const keys = [
       { channel: 0, indices: [1] },
       { channel: 3, indices: [0, 1] },

@@ -6,13 +6,13 @@ import { channel, clip } from '../../../builders.ts';
 const cycle = { extrapolateIn: 'cycle', extrapolateOut: 'cycle' } as const;
 const take = (...channels: Channel[]) => clip([0, 2], ...channels);
 
-it('says nothing of curves that go on as they did', () => {
+it('does not mention curves whose extrapolation is unchanged', () => {
   const before = take({ ...channel(0, 2), ...cycle }, channel(0, 1), { ...channel(0, 1), extrapolateOut: 'linear' });
   const after = take({ ...channel(0, 1, 2), ...cycle }, channel(0, 3), { ...channel(0, 3), extrapolateOut: 'linear' });
   expect(changesBeyond(before, after, [0, 1, 2])).toEqual([]);
 });
 
-it('says where a curve holds that repeated, and where it repeats all that is keyed now', () => {
+it('tells when a cycle becomes constant, and when it will repeat new keys', () => {
   const before = take({ ...channel(0, 2), ...cycle }, { ...channel(0, 2), ...cycle }, restChannel());
   const baked = { ...channel(0, 2, 4), ...cycle, extrapolateOut: 'constant' } as const;
   expect(changesBeyond(before, take(baked, baked, restChannel()), [0, 1, 2])).toEqual([
@@ -21,14 +21,14 @@ it('says where a curve holds that repeated, and where it repeats all that is key
   ]);
 });
 
-it('gives no numbers where each curve has its own', () => {
+it('gives no numbers if they differ between curves', () => {
   const before = take({ ...channel(0, 2), ...cycle }, { ...channel(0, 1), ...cycle });
   const after = take({ ...channel(0, 2, 4), ...cycle }, { ...channel(0, 1, 4), ...cycle });
   const sentence = '2 curves will repeat all keys, including the new ones: at other intervals than before.';
   expect(changesBeyond(before, after, [0, 1])).toEqual([`Before the keys, ${sentence}`, `After the keys, ${sentence}`]);
 });
 
-it('is about the given curves only', () => {
+it('mentions the given curves only', () => {
   const before = take({ ...channel(0, 2), ...cycle });
   expect(changesBeyond(before, take(channel(0, 2)), [])).toEqual([]);
 });

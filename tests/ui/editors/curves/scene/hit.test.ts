@@ -28,7 +28,7 @@ describe('hit-testing', () => {
     expect(hitTest(given, x(2), y(0.5) - 8)).toEqual({ kind: 'empty' });
   });
 
-  it('takes the nearest of several keys, and of equals the one in front', () => {
+  it('finds the nearest of several keys, and of equals the one in front', () => {
     const given = scene([
       keyed([[1, 0]]),
       keyed([
@@ -40,7 +40,7 @@ describe('hit-testing', () => {
     expect(hitTest(given, x(1.03), y(0))).toMatchObject({ channel: 1, index: 1 });
   });
 
-  it('prefers a selected key to another that hides it', () => {
+  it('prefers a selected key to another that covers it', () => {
     const given = scene([keyed([[1, 0]]), keyed([[1, 0]])], { selected: [{ channel: 0, indices: [0] }] });
     expect(hitTest(given, x(1), y(0))).toMatchObject({ kind: 'key', channel: 0 });
   });
@@ -56,7 +56,7 @@ describe('hit-testing', () => {
     }
   });
 
-  it('finds a curve where it is upright, and where a pixel holds hundreds of its keys', () => {
+  it('finds a curve that is vertical, and one with hundreds of keys per pixel', () => {
     const step = scene([
       keyed([
         [0, 0],
@@ -70,14 +70,14 @@ describe('hit-testing', () => {
     expect(hitTest(noise, x(1.5), y(0.3), 1)).toMatchObject({ kind: 'curve' });
   });
 
-  it('speaks of clip times where the character plays with an offset', () => {
+  it('returns clip times if the character has an offset', () => {
     const given = scene([ramp], { offsetSeconds: 0.5 });
     expect(hitTest(given, x(1.5), y(0.5))).toMatchObject({ kind: 'key', index: 1 });
     const hit = hitTest(given, x(3), y(0));
     expect(hit.kind === 'curve' && hit.timeSeconds).toBeCloseTo(3.5, 2);
   });
 
-  it('boxes the keys inside, whichever corner it was drawn from', () => {
+  it('boxes the keys inside, whichever corner it was started from', () => {
     const given = scene([
       ramp,
       keyed([
@@ -98,7 +98,7 @@ describe('hit-testing', () => {
 });
 
 describe('handles', () => {
-  it('handles are as long on screen whatever the slope, and give it back where they are', () => {
+  it('handles have a constant length on screen, and give their slope back', () => {
     const slopes = fc.double({ min: -50, max: 50, noNaN: true });
     fc.assert(
       fc.property(slopes, fc.constantFrom('in' as const, 'out' as const), (slope, side) => {
@@ -121,14 +121,14 @@ describe('handles', () => {
     );
   });
 
-  it('stay on their side of the key when dragged past it', () => {
+  it('handles stay on their side of the key when dragged past it', () => {
     const given = scene([ramp]);
     expect(slopeFromHandle(given, line(0), 1, 'out', x(2) - 50, y(0.5) - 20)).toBeGreaterThan(0);
     expect(Number.isFinite(slopeFromHandle(given, line(0), 1, 'in', x(2) + 50, y(0.5) - 20))).toBe(true);
     expect(slopeFromHandle(given, line(0), 1, 'in', x(2) + 50, y(0.5) - 20)).toBeLessThan(0);
   });
 
-  it('are there for selected keys only, without those in the middle of a step, and come before keys nearby', () => {
+  it('handles exist for selected keys only, not inside a step, and are hit before nearby keys', () => {
     const channel = keyed([
       [1, 0],
       [2, 0],

@@ -38,7 +38,7 @@ const hero = character({
 });
 
 describe('lines', () => {
-  it('lines are called by joint and DOF, by morph, or by number', () => {
+  it('lines are named by joint and DOF, by morph, or by number', () => {
     expect(sceneLines(hero, [0, 3, 8, 9, 10, 99], false).map((l) => l.name)).toEqual([
       'hips tx',
       'hips rx',
@@ -48,7 +48,7 @@ describe('lines', () => {
     ]);
   });
 
-  it('stand on the axis of their unit, or all on one between −1 and 1', () => {
+  it('lines use the axis of their unit, or all one between −1 and 1', () => {
     expect(sceneLines(hero, [0, 3, 9], false).map((l) => l.axis)).toEqual(['length', 'angle', 'weight']);
     const [line] = sceneLines(hero, [4], true);
     expect(line).toMatchObject({ axis: 'normalised', unit: 'angle' });
@@ -57,17 +57,17 @@ describe('lines', () => {
     expect(sceneLines(hero, [0], true)[0].normalise).toEqual({ scale: 1, shift: -0 });
   });
 
-  it('keep their scale where they are told to: nothing rescales while it is dragged', () => {
+  it('lines keep a given scale: nothing rescales during a drag', () => {
     const kept = [{ ...sceneLines(hero, [4], true)[0], normalise: { scale: 7, shift: 1 } }];
     expect(sceneLines(hero, [4], true, kept)[0].normalise).toEqual({ scale: 7, shift: 1 });
   });
 
-  it('lines have limits where the DOF has any', () => {
+  it('lines have the limits of their DOF, if any', () => {
     expect(sceneLines(hero, [3], false)[0].limit).toBeUndefined();
     expect(sceneLines(hero, [9], false)[0].limit).toEqual({ min: 0, max: 1 });
   });
 
-  it('lines tell joints apart', () => {
+  it('lines distinguish joints', () => {
     const colours = sceneLines(hero, [3, 6], false).map((l) => cssColour(l.colour));
     expect(colours).toEqual(['var(--axis-x)', 'color-mix(in oklab, var(--axis-x), var(--text) 34%)']);
   });
@@ -103,7 +103,7 @@ describe.each(['dark', 'light'])('colours on the %s theme', (theme) => {
     faint: token(theme, BASE_COLOURS.faint),
   };
 
-  it('tell what follows another DOF from what goes by itself', () => {
+  it('linked DOFs look different from others', () => {
     const turned = axisColour('x', 0);
     const follows = followingColour(turned);
     expect(follows.dash).not.toEqual(turned.dash);
@@ -125,7 +125,7 @@ describe.each(['dark', 'light'])('colours on the %s theme', (theme) => {
     }
   });
 
-  it('are no two alike among those shown together', () => {
+  it('no two lines shown together look alike', () => {
     const looks = Array.from({ length: 6 }, (_, i) =>
       [axisColour('x', i), axisColour('y', i), axisColour('z', i)].map(
         (c) => `${mixed(c, palette)} ${c.dash.length > 0}`,

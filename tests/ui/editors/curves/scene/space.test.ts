@@ -26,7 +26,7 @@ const anySpace: fc.Arbitrary<CurveSpace> = fc
 const metres = line(0, 'length');
 
 describe('the space of the curves', () => {
-  it('gives back the time and the value of the point that it gave for them', () => {
+  it('converts times and values to points and back', () => {
     const normalise = { scale: 0.3, shift: -2 };
     fc.assert(
       fc.property(anySpace, number(0, 400), number(0, 222), fc.constantFrom(undefined, normalise), (s, x, y, n) => {
@@ -39,7 +39,7 @@ describe('the space of the curves', () => {
     );
   });
 
-  it('keeps the point under the pointer while it zooms', () => {
+  it('keeps the point under the pointer while zooming', () => {
     fc.assert(
       fc.property(anySpace, number(0, 400), number(22, 222), number(0.2, 5), number(0.2, 5), (s, x, y, ft, fv) => {
         const next = zoom(s, x, y, ft, fv);
@@ -49,13 +49,13 @@ describe('the space of the curves', () => {
     );
   });
 
-  it('the space of the curves moves along with the pointer', () => {
+  it('the space of the curves pans with the pointer', () => {
     const next = pan(SPACE, 30, -12);
     expect(xOf(next, timeAt(SPACE, 100))).toBeCloseTo(130, 9);
     expect(yOf(next, metres, valueAt(SPACE, metres, 100))).toBeCloseTo(88, 9);
   });
 
-  it('leaves a direction alone, to the bit, that is not zoomed or moved', () => {
+  it('keeps a direction that is not zoomed or panned, to the bit', () => {
     expect(zoom(SPACE, 100, 100, 1, 2).window).toBe(SPACE.window);
     expect(zoom(SPACE, 100, 100, 2, 1).axes).toBe(SPACE.axes);
     expect(pan(SPACE, 5, 0).axes).toBe(SPACE.axes);
@@ -78,7 +78,7 @@ describe('fitting', () => {
     4,
   );
 
-  it('shows all of the curves, overshoots between keys included, within the plot', () => {
+  it('fitting shows all of the curves, overshoots between keys included, within the plot', () => {
     const given = scene([wave]);
     const space = fitted(given, 'all');
     expect(xOf(space, 0)).toBeGreaterThan(0);
@@ -91,14 +91,14 @@ describe('fitting', () => {
     expect(Math.max(...heights)).toBeLessThan(222);
   });
 
-  it('shows the selected keys in the middle', () => {
+  it('fitting centres the selected keys', () => {
     const given = scene([wave, keyed([[0, 100]])], { selected: [{ channel: 0, indices: [1, 2] }] });
     const space = fitted(given, 'selected');
     expect(xOf(space, 2) + xOf(space, 3)).toBeCloseTo(400, 6);
     expect(yOf(space, given.lines[0], 0) + yOf(space, given.lines[0], 0.5)).toBeCloseTo(PLOT_TOP + 222, 6);
   });
 
-  it('fits each axis on its own, and leaves those alone that show nothing', () => {
+  it('fitting handles each axis separately, and keeps those that show nothing', () => {
     const given = scene(
       [
         keyed([
@@ -118,7 +118,7 @@ describe('fitting', () => {
     expect(axes.weight).toBe(SPACE.axes.weight);
   });
 
-  it('keeps the window of time where it is told to, and looks at the values in it', () => {
+  it('fitting keeps the time window on request, and uses the values in it', () => {
     const given = scene([
       keyed(
         [
@@ -134,7 +134,7 @@ describe('fitting', () => {
     expect(space.axes.angle.high).toBeLessThan(5.5);
   });
 
-  it('shows something sensible of a single key, and of none', () => {
+  it('fitting handles a single key, and none', () => {
     for (const channel of [keyed([[1, 0.5]]), { ...keyed([]), rest: 0.5 }]) {
       const { axes, window } = fitted(scene([channel]), 'all');
       expect(axes.angle.low).toBeLessThan(0.5);

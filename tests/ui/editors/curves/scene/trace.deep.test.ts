@@ -86,7 +86,7 @@ function trace(channel: Channel, map: TraceMap, columnsPerPixel = 1) {
 const uneven = fc.double({ min: 0, max: 1, noNaN: true });
 
 describe('a traced line', () => {
-  it('lies on the evaluator everywhere it is drawn as a path', () => {
+  it('a traced path equals the evaluator everywhere', () => {
     fc.assert(
       fc.property(anyChannel(8), anyMap(0.001, 40), fc.array(uneven, { minLength: 5, maxLength: 5 }), (c, map, us) => {
         const { curves, line } = trace(c, map);
@@ -103,7 +103,7 @@ describe('a traced line', () => {
     );
   });
 
-  it('leaves no moment out that is in view and within reach', () => {
+  it('a traced line has no gaps in view and within reach', () => {
     fc.assert(
       fc.property(anyChannel(8), anyMap(0.001, 40), fc.array(uneven, { minLength: 9, maxLength: 9 }), (c, map, us) => {
         const { curves, line } = trace(c, map);
@@ -123,7 +123,7 @@ describe('a traced line', () => {
     );
   });
 
-  it('a traced line has columns that hold everything the evaluator gives in them, and nothing else', () => {
+  it('columns of a traced line contain exactly what the evaluator returns in them', () => {
     const samples = 300;
     fc.assert(
       fc.property(anyChannel(60, 2), anyMap(10, 400), fc.constantFrom(1, 2), (c, map, perPixel) => {
@@ -175,7 +175,7 @@ const view = (more: Partial<TraceMap> = {}): TraceMap => ({
 });
 
 describe('a line of many keys', () => {
-  it('a line of many keys is drawn as columns no taller than the curve in them', () => {
+  it('columns of many keys are no taller than the curve in them', () => {
     const { line } = trace(
       steady(30_001, (i) => Math.sin(i / 3000)),
       view({ perSecond: 1 }),
@@ -191,7 +191,7 @@ describe('a line of many keys', () => {
     expect([line.columns.from, line.columns.to]).toEqual([0, 300]);
   });
 
-  it('shows one key out of thousands that stands out', () => {
+  it('columns show a single outlier among thousands of keys', () => {
     const { line } = trace(
       steady(20_001, (i) => (i === 7_777 ? 1 : 0)),
       view({ perSecond: 1 }),
@@ -200,7 +200,7 @@ describe('a line of many keys', () => {
     expect(line.columns.tops[76]).toBeCloseTo(122, 3);
   });
 
-  it('a line of many keys is a path again when looked at closely', () => {
+  it('a line of many keys is a path again when zoomed in', () => {
     const { line } = trace(
       steady(20_001, (i) => Math.sin(i)),
       view({ perSecond: 3000, left: 50 }),
@@ -212,7 +212,7 @@ describe('a line of many keys', () => {
 });
 
 describe('what is extrapolated', () => {
-  it('what is extrapolated is a band of all its values where a pixel holds very many periods', () => {
+  it('extrapolation with many periods per pixel is a band of all its values', () => {
     const channel = steady(5, (i) => [0, 1, -1, 0.5, 0][i], { extrapolateOut: 'cycle' });
     const { line } = trace(channel, view({ perSecond: 0.01, left: 100 }));
     const own = trace(channel, view({ perSecond: 1e9, left: 0 })).curves;
@@ -228,7 +228,7 @@ describe('what is extrapolated', () => {
     }
   });
 
-  it('stands at the rest of a channel without keys, from edge to edge', () => {
+  it('a channel without keys is drawn at its rest, from edge to edge', () => {
     const { line } = trace(restChannel(0.25), view());
     expect(line.solid.verbCount).toBe(0);
     expect(line.dotted.verbCount).toBe(2);
@@ -238,7 +238,7 @@ describe('what is extrapolated', () => {
     expect(x1).toBeGreaterThanOrEqual(300);
   });
 
-  it('draws a step as an upright line, to both of its values', () => {
+  it('a step is drawn as a vertical line between both of its values', () => {
     const channel = { ...steady(3, (i) => [0, 0, 1][i]), times: Float64Array.of(0, 1, 1) };
     const { line } = trace(channel, view());
     const { points, pointCount } = line.solid;
@@ -247,7 +247,7 @@ describe('what is extrapolated', () => {
     expect(all).toContainEqual([100, 22]);
   });
 
-  it('goes through a whole day to a millisecond without losing a twentieth of a pixel', () => {
+  it('tracing a whole day at a millisecond stays exact to a twentieth of a pixel', () => {
     const channel = { ...steady(2, (i) => i), times: Float64Array.of(0, 86_400) };
     const map = view({ left: 43_200, perSecond: 300_000, perUnit: 1e9, low: 0.4999999 });
     const { curves, line } = trace(channel, map);

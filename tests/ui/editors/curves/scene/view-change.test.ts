@@ -22,7 +22,7 @@ const SPREAD: CurveSpace = {
 };
 
 describe('from one view of the curves to another', () => {
-  it('takes each pixel to where its moment and its value are, on every axis', () => {
+  it('maps each pixel to its time and value in the other view, on every axis', () => {
     const by = number(-300, 300);
     const factor = number(0.6, 1.6);
     fc.assert(
@@ -38,13 +38,13 @@ describe('from one view of the curves to another', () => {
     );
   });
 
-  it('is none once an axis was fitted by itself, unless no line stands on it', () => {
+  it('is undefined once an axis was fitted separately, unless no line uses it', () => {
     const fitted = { ...SPREAD, axes: { ...SPREAD.axes, length: { low: 0, high: 100 } } };
     expect(movedBetween(SPREAD, fitted, LINES)).toBeUndefined();
     expect(movedBetween(SPREAD, fitted, [line(0, 'angle')])).toEqual({ scaleX: 1, scaleY: 1, x: 0, y: 0 });
   });
 
-  it('is none where the picture would be stretched or shrunk beyond recognition', () => {
+  it('is undefined if the image would be scaled too much', () => {
     expect(movedBetween(SPREAD, zoom(SPREAD, 200, 100, 0.2, 1), LINES)).toBeUndefined();
     expect(movedBetween(SPREAD, zoom(SPREAD, 200, 100, 1, 5), LINES)).toBeUndefined();
   });

@@ -64,14 +64,14 @@ function drag(index: number, key: number, dx: number, dy: number, more: Partial<
 }
 
 describe('dragging keys', () => {
-  it('takes the key that was pressed, and it alone', () => {
+  it('drags the pressed key only', () => {
     selectKeys(wb, [{ channel: 1, indices: [0] }]);
     const { end, to } = drag(0, 1, 0, 0);
     end(to, false);
     expect(keysInHand(wb)).toEqual([{ channel: 0, indices: [1] }]);
   });
 
-  it('moves it by what the pixels are worth, as one step of undo', () => {
+  it('moves a key by what the pixels mean, as one undo step', () => {
     const { end, to } = drag(0, 1, 25, -50);
     end(to, true);
     // 100 pixels per second; 200 pixels for a length of 2.
@@ -88,14 +88,14 @@ describe('dragging keys', () => {
     expect(keysOf(held(0)).times[1]).toBeCloseTo(1.25, 9);
   });
 
-  it('holds to the direction it was moved in more while Shift is down', () => {
+  it('constrains to the dominant direction while Shift is held', () => {
     const { end, to } = drag(0, 1, 25, -10, { shift: true });
     end(to, true);
     expect(keysOf(held(0)).times[1]).toBeCloseTo(1.25, 9);
     expect(keysOf(held(0)).values[1]).toBe(0);
   });
 
-  it('lands on frames where it snaps, and with Ctrl where it does not', () => {
+  it('snaps to frames if switched on, and with Ctrl if not', () => {
     wb.timeline.change({ snapsToFrames: true });
     const { move, end, to } = drag(0, 1, 23, 0);
     expect(keysOf(held(0)).times[1]).toBeCloseTo(1.2, 9);
@@ -104,7 +104,7 @@ describe('dragging keys', () => {
     end({ ...to, ctrl: true }, true);
   });
 
-  it('moves all that is selected alike on screen, each on its own axis', () => {
+  it('moves the selection equally on screen, each key on its own axis', () => {
     selectKeys(wb, [
       { channel: 0, indices: [1] },
       { channel: 3, indices: [0] },
@@ -117,7 +117,7 @@ describe('dragging keys', () => {
     expect(keysOf(held(3)).values[0]).toBeCloseTo((0.2 * Math.PI) / 2, 9);
   });
 
-  it('leaves selected keys alone that are out of view', () => {
+  it('leaves selected keys out of view alone', () => {
     selectKeys(wb, [
       { channel: 0, indices: [1] },
       { channel: 1, indices: [1] },
@@ -134,7 +134,7 @@ describe('dragging keys', () => {
     ]);
   });
 
-  it('ends when the key is deleted under it, and moves no other one', () => {
+  it('ends when the key is deleted meanwhile, and moves no other one', () => {
     selectKeys(wb, [{ channel: 0, indices: [1] }]);
     const { move, end, to } = drag(0, 1, 10, 0);
     deleteKeys(wb);
@@ -143,7 +143,7 @@ describe('dragging keys', () => {
     expect([...keysOf(held(0)).times]).toEqual([0, 2]);
   });
 
-  it('ends when an inserted key is undone under it', () => {
+  it('ends when an inserted key is undone meanwhile', () => {
     insertAtPlayhead(wb, [3]);
     const { move, end, to, cancelled } = drag(3, 0, 10, 0);
     wb.store.undo();
@@ -155,7 +155,7 @@ describe('dragging keys', () => {
     expect(wb.store.redoLabel).toBeDefined();
   });
 
-  it('dragging keys does not begin on another take than the one that was pressed in', () => {
+  it('dragging keys does not start on another take than the pressed one', () => {
     const from = pointOf(0, 1);
     const made = keysDrag(plot, { kind: 'key', channel: 0, index: 1 }, from);
     const [walker] = wb.store.document.characters;
@@ -169,7 +169,7 @@ describe('dragging keys', () => {
     expect(wb.store.undoLabel).toBe('Another take');
   });
 
-  it('puts everything back when it is given up', () => {
+  it('restores everything when cancelled', () => {
     const before = wb.store.document;
     drag(0, 1, 40, 40).cancel();
     expect(wb.store.document).toBe(before);
@@ -178,7 +178,7 @@ describe('dragging keys', () => {
 });
 
 describe('dragging a handle', () => {
-  it('sets the slope of both sides where they were equal, and keeps the selection', () => {
+  it('sets the slope of both sides if they were equal, and keeps the selection', () => {
     const keys = [{ channel: 0, indices: [0, 1] }];
     selectKeys(wb, keys);
     const key = pointOf(0, 1);
@@ -190,7 +190,7 @@ describe('dragging a handle', () => {
     expect(keysInHand(wb)).toEqual(keys);
   });
 
-  it('sets one side alone with Alt', () => {
+  it('sets one side only with Alt', () => {
     selectKeys(wb, [{ channel: 0, indices: [1] }]);
     const key = pointOf(0, 1);
     slopeDrag(plot, { kind: 'handle', channel: 0, index: 1, side: 'out' }).end(
@@ -203,7 +203,7 @@ describe('dragging a handle', () => {
 });
 
 describe('scaling with S', () => {
-  it('leaves keys alone that are out of view, and selected', () => {
+  it('leaves keys out of view alone, and selected', () => {
     const keys = [0, 1].map((c) => ({ channel: c, indices: [0, 1] }));
     selectKeys(wb, keys);
     wb.timeline.change({ hidden: [1] });
@@ -212,7 +212,7 @@ describe('scaling with S', () => {
     expect(wb.store.selection.keys).toEqual(keys);
   });
 
-  it('goes about the playhead, in the direction it set out in', () => {
+  it('scales about the playhead, in the initial direction', () => {
     selectKeys(wb, [{ channel: 0, indices: [0, 1, 2] }]);
     const made = scaleDrag(plot, at(100, 100));
     made.move(at(150, 101));

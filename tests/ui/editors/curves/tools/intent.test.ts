@@ -20,7 +20,7 @@ const press = (more: Partial<Press> = {}): Press => ({
 });
 
 describe('a press in the plot', () => {
-  it('means what it is on', () => {
+  it('depends on what it hits', () => {
     expect([KEY, HANDLE, CURVE, EMPTY].map((hit) => intentOf(press(), hit))).toEqual(['keys', 'slope', 'curve', 'box']);
   });
 
@@ -28,7 +28,7 @@ describe('a press in the plot', () => {
     expect([KEY, CURVE, EMPTY].map((hit) => intentOf(press({ ctrl: true }), hit))).toEqual(['keys', 'insert', 'box']);
   });
 
-  it('pans with Alt or the middle button, but a handle under Alt is dragged by itself', () => {
+  it('pans with Alt or the middle button, but Alt on a handle drags that side only', () => {
     expect([KEY, CURVE, EMPTY].map((hit) => intentOf(press({ alt: true }), hit))).toEqual(['pan', 'pan', 'pan']);
     expect(intentOf(press({ alt: true }), HANDLE)).toBe('slope');
     expect(intentOf(press({ button: 1 }), KEY)).toBe('pan');
@@ -44,7 +44,7 @@ describe('a press in the plot', () => {
     expect(intentOf(press({ scaling: true }), KEY)).toBe('scale');
   });
 
-  it('a press in the plot has a cursor that tells keys from ground, and adding from moving', () => {
+  it('a press in the plot has cursors that distinguish keys from background, and adding from moving', () => {
     expect(cursorOf('keys', press(), false)).toBe('move');
     expect(cursorOf('keys', press({ shift: true }), false)).toBe('copy');
     expect(cursorOf('keys', press({ shift: true }), true)).toBe('move');
@@ -63,12 +63,12 @@ describe('the wheel', () => {
     expect(wheelMeans({ ...turn, altKey: true })).toEqual({ time: 1, value: 1.15 });
   });
 
-  it('zooms also where Shift turns it to the side, and else pans to the side', () => {
+  it('zooms if Shift makes it horizontal, and else pans horizontally', () => {
     expect(wheelMeans({ ...turn, deltaX: 60, deltaY: 0, shiftKey: true })).toEqual({ time: 1.15, value: 1 });
     expect(wheelMeans({ ...turn, deltaX: 30, deltaY: 0 })).toEqual({ panX: -30 });
   });
 
-  it('goes back as far as it went', () => {
+  it('zooms back exactly as far', () => {
     const there = wheelMeans(turn);
     const back = wheelMeans({ ...turn, deltaY: -60 });
     expect('time' in there && 'time' in back && there.time * back.time).toBeCloseTo(1, 12);
@@ -78,40 +78,40 @@ describe('the wheel', () => {
 describe('the other handle', () => {
   const none = { alt: false, ctrl: false };
 
-  it('follows where both slopes were equal, always, or never, as is chosen', () => {
+  it('follows if both slopes were equal, always, or never, by the option', () => {
     expect([true, false].map((equal) => movesBoth('auto', equal, none))).toEqual([true, false]);
     expect([true, false].map((equal) => movesBoth('together', equal, none))).toEqual([true, true]);
     expect([true, false].map((equal) => movesBoth('alone', equal, none))).toEqual([false, false]);
   });
 
-  it('stays with Alt and follows with Ctrl, whatever is chosen', () => {
+  it('stays with Alt and follows with Ctrl, whatever the option', () => {
     for (const mode of ['auto', 'alone', 'together'] as const) {
       expect(movesBoth(mode, true, { alt: true, ctrl: false })).toBe(false);
       expect(movesBoth(mode, false, { alt: false, ctrl: true })).toBe(true);
     }
   });
 
-  it('takes slopes for equal that differ by rounding', () => {
+  it('treats slopes as equal up to rounding', () => {
     expect(sameSlope(0.1 + 0.2, 0.3)).toBe(true);
     expect(sameSlope(1e6, 1e6 + 0.1)).toBe(false);
   });
 });
 
 describe('isolating channels', () => {
-  it('shows one alone, and all again at the second click', () => {
+  it('isolates one, and shows all again on the second click', () => {
     expect(isolatedAfter(undefined, [3], false)).toEqual([3]);
     expect(isolatedAfter([3], [3], false)).toBeUndefined();
     expect(isolatedAfter([3, 4], [3], false)).toEqual([3]);
   });
 
-  it('adds and takes away with Ctrl', () => {
+  it('adds and removes with Ctrl', () => {
     expect(isolatedAfter([3], [1], true)).toEqual([1, 3]);
     expect(isolatedAfter([1, 3], [1], true)).toEqual([3]);
     expect(isolatedAfter([3], [3], true)).toBeUndefined();
   });
 });
 
-it('takes a click with Ctrl for a Mac’s right button', () => {
+it('treats Ctrl+click as a Mac’s right click', () => {
   expect(buttonMeant({ button: 0, ctrlKey: true }, true)).toBe(2);
   expect(buttonMeant({ button: 0, ctrlKey: true }, false)).toBe(0);
   expect(buttonMeant({ button: 1, ctrlKey: true }, true)).toBe(1);
