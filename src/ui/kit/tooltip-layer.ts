@@ -3,6 +3,7 @@
  * rather than on every element. It lets pointer events through.
  */
 import { element, setAttribute, setText, uniqueId } from './dom.ts';
+import { isTextField } from './focus.ts';
 import { type Tooltip, tooltipAround, tooltipOf } from './tooltip.ts';
 import { isOnTooltip, placeTooltip } from './tooltip-placement.ts';
 import { dueAt, NO_TOOLTIP, nextTooltip, type TooltipEvent, type TooltipState } from './tooltip-state.ts';
@@ -120,15 +121,20 @@ class TooltipLayer {
     event.stopImmediatePropagation();
   }
 
-  /** A held finger also asks for a context menu. The page's own wins over the tooltip, the tooltip over the browser's. */
+  /**
+   * A held finger also asks for a context menu. The page's own, and that of a text field, win over the tooltip; the
+   * tooltip wins over any other of the browser's.
+   */
   onContextMenu(event: MouseEvent): void {
     if (!this.finger) return;
-    if (event.defaultPrevented) this.send({ kind: 'dismiss' });
+    const { target } = event;
+    if (event.defaultPrevented || (target instanceof Element && isTextField(target))) this.send({ kind: 'dismiss' });
     else event.preventDefault();
   }
 
   onKeyDown(event: KeyboardEvent): void {
     this.isByKeyboard = true;
+    this.finger = undefined;
     if (event.key === 'Escape' || event.key === 'Enter' || event.key === ' ') this.send({ kind: 'dismiss' });
   }
 
