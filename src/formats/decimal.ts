@@ -1,16 +1,17 @@
 /**
- * Decimal numbers out of bytes, correctly rounded: the very double that `Number(text)` gives, without the text.
+ * Parses decimal numbers from bytes, correctly rounded: exactly the double that `Number(text)` gives, without the text.
  *
  *     [+-] ( digits [. digits*] | . digits ) [ (e|E) [+-] digits ]        as C's strtod, without nan, inf and hex
  *
  * With w the digits as an integer and 10^x the power of ten to apply:
  * - w < 2^53 and |x| ≤ 22: both are exact doubles, so one multiplication or division rounds once (Clinger 1990).
- * - w up to 18 digits and |x| ≤ 80: double-double arithmetic (Dekker 1971), about 104 bits. What is left below the
- *   rounded result is compared with the error bound; only when the two sides of the bound would round differently
- *   (one number in 10^14 or so, and halfway cases) the digits go to `Number`.
+ * - w up to 18 digits and |x| ≤ 80: double-double arithmetic (Dekker 1971), about 104 bits. The remainder below the
+ *   rounded result is compared with the error bound; only if the two sides of the bound would round differently (about
+ *   one number in 10^14, and halfway cases) the digits go to `Number`.
  * - Everything else goes to `Number`.
  *
- * Rejected: Eisel-Lemire as in fast_float, whose 64×64-bit products JavaScript has only as BigInt, ten times slower.
+ * Rejected: Eisel-Lemire as in fast_float, which needs 64×64-bit products; in JavaScript these take BigInt, ten times
+ * slower.
  */
 const DOT = 46;
 const MINUS = 45;
@@ -32,16 +33,13 @@ for (let k = 0; k <= MAX_POWER; k++) {
 /** 2^27 + 1 splits a double into two halves whose products are exact. */
 const SPLITTER = 134217729;
 
-/**
- * The number that bytes [start, end) spell: NaN when they are no decimal, ±Infinity when it is too large for a double.
- * Too small is 0.
- */
+/** The value of bytes [start, end): NaN if they are no decimal, ±Infinity on overflow, 0 on underflow. */
 export function parseDecimal(bytes: Uint8Array, start: number, end: number): number {
   let i = start;
   let c = bytes[i];
   const negative = c === MINUS;
   if (negative || c === PLUS) i++;
-  // The first nine significant digits, then nine more; what follows only shifts the exponent.
+  // The first nine significant digits, then nine more; further ones only shift the exponent.
   let high = 0;
   let low = 0;
   let significant = 0;
@@ -81,14 +79,14 @@ export function parseDecimal(bytes: Uint8Array, start: number, end: number): num
   }
   const value =
     dropped > 0 ? Number.NaN : significant <= 9 ? scale(high, 0, exponent) : wide(high, low, significant - 9, exponent);
-  // NaN: not decided above. The text is a decimal, so Number reads it.
+  // NaN: undecided. The text is a valid decimal, so Number parses it.
   if (Number.isNaN(value)) return Number(text(bytes, start, end));
   return negative ? -value : value;
 }
 
 /**
- * `(high · 10^lowDigits + low) · 10^exponent` rounded once, for `high` an integer up to 2^53 and `low` one of
- * `lowDigits` ≤ 9 digits. NaN where it can't be decided.
+ * `(high · 10^lowDigits + low) · 10^exponent` rounded once, with integers `high` up to 2^53 and `low` of `lowDigits` ≤
+ * 9 digits. NaN if undecided.
  */
 export function wide(high: number, low: number, lowDigits: number, exponent: number): number {
   const p = POWERS[lowDigits];
@@ -97,7 +95,7 @@ export function wide(high: number, low: number, lowDigits: number, exponent: num
   return scale(sum, low - (sum - product) + productError(high, p, product), exponent);
 }
 
-/** `(a + b) · 10^exponent` rounded once, for |b| ≤ an ulp of a, and a below 10^25; NaN where undecided. */
+/** `(a + b) · 10^exponent` rounded once, for |b| ≤ an ulp of a, and a below 10^25; NaN if undecided. */
 function scale(a: number, b: number, exponent: number): number {
   if (a === 0) return 0;
   if (b === 0 && a <= Number.MAX_SAFE_INTEGER) {
@@ -119,13 +117,13 @@ function scale(a: number, b: number, exponent: number): number {
     const remainder = a - product - productError(result, p, product);
     rest = (remainder + (b - result * POWER_LOW[-exponent])) / p;
   }
-  // `rest` itself is off by a few of its own ulps, and by what its two parts cancelled.
+  // `rest` is off by a few of its own ulps, and by the cancellation of its two parts.
   const bound = Math.abs(result) * 1e-30;
   const rounded = result + (rest - bound);
   return rounded === result + (rest + bound) ? rounded : Number.NaN;
 }
 
-/** `x · y − product` exactly, for `product` the rounded x · y. */
+/** The exact `x · y − product`, for `product` the rounded x · y. */
 function productError(x: number, y: number, product: number): number {
   const u = SPLITTER * x;
   const xh = u - (u - x);

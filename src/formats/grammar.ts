@@ -1,30 +1,30 @@
-/** What the text formats have in common beyond tokens: counted blocks, single numbers, names, unknown keywords. */
+/** What text formats share beyond tokens: counted blocks, single numbers, names, unknown keywords. */
 import type { Place } from './places.ts';
 import type { Keywords, NumberSink, Tokens } from './tokens.ts';
 
-/** A part of a grammar: suspends when the bytes run out. */
+/** Part of a grammar; suspends when the bytes run out. */
 export type GrammarPart<T> = Generator<void, T, void>;
 
-/** `wasp.skin` → `wasp`: what a model is named after. */
+/** `wasp.skin` → `wasp`: the name of a model. */
 export function stemOfName(fileName: string): string {
   const base = fileName.slice(Math.max(fileName.lastIndexOf('/'), fileName.lastIndexOf('\\')) + 1);
   const dot = base.lastIndexOf('.');
   return dot > 0 ? base.slice(0, dot) : base;
 }
 
-/** Whether the word at hand, found where a number belongs, is no try at one but something that comes after it. */
+/** Whether the current word, where a number is expected, is not a misspelt number but what comes after it. */
 function isMissing(t: Tokens, keywords: Keywords): boolean {
   return t.kind !== 'word' || keywords.has(t.keyword()) || (t.startsLine && !looksNumeric(t));
 }
 
-/** Whether the word at hand is a number, or was meant to be one. */
+/** Whether the current word is a number, or meant as one. */
 export function looksNumeric(t: Tokens): boolean {
   return /^([+-]?(\d|\.|nan|inf)|[+-]$)/.test(t.keyword());
 }
 
 /**
- * One number. What is no number counts as 0 and is an error; where nothing stands that was meant to be one, the result
- * is undefined and the token is left for what comes next.
+ * One number. An invalid number is an error and counts as 0; if there is nothing meant as a number, the result is
+ * undefined and the token is left for what follows.
  */
 export function* number(t: Tokens, what: string, keywords: Keywords): GrammarPart<number | undefined> {
   yield* t.next();
@@ -39,7 +39,7 @@ export function* number(t: Tokens, what: string, keywords: Keywords): GrammarPar
   return 0;
 }
 
-/** So many numbers in a row, 0 for those that are missing. */
+/** A fixed number of numbers; missing ones are 0. */
 export function* numbers(
   t: Tokens,
   count: number,
@@ -55,7 +55,7 @@ export function* numbers(
   return all;
 }
 
-/** Numbers as long as there are any; at most `kept` of them are kept, but all counted. */
+/** As many numbers as there are; all are counted, but at most `kept` are stored. */
 export function* numberRun(
   t: Tokens,
   kept: number,
@@ -79,7 +79,7 @@ export function* numberRun(
   }
 }
 
-/** `N {`. A count is a hint only: whatever it is, what is there is used. Undefined when there is no usable count. */
+/** `N {`. The count is only a hint; the actual content is used. Undefined if there is no usable count. */
 export function* countAndBrace(t: Tokens, what: string, keywords: Keywords): GrammarPart<number | undefined> {
   let count = yield* number(t, `the number of ${what}`, keywords);
   if (count !== undefined && count % 1 !== 0) {
@@ -90,20 +90,20 @@ export function* countAndBrace(t: Tokens, what: string, keywords: Keywords): Gra
   return count;
 }
 
-/** A `{`; without one, goes on as if it were there. */
+/** A `{`; if missing, continues as if it were there. */
 export function* openBrace(t: Tokens, after: string): GrammarPart<void> {
   if ((yield* t.next()) === '{') return;
   t.error('brace-missing', `Expected "{" after ${after}, found ${t.found()}.`);
   t.again();
 }
 
-/** The `}` of a block is at hand: does what was declared agree with what was found? */
+/** At the `}` of a block: compares the declared count with the actual one. */
 export function checkCount(t: Tokens, what: string, declared: number | undefined, found: number): void {
   if (declared === undefined || declared === found) return;
   t.warn('count-mismatch', `Expected ${declared} ${what} as declared, found ${found}.`, `used ${found}`);
 }
 
-/** The token at hand is nothing that belongs into `where`: one warning for equal ones, and on behind it. */
+/** Skips a token that is not valid in `where`; equal ones share one warning. */
 export function* skipStrange(t: Tokens, where: string, expected: string): GrammarPart<void> {
   const message = () => `Expected ${expected} in ${where}, found ${t.found()}.`;
   if (t.kind === '{') {
@@ -116,19 +116,19 @@ export function* skipStrange(t: Tokens, where: string, expected: string): Gramma
   yield* t.skipUnknown();
 }
 
-/** A `}` is at hand that closes nothing. */
+/** At an unmatched `}`. */
 export function braceTooMany(t: Tokens): void {
   t.warn('brace-unexpected', 'Unmatched "}": every block is already closed.', 'ignored');
 }
 
-/** `what` comes a second time: the later one is used. */
+/** `what` is repeated: the later one is used. */
 export function warnRepeated(t: Tokens, what: string): void {
   t.warn('repeated', `${what} appears a second time.`, 'the later one is used');
 }
 
 /**
- * How long to make an array of `length` that needs room for `needed`, when `expected` are said to come. A count is a
- * hint: it is followed up to 16 times what is there already, or 4 times where that is large. Without one it doubles.
+ * New length for an array of `length` that needs room for `needed`, if `expected` are declared. The declared count is
+ * trusted up to 16 times the current length, or 4 times if that is large. Without one it doubles.
  */
 export function nextLength(length: number, needed: number, expected: number): number {
   const trusted = length < LARGE ? 16 * length : 4 * length;
@@ -138,16 +138,16 @@ export function nextLength(length: number, needed: number, expected: number): nu
 
 /** 8 MB of doubles. */
 const LARGE = 1 << 20;
-/** What a list begins with at most, 32 kB: a file of thousands of blocks must not take room for a whole file in each. */
+/** Initial length of a list at most, 32 kB: thousands of blocks must not each allocate for a whole file. */
 const MAX_AT_FIRST = 1 << 12;
 
-/** A growing list of numbers, read straight into place: `positions` and its kin. */
+/** A growing list of numbers, read directly into place: `positions` and others. */
 export class NumberList implements NumberSink {
   values: Float64Array;
   count = 0;
   readonly usesUp = false;
 
-  /** `expected`: how many are declared, if any; allocated at once only as far as the bytes at hand could fill it. */
+  /** `expected`: the declared count, if any; allocated at once only as far as the available bytes could fill it. */
   constructor(
     t: Tokens,
     private readonly expected: number | undefined,
@@ -163,13 +163,13 @@ export class NumberList implements NumberSink {
     this.values = grown;
   }
 
-  /** What was read, and nothing behind it. */
+  /** The numbers read, trimmed. */
   all(): Float64Array {
     return this.count === this.values.length ? this.values : this.values.slice(0, this.count);
   }
 }
 
-/** `N { x y z … }`: rows of so many numbers. The keyword is at hand. */
+/** `N { x y z … }`: rows of `width` numbers. The current token is the keyword. */
 export function* rows(t: Tokens, what: string, width: number, keywords: Keywords): GrammarPart<Float64Array> {
   const declared = yield* countAndBrace(t, what, keywords);
   const sink = new NumberList(t, declared === undefined ? undefined : declared * width);
@@ -178,7 +178,7 @@ export function* rows(t: Tokens, what: string, width: number, keywords: Keywords
   return sink.all();
 }
 
-/** The end of a block of rows is at hand. */
+/** At the end of a block of rows. */
 export function checkRows(t: Tokens, what: string, width: number, declared: number | undefined, found: number): void {
   if (t.kind !== '}') return;
   if (found % width !== 0) {
@@ -187,18 +187,18 @@ export function checkRows(t: Tokens, what: string, width: number, declared: numb
   } else checkCount(t, what, declared, found / width);
 }
 
-/** Wrong indices of a block: the first one is told, the rest counted. */
+/** Invalid indices of a block: reports the first and counts the rest. */
 export class WrongIndices {
   private first: { code: string; message: string; place: Place } | undefined;
   private count = 0;
 
-  /** `what`: "the index of a vertex"; `bound`: how many there are, Infinity where that is not known. */
+  /** `what`: "the index of a vertex"; `bound`: their number, Infinity if unknown. */
   constructor(
     private readonly what: string,
     private readonly bound: () => string,
   ) {}
 
-  /** In a sink's `flush`: number `slot` is no index. (A closure for the place would cost a loop its speed.) */
+  /** In a sink's `flush`: number `slot` is no index. (A closure for the place would slow the loop down.) */
   addSlot(index: number, t: Tokens, slot: number): void {
     if (this.count++ === 0) this.note(index, t.placeOfSlot(slot));
   }
@@ -217,7 +217,7 @@ export class WrongIndices {
     };
   }
 
-  /** Tells what was found, with `more` that were only counted. */
+  /** Reports what was found, with `more` that were only counted. */
   tell(t: Tokens, more = 0): void {
     const { first } = this;
     if (first) t.report.error(first.code, `${first.message}${andMore(this.count - 1 + more)}.`, first.place);
@@ -228,5 +228,5 @@ export function andMore(count: number): string {
   return count > 0 ? ` (and ${count} more like it)` : '';
 }
 
-/** 2^32: a larger index can't be held, and no file has as many vertices. */
+/** 2^32: larger indices can't be stored, and no file has as many vertices. */
 export const MAX_COUNT = 4294967296;

@@ -3,14 +3,14 @@
  *
  *     chunk   ┊pos│itions 3 { 0 0 1 … 0.2│5 0 ┊          pieces   [posi│tions 3 { … ]  [0.25 ]  [0 ]
  *
- * A piece's last byte is a separator or a brace, so every token in it is whole and the loops over it need not look for
- * its end. What is left of a chunk behind that byte is carried over and completed by the head of the next one: a copy
- * of a few bytes, never of a chunk. A separator of our own ends the last token of the file.
+ * A piece's last byte is a separator or a brace, so every token in it is complete and loops need no check for its end.
+ * The rest of a chunk is carried over and completed by the head of the next one: a copy of a few bytes, never of a
+ * chunk. An added separator ends the last token of the file.
  */
 import { LF, tokenEnd } from './scan.ts';
 
 /**
- * Takes bytes [from, to). Returns `to`, or where the rest begins that it wants again, together with all up to the end
+ * Takes bytes [from, to). Returns `to`, or the start of a rest that it wants again, together with everything to the end
  * of its line.
  */
 export type TakePiece = (bytes: Uint8Array, from: number, to: number) => number;
@@ -18,7 +18,7 @@ export type TakePiece = (bytes: Uint8Array, from: number, to: number) => number;
 export class BytePieces {
   private carry = new Uint8Array(0);
   private carried = 0;
-  /** The next piece has to end with a line. */
+  /** Whether the next piece has to end with a line. */
   private wantsLine = false;
 
   feed(chunk: Uint8Array, take: TakePiece): void {
@@ -26,7 +26,7 @@ export class BytePieces {
     while (from < chunk.length) {
       const { wantsLine } = this;
       if (this.carried > 0) {
-        // Completes what was cut.
+        // Completes the token that was cut.
         const last = wantsLine ? lineEnd(chunk, from, chunk.length) : tokenEnd(chunk, from, chunk.length);
         const until = Math.min(last + 1, chunk.length);
         this.keep(chunk, from, until);
@@ -41,7 +41,7 @@ export class BytePieces {
     }
   }
 
-  /** The last piece: what is left, with a LF behind it that is not in the file. */
+  /** The last piece: the rest, plus a LF that is not in the file. */
   finish(take: TakePiece): void {
     this.keep(Uint8Array.of(LF), 0, 1);
     this.giveCarried(take);
@@ -50,7 +50,7 @@ export class BytePieces {
   private keep(chunk: Uint8Array, from: number, to: number): void {
     const needed = this.carried + to - from;
     if (needed > this.carry.length) {
-      // Twofold, so that even a file without any separator is copied a few times only.
+      // Doubling, so that even a file without separators is copied only a few times.
       const grown = new Uint8Array(Math.max(256, needed, 2 * this.carry.length));
       grown.set(this.carry.subarray(0, this.carried));
       this.carry = grown;
@@ -72,20 +72,20 @@ export class BytePieces {
   }
 }
 
-/** The first CR or LF from `i` on, `end` when there is none. */
+/** The first CR or LF from `i` on; `end` if there is none. */
 export function lineEnd(bytes: Uint8Array, i: number, end: number): number {
   while (i < end && bytes[i] !== 10 && bytes[i] !== 13) i++;
   return i;
 }
 
-/** The last CR or LF not before `from`; `from - 1` when there is none. */
+/** The last CR or LF not before `from`; `from - 1` if there is none. */
 function lastLineEnd(bytes: Uint8Array, from: number): number {
   let i = bytes.length - 1;
   while (i >= from && bytes[i] !== 10 && bytes[i] !== 13) i--;
   return i;
 }
 
-/** The last separator or brace not before `from`; `from - 1` when there is none. */
+/** The last separator or brace not before `from`; `from - 1` if there is none. */
 function lastSeparator(bytes: Uint8Array, from: number): number {
   let i = bytes.length - 1;
   for (; i >= from; i--) {

@@ -1,87 +1,87 @@
 /**
  * Lines, columns and excerpts for bytes that arrive in pieces and are not kept.
  *
- * A reader knows byte offsets; a line is counted only when something is reported, by a cursor that never passes a byte
- * twice (but for a step back within one piece), so that 100 warnings in 100 MB cost one count. A piece that is let go
- * is counted then, four bytes at a time, and leaves behind what a later excerpt needs: the end of its last line.
+ * A reader knows byte offsets; lines are counted only when something is reported, by a cursor that never passes a byte
+ * twice (except for a step back within one piece), so that 100 warnings in 100 MB cost one count. A piece is counted
+ * when it is released, four bytes at a time, and the end of its last line is kept for later excerpts.
  *
  * A run of CRs followed by LF is one line end; any other CR is one each. Columns are counted in characters (code
- * points), from 1. An excerpt that reaches past the bytes at hand is completed by the pieces that follow, which makes
- * diagnostics the same however a file was cut.
+ * points), from 1. An excerpt that reaches past the available bytes is completed by the following pieces, so that
+ * diagnostics are the same however a file was cut.
  *
- * Rejected: keeping the whole file (peak memory); counting lines in the number loop (a tenth of its speed for nothing
- * in a clean file).
+ * Rejected: keeping the whole file (peak memory); counting lines in the number loop (costs a tenth of its speed, for
+ * nothing in a valid file).
  */
 import type { Excerpt } from '../model/diagnostic.ts';
 import { lineEnd } from './pieces.ts';
 
-/** Characters of a line that are shown. */
+/** Maximum number of characters shown of a line. */
 const SHOWN = 200;
-/** Bytes kept on either side of a place: as many characters as are shown, four bytes each. */
+/** Bytes kept on either side of a place: four for each character shown. */
 const WINDOW = 4 * SHOWN;
-/** Bytes that are counted sooner than remembered. */
+/** Shorter ranges are counted again rather than remembered. */
 const SHORT = 256;
-/** Bytes of lines that are kept in one array. */
+/** Bytes of lines kept in one array. */
 const POOL = 16384;
 const NOTHING = new Uint8Array(0);
-/** The loops' own names for them: some module loaders look an imported one up at every use. */
+/** Local names for the loops: some module loaders look up imported ones at every use. */
 const LF = 10;
 const CR = 13;
 
-/** Where something is. Cheap to make, so that a place can be noted before it is known to be wanted. */
+/** A position in a file. Cheap to create, so that it can be recorded before it is known to be needed. */
 export interface Place {
   /** From 1; 0 for none. */
   readonly line: number;
   /** From 1, in characters; 0 for none. */
   readonly column: number;
-  /** The line's bytes before it, at most `WINDOW`; absent where there is no line to show. */
+  /** The line's bytes before it, at most `WINDOW`; absent if there is no line to show. */
   readonly before?: Uint8Array;
-  /** And from it on; grows until the line ends. */
+  /** The bytes from it on; grows until the line ends. */
   after?: Uint8Array;
 }
 
-/** What concerns a file as a whole, such as that it is empty. */
+/** For the file as a whole, e.g. that it is empty. */
 export const WHOLE_FILE: Place = { line: 1, column: 1 };
-/** What has no place in a file. */
+/** For problems without a position. */
 export const NO_PLACE: Place = { line: 0, column: 0 };
 
 interface Unfinished {
   readonly place: Place;
-  /** Offset in the file of the next byte it wants. */
+  /** Offset in the file of the next byte needed. */
   wants: number;
 }
 
 export class Places {
-  /** The piece at hand: bytes [from, to), the first at `base` in the file. */
+  /** The current piece: bytes [from, to), the first at `base` in the file. */
   private bytes: Uint8Array = NOTHING;
   private from = 0;
   private to = 0;
   private base = 0;
-  /** The cursor: all before it is counted. */
+  /** The cursor: everything before it is counted. */
   private at = 0;
   private line = 1;
-  /** Characters between the start of the line and the cursor. */
+  /** Characters from the start of the line to the cursor. */
   private characters = 0;
-  /** CRs right before the cursor, not counted yet: what follows decides. */
+  /** CRs right before the cursor, not counted yet, since that depends on what follows. */
   private pendingCrs = 0;
-  /** Where the cursor's line starts, or -1: before this piece. */
+  /** Start of the cursor's line, or -1: before this piece. */
   private lineStart = -1;
-  /** The end of what that line has before this piece. */
+  /** The end of that line's part before this piece. */
   private head: Uint8Array = NOTHING;
-  /** The state at the start of the piece, for a step back. */
+  /** The state at the start of the piece, for stepping back. */
   private startLine = 1;
   private startCharacters = 0;
   private startPendingCrs = 0;
   private unfinished: Unfinished[] = [];
-  /** What is kept of lines lies here, one behind the other: many small arrays of their own cost more than they hold. */
+  /** Pool for the kept parts of lines: many small arrays would cost more than their content. */
   private pool: Uint8Array = NOTHING;
   private poolAt = 0;
-  /** Stretches of the piece whose LFs are known: start, end, LFs, and so on. */
+  /** Ranges of the piece with a known number of LFs: start, end, LFs, and so on. */
   private stretches: number[] = [];
   /** The first of them that the cursor has not passed. */
   private stretch = 0;
 
-  /** A piece arrives. `base`: its first byte's offset in the file; the piece may begin with bytes not let go yet. */
+  /** A new piece. `base`: its first byte's offset in the file; the piece may start with bytes not released yet. */
   enter(bytes: Uint8Array, from: number, to: number, base: number): void {
     this.bytes = bytes;
     this.from = this.at = from;
@@ -96,14 +96,14 @@ export class Places {
   }
 
   /**
-   * Bytes [from, to) of the piece at hand are known to have so many LFs, and no CR but right before one of them; -1: no
-   * one knows.
+   * Declares that bytes [from, to) of the current piece have this many LFs, and no CR except right before one of them;
+   * -1: unknown.
    */
   passed(from: number, to: number, lineFeeds: number): void {
     if (lineFeeds >= 0 && to - from > SHORT) this.stretches.push(from, to, lineFeeds);
   }
 
-  /** The bytes before `until` are let go. */
+  /** Releases the bytes before `until`. */
   leave(until: number): void {
     this.advance(until);
     const { bytes, lineStart } = this;
@@ -112,7 +112,7 @@ export class Places {
     this.lineStart = -1;
   }
 
-  /** The byte at `offset` of the piece at hand, which must not be a line end; with its line to show or without. */
+  /** The place of the byte at `offset` of the current piece, which must not be a line end; with or without its line. */
   place(offset: number, keepsLine = true): Place {
     this.advance(offset);
     const { bytes, to } = this;
@@ -134,13 +134,13 @@ export class Places {
     return place;
   }
 
-  /** The line of a byte of the piece at hand. */
+  /** The line of a byte of the current piece. */
   lineAt(offset: number): number {
     this.advance(offset);
     return this.line + this.pendingCrs;
   }
 
-  /** Completes an excerpt with the piece at hand; whether it is complete. */
+  /** Extends an excerpt by the current piece; returns whether it is complete. */
   private extend(u: Unfinished): boolean {
     const { place, wants } = u;
     const had = place.after ?? NOTHING;
@@ -153,13 +153,13 @@ export class Places {
     return end < this.to || place.after.length >= WINDOW;
   }
 
-  /** The last `WINDOW` bytes of `head` followed by bytes [from, to) of the piece at hand. */
+  /** The last `WINDOW` bytes of `head` followed by bytes [from, to) of the current piece. */
   private lastBytes(head: Uint8Array, from: number, to: number): Uint8Array {
     if (to - from >= WINDOW) return this.copy(NOTHING, this.bytes, to - WINDOW, to);
     return this.copy(head.subarray(Math.max(0, head.length + to - from - WINDOW)), this.bytes, from, to);
   }
 
-  /** `head` followed by [from, to) of `bytes`, which will not stay. */
+  /** A copy of `head` followed by [from, to) of `bytes`, which will be released. */
   private copy(head: Uint8Array, bytes: Uint8Array, from: number, to: number): Uint8Array {
     const length = head.length + to - from;
     if (length === 0) return NOTHING;
@@ -190,13 +190,13 @@ export class Places {
       if (from < this.at) continue;
       if (to > until) break;
       this.count(from, -1);
-      // A CR right before it may belong to an LF that it begins with.
+      // A CR right before it may belong to an LF at its start.
       this.count(to, this.pendingCrs > 0 ? -1 : stretches[this.stretch + 2]);
     }
     this.count(until, -1);
   }
 
-  /** Counts on to `until`, by its LFs where they are known. */
+  /** Advances to `until`, using the number of LFs if known. */
   private count(until: number, known: number): void {
     const { bytes, at } = this;
     const feeds = known >= 0 ? known : this.pendingCrs > 0 ? -1 : countLineFeeds(bytes, at, until);
@@ -216,7 +216,7 @@ export class Places {
     this.at = until;
   }
 
-  /** The same with CRs about. */
+  /** The same if there are CRs. */
   private countByByte(until: number): void {
     const { bytes } = this;
     let { line, characters, pendingCrs, lineStart } = this;
@@ -246,7 +246,7 @@ export class Places {
   }
 }
 
-/** The line around a place, cut to 200 characters about it. */
+/** The line of a place, cut to 200 characters around it. */
 export function excerptOf(place: Place): Excerpt | undefined {
   if (!place.before || !place.after) return undefined;
   const before = decodeCut(place.before, true);
@@ -260,7 +260,7 @@ export function excerptOf(place: Place): Excerpt | undefined {
   return { text: text.slice(start, end), caret: before.length - start };
 }
 
-/** Decodes a piece of a line; a character cut through by the window's far edge is left out. */
+/** Decodes part of a line, without a character cut by the window's far edge. */
 function decodeCut(bytes: Uint8Array, cutAtStart: boolean): string {
   let start = 0;
   let end = bytes.length;
@@ -275,7 +275,7 @@ function decodeCut(bytes: Uint8Array, cutAtStart: boolean): string {
   return UTF8.decode(bytes.subarray(start, end));
 }
 
-/** Keeps a byte-order mark that stands inside a name. */
+/** Keeps byte-order marks inside names. */
 const UTF8 = new TextDecoder('utf-8', { ignoreBOM: true });
 
 function isLowSurrogate(text: string, at: number): boolean {
@@ -283,14 +283,14 @@ function isLowSurrogate(text: string, at: number): boolean {
   return c >= 0xdc00 && c <= 0xdfff;
 }
 
-/** Bytes that begin a character of UTF-8. */
+/** Bytes that start a UTF-8 character. */
 function countCharacters(bytes: Uint8Array, from: number, to: number): number {
   let n = 0;
   for (let i = from; i < to; i++) if ((bytes[i] & 0xc0) !== 0x80) n++;
   return n;
 }
 
-/** LFs in [from, to); -1 when there is a CR among them. */
+/** LFs in [from, to); -1 if there is a CR among them. */
 function countLineFeeds(bytes: Uint8Array, from: number, to: number): number {
   let n = 0;
   let i = from;
@@ -304,10 +304,10 @@ function countLineFeeds(bytes: Uint8Array, from: number, to: number): number {
     const w = new Int32Array(bytes.buffer, bytes.byteOffset + i, words);
     let cr = 0;
     for (let k = 0; k < words; ) {
-      // Each byte of `lanes` counts the LFs in its place; 255 are what it can hold.
+      // Each byte of `lanes` counts the LFs in its position, up to 255.
       let lanes = 0;
       for (const stop = Math.min(words, k + 255); k < stop; k++) {
-        // A byte equal to LF is 0 after the exclusive or; then, and only then, its top bit comes out 0.
+        // A byte equal to LF is 0 after the exclusive or; only then its top bit becomes 0.
         const x = w[k] ^ 0x0a0a0a0a;
         const y = w[k] ^ 0x0d0d0d0d;
         lanes = (lanes + ((~(((x & 0x7f7f7f7f) + 0x7f7f7f7f) | x) >>> 7) & 0x01010101)) | 0;

@@ -1,22 +1,22 @@
 /**
- * What every format's reader looks like from outside, and the one place where errors thrown inside become data.
+ * The interface of every format's reader, and the only place where errors thrown inside become data.
  *
  *     const reader = skinReader('wasp.skin');
  *     for (const chunk of chunks) reader.feed(chunk);     // split anywhere, also inside a token or a character
  *     const { value, diagnostics } = reader.end();
  *
- * A reader is grammar-shaped: a generator that suspends when the bytes run out and is resumed by the next chunk. The
- * alternative, a state machine written by hand, hides the grammar; reading the whole file into a string first costs
- * its size twice over and ends at 512 MB.
+ * A reader follows the grammar: a generator that suspends when the bytes run out and is resumed by the next chunk. A
+ * hand-written state machine would hide the grammar; reading the whole file into a string first takes twice its size
+ * and is limited to 512 MB.
  */
 import type { Diagnostic } from '../model/diagnostic.ts';
 import { ParseError, Report } from './report.ts';
 import { Tokens } from './tokens.ts';
 
-/** Synchronous; a chunk's bytes are not kept after `feed` returns. */
+/** Synchronous; a chunk's bytes are not retained after `feed` returns. */
 export interface Reader<T> {
   feed(chunk: Uint8Array): void;
-  /** Ends the file. Call it once. */
+  /** Ends the file. Call once. */
   end(): ReadResult<T>;
 }
 
@@ -28,25 +28,25 @@ export interface ReadResult<T> {
 
 export interface WriteResult {
   readonly text: string;
-  /** Infos: names that the format can't hold and that were changed. */
+  /** Infos: names that had to be changed for the format. */
   readonly diagnostics: readonly Diagnostic[];
 }
 
-/** What a file is made of, one piece after the other. */
+/** A file in consecutive pieces. */
 export interface WrittenPieces {
-  /** Bytes; of a text in UTF-8. To be gone through once. */
+  /** Bytes; UTF-8 for text. Can be iterated once. */
   readonly pieces: Iterable<Uint8Array<ArrayBuffer>>;
-  /** Complete when all pieces have been taken. */
+  /** Complete once all pieces are consumed. */
   diagnostics(): readonly Diagnostic[];
 }
 
 /**
- * A format's grammar: suspends with `yield` when the bytes at hand run out, and returns what was read; undefined only
- * where it reported an error.
+ * A format's grammar: suspends with `yield` when the available bytes run out, and returns the result; undefined only if
+ * it reported an error.
  */
 export type Grammar<T> = (t: Tokens) => Generator<void, T | undefined, void>;
 
-/** A reader that runs a grammar over the bytes it is fed. */
+/** A reader that runs a grammar over the bytes fed to it. */
 export function grammarReader<T>(fileName: string, grammar: Grammar<T>): Reader<T> {
   const tokens = new Tokens(fileName);
   const reading = grammar(tokens);
@@ -61,7 +61,7 @@ export function grammarReader<T>(fileName: string, grammar: Grammar<T>): Reader<
         value = step.value;
       }
     } catch (error) {
-      // Structure that can't be read on; the diagnostic is in the report already.
+      // Nothing more can be read; the diagnostic is already reported.
       if (!(error instanceof ParseError)) throw error;
       done = true;
     }

@@ -1,12 +1,12 @@
 /**
- * What is found wrong while a file is read: up to 100 of each severity, the rest only counted; equal ones about unknown
- * tokens folded into one with a count. Without the caps, a hundred megabytes of commas in place of decimal points
- * would bring ten million messages.
+ * Problems found while reading a file: up to 100 of each severity, the rest only counted; equal ones about unknown
+ * tokens are merged with a count. Without limits, a hundred megabytes with decimal commas would give ten million
+ * messages.
  */
 import type { Diagnostic, Excerpt, Severity } from '../model/diagnostic.ts';
 import { excerptOf, type Place } from './places.ts';
 
-/** How many of each severity are kept for a file. */
+/** Number kept for each severity and file. */
 export const KEPT = 100;
 
 /** Thrown inside a reader when nothing after this place can be read; only the readers of `reader.ts` catch it. */
@@ -20,7 +20,7 @@ interface Entry {
   readonly message: string;
   readonly place: Place;
   readonly assumed: string | undefined;
-  /** How often it was found. */
+  /** Number of occurrences. */
   count: number;
 }
 
@@ -35,12 +35,12 @@ export class Report {
     return this.errorCount > 0;
   }
 
-  /** So far; to tell whether what was just read was sound. */
+  /** So far; to check whether what was just read was valid. */
   get errorCount(): number {
     return this.counts.error;
   }
 
-  /** Whether another one of this severity would be kept, and is worth finding the place of. */
+  /** Whether another one of this severity would be kept, so that its place is worth finding. */
   hasRoom(severity: Severity): boolean {
     return this.counts[severity] < KEPT;
   }
@@ -57,14 +57,14 @@ export class Report {
     this.add('info', code, message, place, assumed);
   }
 
-  /** Whether a warning that is equal to this one was there already; then it is counted with that. */
+  /** Whether an equal warning exists, with which this one is then counted. */
   foldsInto(code: string, key: string): boolean {
     const earlier = this.folded.get(`${code} ${key}`);
     if (earlier) earlier.count++;
     return earlier !== undefined;
   }
 
-  /** A warning that may come often in one file; ask `foldsInto` first. `key` tells which ones are equal. */
+  /** A warning that may occur often in a file; call `foldsInto` first. Equal ones have the same `key`. */
   warnFolded(code: string, key: string, message: string, place: Place, assumed: string): void {
     const entry = this.add('warning', code, message, place, assumed);
     if (entry) this.folded.set(`${code} ${key}`, entry);
@@ -77,7 +77,9 @@ export class Report {
     return entry;
   }
 
-  /** All that is kept, from the top of the file to the bottom, then what has no place, then what was only counted. */
+  /**
+   * All kept ones from the top of the file to the bottom, then those without a place, then the counts of the others.
+   */
   finish(): Diagnostic[] {
     const line = (d: Diagnostic) => d.line || Number.POSITIVE_INFINITY;
     const all = this.entries.map((entry) => this.diagnostic(entry));

@@ -1,15 +1,15 @@
 /**
- * The inner loop of every number block: bytes in, doubles out, no string and no call a number.
+ * The inner loop of every number block: bytes in, doubles out, without a string or call per number.
  *
- * The caller sees to it that the last byte is a separator or a brace (see `pieces.ts`), so that a token needs no check
- * against the end of the bytes.
+ * The caller ensures that the last byte is a separator or a brace (see `pieces.ts`), so that tokens need no check for
+ * the end of the bytes.
  *
- * Digits are gathered in 32-bit integers, nine at a time: those before the point, the first nine behind it, nine more.
- * Put together they are an exact double up to 2^53, and one division by a power of ten rounds once; beyond that (17
- * digits) `wide` goes on from the same integers. All other spellings go to `parseDecimal`.
+ * Digits are collected in 32-bit integers, nine at a time: those before the point, the first nine after it, nine more.
+ * Together they are an exact double up to 2^53, and one division by a power of ten rounds once; beyond that (17 digits)
+ * `wide` continues from the same integers. All other spellings go to `parseDecimal`.
  *
- * Tried, as multiples of a bare loop (v = 10v + digit, then v += f·digit, nothing checked) that reads the same bytes
- * into a Float32Array at 460–660 MB/s (Node 20; xyz to 6 decimals | 15 digits | 17 digits):
+ * Alternatives, as multiples of a bare loop (v = 10v + digit, then v += f·digit, nothing checked) that reads the same
+ * bytes into a Float32Array at 460–660 MB/s (Node 20; xyz to 6 decimals | 15 digits | 17 digits):
  *     this                                                                         1.0 | 1.05 | 1.2
  *     one double for all digits, more than 15 of them in a second pass             1.0 | 0.9  | 2.3
  *     one 32-bit integer, more than nine digits in a second pass                   0.9 | 1.6  | 2.0
@@ -23,13 +23,13 @@ export const LF = 10;
 export const CR = 13;
 /** Integers up to here are exact doubles. */
 const EXACT = Number.MAX_SAFE_INTEGER;
-/** The loop's own name for it: some module loaders look an imported one up at every use. */
+/** A local name for the loop: some module loaders look up imported ones at every use. */
 const TENS = POWERS;
-/** 10^k, and from `NEGATIVE` on -(10^k): dividing by it applies the sign as well, also to 0. */
+/** 10^k, and from `NEGATIVE` on -(10^k): dividing by it also applies the sign, even to 0. */
 const NEGATIVE = POWERS.length;
 const SIGNED_POWERS = Float64Array.from([...POWERS, ...POWERS.map((p) => -p)]);
 const LAST_DIGIT = 57;
-/** Bytes less "0", the digit they would be. */
+/** Bytes minus "0". */
 const DOT = 46 - 48;
 const BLANK = 32 - 48;
 const TAB = 9 - 48;
@@ -47,26 +47,26 @@ export const CLOSED = 2;
 export const STRANGE = 3;
 
 export interface Scan {
-  /** Where to go on. */
+  /** Where to continue. */
   at: number;
   /** Numbers in `out` so far. */
   count: number;
-  /** How far `out` may be filled. */
+  /** Limit to which `out` may be filled. */
   limit: number;
-  /** LFs that were passed, so that no one has to count them again; -1 when a CR without an LF was among them. */
+  /** LFs passed, so that they need not be counted again; -1 if there was a CR without an LF. */
   lineFeeds: number;
 }
 
 /**
- * Words that may stand among the numbers, such as a key's `flat`. They come out as the values that no number has: NaN,
+ * Words allowed among the numbers, such as a key's `flat`. They are returned as values that no number has: NaN,
  * Infinity, -Infinity, in this order.
  */
 export type BlockWords = readonly [Uint8Array, Uint8Array, Uint8Array];
 export const WORD_VALUES = [Number.NaN, Number.POSITIVE_INFINITY, Number.NEGATIVE_INFINITY] as const;
 
 /**
- * Reads numbers from `bytes[scan.at]` on into `out[scan.count]` on, up to `out[scan.limit]`. Returns why it stopped:
- * FULL only when something follows, which it stops at.
+ * Reads numbers from `bytes[scan.at]` into `out[scan.count]` up to `out[scan.limit]`. Returns why it stopped: FULL only
+ * if something follows, at which it stops.
  */
 export function scanNumbers(
   bytes: Uint8Array,
@@ -93,7 +93,7 @@ export function scanNumbers(
       continue;
     }
     if (c === 13) {
-      // At the end of the bytes it is not known what follows.
+      // At the end of the bytes it is unknown what follows.
       if (i + 1 < end && bytes[i + 1] === 10) {
         lineFeeds++;
         i++;
@@ -102,7 +102,7 @@ export function scanNumbers(
       continue;
     }
     if (n === capacity) {
-      // A list that its count has made long enough is not to grow for the brace behind it.
+      // A list of the declared length must not grow for the brace after it.
       why = c === 125 ? CLOSED : FULL;
       break;
     }
@@ -166,7 +166,7 @@ export function scanNumbers(
         continue;
       }
     }
-    // Very many digits, an exponent, a brace right behind; a word, a brace, or nothing that belongs here.
+    // Very many digits, an exponent, or a brace directly after it; else a word, a brace, or an invalid token.
     c = bytes[start];
     const stop = tokenEnd(bytes, start, end);
     if (stop > start) {
@@ -198,7 +198,7 @@ export function tokenEnd(bytes: Uint8Array, i: number, end: number): number {
   return i;
 }
 
-/** 0 when it is none of the words. */
+/** 0 if it is none of the words. */
 function wordValue(bytes: Uint8Array, start: number, end: number, words: BlockWords): number {
   for (let w = 0; w < 3; w++) if (sameWord(bytes, start, end, words[w])) return WORD_VALUES[w];
   return 0;

@@ -5,7 +5,7 @@
  *     separators   blank, tab, CR, LF        braces are tokens also when glued to a word        a UTF-8 BOM is skipped
  *
  * The grammar works on one piece of bytes at a time, cut between tokens by `pieces.ts`. Methods that may run out of
- * bytes are generators and suspend there; after that, offsets into the piece before are void.
+ * bytes are generators and suspend there; after that, offsets into the previous piece are invalid.
  */
 import type { Severity } from '../model/diagnostic.ts';
 import { parseDecimal } from './decimal.ts';
@@ -17,30 +17,30 @@ import { LONGEST_KEYWORD, textOf, whyNoNumber } from './words.ts';
 
 export type TokenKind = 'word' | '{' | '}' | 'end';
 
-/** Words that mean something where they stand, in lower case: a number that is missing doesn't swallow them. */
+/** Words with a meaning in their context, in lower case, so that they are not taken as misspelt numbers. */
 export type Keywords = ReadonlySet<string>;
 
-/** Takes the numbers of a block as they come. */
+/** Receives the numbers of a block. */
 export interface NumberSink {
-  /** Filled from `count` on. Its length may not be 0 after a flush. */
+  /** Filled from `count` on. Must not be full after a flush. */
   values: Float64Array;
   count: number;
-  /** Words that stand among the numbers. */
+  /** Words allowed among the numbers. */
   readonly words?: BlockWords;
   /**
-   * Whether the sink uses the numbers up as they come, and then wants to be flushed before their bytes go, while
-   * `placeOfSlot` knows each number's place. Otherwise it is flushed when it is full.
+   * Whether the sink consumes the numbers, and so must be flushed before their bytes are released, while `placeOfSlot`
+   * knows each number's place. Otherwise it is flushed when full.
    */
   readonly usesUp: boolean;
-  /** Makes room: uses the numbers up and sets `count` to 0, or grows. */
+  /** Makes room: consumes the numbers and sets `count` to 0, or grows. */
   flush(t: Tokens): void;
-  /** The token at hand is neither a number nor a word it knows, and counts as 0. By default an error that says so. */
+  /** Handles a current token that is neither a number nor a known word, and counts as 0. Default: an error. */
   strange?(t: Tokens): void;
 }
 
-/** A token noted in case its place is wanted later; see `mark`. */
+/** A token whose place may be needed later; see `mark`. */
 export class Mark {
-  /** Known once the token's bytes are gone. */
+  /** Set once the token's bytes are released. */
   place: Place | undefined;
 
   constructor(
@@ -49,15 +49,15 @@ export class Mark {
   ) {}
 }
 
-/** Only so many marks of a file keep the line around them, lest a file of a million joints keeps a million lines. */
+/** Number of marks per file that keep their line, so that a file of a million joints does not keep a million lines. */
 const MARKS_WITH_LINES = 10000;
 const QUOTE = 34;
-/** How far past a keyword a FILE's extension is looked for, in bytes: names are no longer. */
+/** Bytes after a keyword that are searched for a FILE's extension. */
 const FILE_REACH = 1024;
 
 export class Tokens {
   readonly report: Report;
-  /** The token at hand: bytes [start, stop) of the piece. */
+  /** The current token: bytes [start, stop) of the piece. */
   kind: TokenKind = 'end';
   private start = 0;
   private stop = 0;
@@ -76,16 +76,16 @@ export class Tokens {
   private base = 0;
   private isFirstPiece = true;
   private readonly pieces = new BytePieces();
-  /** From where the grammar wants the rest of a line in one piece; -1: it does not. */
+  /** Position from which the grammar needs the rest of a line in one piece; -1: none. */
   private lineFrom = -1;
   private marks: Mark[] = [];
   private marksMade = 0;
-  /** The token at hand in lower case, once someone asked. */
+  /** The current token in lower case, cached on demand. */
   private lowered: string | undefined;
-  /** The end of the line that `file` looked at last. */
+  /** End of the line last examined by `file`. */
   private lineStop = -1;
   private readonly scan: Scan = { at: 0, count: 0, limit: 0, lineFeeds: 0 };
-  /** A walk over the numbers that a sink holds: number `slot` begins at or after `slotAt`. */
+  /** A walk over the numbers in a sink: number `slot` starts at or after `slotAt`. */
   private slotsFrom = 0;
   private slotAt = 0;
   private slot = 0;
@@ -120,7 +120,7 @@ export class Tokens {
     this.from = this.at = this.slotsFrom = this.slotAt = from;
     this.slot = 0;
     this.end = to;
-    // The last piece's last byte is ours.
+    // The last byte of the last piece was added.
     this.places.enter(bytes, from, this.isLastPiece ? to - 1 : to, this.base);
     resume();
     if (this.isLastPiece) return to;
@@ -140,7 +140,7 @@ export class Tokens {
     return this.kind;
   }
 
-  /** Gives the token at hand again at the next `next()`. Nothing that suspends may come between. */
+  /** Makes the next `next()` return the current token again. Must not suspend in between. */
   again(): void {
     this.isHeld = true;
   }
@@ -175,24 +175,24 @@ export class Tokens {
     return true;
   }
 
-  /** The text of the word at hand. */
+  /** The text of the current word. */
   text(): string {
     return textOf(this.bytes, this.start, this.stop);
   }
 
-  /** The word at hand in lower case; '' for anything but a short word. */
+  /** The current word in lower case; '' for anything but a short word. */
   keyword(): string {
     if (this.kind !== 'word' || this.stop - this.start > LONGEST_KEYWORD) return '';
     this.lowered ??= this.text().toLowerCase();
     return this.lowered;
   }
 
-  /** The number at hand; NaN for anything else, infinite when it is too large. */
+  /** The current number; NaN for anything else, infinite on overflow. */
   value(): number {
     return this.kind === 'word' ? parseDecimal(this.bytes, this.start, this.stop) : Number.NaN;
   }
 
-  /** What was found, for a message. */
+  /** The current token for a message. */
   found(): string {
     if (this.kind === 'end') return 'the end of the file';
     let text = textOf(this.bytes, this.start, Math.min(this.stop, this.start + 4 * LONGEST_KEYWORD));
@@ -200,19 +200,19 @@ export class Tokens {
     return `"${text}"`;
   }
 
-  /** Where the token at hand is. */
+  /** The place of the current token. */
   place(): Place {
     return this.places.place(this.start);
   }
 
-  /** Notes the token at hand: its place is found only if `placeOf` asks, or when its bytes go. */
+  /** Marks the current token: its place is found only if `placeOf` is called, or when its bytes are released. */
   mark(): Mark {
     const mark = new Mark(this.start, this.marksMade++ < MARKS_WITH_LINES);
     this.marks.push(mark);
     return mark;
   }
 
-  /** For a diagnostic of that severity: without a search where it would only be counted. */
+  /** For a diagnostic of that severity: not searched if it would only be counted. */
   placeOf(mark: Mark, severity?: Severity): Place {
     if (severity && !mark.place && !this.report.hasRoom(severity)) return NO_PLACE;
     mark.place ??= this.places.place(mark.offset, mark.keepsLine);
@@ -222,8 +222,8 @@ export class Tokens {
   // ——— the rest of a line ———
 
   /**
-   * Skips what an unknown keyword brings: the rest of its line, and if that opens a brace, everything to the matching
-   * one. A brace alone at the start of the next line counts as its own.
+   * Skips an unknown keyword's content: the rest of its line, and if that opens a brace, everything to the matching
+   * one. A brace alone at the start of the next line belongs to it.
    */
   *skipUnknown(): Generator<void, void, void> {
     const stopped = yield* this.skipTo(0, true);
@@ -233,13 +233,13 @@ export class Tokens {
     else this.again();
   }
 
-  /** Skips to the `}` of the `{` at hand. */
+  /** Skips to the `}` of the current `{`. */
   *skipBlock(): Generator<void, void, void> {
     const opened = this.mark();
     if ((yield* this.skipTo(1, false)) === 'end') this.failAtEnd(opened, 'a block that is skipped');
   }
 
-  /** Stops after the `}` that brings the depth to 0, before one that would go below, or before a line end at depth 0. */
+  /** Stops after the `}` that returns to depth 0, before one that would go below, or before a line end at depth 0. */
   private *skipTo(depth: number, stopsAtLineEnd: boolean): Generator<void, 'skipped' | 'before' | 'end', void> {
     for (;;) {
       const { bytes, end } = this;
@@ -264,7 +264,7 @@ export class Tokens {
   }
 
   /**
-   * From the word at hand on: a FILE. That is one token; or what is "in quotes"; or the rest of the line. A name with
+   * A FILE, starting at the current word: a single token; or a name "in quotes"; or the rest of the line. A name with
    * blanks and without quotes ends with the first token that has one of the extensions, or else before a brace, a
    * keyword, or the end of the line.
    */
@@ -272,7 +272,7 @@ export class Tokens {
     this.at = this.start;
     yield* this.wholeLine();
     const { bytes, lineStop } = this;
-    // The word may lie in another piece by now.
+    // The word may be in another piece by now.
     let from = this.at;
     this.start = from;
     this.stop = tokenEnd(bytes, from, lineStop);
@@ -298,7 +298,7 @@ export class Tokens {
         continue;
       }
       const end = tokenEnd(bytes, i, lineStop);
-      // A brace ends it; but a first token is there, for the caller saw a word.
+      // A brace ends it; but there is a first token, since the caller saw a word.
       if (end === i) break;
       const word = textOf(bytes, i, end);
       if (isOpen && i > from && keywords.has(word.toLowerCase())) {
@@ -316,7 +316,7 @@ export class Tokens {
     return textOf(bytes, from, stop);
   }
 
-  /** Behind the token at hand: the rest of its line up to a `{`, without the blanks around it. */
+  /** After the current token: the rest of its line up to a `{`, trimmed. */
   *restOfLine(): Generator<void, string, void> {
     yield* this.wholeLine();
     const { bytes, lineStop } = this;
@@ -329,7 +329,7 @@ export class Tokens {
     return textOf(bytes, from, stop);
   }
 
-  /** Sees to it that all from `at` up to the end of the line, `lineStop`, is at hand. */
+  /** Ensures that everything from `at` to the end of the line, `lineStop`, is available. */
   private *wholeLine(): Generator<void, void, void> {
     while (this.lineStop < this.at) {
       const lineStop = lineEnd(this.bytes, this.at, this.end);
@@ -342,7 +342,7 @@ export class Tokens {
     }
   }
 
-  /** Ends the word at hand behind the first such byte in it; what is left of it is the next token. */
+  /** Ends the current word after the first such byte in it; the rest is the next token. */
   endBehind(byte: number): void {
     for (let i = this.start; i < this.stop; i++) {
       if (this.bytes[i] !== byte) continue;
@@ -354,42 +354,42 @@ export class Tokens {
 
   // ——— a format's own loop ———
 
-  /** The piece of bytes at hand: [from, end), of which those before `at` are read. */
+  /** The current piece of bytes: [from, end), of which those before `at` are read. */
   pieceAtHand(): { readonly bytes: Uint8Array; readonly from: number; readonly at: number; readonly end: number } {
     return { bytes: this.bytes, from: this.from, at: this.isHeld ? this.start : this.at, end: this.end };
   }
 
-  /** Bytes [from, to) of the piece have so many LFs, as `Scan` tells them. */
+  /** Declares that bytes [from, to) of the piece have this many LFs, as `Scan` counts them. */
   passed(from: number, to: number, lineFeeds: number): void {
     this.places.passed(from, to, lineFeeds);
   }
 
-  /** Goes on reading there, behind a token. */
+  /** Continues reading there, after a token. */
   goOnFrom(at: number): void {
     this.isHeld = false;
     this.at = at;
   }
 
-  /** Where the token at hand begins in the piece at hand. */
+  /** Position of the current token in the current piece. */
   get tokenAt(): number {
     return this.start;
   }
 
-  /** Where a byte of the piece at hand is. */
+  /** The place of a byte of the current piece. */
   placeAt(at: number): Place {
     return this.places.place(at);
   }
 
   // ——— numbers ———
 
-  /** How many numbers the bytes at hand can hold at most: what a declared count is allowed to allocate. */
+  /** Maximum number of numbers in the available bytes: the limit of what a declared count may allocate. */
   numbersAtHand(): number {
     return (this.end - this.at) / 2 + 1;
   }
 
   /**
-   * Reads the numbers of a block into a sink, up to its `}`, which is then the token at hand. A keyword or the end of
-   * the file in their midst is a missing `}`.
+   * Reads the numbers of a block into a sink, up to its `}`, which is then the current token. A keyword or the end of
+   * the file among them is a missing `}`.
    */
   *numbers(sink: NumberSink, what: string, keywords: Keywords): Generator<void, void, void> {
     const { scan } = this;
@@ -417,7 +417,7 @@ export class Tokens {
         yield;
         this.holdSlots();
       } else {
-        // Before what follows is told, so that everything is told in the order of the file.
+        // Before what follows is reported, to keep the order of the file.
         if (sink.usesUp) this.flush(sink);
         this.step();
         if (why === CLOSED) return;
@@ -436,7 +436,7 @@ export class Tokens {
     }
   }
 
-  /** Only in a sink's `flush`: where the number `values[slot]` is. Fastest in ascending order. */
+  /** Only in a sink's `flush`: the place of the number `values[slot]`. Fastest in ascending order. */
   placeOfSlot(slot: number): Place {
     return this.places.place(this.offsetOfSlot(slot));
   }
@@ -473,39 +473,42 @@ export class Tokens {
     this.holdSlots();
   }
 
-  // ——— complaints that every format has ———
+  // ——— errors common to all formats ———
 
-  /** An error at the token at hand. */
+  /** An error at the current token. */
   error(code: string, message: string): void {
-    // Beyond what is kept, a place is not worth finding.
+    // If it will not be kept, its place is not worth finding.
     this.report.error(code, message, this.report.hasRoom('error') ? this.place() : NO_PLACE);
   }
 
-  /** A warning there. */
+  /** A warning at the current token. */
   warn(code: string, message: string, assumed?: string): void {
     this.report.warn(code, message, this.report.hasRoom('warning') ? this.place() : NO_PLACE, assumed);
   }
 
-  /** A warning there that may come often: `key` tells which ones are equal, and `message` is asked for the first. */
+  /**
+   * A warning at the current token that may occur often: equal ones have the same `key`, and only the first calls
+   * `message`.
+   */
   warnOnce(code: string, key: string, message: () => string, assumed: string): void {
     if (this.report.foldsInto(code, key)) return;
     const place = this.report.hasRoom('warning') ? this.place() : NO_PLACE;
     this.report.warnFolded(code, key, message(), place, assumed);
   }
 
-  /** The word at hand stands where a number belongs: says what is wrong with it. */
+  /** The current word is in place of a number: reports what is wrong with it. */
   notANumber(expected: string): void {
     const { code, why } = this.report.hasRoom('error') ? whyNoNumber(this.text()) : TOO_MANY;
     this.error(code, `Expected ${expected}, found ${this.found()}${why}.`);
   }
 
-  /** Something else stands where a `}` belongs; it is given again. */
+  /** Something else is in place of a `}`; it will be read again. */
   braceMissing(what: string): void {
     this.error('brace-missing', `Expected "}" after ${what}, found ${this.found()}.`);
     this.again();
   }
 
-  /** The end of the file is at hand, and a `}` is missing: nothing can be read on. */
+  /** The end of the file with a `}` missing: reading stops. */
   failAtEnd(opened: Mark | undefined, what: string): never {
     const where = opened ? `, opened on line ${this.placeOf(opened).line}` : '';
     this.error('brace-missing', `Expected "}" to close ${what}${where}, found the end of the file.`);

@@ -1,14 +1,14 @@
-/** Words out of bytes, and what to say about one that should have been a number. */
+/** Words from bytes, and explanations of invalid numbers. */
 
-/** Longer words are cut in messages, and are no keywords. */
+/** Longer words are cut in messages, and are never keywords. */
 export const LONGEST_KEYWORD = 40;
 
 const LONGEST_NAME = 100;
 
-/** Keeps a byte-order mark that stands inside a name. */
+/** Keeps byte-order marks inside names. */
 const UTF8 = new TextDecoder('utf-8', { ignoreBOM: true });
 
-/** Bytes [start, end) as text. A decoder costs more to call than a keyword to read. */
+/** Bytes [start, end) as text. For keywords a call of the decoder would cost more than the loop. */
 export function textOf(bytes: Uint8Array, start: number, end: number): string {
   if (end - start > LONGEST_KEYWORD) return UTF8.decode(bytes.subarray(start, end));
   let text = '';
@@ -19,12 +19,12 @@ export function textOf(bytes: Uint8Array, start: number, end: number): string {
   return text;
 }
 
-/** A name of the file's for a message: a person reads its beginning. */
+/** A name from the file for a message, shortened. */
 export function shortName(name: string): string {
   return name.length > LONGEST_NAME ? `${name.slice(0, LONGEST_NAME)}…` : name;
 }
 
-/** The code of the error, and the end of its sentence. */
+/** The error's code, and the end of its sentence. */
 export function whyNoNumber(text: string): { code: string; why: string } {
   const code = 'not-a-number';
   const word = text.slice(0, 400).toLowerCase();

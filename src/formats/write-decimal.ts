@@ -1,17 +1,17 @@
 /**
- * Decimal numbers as bytes: the very digits that `String(value)` gives, without the string, for numbers of up to six
- * decimals. That is what captures are full of, and there are twenty million in a file of 100 MB.
+ * Writes decimal numbers as bytes: exactly the digits of `String(value)`, without the string, for numbers of up to six
+ * decimals. Captures consist mostly of these, twenty million in a file of 100 MB.
  *
  *     w = round(|value| · 10⁶) below 10¹⁵       and       w / 10⁶ = |value|
  *
  * Both w and 10⁶ are exact doubles, so the division rounds once, and gives the double that the decimal w·10⁻⁶ reads as.
- * When that is the value, w's digits are a decimal that reads back the same, and the shortest: no two decimals of up to
- * 15 digits read as the same double, so a shorter one would have to be this one. Everything else goes to `String`.
+ * If that is the value, w's digits are a decimal that reads back the same, and the shortest: no two decimals of up to
+ * 15 digits read as the same double. Everything else goes to `String`.
  *
- * (Ryū or Grisu for all doubles in JavaScript need 64-bit products, which it has as BigInt only: slower than `String`.)
+ * (Ryū or Grisu for all doubles need 64-bit products, in JavaScript BigInt: slower than `String`.)
  */
 
-/** No number that is written here is longer. */
+/** Upper bound for the numbers written here. */
 export const LONGEST_DECIMAL = 24;
 
 const ZERO = 48;
@@ -22,8 +22,8 @@ const DOT = 46;
 const TRIPLES = Uint8Array.from({ length: 3000 }, (_, i) => ZERO + (Math.floor(i / 3 / 10 ** (2 - (i % 3))) % 10));
 
 /**
- * Writes a number of up to six decimals at `at`, where `LONGEST_DECIMAL` bytes are free.
- * @returns where it ends; −1, with nothing written, for every other number, −0 too
+ * Writes a number of up to six decimals at `at`, where `LONGEST_DECIMAL` bytes must be free.
+ * @returns its end; −1, writing nothing, for all other numbers, including −0
  */
 export function putDecimal(value: number, bytes: Uint8Array, at: number): number {
   if (value === 0) {
@@ -33,7 +33,7 @@ export function putDecimal(value: number, bytes: Uint8Array, at: number): number
   }
   const size = value < 0 ? -value : value;
   const w = Math.floor(size * 1e6 + 0.5);
-  // Not so for NaN either, nor for 10⁻⁷, which rounds to 0.
+  // Also fails for NaN, and for 10⁻⁷, which rounds to 0.
   if (!(w < 1e15 && w / 1e6 === size)) return -1;
   if (value < 0) bytes[at++] = MINUS;
   const whole = Math.floor(w / 1e6);
@@ -51,7 +51,7 @@ function putWhole(whole: number, bytes: Uint8Array, at: number): number {
   return putTriple(whole % 1000, bytes, at);
 }
 
-/** 1 … 999,999 millionths, without zeros at their end. */
+/** 1 … 999,999 millionths, without trailing zeros. */
 function putDecimals(millionths: number, bytes: Uint8Array, at: number): number {
   bytes[at] = DOT;
   const high = Math.floor(millionths / 1000);

@@ -1,9 +1,9 @@
 /**
- * What the writers share: numbers as the shortest decimals that read back the same, names made fit for the format, text
- * put together from pieces.
+ * What the writers share: numbers as the shortest decimals that read back the same, names adapted to the format, text
+ * built from pieces.
  *
- * Tabs, LF, one blank between numbers, as the course's own files have it. Rejected: columns padded to one width; it
- * needs two passes, makes files a third larger, and the shortest decimals would not line up by their points anyway.
+ * Tabs, LF, one blank between numbers, as in the course's own files. Rejected: aligned columns, which need two passes,
+ * make files a third larger, and would not align the shortest decimals at their points anyway.
  */
 import type { Diagnostic } from '../model/diagnostic.ts';
 import { oneToken, restOfLine, wellFormed } from '../model/written-names.ts';
@@ -11,7 +11,7 @@ import { NO_PLACE } from './places.ts';
 import type { WriteResult } from './reader.ts';
 import { Report } from './report.ts';
 
-/** Pieces joined at a time: a million rows are joined in a thousand steps, not held as a million strings. */
+/** Pieces joined at a time, so that a million rows are not held as a million strings. */
 const BATCH = 1024;
 /** Deeper nesting is not indented further: a chain of 100,000 joints would be 10 GB of tabs. */
 const DEEPEST = 40;
@@ -48,7 +48,7 @@ export class Text {
     return values.map((v) => this.number(v)).join(' ');
   }
 
-  /** The shortest decimal that reads back the same; -0 too. What is not finite has no decimal: 0, and a warning. */
+  /** The shortest decimal that reads back the same; -0 too. Non-finite numbers become 0, with a warning. */
   number(value: number): string {
     if (value === 0) return Object.is(value, -0) ? '-0' : '0';
     if (value - value === 0) return `${value}`;
@@ -61,30 +61,30 @@ export class Text {
     return '0';
   }
 
-  /** A name as one token, with the blank before it; nothing for an empty one. */
+  /** A name as one token, preceded by a blank; nothing for an empty one. */
   name(name: string, what: string): string {
     if (name === '') return '';
     return ` ${this.changed(name, oneToken(name), what)}`;
   }
 
-  /** A name as the rest of its line, with the blank before it; nothing for an empty one. */
+  /** A name as the rest of its line, preceded by a blank; nothing for an empty one. */
   lineName(name: string, what: string): string {
     if (name === '') return '';
     return ` ${this.changed(name, restOfLine(name), what)}`;
   }
 
-  /** A file name: as it is where one token can hold it, else in quotes. */
+  /** A file name: unquoted if it is a single token, else in quotes. */
   file(name: string, what: string): string {
     const fit = this.changed(name, wellFormed(name).replace(/[\r\n"]/g, '_'), what);
     return /^[^ \t{}]+$/.test(fit) ? fit : `"${fit}"`;
   }
 
-  /** What the model has and the format has no place for, as an info. */
+  /** An info about what the format can't store. */
   left(code: string, message: string): void {
     this.report.info(code, message, NO_PLACE, 'left out');
   }
 
-  /** What could not be written in the form that it came from, as an info. */
+  /** An info that the file's form had to change. */
   changedForm(message: string): void {
     this.report.info('form-changed', message, NO_PLACE, 'wrote the hierarchy form');
   }
@@ -97,7 +97,7 @@ export class Text {
     return fit;
   }
 
-  /** The lines so far: `result` has only those after them. */
+  /** Takes the lines so far; `result` then contains only those after them. */
   takeText(): string {
     const rest = this.lines.length ? `${this.lines.join('\n')}\n` : '';
     const text = this.done.join('') + rest;

@@ -4,18 +4,18 @@
  */
 import type { GivenFile } from './given.ts';
 
-/** A file that could not be fetched, in a sentence. */
+/** A file that could not be fetched; the message is a sentence. */
 export class FetchError extends Error {
   override readonly name = 'FetchError';
 }
 
-/** The files that a query string names, decoded, in its order. */
+/** The files named in a query string, decoded, in order. */
 export function filesInQuery(query: string): readonly string[] {
   const names: string[] = [];
   for (const part of query.replace(/^\?/, '').split('&')) {
     const [key, value] = part.split(/=(.*)/s);
     if (key !== 'files' || !value) continue;
-    // Split before decoding: a comma that belongs to a name is encoded.
+    // Split before decoding: a comma in a name is encoded.
     for (const name of value.split(',')) if (name) names.push(decoded(name));
   }
   return names;
@@ -31,9 +31,9 @@ function decoded(name: string): string {
 }
 
 /**
- * Fetches files, relative to the page. Throws a `FetchError` that names the first that can't be had.
- * Paths keep the last folder, so that files of one folder belong together.
- * @param cache `no-cache` for what may have changed since it was last fetched
+ * Fetches files, relative to the page. Throws a `FetchError` that names the first that failed. Paths keep the last
+ * folder, so that files of one folder belong together.
+ * @param cache `no-cache` for files that may have changed since they were last fetched
  */
 export function fetchFiles(
   addresses: readonly string[],
@@ -62,7 +62,7 @@ export function fetchFiles(
 function resolve(address: string, base: string): URL {
   let url: URL;
   try {
-    // A path's own `#` and `?` are part of the name unless it is a whole address.
+    // In a path, `#` and `?` are part of the name; in a complete address they are not.
     url = /^[a-z][a-z0-9+.-]*:/i.test(address)
       ? new URL(address)
       : new URL(encodeURI(address).replaceAll('#', '%23').replaceAll('?', '%3F'), base);

@@ -1,15 +1,16 @@
 /**
- * Files on disk, through the File System Access API where the browser has it: picked with a handle, saved in place, read
- * again. Elsewhere a file input opens, a download saves, and a file that changed has to be given again.
+ * Files on disk, through the File System Access API if the browser has it: picked with a handle, saved in place, read
+ * again. Otherwise a file input opens, a download saves, and a changed file has to be given again.
  *
- * Whatever goes wrong is a `DiskError`: a sentence that says what to do. Giving up in a dialog is none, but undefined.
+ * All failures are `DiskError`s: a sentence that says what to do. Cancelling a dialog is no failure, but returns
+ * undefined.
  */
 import { fetchFiles } from './address.ts';
 import { fromFileList, type GivenFile, givenFile, inFolder, inNaturalOrder, versionOf } from './given.ts';
 
 /*
- * What TypeScript's DOM library leaves out, since not every browser has it: as much as is used here. A drop's items are
- * asked in `given.ts`.
+ * The parts of the API used here, which TypeScript's DOM library omits because not every browser has them. Those for
+ * drops are in `given.ts`.
  */
 declare global {
   interface Window {
@@ -28,35 +29,38 @@ declare global {
 
 type FileAccess = 'read' | 'readwrite';
 
-/** Something that a disk, or the browser before it, does not let happen. The sentence leaves the file's name out. */
+/** A failure of the disk or the browser. The sentence does not contain the file's name. */
 export class DiskError extends Error {
   override readonly name = 'DiskError';
 
   constructor(
     message: string,
-    /** The file is not there any more: asking again won't help. */
+    /** The file no longer exists: retrying won't help. */
     readonly isGone = false,
   ) {
     super(message);
   }
 }
 
-/** The browser asks the person nothing just now: each of its dialogs wants a click or a key of its own. */
+/** The browser can't show its dialog now: each needs a click or key press of its own. */
 export class NotNowError extends DiskError {}
 
-/** Where a file that was opened or saved lies, as far as the browser knows. Plain: can be kept between visits. */
+/**
+ * Location of a file that was opened or saved, as far as the browser knows. Plain data that can be stored between
+ * visits.
+ */
 export interface DiskFile {
-  /** As it was opened: with folders, `/` between them. */
+  /** As opened: with folders, separated by `/`. */
   readonly path: string;
   readonly handle?: FileSystemFileHandle;
-  /** As given, where there is no handle: it can be read for as long as it does not change. */
+  /** The given file, without a handle: readable as long as it does not change. */
   readonly file?: File;
   readonly address?: string;
-  /** Of what is open here; see `GivenFile`. */
+  /** Version of the content that is open; see `GivenFile`. */
   readonly version?: string;
 }
 
-/** Undefined for content that came from nowhere: a script's, a part of a zip. */
+/** Undefined for content without a file: from a script, or part of a zip. */
 export function diskFileOf({ path, blob, handle, address, version }: GivenFile): DiskFile | undefined {
   const known = { path, ...(version !== undefined && { version }) };
   if (handle) return { ...known, handle };
@@ -64,7 +68,7 @@ export function diskFileOf({ path, blob, handle, address, version }: GivenFile):
   return blob instanceof File ? { ...known, file: blob } : undefined;
 }
 
-/** The browser's dialog for opening. Empty where it was given up. */
+/** The browser's dialog for opening. Empty if cancelled. */
 export async function pickFiles(): Promise<readonly GivenFile[]> {
   const handles = await picked(() => window.showOpenFilePicker?.({ multiple: true }));
   if (handles === 'cancelled') return [];
@@ -79,12 +83,12 @@ export async function pickFolder(): Promise<readonly GivenFile[]> {
   return folder ? inNaturalOrder(await inFolder(folder)) : pickByInput(true);
 }
 
-/** Whether this browser asks where to save; elsewhere it downloads. */
+/** Whether this browser asks where to save; otherwise it downloads. */
 export function asksWhereToSave(): boolean {
   return window.showSaveFilePicker !== undefined;
 }
 
-/** Asks where to save; undefined where that was given up. Throws a `NotNowError` where the browser won't ask just now. */
+/** Asks where to save; undefined if cancelled. Throws a `NotNowError` if the browser can't ask now. */
 export async function pickTarget(suggestedName: string): Promise<FileSystemFileHandle | undefined> {
   try {
     return await window.showSaveFilePicker?.({ suggestedName });
@@ -97,8 +101,8 @@ export async function pickTarget(suggestedName: string): Promise<FileSystemFileH
 }
 
 /**
- * Writes a file in place; it is only replaced when all of it is written. Gives the version that it is now. Throws a
- * `NotNowError` where the browser would have to ask first, and won't just now.
+ * Writes a file in place; it is only replaced once everything is written. Returns its new version. Throws a
+ * `NotNowError` if the browser would have to ask for permission, but can't now.
  */
 export async function writeTo(handle: FileSystemFileHandle, content: Blob): Promise<string> {
   try {
@@ -113,7 +117,7 @@ export async function writeTo(handle: FileSystemFileHandle, content: Blob): Prom
   }
 }
 
-/** The version that a file has now; undefined where that can't be found out without asking anyone. */
+/** The current version of a file; undefined if that would need permission. */
 export async function versionOnDisk(handle: FileSystemFileHandle): Promise<string | undefined> {
   try {
     return versionOf(await handle.getFile());
@@ -122,7 +126,7 @@ export async function versionOnDisk(handle: FileSystemFileHandle): Promise<strin
   }
 }
 
-/** The file as it is now. Throws a `DiskError`, or a `FetchError` for an address. */
+/** Reads the file again. Throws a `DiskError`, or a `FetchError` for an address. */
 export async function readAgain(file: DiskFile, page: string, signal?: AbortSignal): Promise<GivenFile> {
   const { path, handle, address } = file;
   if (handle) {
@@ -147,14 +151,14 @@ export async function readAgain(file: DiskFile, page: string, signal?: AbortSign
   return givenFile(path, own);
 }
 
-/** Asks the person where the browser wants that; throws where the answer is no. */
+/** Asks for permission if needed; throws if it is denied. */
 async function allow(handle: FileSystemFileHandle, mode: FileAccess): Promise<void> {
   if (((await handle.queryPermission?.({ mode })) ?? 'granted') === 'granted') return;
   if ((await handle.requestPermission?.({ mode })) === 'granted') return;
   throw new DOMException('', 'NotAllowedError');
 }
 
-/** Runs a dialog. Undefined where there is none, or where the page may not open it (in a frame of another page). */
+/** Runs a dialog. Undefined if there is none, or the page may not open it (in a frame of another page). */
 async function picked<T>(ask: () => Promise<T> | undefined): Promise<T | 'cancelled' | undefined> {
   try {
     return await ask();

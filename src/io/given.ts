@@ -1,16 +1,16 @@
 /**
- * Files as a person gives them: dropped, pasted, picked, or named in the address. All become paths with bytes, and with
- * whatever it takes to read them again: a handle where the browser gives one, or their address.
+ * Files from the user: dropped, pasted, picked, or named in the address. All become paths with bytes, and with what is
+ * needed to read them again: a handle if the browser provides one, or their address.
  */
 import type { GivenBlob } from '../worker/protocol.ts';
 
-/** A file with where it came from. Only path and blob ever go to the worker. */
+/** A file with its origin. Only path and blob are sent to the worker. */
 export interface GivenFile extends GivenBlob {
-  /** Leads back to the very file on disk: it can be read again, and saved in place. */
+  /** Refers to the file on disk: it can be read again, and saved in place. */
   readonly handle?: FileSystemFileHandle;
-  /** Of a file that was fetched. */
+  /** Of a fetched file. */
   readonly address?: string;
-  /** Differs when the content does, where the browser or the server tells. */
+  /** Changes with the content, as far as browser or server report it. */
   readonly version?: string;
 }
 
@@ -21,22 +21,22 @@ export function inNaturalOrder(files: readonly GivenFile[]): readonly GivenFile[
   return [...files].sort((a, b) => byPath.compare(a.path, b.path));
 }
 
-/** The file as it is now, with its handle where there is one. */
+/** The file as it is now, with its handle if there is one. */
 export function givenFile(path: string, file: File, handle?: FileSystemFileHandle): GivenFile {
   return { path, blob: file, version: versionOf(file), ...(handle && { handle }) };
 }
 
-/** The same for the same content, as far as date and size tell. */
+/** Equal for the same content, judging by date and size. */
 export function versionOf({ lastModified, size }: File): string {
   return `${lastModified} ${size}`;
 }
 
-/** From a file input, with folders where a folder was picked. */
+/** From a file input, with folders if a folder was picked. */
 export function fromFileList(list: Iterable<File>): readonly GivenFile[] {
   return inNaturalOrder([...list].map((file) => givenFile(file.webkitRelativePath || file.name, file)));
 }
 
-/** One dropped thing, in every form in which the browser gives it. */
+/** A dropped item, in every form that the browser provides. */
 interface Dropped {
   readonly handle: Promise<FileSystemFileHandle | FileSystemDirectoryHandle | null> | undefined;
   readonly entry: FileSystemEntry | null;
@@ -44,14 +44,14 @@ interface Dropped {
 }
 
 /**
- * From a drop or a paste, folders included. What the browser hands over is gone when the event is over, so handles and
- * entries are taken at once and only their content is waited for.
+ * From a drop or paste, including folders. The data is only accessible during the event, so handles and entries are
+ * taken at once and only their content is awaited.
  */
 export async function fromDataTransfer(data: DataTransfer): Promise<readonly GivenFile[]> {
   const dropped: Dropped[] = [];
   for (const item of data.items) {
     if (item.kind !== 'file') continue;
-    // What was copied from a page, or made by a script, has no handle: browsers answer null, or refuse.
+    // Items copied from a page, or made by a script, have no handle: browsers return null, or reject.
     const handle = item.getAsFileSystemHandle?.().catch(() => null);
     dropped.push({ handle, entry: item.webkitGetAsEntry(), file: item.getAsFile() });
   }
@@ -65,7 +65,7 @@ export async function fromDataTransfer(data: DataTransfer): Promise<readonly Giv
   return inNaturalOrder(found);
 }
 
-/** Every file in a folder and the folders inside, with the folder's own name before theirs. */
+/** Every file in a folder and its subfolders, with the folder's own name in the path. */
 export async function inFolder(folder: FileSystemDirectoryHandle, path = folder.name): Promise<readonly GivenFile[]> {
   const found: GivenFile[] = [];
   for await (const inside of folder.values()) {
@@ -92,7 +92,7 @@ async function walk(entry: FileSystemEntry, found: GivenFile[]): Promise<void> {
   }
 }
 
-/** `.DS_Store` and its like are no one's character. */
+/** Ignores `.DS_Store` and the like. */
 function isHidden(name: string): boolean {
   return name.startsWith('.');
 }

@@ -1,20 +1,20 @@
 /**
- * Which sessions someone is working in: each page holds a Web Lock for its own, and the browser lets go of it when the
- * page is gone, however it went. (A heartbeat in the store would take a page that the browser put to sleep for dead.)
+ * Which sessions are in use: each page holds a Web Lock for its own, and the browser releases it when the page is gone
+ * for any reason. (With a heartbeat in the store, a page that the browser suspended would look dead.)
  */
 
 export interface SessionLocks {
   /**
-   * Takes a session's lock, for good or until the way out is called.
-   * @param patienceMs how long to wait for whoever holds it: a page that is being reloaded may still do so
-   * @returns the way out; undefined where someone else holds on to it
+   * Takes a session's lock, until the page is closed or the returned function is called.
+   * @param patienceMs how long to wait for the holder, which may be this page before a reload
+   * @returns a function that releases the lock; undefined if someone else holds it
    */
   hold(id: string, patienceMs?: number): Promise<(() => void) | undefined>;
 }
 
-/** undefined where the browser has no locks, or keeps them from pages that came without encryption. */
+/** Undefined if the browser has no locks, or withholds them from unencrypted pages. */
 export function sessionLocks(): SessionLocks | undefined {
-  // Typed as always there; it is not on plain http.
+  // The type says it always exists; on plain http it doesn't.
   const locks = navigator.locks as LockManager | undefined;
   if (!locks) return undefined;
   return {

@@ -1,14 +1,14 @@
 /**
- * Kept sessions in IndexedDB: what autosave writes and a restore reads. Records, by key:
+ * Stored sessions in IndexedDB: written by autosave, read by a restore. Records, by key:
  *
  *     ['session', id]        the card: enough to offer the session without reading it
  *     [id, 'file', n]        a file as it was opened, its Blob put once: the browser copies it, the page never reads it
  *     [id, 'piece', n]       bytes of typed arrays, at most a MB or so
  *     [id, 'head']           everything else, with references to files and pieces
  *
- * A save is one transaction: either all of it is there or the session is what it was. Its puts follow each other, each
- * in the success of the one before, since the browser copies a value while `put` runs: together they would be one long
- * task. (A record for each array would need no pieces, but then a put is as long as the array.)
+ * A save is one transaction: either all of it is stored or the session is unchanged. Its puts are chained, each in the
+ * success event of the previous one, since the browser copies a value while `put` runs: together they would be one long
+ * task. (A record per array would need no pieces, but a put then takes as long as the array is large.)
  */
 import { createStore, promisifyRequest, type UseStore } from 'idb-keyval';
 import type { GivenBlob } from '../worker/protocol.ts';
@@ -16,7 +16,7 @@ import type { GivenBlob } from '../worker/protocol.ts';
 /** What is known of a session before it is read. */
 export interface SessionCard {
   readonly id: string;
-  /** Of the form of the records; another one can't be read. */
+  /** Format version of the records; others can't be read. */
   readonly version: number;
   /** Milliseconds since 1970. */
   readonly savedAtMs: number;
@@ -29,34 +29,34 @@ export interface CardCharacter {
   readonly clips: number;
 }
 
-/** A file as it was given. */
+/** A file as given. */
 export interface KeptFile {
-  /** Rises in the order of opening. */
+  /** Increases in the order of opening. */
   readonly id: number;
-  /** One number for all files that were opened together: they are read together again. */
+  /** The same for all files that were opened together, since they are read together again. */
   readonly opening: number;
   readonly given: GivenBlob;
 }
 
-/** Made when its turn comes, so that a save holds one of them at a time. */
+/** Created when its turn comes, so that a save holds one at a time. */
 export interface PiecePut {
   readonly id: number;
-  /** Bytes. */
+  /** In bytes. */
   readonly size: number;
   bytes(): Uint8Array<ArrayBuffer>;
 }
 
 export interface SessionWrite {
   readonly card: SessionCard;
-  /** Plain data, or else the save fails. */
+  /** Must be plain data, or the save fails. */
   readonly head: unknown;
   readonly files: readonly KeptFile[];
   readonly pieces: readonly PiecePut[];
   readonly goneFiles: readonly number[];
   readonly gonePieces: readonly number[];
-  /** Builds on an earlier save: fails with `SessionLostError` where that is not there any more. */
+  /** Extends an earlier save: fails with `SessionLostError` if that no longer exists. */
   readonly follows: boolean;
-  /** All puts in one task, committed without waiting: for a page that is about to go. */
+  /** All puts in one task, committed without waiting, for a page that is being closed. */
   readonly atOnce: boolean;
 }
 
@@ -70,14 +70,14 @@ export interface SessionContent {
 export interface SessionStore {
   list(): Promise<readonly SessionCard[]>;
   write(write: SessionWrite): Promise<void>;
-  /** undefined where there is no such session. */
+  /** Undefined if the session does not exist. */
   read(id: string): Promise<SessionContent | undefined>;
-  /** Calls back with each of the pieces, one a task. Throws a `SessionLostError` where one is missing. */
+  /** Calls back with each of the pieces, one per task. Throws a `SessionLostError` if one is missing. */
   readPieces(id: string, pieces: readonly number[], take: (piece: number, bytes: Uint8Array) => void): Promise<void>;
   remove(id: string): Promise<void>;
 }
 
-/** What an earlier save wrote is gone: the person, or the browser for want of room, has cleared it. */
+/** An earlier save no longer exists: cleared by the user, or by the browser for lack of space. */
 export class SessionLostError extends Error {
   override readonly name = 'SessionLostError';
 }
@@ -85,10 +85,10 @@ export class SessionLostError extends Error {
 const DATABASE = 'marrow-sessions';
 const RECORDS = 'records';
 
-/** Nothing is opened until something is asked for; then everything may reject with what IndexedDB says. */
+/** Opens nothing until first used; then every call may reject with IndexedDB's error. */
 export function sessionStore(): SessionStore {
   let use: UseStore | undefined;
-  /** Retried once over a new connection: browsers close old ones, some without a word. */
+  /** Retried once over a new connection, since browsers close old ones, some without notice. */
   const within = async <T>(mode: IDBTransactionMode, body: (store: IDBObjectStore) => Promise<T>): Promise<T> => {
     use ??= createStore(DATABASE, RECORDS);
     try {
@@ -123,7 +123,7 @@ export function sessionStore(): SessionStore {
   };
 }
 
-/** All keys that begin so; a list stands after every text and number. */
+/** All keys with this prefix; arrays sort after every text and number. */
 function under(...beginning: readonly string[]): IDBKeyRange {
   return IDBKeyRange.bound([...beginning], [...beginning, []]);
 }
@@ -157,7 +157,7 @@ function* gets(
   }
 }
 
-/** Makes each request when the one before has succeeded; resolves when the transaction is complete. */
+/** Makes each request after the previous one succeeded; resolves when the transaction is complete. */
 function inTurn(store: IDBObjectStore, requests: Iterator<IDBRequest>, atOnce = false): Promise<void> {
   const { transaction } = store;
   return new Promise((resolve, reject) => {

@@ -2,17 +2,17 @@
 import { strToU8, type Zippable, zipSync } from 'fflate';
 
 export interface ZippedFile {
-  /** Two of one name are kept apart: the second becomes `walk (2).anim`. */
+  /** Duplicates are renamed: the second becomes `walk (2).anim`. */
   readonly name: string;
   readonly content: string | Uint8Array;
 }
 
-/** Everything in a folder of that name, so that it unpacks beside other characters. */
+/** Puts everything in a folder of that name, so that it unpacks beside other characters. */
 export function zipFiles(folder: string, files: readonly ZippedFile[]): Uint8Array<ArrayBuffer> {
   const entries: Zippable = {};
   for (const { name, content } of files) {
     const bytes = typeof content === 'string' ? strToU8(content) : content;
-    // Pictures are compressed as they are.
+    // Images are already compressed.
     entries[`${folder}/${freeName(name, folder, entries)}`] = [bytes, { level: typeof content === 'string' ? 6 : 0 }];
   }
   return new Uint8Array(zipSync(entries));

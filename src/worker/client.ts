@@ -1,10 +1,10 @@
 /**
- * The page's side of the worker. A job that is cancelled ends with its worker: parsers are synchronous, and a fresh
- * worker costs a few milliseconds where an abort flag would cost every inner loop.
+ * The page's side of the worker. Cancelling a job terminates its worker: parsers are synchronous, and a new worker
+ * costs a few milliseconds, whereas an abort flag would slow down every inner loop.
  */
 import type { FromWorker, JobName, Jobs, Progress, ToWorker } from './protocol.ts';
 
-/** What the client needs of a `Worker`; tests pass in one without a thread. */
+/** The part of `Worker` that the client uses; tests pass one without a thread. */
 export interface WorkerLike {
   postMessage(message: ToWorker): void;
   terminate(): void;
@@ -18,7 +18,7 @@ export interface JobOptions {
   readonly signal?: AbortSignal;
 }
 
-/** A job that failed with its worker, in a sentence for the person who waits for it. */
+/** A job that failed with its worker; the message is a sentence for the user. */
 export class WorkerError extends Error {
   override readonly name = 'WorkerError';
 }
@@ -40,8 +40,8 @@ export class WorkerClient {
   }
 
   /**
-   * Runs a job. Rejects with a `WorkerError` when the worker dies or the job fails in it, with the signal's reason when
-   * it is aborted.
+   * Runs a job. Rejects with a `WorkerError` if the worker dies or the job fails, or with the signal's reason if it is
+   * aborted.
    */
   run<K extends JobName>(
     job: K,
@@ -63,7 +63,7 @@ export class WorkerClient {
       signal?.addEventListener('abort', cancel, { once: true });
       this.pending.set(id, {
         onProgress,
-        // `done` carries the output of the job that was asked for: the worker's side is typed by the same table.
+        // `done` has the output of the requested job: the worker's side is typed by the same table.
         resolve: (output) => {
           settled();
           resolve(output);
@@ -73,7 +73,7 @@ export class WorkerClient {
           reject(error);
         },
       });
-      // The union of messages is what `K` ranges over; TypeScript can't see that a generic K picks one of them.
+      // The message is one of the union over `K`; TypeScript can't infer that for a generic K.
       this.alive().postMessage({ id, job, input } as ToWorker);
     });
   }
@@ -102,13 +102,13 @@ export class WorkerClient {
         return;
       case 'done':
         this.pending.delete(message.id);
-        // See `run`: the pending entry was made for this very job.
+        // See `run`: the pending entry was made for this job.
         pending.resolve(message.output as never);
         return;
     }
   }
 
-  /** Ends the worker; whatever else was under way fails with the reason, and the next job gets a new one. */
+  /** Terminates the worker; all other jobs fail with the reason, and the next one gets a new worker. */
   private restart(reason: string): void {
     this.worker?.terminate();
     this.worker = undefined;

@@ -1,14 +1,14 @@
-/** The worker's side: takes a job, runs it, answers. */
+/** The worker's side: receives a job, runs it, responds. */
 import { parse } from './parse.ts';
 import type { FromWorker, Progress, ToWorker } from './protocol.ts';
 import { transferables } from './transferables.ts';
 
-/** What of a dedicated worker's global scope is used; the project's types are those of a page. */
+/** The part of a dedicated worker's global scope that is used; the project's types are those of a page. */
 interface WorkerScope {
   onmessage: ((event: MessageEvent<ToWorker>) => void) | null;
   postMessage(message: FromWorker, transfer?: Transferable[]): void;
 }
-// `self` is a window to the compiler; in a worker it is this.
+// To the compiler `self` is a window; in a worker it is this.
 const scope = self as unknown as WorkerScope;
 
 scope.onmessage = async ({ data }) => {

@@ -1,6 +1,6 @@
 /**
- * The `parse` job: files in, models and diagnostics out. Bytes are read as they arrive and fed to the format's reader;
- * zips are unpacked here, and every file is told apart by its name alone.
+ * The `parse` job: files in, models and diagnostics out. Bytes are fed to the format's reader as they arrive; zips are
+ * unpacked here, and formats are recognised by file name only.
  */
 import { checkMorph } from '../evaluate/binding.ts';
 import { skinFacts } from '../evaluate/bounds.ts';
@@ -13,7 +13,7 @@ import { READABLE_EXTENSIONS } from '../project/kinds.ts';
 import type { GivenBlob, ParseInput, ParseOutput, Progress } from './protocol.ts';
 import { unzip } from './zip.ts';
 
-/** Progress is told about this often: enough for a smooth bar, too seldom to cost anything. */
+/** Interval of progress messages: enough for a smooth bar, at negligible cost. */
 const PROGRESS_STEP_BYTES = 1 << 20;
 
 export async function parse(input: ParseInput, onProgress: (progress: Progress) => void): Promise<ParseOutput> {
@@ -52,14 +52,16 @@ export async function parse(input: ParseInput, onProgress: (progress: Progress) 
       else broken.push({ kind: format.kind, source });
     } else passedOver.push(source);
   }
-  // A readme beside a character is no more than worth a note.
+  // A readme beside a character is only worth an info.
   const severity = files.length || broken.length ? 'info' : 'warning';
   for (const source of passedOver) diagnostics.push(unknownFormat(source, severity));
 
   return { files, broken, diagnostics, facts: factsOf(files) };
 }
 
-/** Of each skin, with the morphs beside it: whether they belong to it is not known yet, so it may be some too many. */
+/**
+ * Of each skin, with the morphs given with it: whether they belong to it is not known yet, so some may be superfluous.
+ */
 function factsOf(files: readonly ParsedFile[]): ParseOutput['facts'] {
   return files.flatMap((file) => {
     if (file.kind === 'character') {
@@ -90,10 +92,10 @@ function isReadable(name: string): boolean {
   return formatOf(name) !== undefined;
 }
 
-/** The files given, with those inside zips in place of the zips. */
+/** The given files, with zips replaced by their content. */
 async function unpacked(files: readonly GivenBlob[], diagnostics: Diagnostic[]) {
   const given: GivenBlob[] = [];
-  /** Inside zips, of no kind that is read. */
+  /** Inside zips, of unknown kinds. */
   const passedOver: SourceFile[] = [];
   for (const file of files) {
     if (!file.path.toLowerCase().endsWith('.zip')) {
@@ -103,7 +105,7 @@ async function unpacked(files: readonly GivenBlob[], diagnostics: Diagnostic[]) 
     const source = sourceOf(file.path, file.blob.size);
     try {
       const { entries, passedOver: other } = unzip(new Uint8Array(await file.blob.arrayBuffer()), isReadable);
-      // In a folder named after the archive: what is packed together belongs together.
+      // In a folder named after the archive, since files packed together belong together.
       for (const { path, bytes } of entries) given.push({ path: `${file.path}/${path}`, blob: new Blob([bytes]) });
       for (const path of other) passedOver.push(sourceOf(`${file.path}/${path}`, 0));
     } catch (error) {

@@ -1,6 +1,6 @@
 /**
- * All that the page and its worker share: which jobs there are, and the messages that carry them. Another kind of work
- * is another entry in `Jobs`; another file format is no change here at all (`project/kinds.ts`).
+ * What the page and its worker share: the jobs and their messages. Another kind of work is another entry in `Jobs`;
+ * another file format needs no change here (`project/kinds.ts`).
  */
 import type { SkinFacts } from '../evaluate/bounds.ts';
 import type { Diagnostic } from '../model/diagnostic.ts';
@@ -18,9 +18,9 @@ export interface ParseInput {
   readonly files: readonly GivenBlob[];
 }
 
-/** A file as the browser gives it: its bytes are read in the worker, and never pass through the page. */
+/** A file as the browser provides it: its bytes are read in the worker, and never pass through the page. */
 export interface GivenBlob {
-  /** With folders, `/` between them. */
+  /** With folders, separated by `/`. */
   readonly path: string;
   readonly blob: Blob;
 }
@@ -30,11 +30,11 @@ export interface ParseOutput {
   /** Files with errors. */
   readonly broken: readonly BrokenFile[];
   readonly diagnostics: readonly Diagnostic[];
-  /** What the page needs to know of each skin, worked out here so that it never loops over a million vertices. */
+  /** What the page needs to know of each skin, computed here so that it never loops over a million vertices. */
   readonly facts: readonly KnownSkin[];
 }
 
-/** The skin and the morphs are those in `files`, by identity. */
+/** Skin and morphs are those in `files`, by identity. */
 export interface KnownSkin {
   readonly skin: Skin;
   readonly morphs: readonly Morph[];

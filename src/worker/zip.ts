@@ -1,16 +1,16 @@
-/** Files out of a zip, by fflate. Entries that no reader wants are never unpacked. */
+/** Extracts files from a zip, by fflate. Unwanted entries are never unpacked. */
 import { unzipSync } from 'fflate';
 
 export interface ZipEntry {
-  /** The archive's own path of the file. */
+  /** The file's path in the archive. */
   readonly path: string;
   readonly bytes: Uint8Array<ArrayBuffer>;
 }
 
-/** More than this unpacked is refused: an archive can claim terabytes. */
+/** Larger archives are refused, since one can claim terabytes. */
 export const MAX_UNPACKED_BYTES = 2 ** 31;
 
-/** Throws an `Error` with a sentence when it is no zip, is damaged, or would unpack to too much. */
+/** Throws an `Error` with a sentence if it is no zip, is damaged, or would be too large unpacked. */
 export function unzip(
   bytes: Uint8Array,
   wanted: (path: string) => boolean,
@@ -19,7 +19,7 @@ export function unzip(
   let total = 0;
   const files = unzipSync(bytes, {
     filter({ name, originalSize }) {
-      // Folders, and what macOS puts beside each file.
+      // Folders, and the extra files of macOS.
       if (name.endsWith('/') || name.startsWith('__MACOSX/') || name.endsWith('.DS_Store')) return false;
       if (!wanted(name)) {
         passedOver.push(name);

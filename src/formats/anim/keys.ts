@@ -1,7 +1,7 @@
 /**
- * The keys of a channel, rows of `time value tan_in tan_out`, split into the model's columns as they come.
+ * Splits the keys of a channel, rows of `time value tan_in tan_out`, into the model's columns while reading.
  *
- * The words flat, linear and smooth come out of the number loop as values that no number has (see `scan.ts`), so that a
+ * The number loop returns the words flat, linear and smooth as values that no number has (see `scan.ts`), so that a
  * hundred thousand keys are one loop over bytes like any other block.
  */
 import {
@@ -23,7 +23,7 @@ const TANGENT_WORDS: BlockWords = [ascii('flat'), ascii('linear'), ascii('smooth
 const BATCH = 4096;
 const COLUMNS = ['a time', 'a value', 'a tangent', 'a tangent'] as const;
 
-/** One for a whole file: `begin` starts the next channel. */
+/** One for a whole file; `begin` starts the next channel. */
 export class KeySink implements NumberSink {
   readonly values = new Float64Array(BATCH);
   count = 0;
@@ -68,7 +68,7 @@ export class KeySink implements NumberSink {
       if (column === 1) channelValues[row] = values[i];
       else {
         times[row] = values[i];
-        // Not later than the key before?
+        // Not later than the previous key?
         if (row > 0 && !(values[i] > times[row - 1])) this.notLater(t, i, times[row - 1]);
       }
       column++;
@@ -77,7 +77,7 @@ export class KeySink implements NumberSink {
     this.count = 0;
   }
 
-  /** A tangent's word as a time or value. */
+  /** A tangent's word in place of a time or value. */
   private misplaced(t: Tokens, slot: number, column: number): void {
     if (!t.report.hasRoom('error')) return;
     const word = TANGENT_KINDS[kindOf(this.values[slot])];
@@ -100,7 +100,7 @@ export class KeySink implements NumberSink {
     } else t.notANumber(COLUMNS[column]);
   }
 
-  /** The block is read: warns about the order of the keys, and gives them sorted. */
+  /** After the block: warns about the order of the keys, and returns them sorted. */
   columns(t: Tokens): Keys {
     const n = Math.floor(this.found / 4);
     if (n === 0) return NO_KEYS;
@@ -128,7 +128,7 @@ export class KeySink implements NumberSink {
 
   private tellDoubled(t: Tokens, times: Float64Array): void {
     let { doubled } = this;
-    // Keys out of order may share a time without being neighbours in the file.
+    // Unsorted keys may share a time without being neighbours in the file.
     if (!doubled && this.unsorted) {
       for (let i = 1; i < times.length; i++) {
         if (times[i] !== times[i - 1]) continue;

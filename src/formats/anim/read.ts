@@ -71,7 +71,7 @@ function* animFile(t: Tokens): GrammarPart<ChannelClip> {
   return { name: stemOfName(t.fileName), range: parts?.range ?? rangeOfKeys(t, channels), channels };
 }
 
-/** Where no range is given: first to last key. */
+/** The default range: first to last key. */
 function rangeOfKeys(t: Tokens, channels: readonly Channel[]): readonly [number, number] {
   let first = Number.POSITIVE_INFINITY;
   let last = Number.NEGATIVE_INFINITY;
@@ -169,13 +169,13 @@ function* channel(t: Tokens, sink: KeySink, index: number): GrammarPart<Channel>
   return { kind: 'keys', extrapolateIn, extrapolateOut, ...keys };
 }
 
-/** One extrapolation; undefined where the word is missing, which is reported. */
+/** One extrapolation; undefined if the word is missing, which is reported. */
 function* extrapolate(t: Tokens, side: string): GrammarPart<Extrapolation | undefined> {
   yield* t.next();
   const word = t.keyword();
   const known = EXTRAPOLATIONS.find((e) => e === word);
   if (known) return known;
-  // A file that ends here is told of at its missing brace.
+  // If the file ends here, its missing brace is reported.
   if (t.kind !== 'end') {
     t.error('extrapolation-unknown', `Expected ${EXTRAPOLATIONS.join(', ')} ${side}, found ${t.found()}.`);
   }

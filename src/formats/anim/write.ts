@@ -1,7 +1,7 @@
 /**
- * Writes `.anim`. A channel that stands at a value without keys becomes a lone key at the beginning of the range, and
- * one that follows samples has a key a frame: the format knows no other way to say so. Those keys are what the samples
- * are; who wants angles without jumps between them makes keys first (`edit/convert/keys-of-samples.ts`).
+ * Writes `.anim`. A channel that rests at a value becomes a single key at the start of the range, and a sampled one
+ * gets a key per frame: the format has no other way. Those keys are the samples' values; to avoid jumps of angles,
+ * convert to keys first (`edit/convert/keys-of-samples.ts`).
  */
 import {
   type ChannelClip,
@@ -15,7 +15,7 @@ import { columnOf, type Samples } from '../../model/samples.ts';
 import type { WriteResult } from '../reader.ts';
 import { Text } from '../write-text.ts';
 
-/** `fileName` is what diagnostics name. */
+/** `fileName` appears in diagnostics. */
 export function writeAnim(clip: ChannelClip, fileName = ''): WriteResult {
   const text = new Text(fileName);
   text.line(0, 'animation {');
@@ -42,7 +42,7 @@ function writeKeys(text: Text, { times, values, tangentsIn, tangentsOut }: Keyed
   }
 }
 
-/** 0 is what readers take no keys for. */
+/** Readers take a channel without keys as 0. */
 function writeRest(text: Text, { value }: RestChannel, start: number): void {
   text.line(2, `keys ${value === 0 ? 0 : 1} {`);
   if (value !== 0) text.line(3, `${text.number(start)} ${text.number(value)} flat flat`);

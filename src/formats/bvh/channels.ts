@@ -1,4 +1,4 @@
-/** What `.bvh` calls the DOFs of a joint. */
+/** Names of a joint's DOFs in `.bvh`. */
 import type { BvhChannel } from '../../model/skeleton.ts';
 
 export const CHANNEL_NAMES: Readonly<Record<BvhChannel, string>> = {
@@ -10,8 +10,8 @@ export const CHANNEL_NAMES: Readonly<Record<BvhChannel, string>> = {
   rz: 'Zrotation',
 };
 
-/** By the name in lower case. */
+/** By lower-case name. */
 export const CHANNELS_BY_NAME: ReadonlyMap<string, BvhChannel> = new Map(
-  // `Object.entries` forgets the keys' type.
+  // `Object.entries` loses the keys' type.
   Object.entries(CHANNEL_NAMES).map(([channel, name]) => [name.toLowerCase(), channel as BvhChannel]),
 );

@@ -1,4 +1,4 @@
-/** Figures out of what a `.bvh` holds: for each root its skeleton, and the columns of the rows that are its own. */
+/** Makes figures from the content of a `.bvh`: for each root its skeleton, and its columns of the rows. */
 import { type ChannelClip, restChannel, SAMPLED } from '../../model/clip.ts';
 import { rootDofCount } from '../../model/dofs.ts';
 import type { CapturedFigure } from '../../model/files.ts';
@@ -8,7 +8,7 @@ import type { Skeleton } from '../../model/skeleton.ts';
 import type { Root } from './hierarchy.ts';
 import type { MotionRows } from './motion.ts';
 
-/** Named after the file; several ones each after their root as well. */
+/** Named after the file; if there are several, also after their roots. */
 export function figuresOf(stem: string, roots: readonly Root[], motion: MotionRows): readonly CapturedFigure[] {
   const names = roots.length === 1 ? [stem] : namesOf(stem, roots);
   const scales = roots.map(scalesOf);

@@ -4,11 +4,11 @@
  *     root     = ROOT [NAME] "{" { token } "}"
  *     token    = OFFSET x y z | CHANNELS n { CHANNEL } | JOINT [NAME] "{" { token } "}" | End Site "{" [OFFSET x y z] "}"
  *
- * A NAME is the rest of its line up to a `{`, blanks, colons and `#` included. So is what follows `End`, whatever it is:
- * there are files with `End Site20`. Joints are nested as deeply as the file likes, and kept on a stack of our own.
+ * A NAME is the rest of its line up to a `{`, including blanks, colons and `#`. So is anything after `End`: there are
+ * files with `End Site20`. Joints are kept on an explicit stack, since they may be nested to any depth.
  *
- * A joint without CHANNELS has none, one without OFFSET is where its parent is; both are warnings, for every exporter
- * writes them. End Sites go without OFFSET in many files.
+ * A joint without CHANNELS has none, one without OFFSET is at its parent; both are warnings, since every exporter
+ * writes them. Many files have End Sites without OFFSET.
  */
 import type { Vec3 } from '../../math/vec3.ts';
 import { type BvhChannel, DEFAULT_BOX, type Joint, type Limit, UNLIMITED } from '../../model/skeleton.ts';
@@ -18,7 +18,7 @@ import type { Mark, Tokens } from '../tokens.ts';
 import { shortName } from '../words.ts';
 import { CHANNELS_BY_NAME } from './channels.ts';
 
-/** A tree of joints, and what its file calls the first one. */
+/** A tree of joints, and the first one's name in the file. */
 export interface Root {
   readonly name: string;
   readonly joints: readonly Joint[];
@@ -26,10 +26,10 @@ export interface Root {
 
 const KEYWORDS = new Set(['hierarchy', 'root', 'joint', 'end', 'offset', 'channels', 'motion']);
 
-/** However far a figure walks, in whatever unit: nothing clamps it. */
+/** Figures may walk any distance in any unit. */
 const NO_LIMIT: Limit = { min: Number.NEGATIVE_INFINITY, max: Number.POSITIVE_INFINITY };
 
-/** A joint whose `}` has not come yet. */
+/** A joint that is not closed yet. */
 interface OpenJoint {
   readonly index: number;
   readonly parent: number;
@@ -41,7 +41,7 @@ interface OpenJoint {
   readonly endSites: Vec3[];
 }
 
-/** All up to `MOTION`, which is then the token at hand. */
+/** Everything up to `MOTION`, which is then the current token. */
 export function* hierarchy(t: Tokens): GrammarPart<readonly Root[]> {
   const roots: Root[] = [];
   yield* t.next();
@@ -56,7 +56,7 @@ export function* hierarchy(t: Tokens): GrammarPart<readonly Root[]> {
     else if (word === 'motion') break;
     else if (kind === '}') braceTooMany(t);
     else {
-      // Whatever it is, joints that went with it would be missing in silence.
+      // An error in any case, or joints might be dropped silently.
       const code = kind === 'end' ? 'motion-missing' : 'keyword-unexpected';
       t.error(code, `Expected ${roots.length > 0 ? 'MOTION' : 'ROOT'}, found ${t.found()}.`);
       throw new ParseError(code);
@@ -66,7 +66,7 @@ export function* hierarchy(t: Tokens): GrammarPart<readonly Root[]> {
   return roots;
 }
 
-/** A root and all below it. `ROOT` is at hand. */
+/** A root and its descendants. The current token is `ROOT`. */
 function* tree(t: Tokens): GrammarPart<Root> {
   const joints: Joint[] = [];
   const root = yield* head(t, 'ROOT', 0, -1);
@@ -116,7 +116,7 @@ function* head(t: Tokens, keyword: 'ROOT' | 'JOINT', index: number, parent: numb
   return { index, parent, keyword, name, place, endSites: [] };
 }
 
-/** What follows `End`: the point, 0 0 0 where there is none. */
+/** After `End`: the point, or 0 0 0 without one. */
 function* endSite(t: Tokens): GrammarPart<Vec3> {
   const opened = t.mark();
   yield* t.restOfLine();
@@ -148,7 +148,7 @@ function* vector(t: Tokens): GrammarPart<Vec3> {
   return [x, y, z];
 }
 
-/** `n CHANNEL …`: all there are, also on the lines that follow. */
+/** `n CHANNEL …`: all of them, even on the following lines. */
 function* channels(t: Tokens): GrammarPart<readonly BvhChannel[]> {
   const place = t.mark();
   const declared = yield* number(t, 'the number of channels', KEYWORDS);
@@ -173,12 +173,12 @@ function* channels(t: Tokens): GrammarPart<readonly BvhChannel[]> {
   return all;
 }
 
-/** Where the file ends in the midst of a list, that it does is all there is to say, and is said. */
+/** A file that ends within a list gets only that error, which is reported already. */
 function failIfCut(t: Tokens): void {
   if (t.kind === 'end') throw new ParseError('file-cut');
 }
 
-/** The joint's `}` is at hand. */
+/** Called at the joint's `}`. */
 function close(t: Tokens, joint: OpenJoint): Joint {
   const { name, parent, endSites } = joint;
   const offset = joint.offset ?? [0, 0, 0];
@@ -192,7 +192,7 @@ function close(t: Tokens, joint: OpenJoint): Joint {
     box: DEFAULT_BOX,
     motion: { kind: 'bvh', channels: own, positions: 'replace' },
     limits: own.map((channel) => (isPosition(channel) ? NO_LIMIT : UNLIMITED)),
-    // A position channel replaces the offset: at rest it is what it replaces.
+    // A position channel that replaces the offset has its value at rest.
     pose: own.map((channel) => (isPosition(channel) ? offset['xyz'.indexOf(channel[1])] : 0)),
     ...(endSites.length > 0 && { endSites }),
   };

@@ -1,20 +1,19 @@
 /**
- * What follows `MOTION` in a `.bvh`.
+ * The part of a `.bvh` after `MOTION`.
  *
  *     "Frames:" n        "Frame Time:" seconds        { row }
  *
- * The rows decide how many frames there are; another count before them is a warning, and one that is no whole number an
- * error. A frame time that nothing can be
- * played at is a warning too, and 1/30 s is used: poses of one frame are written with 0.
+ * The number of rows decides; a different declared count is a warning, and one that is no integer an error. An unusable
+ * frame time is a warning too, and 1/30 s is used: poses of one frame are written with 0.
  */
 import { type GrammarPart, number } from '../grammar.ts';
 import { ParseError } from '../report.ts';
 import type { Mark, Tokens } from '../tokens.ts';
 import { Rows } from './rows.ts';
 
-/** Rows of all roots' channels. */
+/** Rows with the channels of all roots. */
 export interface MotionRows {
-  /** 0 where there is no complete row. */
+  /** 0 if there is no complete row. */
   readonly frameCount: number;
   readonly frameSeconds: number;
   /** `frameCount` rows. */
@@ -24,33 +23,33 @@ export interface MotionRows {
 const KEYWORDS = new Set(['frames', 'frames:', 'frame', 'frametime:', 'time:']);
 const COLON = 58;
 
-/** Frames between a microsecond and an hour apart are taken for what they are. */
+/** Frame times between a microsecond and an hour are accepted. */
 const SHORTEST = 1e-6;
 const LONGEST = 3600;
 const ASSUMED = { frameSeconds: 1 / 30, text: 'used 1/30 s' };
 
 interface Header {
-  /** What `Frames:` says; undefined where that is no number. */
+  /** The declared number of frames; undefined if it is no number. */
   frames?: number | undefined;
   framesAt?: Mark;
   frameSeconds?: number;
 }
 
 /**
- * @param width channels, of all roots together
- * @param byteLength the whole file's
+ * @param width number of channels of all roots
+ * @param byteLength of the whole file
  */
 export function* motion(t: Tokens, width: number, byteLength: number | undefined): GrammarPart<MotionRows> {
   const { frames, framesAt, frameSeconds = ASSUMED.frameSeconds } = yield* header(t);
   const rows = new Rows(t, width, frames, byteLength);
   yield* rows.read();
   const { frameCount } = rows;
-  // Where rows are broken, their count is the lesser evil.
+  // If rows are broken, a wrong count is not worth mentioning.
   if (framesAt && !t.report.hasErrors) tellCount(t, frames, frameCount, framesAt);
   return { frameCount, frameSeconds, values: rows.all() };
 }
 
-/** Up to where both were found; what comes then may be the first row. */
+/** Up to where both were found; what follows may be the first row. */
 function* header(t: Tokens): GrammarPart<Header> {
   const found: Header = {};
   while (!found.framesAt || found.frameSeconds === undefined) {
@@ -73,7 +72,10 @@ function* header(t: Tokens): GrammarPart<Header> {
   return found;
 }
 
-/** `Frames:`, `Frame Time:`, with blanks wherever, and numbers glued on: in lower case without blanks and colon. */
+/**
+ * Reads `Frames:` or `Frame Time:`, with any blanks, or numbers attached; returns it in lower case without blanks and
+ * colon.
+ */
 function* labelOf(t: Tokens): GrammarPart<string> {
   let label = '';
   do {
@@ -91,7 +93,7 @@ function* labelOf(t: Tokens): GrammarPart<string> {
 
 function* frameTime(t: Tokens): GrammarPart<number> {
   const value = yield* number(t, 'the frame time in seconds', KEYWORDS);
-  // Missing is an error, and told already.
+  // A missing one is an error, reported already.
   if (value === undefined) return ASSUMED.frameSeconds;
   if (value >= SHORTEST && value <= LONGEST) return value;
   const message = `Expected a frame time from ${SHORTEST} to ${LONGEST} seconds, found ${t.found()}.`;

@@ -3,8 +3,8 @@
  *
  *     bvh = HIERARCHY { root } MOTION "Frames:" n "Frame Time:" seconds { row }
  *
- * Several roots are several figures, whose channels stand one after the other in each row. Keywords are read in any
- * case. In a hierarchy with errors it is not known how many numbers a row has, so that the rows are not looked at then.
+ * Several roots are several figures, whose channels follow each other in each row. Keywords are read in any case. If
+ * the hierarchy has errors, the number of values per row is unknown, so rows are not read.
  */
 import type { CapturedFigure } from '../../model/files.ts';
 import { type GrammarPart, stemOfName } from '../grammar.ts';
@@ -16,7 +16,7 @@ import { motion } from './motion.ts';
 
 /**
  * A reader for a `.bvh`: a figure for each root.
- * @param byteLength the file's, where it is known: the samples are then allocated once
+ * @param byteLength the file's size, if known, to allocate the samples at once
  */
 export function bvhReader(fileName: string, byteLength?: number): Reader<readonly CapturedFigure[]> {
   return grammarReader(fileName, (t) => figures(t, byteLength));
@@ -24,7 +24,7 @@ export function bvhReader(fileName: string, byteLength?: number): Reader<readonl
 
 /** Reads a whole `.bvh`. */
 export function readBvh(bytes: Uint8Array | string, fileName: string): ReadResult<readonly CapturedFigure[]> {
-  // Close enough for a text: its numbers are one byte a character.
+  // An estimate for text: numbers take one byte per character.
   return readWhole(bvhReader(fileName, bytes.length), bytes);
 }
 

@@ -1,17 +1,17 @@
 /**
- * The rows of a `.bvh`, from bytes straight into the sample array.
+ * The rows of a `.bvh`, from bytes directly into the sample array.
  *
- *     a row is as many numbers as there are channels        it may go on over line ends, but begins on a new line
+ *     a row is as many numbers as there are channels        it may span several lines, but begins on a new line
  *
- * So a row is read without a look at line ends, by the loop that every number goes through (`scan.ts`), and all that is
- * checked is that a line ends where it does. If none does, then the line at hand holds more than it should: either it
- * began with the row, or the row before was short. Both end the reading, since which number is which is not known from
- * there on.
+ * So a row is read without looking at line ends, by the same loop as all numbers (`scan.ts`), and it is only checked
+ * that a line ends where the row does. If not, the current line contains too many numbers: either it began with the
+ * row, or the previous row was short. Both end the reading, since from there on values can't be assigned.
  *
- * What follows the last complete row without making one ends the motion with a warning: a row cut short, and words at
- * the start of a line. Unless rows follow those in turn: then one in the middle is broken.
+ * Anything but a complete row after the last one ends the motion with a warning: a truncated row, or words at the start
+ * of a line. If more rows follow, it is a broken row in the middle.
  *
- * Memory: a declared count is believed only as far as the bytes at hand, or what a number took so far, bear it out.
+ * Memory: a declared count is trusted only as far as the available bytes, or the average size of a number so far,
+ * support it.
  */
 import { type GrammarPart, looksNumeric } from '../grammar.ts';
 import { NO_PLACE, type Place } from '../places.ts';
@@ -19,32 +19,32 @@ import { ParseError } from '../report.ts';
 import { AT_END, CR, FULL, LF, type Scan, scanNumbers } from '../scan.ts';
 import type { Tokens } from '../tokens.ts';
 
-/** Numbers that are made room for before it is known how many bytes one takes; half a megabyte. */
+/** Initial capacity in numbers, before the size of a number is known; half a megabyte. */
 const AT_FIRST = 65536;
-/** A count is taken at its word up to so many times what the bytes promise. */
+/** A declared count is trusted up to this factor of the estimate from bytes. */
 const TRUSTED = 1.3;
 
 export class Rows {
   private values: Float64Array;
   /** Numbers read. */
   private count = 0;
-  /** The number with which the row at hand begins. */
+  /** Index of the current row's first number. */
   private row = 0;
-  /** Where that is in the piece at hand; or `rowPlace`, where its bytes are gone. */
+  /** Its position in the current piece; or `rowPlace` if those bytes were released. */
   private rowAt = 0;
   private rowPlace: Place | undefined;
-  /** Numbers of the line at hand in pieces that are gone. */
+  /** Numbers of the current line in released pieces. */
   private onLine = 0;
-  /** Whether something in the row at hand is no number, which was told. */
+  /** Whether the current row contains something other than numbers, which was reported. */
   private isBroken = false;
   private bytesRead = 0;
   private readonly declared: number;
   private readonly scan: Scan = { at: 0, count: 0, limit: 0, lineFeeds: 0 };
 
   /**
-   * @param width numbers in a row
+   * @param width numbers per row
    * @param frames as declared
-   * @param byteLength the whole file's
+   * @param byteLength of the whole file
    */
   constructor(
     private readonly t: Tokens,
@@ -62,13 +62,13 @@ export class Rows {
     return this.width === 0 ? 0 : Math.floor(this.count / this.width);
   }
 
-  /** What was read, and nothing behind it; a small rest of the memory is not worth a copy. */
+  /** The numbers read, trimmed; a small rest of the memory is not worth a copy. */
   all(): Float64Array {
     const length = this.frameCount * this.width;
     return this.values.length - length > length / 8 ? this.values.slice(0, length) : this.values.subarray(0, length);
   }
 
-  /** All up to the end of the file. */
+  /** Everything to the end of the file. */
   *read(): GrammarPart<void> {
     const { t, width } = this;
     for (;;) {
@@ -89,7 +89,7 @@ export class Rows {
         this.scanRows();
         continue;
       }
-      // From here on the row's bytes may go any time.
+      // From here on the row's bytes may be released any time.
       this.rowPlace ??= t.report.hasRoom('error') ? t.placeAt(this.rowAt) : NO_PLACE;
       if (width === 0 || (t.startsLine && !looksNumeric(t))) {
         yield* this.skipTrailing();
@@ -103,16 +103,16 @@ export class Rows {
     this.tellIncomplete();
   }
 
-  /** As many rows as the piece at hand has, and the start of another. A number is at hand. */
+  /** Reads all rows in the current piece, and the start of another. The current token is a number. */
   private scanRows(): void {
     const { t, width, scan } = this;
     const { bytes, from, at, end } = t.pieceAtHand();
-    // From where no one has been told of the LFs that were passed, and how many they are.
+    // Position up to which passed LFs were reported, and their number since.
     let since = at;
     let lineFeeds = 0;
     let rowsFeeds = 0;
     let why = AT_END;
-    // Numbers before the row at hand, or the part of it that this piece has.
+    // Numbers before the current row, or the part of it in this piece.
     let before = this.count;
     scan.at = at;
     for (;;) {
@@ -134,20 +134,20 @@ export class Rows {
       this.isBroken = false;
       this.onLine = 0;
     }
-    // In two stretches, so that the place between them can be found without counting.
+    // In two parts, so that the position between them is found without counting.
     t.passed(at, since, rowsFeeds);
     t.passed(since, scan.at, lineFeeds);
     if (why === AT_END) {
       this.rowPlace ??= t.placeAt(this.rowAt);
       this.onLine = lineFeeds === 0 ? this.onLine + this.count - before : this.numbersOnLine(bytes, from, end);
     }
-    // Whether what comes next starts a line is for the tokens to see.
+    // The tokeniser determines whether the next token starts a line.
     let behind = scan.at;
     while (behind > at && isSeparator(bytes[behind - 1])) behind--;
     t.goOnFrom(behind);
   }
 
-  /** Numbers before `to` on its line, where there is nothing else; those in pieces that are gone included. */
+  /** Numbers before `to` on its line if there is nothing else, including those in released pieces. */
   private numbersOnLine(bytes: Uint8Array, from: number, to: number): number {
     let numbers = 0;
     for (let i = to - 1; i >= from; i--) {
@@ -158,7 +158,7 @@ export class Rows {
     return this.onLine + numbers;
   }
 
-  /** For the row at hand. */
+  /** For the current row. */
   private makeRoom(): void {
     const needed = this.row + this.width;
     if (needed <= this.values.length) return;
@@ -167,7 +167,7 @@ export class Rows {
     this.values = grown;
   }
 
-  /** What the rest of the file takes at as many bytes a number as so far; half as much again where nothing tells. */
+  /** Estimated capacity for the rest of the file from the bytes per number so far; otherwise half as much again. */
   private nextLength(): number {
     const { byteLength, bytesRead, count, declared } = this;
     const length = 1.5 * this.values.length;
@@ -176,10 +176,10 @@ export class Rows {
     return Math.ceil(Math.max(1.02 * expected, length));
   }
 
-  /** The row at hand is full, and so is not its line: the token at hand is too much. */
+  /** The current row is full but its line is not: the current token is one too many. */
   private failAtOverfull(): never {
     const { t, width } = this;
-    // A word too many, most likely.
+    // Most likely an extra word.
     if (this.isBroken) throw new ParseError('row');
     const { bytes, from } = t.pieceAtHand();
     const before = width - this.numbersOnLine(bytes, from, t.tokenAt);
@@ -193,7 +193,7 @@ export class Rows {
     throw new ParseError('row');
   }
 
-  /** What is no row is at hand, at the start of a line: warns, and skips to the end, where no row may come. */
+  /** At the start of a line that is no row: warns, and skips to the end, which must not contain more rows. */
   private *skipTrailing(): GrammarPart<void> {
     const { t, width } = this;
     const found = t.found();

@@ -1,14 +1,14 @@
 /**
  * Writes `.bvh`: tabs, LF, one blank between numbers, each the shortest decimal that reads back the same.
  *
- * Values of a sampled channel are written as they are kept, which is as the file had them: nothing is converted that
- * was read in degrees. Positions that are added to the offset are written with it, for by the rule they replace it;
- * but as they are where reading would take them so again (`model/position-channels.ts`). A channel that stands is written in every frame. Keys are not played here: who has some samples
- * them first (`evaluate/bake.ts`).
+ * Values of a sampled channel are written as stored, which is as in the file: nothing read in degrees is converted.
+ * Positions that are added to the offset are written including it, since in the file they replace it; but unchanged if
+ * reading would detect their meaning again (`model/position-channels.ts`). A constant channel is written in every
+ * frame. Keys can't be written: sample them first (`evaluate/bake.ts`).
  *
- * A take of 100 MB is written as bytes, in pieces of 64 kB, so that a page can stay alive in between and no string has
- * to hold all of it. (V8 ends at 512 MB for a string. Pieces of text take three times as long: a string for each number,
- * and the joining of them.)
+ * A take of 100 MB is written as bytes in pieces of 64 kB, so that a page stays responsive and no string has to hold
+ * all of it. (V8 limits strings to 512 MB. Pieces of text take three times as long, for a string per number and joining
+ * them.)
  */
 import type { Diagnostic } from '../../model/diagnostic.ts';
 import { firstDofs } from '../../model/dofs.ts';
@@ -21,24 +21,22 @@ import { LONGEST_DECIMAL, putDecimal } from '../write-decimal.ts';
 import { Text } from '../write-text.ts';
 import { CHANNEL_NAMES } from './channels.ts';
 
-/** Bytes of a piece of rows. */
+/** Bytes per piece of rows. */
 const PIECE = 1 << 16;
 
-/** What a file without frames says of their time. */
+/** The frame time in a file without frames. */
 const NO_FRAME_SECONDS = 1 / 30;
 
-/**
- * Whether figures can be the roots of one file: those that move have as many frames, of the same time, each.
- */
+/** Whether figures can be roots of one file: all that move have the same number of frames and frame time. */
 export function fitOneBvh(figures: readonly CapturedFigure[]): boolean {
   const moving = figures.flatMap(({ clip }) => clip?.samples ?? []);
   return moving.every((s) => s.frameCount === moving[0].frameCount && s.frameSeconds === moving[0].frameSeconds);
 }
 
 /**
- * Each figure as a root. All joints have `bvh` motions; a clip's channels follow its samples or stand.
- * @param fileName what diagnostics name
- * @throws Error for figures of several frame rates or counts (see `fitOneBvh`), other motions, and channels with keys
+ * Each figure becomes a root. All joints must have `bvh` motions, and channels must be sampled or at rest.
+ * @param fileName appears in diagnostics
+ * @throws Error for figures with different frames (see `fitOneBvh`), other motions, and keyed channels
  */
 export function writeBvh(figures: readonly CapturedFigure[], fileName = ''): WrittenPieces {
   if (!fitOneBvh(figures)) throw new Error('Figures in one .bvh file need the same frames: write one file per figure.');
@@ -47,7 +45,7 @@ export function writeBvh(figures: readonly CapturedFigure[], fileName = ''): Wri
   for (const { skeleton } of figures) writeTree(text, skeleton.joints);
   const columns = figures.flatMap((figure) => columnsOf(figure));
   const samples = figures.find(({ clip }) => clip?.samples)?.clip?.samples;
-  // A clip that only stands is one frame.
+  // A clip at rest is one frame.
   const frameCount = samples?.frameCount ?? (figures.some(({ clip }) => clip) ? 1 : 0);
   text.line(0, 'MOTION');
   text.line(0, `Frames: ${frameCount}`);
@@ -61,7 +59,7 @@ export function writeBvh(figures: readonly CapturedFigure[], fileName = ''): Wri
   return { pieces: pieces(), diagnostics: () => diagnostics };
 }
 
-/** Pre-order makes this a walk: joints that are no ancestors of the next one are closed before it. */
+/** One walk in pre-order: joints that are not ancestors of the next one are closed before it. */
 function writeTree(text: Text, joints: readonly Joint[]): void {
   const open: number[] = [];
   const close = () => {
@@ -93,14 +91,14 @@ function channelsOf({ name, motion }: Joint): readonly BvhChannel[] {
   throw new Error(`${name || 'A joint'} is no joint of BVH, but a ${jointTypeOf(motion).keyword}: make it one first.`);
 }
 
-/** Where the numbers of one column of the file come from: value · factor + plus, at every `width`th value. */
+/** Source of a column in the file: value · factor + plus, at every `width`th value. */
 interface Column {
   readonly values: Float64Array;
   readonly first: number;
   readonly width: number;
-  /** 1 where values are kept in the file's own unit: they are written to the last bit then. */
+  /** 1 if values are stored in the file's unit, and so written exactly. */
   readonly factor: number;
-  /** The offset that position channels are added to, since in the file they replace it. */
+  /** The offset that position channels are added to; in the file they replace it. */
   readonly plus: number;
 }
 
@@ -134,10 +132,10 @@ const UTF8 = new TextEncoder();
 const BLANK = 32;
 const LF = 10;
 
-/** The rows, in pieces that end anywhere between two numbers: a row may be long. */
+/** The rows, in pieces that may end between any two numbers, since rows may be long. */
 function* rows(text: Text, columns: readonly Column[], frameCount: number): Generator<Uint8Array<ArrayBuffer>> {
   const bytes = new Uint8Array(PIECE);
-  // A number and what is behind it has to find room.
+  // Leaves room for a number and its separator.
   const full = PIECE - LONGEST_DECIMAL - 1;
   let at = 0;
   for (let frame = 0; frame < frameCount; frame++) {

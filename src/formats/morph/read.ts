@@ -3,7 +3,7 @@
  *
  *     morph = { positions K "{" { index x y z } "}" | normals K "{" { index x y z } "}" }       in any order
  *
- * Whether an index fits the skin is known only when the two are bound.
+ * Indices are checked against the skin only when the two are bound.
  */
 import type { Morph, MorphRows } from '../../model/morph.ts';
 import {
@@ -65,7 +65,7 @@ function* rowsOf(t: Tokens, what: string): GrammarPart<MorphRows> {
   return sink.rows();
 }
 
-/** Splits rows of `index x y z` into their columns as they come. */
+/** Splits rows of `index x y z` into columns while reading. */
 class MorphSink implements NumberSink {
   readonly values = new Float64Array(8192);
   count = 0;
@@ -77,7 +77,7 @@ class MorphSink implements NumberSink {
   private repeated = 0;
   private repeatedAt: Place | undefined;
   private highest = -1;
-  /** Made only where the indices are not in ascending order. */
+  /** Created only if the indices are not ascending. */
   private seen: Set<number> | undefined;
 
   flush(t: Tokens): void {
@@ -124,7 +124,7 @@ class MorphSink implements NumberSink {
     t.report.warn('index-repeated', message, this.repeatedAt, 'the last one is used');
   }
 
-  /** Without the earlier ones of rows that repeat. */
+  /** Without the earlier ones of repeated rows. */
   rows(): MorphRows {
     const n = Math.floor(this.found / 4);
     if (!this.repeatedAt) return { indices: this.indices.slice(0, n), values: this.vectors.slice(0, 3 * n) };

@@ -1,9 +1,9 @@
-/** Writes `.morph`. A block without rows is left out. */
+/** Writes `.morph`. Empty blocks are omitted. */
 import type { Morph, MorphRows } from '../../model/morph.ts';
 import type { WriteResult } from '../reader.ts';
 import { Text } from '../write-text.ts';
 
-/** `fileName` is what diagnostics name. */
+/** `fileName` appears in diagnostics. */
 export function writeMorph(morph: Morph, fileName = ''): WriteResult {
   const text = new Text(fileName);
   writeRows(text, 'positions', morph.positions);

@@ -1,12 +1,12 @@
 /**
- * `.pose`, a format of ours: named poses of a character, by the names of joints and DOFs.
+ * `.pose`, our own format: named poses of a character, by the names of joints and DOFs.
  *
  *     poses = { pose }
  *     pose  = "pose" [NAME] "{" { root x y z | joint | weight VALUE NAME } "}"
  *     joint = "joint" [NAME] "{" { DOF VALUE } "}"              DOF as `.skel` spells it: rx, tx, qw …
  *
- * A NAME is the rest of its line, up to a brace. Joints come in the order of the skeleton, which tells those of one name
- * apart; what a pose says nothing of stays as it is where the pose is taken on.
+ * A NAME is the rest of its line, up to a brace. Joints are in the order of the skeleton, which distinguishes those of
+ * the same name; DOFs that a pose does not contain are not changed by it.
  */
 import type { Vec3 } from '../../math/vec3.ts';
 import { DOF_NAMES } from '../../model/joint-types/dof.ts';
@@ -25,7 +25,7 @@ import { WHOLE_FILE } from '../places.ts';
 import { grammarReader, type Reader, type ReadResult, readWhole } from '../reader.ts';
 import type { Tokens } from '../tokens.ts';
 
-/** A reader for a `.pose`: the poses in it, one at least. */
+/** A reader for a `.pose`: at least one pose. */
 export function poseReader(fileName: string): Reader<readonly PoseByNames[]> {
   return grammarReader(fileName, poseFile);
 }

@@ -1,9 +1,9 @@
-/** Writes `.pose`: one pose after the other. */
+/** Writes `.pose`. */
 import type { PoseByNames } from '../../model/pose-by-names.ts';
 import type { WriteResult } from '../reader.ts';
 import { Text } from '../write-text.ts';
 
-/** `fileName` is what diagnostics name. */
+/** `fileName` appears in diagnostics. */
 export function writePoses(poses: readonly PoseByNames[], fileName = ''): WriteResult {
   const text = new Text(fileName);
   for (const { name, root, joints, weights } of poses) {

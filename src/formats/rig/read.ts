@@ -29,7 +29,7 @@ export function readRig(bytes: Uint8Array | string, fileName: string): ReadResul
   return readWhole(rigReader(fileName), bytes);
 }
 
-/** What a FILE of each part is called: a name with blanks ends where this does. */
+/** Extensions of the FILE of each part, at which a name with blanks ends. */
 export const RIG_EXTENSIONS = {
   skeleton: /\.(skel|axskel)$/i,
   skin: /\.skin$/i,

@@ -1,9 +1,9 @@
-/** Writes `.rig`, as the course's own file looks. */
+/** Writes `.rig`, laid out like the course's own file. */
 import type { Rig } from '../../model/rig.ts';
 import type { WriteResult } from '../reader.ts';
 import { Text } from '../write-text.ts';
 
-/** `fileName` is what diagnostics name. */
+/** `fileName` appears in diagnostics. */
 export function writeRig(rig: Rig, fileName = ''): WriteResult {
   const text = new Text(fileName);
   text.line(0, `rig${text.name(rig.name, 'rig')} {`);

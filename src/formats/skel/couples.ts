@@ -1,6 +1,6 @@
 /**
- * `couple NAME JOINT.DOF gain offset` in a `.skel`: JOINT is `#index` or a name that only one joint has, split from the
- * DOF at the last dot. Joints may name others that come after them, so names are looked up at the end of the tree.
+ * `couple NAME JOINT.DOF gain offset` in a `.skel`: JOINT is `#index` or a unique joint name, split from the DOF at the
+ * last dot. Joints may refer to later ones, so names are resolved at the end of the tree.
  */
 import { couplesOf } from '../../model/couples.ts';
 import { firstDofs } from '../../model/dofs.ts';
@@ -10,9 +10,9 @@ import { oneToken } from '../../model/written-names.ts';
 import { type GrammarPart, number } from '../grammar.ts';
 import type { Keywords, Mark, Tokens } from '../tokens.ts';
 
-/** A couple as it is written. */
+/** A link as written. */
 export interface OpenCouple {
-  /** The joint that it stands in. */
+  /** The joint that contains it. */
   readonly owner: number;
   readonly dof: string;
   readonly dofPlace: Mark;
@@ -24,7 +24,7 @@ export interface OpenCouple {
   readonly offset: number;
 }
 
-/** The keyword is at hand. Undefined where something is missing, which is an error. */
+/** At the keyword. Undefined if something is missing, which is an error. */
 export function* couple(t: Tokens, owner: number, keywords: Keywords): GrammarPart<OpenCouple | undefined> {
   const dof = yield* name(t, 'the name of a DOF after couple', keywords);
   if (dof === undefined) return undefined;
@@ -52,7 +52,7 @@ function* name(t: Tokens, what: string, keywords: Keywords): GrammarPart<string 
   return undefined;
 }
 
-/** The joints with their couples: names looked up, cycles refused. */
+/** The joints with their links: resolves names, rejects cycles. */
 export function resolveCouples(t: Tokens, joints: readonly Joint[], couples: readonly OpenCouple[]): readonly Joint[] {
   if (couples.length === 0) return joints;
   const byName = new Map<string, number[]>();
@@ -96,7 +96,7 @@ function hasDof(t: Tokens, joints: readonly Joint[], joint: number, dof: string,
   return false;
 }
 
-/** `#index`, or a name that only one joint has. */
+/** `#index`, or a unique name. */
 function jointNamed(
   t: Tokens,
   joints: readonly Joint[],
@@ -129,7 +129,7 @@ function called(joints: readonly Joint[], index: number): string {
   return joints[index].name || `joint #${index}`;
 }
 
-/** What couples call each joint: by its name where only it has that, as names are written; else `#index`. */
+/** How links refer to each joint: by its written name if that is unique; else `#index`. */
 export function coupleTargets(joints: readonly Joint[]): readonly string[] {
   const written = joints.map(({ name }) => oneToken(name));
   const counts = new Map<string, number>();

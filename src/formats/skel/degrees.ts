@@ -1,11 +1,11 @@
 /**
- * Degrees and radians of the axis-angle form.
+ * Degrees and radians in the axis-angle form.
  *
- *     radians = degrees · (π / 180)        one product of doubles, so that writing can tell what reading will give
+ *     radians = degrees · (π / 180)        a single product of doubles, so that writing can predict what reading gives
  *
- * Not every double is such a product: where the degrees' spacing maps to more than the radians' own, about one angle in
- * ten that nobody read from degrees (one that was dragged) lies between two of them, and is written as the nearer one:
- * half a unit of its last place off, and the same from then on.
+ * Not every double is such a product: where degrees are spaced more coarsely than radians, about one in ten angles that
+ * were not read from degrees (such as dragged ones) lies between two of them, and is written as the nearer one: off by
+ * half a unit in the last place, and stable from then on.
  */
 import { RADIANS_PER_DEGREE } from '../../model/samples.ts';
 
@@ -13,7 +13,7 @@ export function radiansOf(degrees: number): number {
   return degrees * RADIANS_PER_DEGREE;
 }
 
-/** The number with the shortest decimal that `radiansOf` makes these radians of, or, where none does, the nearest to them. */
+/** The number with the shortest decimal that `radiansOf` maps to these radians, or if there is none, the nearest. */
 export function degreesOf(radians: number): number {
   const about = radians / RADIANS_PER_DEGREE;
   if (about === 0 || about - about !== 0) return about;
@@ -27,7 +27,7 @@ export function degreesOf(radians: number): number {
 const double = new Float64Array(1);
 const bits = new BigInt64Array(double.buffer);
 
-/** The double itself and two on either side, for quotient and product each may round by one. */
+/** The double itself and two on either side, since quotient and product may each round by one. */
 function neighbours(value: number): readonly number[] {
   return [0n, 1n, -1n, 2n, -2n].map((step) => {
     double[0] = value;

@@ -1,5 +1,5 @@
 /**
- * The joint types of `.skel`: a joint's keyword and the tokens of its own, which are the parameters of its type
+ * The joint types of `.skel`: a joint's keyword and its own tokens, which are the parameters of its type
  * (`model/joint-types.ts`). Such a token changes the motion; what every joint has (offset, box, limits, pose) is in
  * `read.ts`.
  */
@@ -18,11 +18,11 @@ import type { GrammarPart } from '../grammar.ts';
 import type { Keywords, Tokens } from '../tokens.ts';
 import { listOfWords, numberToken, oneOfWords, vectorToken } from './own-tokens.ts';
 
-/** A type that `.skel` has: BVH's joints become others first (`model/skel-motion.ts`). */
+/** A type that `.skel` has: BVH's joints are converted first (`model/skel-motion.ts`). */
 export interface SkelType {
   /** `balljoint`. */
   readonly keyword: string;
-  /** What it is without any token of its own. */
+  /** The motion without any of its own tokens. */
   readonly motion: Motion;
   readonly tokens: ReadonlyMap<string, Parameter>;
 }
@@ -37,13 +37,13 @@ export function skelTypeOf(keyword: string): SkelType | undefined {
   return BY_KEYWORD.get(keyword);
 }
 
-/** What a joint is called in the file. Throws for a joint of BVH, which no `.skel` has. */
+/** A joint's keyword in the file. Throws for a BVH joint, which `.skel` does not have. */
 export function keywordOf(motion: Motion): string {
   if (isOfBvh(motion)) throw new Error('A BVH joint has to be converted before it is written to .skel.');
   return jointTypeOf(motion).keyword;
 }
 
-/** Reads one of a type's own tokens, which is at hand, into a motion of that type: as it was after an error. */
+/** Reads one of a type's own tokens, the current one, into a motion of that type; unchanged after an error. */
 export function* readOwn(
   t: Tokens,
   token: string,
@@ -78,7 +78,7 @@ function* readValue(
   }
 }
 
-/** The lines of a type's own tokens that bring a motion back; none for the default. */
+/** Lines of a type's own tokens for a motion; none for defaults. */
 export function ownLines(motion: Motion, numbers: (values: readonly number[]) => string): readonly string[] {
   const { initial } = jointTypeOf(motion);
   return parametersOf(motion).flatMap(([token, { type }]) => {
@@ -90,5 +90,5 @@ export function ownLines(motion: Motion, numbers: (values: readonly number[]) =>
   });
 }
 
-/** The classic tokens for the limits of a ball joint's DOFs; every other DOF's are `limit NAME min max`. */
+/** The classic tokens for the limits of a ball joint's DOFs; all other DOFs use `limit NAME min max`. */
 export const LIMIT_TOKENS: Readonly<Record<string, string>> = { rx: 'rotxlimit', ry: 'rotylimit', rz: 'rotzlimit' };

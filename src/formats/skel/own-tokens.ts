@@ -1,9 +1,9 @@
-/** Values of tokens in a joint: words out of a few, lists of them, numbers and vectors. */
+/** Values of tokens in a joint: words from a set, lists of them, numbers and vectors. */
 import type { Vec3 } from '../../math/vec3.ts';
 import { type GrammarPart, number, numbers } from '../grammar.ts';
 import type { Keywords, Tokens } from '../tokens.ts';
 
-/** One word out of a few; undefined where there is an error, and what stands there is left if it means something else. */
+/** A word from a set; undefined after an error, leaving the token if it means something else. */
 export function* oneOfWords<W extends string>(
   t: Tokens,
   token: string,
@@ -19,7 +19,7 @@ export function* oneOfWords<W extends string>(
   return undefined;
 }
 
-/** Words out of a few, each once, up to what is none of them. There may be none at all. */
+/** Words from a set, each once, up to one that is not in it. May be empty. */
 export function* listOfWords<W extends string>(
   t: Tokens,
   token: string,
@@ -43,17 +43,17 @@ export function* listOfWords<W extends string>(
   }
 }
 
-/** Whether the token at hand is no try at a value, but something that comes after it. */
+/** Whether the current token is not a misspelt value, but what comes after it. */
 function isOther(t: Tokens, keywords: Keywords): boolean {
   return t.kind !== 'word' || t.startsLine || keywords.has(t.keyword());
 }
 
-/** The one number of a token; undefined where it is missing. */
+/** A token's single number; undefined if it is missing. */
 export function numberToken(t: Tokens, token: string, keywords: Keywords): GrammarPart<number | undefined> {
   return number(t, `a number after ${token}`, keywords);
 }
 
-/** The x y z of a token; undefined where not all of them are there, which is an error. */
+/** A token's x y z; undefined if any is missing, which is an error. */
 export function* vectorToken(t: Tokens, token: string, keywords: Keywords): GrammarPart<Vec3 | undefined> {
   const errors = t.report.errorCount;
   const [x, y, z] = yield* numbers(t, 3, (i) => `${'xyz'[i]} of ${token}`, keywords);

@@ -1,5 +1,5 @@
 /**
- * `.skel`, axis-angle form: a pre-order list of hinges, six numbers each, line ends meaning nothing.
+ * `.skel`, axis-angle form: a pre-order list of hinges, six numbers each; line ends have no meaning.
  *
  *     file  = joint                                       one tree, and nothing behind it
  *     joint = length ax ay az angle children { joint }    so many joints as `children` says
@@ -7,9 +7,9 @@
  *     frame(joint) = tip(parent) · R(axis, angle)         angle in degrees; the root's parent is the identity
  *     tip(joint)   = frame(joint) · T(0, length, 0)
  *
- * In the model a hinge joint at its parent's tip, with the angle as its pose, in radians as everywhere. What stands in
- * the way of one joint is told and read over; without a count of children nothing can be read on. Trees are as deep as
- * the file likes: how many children are still to come is kept on a stack, and no count allocates anything.
+ * In the model this is a hinge joint at its parent's tip, with the angle in radians as its pose. Errors in one joint
+ * are reported and reading continues; without a count of children it can't. Remaining children are counted on an
+ * explicit stack, since trees may have any depth, and no count allocates anything.
  */
 import type { Vec3 } from '../../math/vec3.ts';
 import { DEFAULT_BOX, type Joint, UNLIMITED } from '../../model/skeleton.ts';
@@ -20,15 +20,15 @@ import { radiansOf } from './degrees.ts';
 import { skelTypeOf } from './joint-types.ts';
 
 /**
- * Whether the first token of a file, at hand, begins this form: it is a number, or is meant for one. In a file that is
- * called `.axskel` anything does that is no joint of the hierarchy form.
+ * Whether the first token of a file, the current one, starts this form: it is a number, or meant as one. In a `.axskel`
+ * file everything does except a joint type of the hierarchy form.
  */
 export function beginsAxisAngle(t: Tokens): boolean {
   if (t.kind !== 'word') return false;
   return looksNumeric(t) || (/\.axskel$/i.test(t.fileName) && !skelTypeOf(t.keyword()));
 }
 
-/** A joint whose children have not all come yet. */
+/** A joint with remaining children. */
 interface Open {
   readonly index: number;
   readonly length: number;
@@ -38,11 +38,11 @@ interface Open {
   readonly place: Mark;
 }
 
-/** The whole file, whose first token is at hand. */
+/** The whole file, starting at the current token. */
 export function* axisAngleTree(t: Tokens): GrammarPart<readonly Joint[]> {
   const joints: Joint[] = [];
   const open: Open[] = [];
-  /** The last token of the joint before. */
+  /** The last token of the previous joint. */
   let last: Mark | undefined;
   t.again();
   do {
@@ -75,7 +75,7 @@ export function* axisAngleTree(t: Tokens): GrammarPart<readonly Joint[]> {
   return joints;
 }
 
-/** Nothing more in the file: said of the joint that is the last, for behind it there is no line to show. */
+/** Reports a missing child at the last joint, since there is no line after it to show. */
 function* expectChild(t: Tokens, { index, children, missing, place }: Open, last: Mark): GrammarPart<void> {
   yield* t.next();
   if (t.kind !== 'end') {
@@ -124,7 +124,7 @@ function* childCount(t: Tokens, index: number): GrammarPart<number> {
   return count;
 }
 
-/** One number. A word that is none is told, and counts as 0; where none can come any more, nothing is read on. */
+/** One number. A word that is none is reported and counts as 0; if none can follow, reading stops. */
 function* number(t: Tokens, what: string): GrammarPart<number> {
   yield* t.next();
   const value = t.value();

@@ -1,13 +1,13 @@
 /**
- * `.skel`, hierarchy form; one that begins with a number is in the other (`read-axis-angle.ts`).
+ * `.skel`, hierarchy form; a file that starts with a number is in the axis-angle form (`read-axis-angle.ts`).
  *
  *     skel   = { joint }                                   several roots: each its own skeleton
  *     joint  = JOINTTYPE [NAME] "{" { token } "}"
  *     token  = offset x y z | boxmin x y z | boxmax x y z | pose v … | rotxlimit min max | … | limit DOF min max
  *            | length l | couple DOF JOINT.DOF gain offset | a token of the type's own (joint-types.ts) | joint
  *
- * Joints are nested as deeply as the file likes: they are kept on a stack of our own. What depends on several tokens,
- * which come in any order, is checked at the joint's `}`; what names other joints, at the end of the tree.
+ * Joints are kept on an explicit stack, since they may be nested to any depth. What depends on several tokens, which
+ * may be in any order, is checked at the joint's `}`; references to other joints at the end of the tree.
  */
 import type { Vec3 } from '../../math/vec3.ts';
 import { dofsOf, takesLimits } from '../../model/joint-types.ts';
@@ -47,10 +47,10 @@ const KEYWORDS = new Set([
   ...SKEL_TYPES.flatMap(({ keyword, tokens }) => [keyword, ...tokens.keys()]),
 ]);
 
-/** More numbers than any joint has DOFs: a pose is kept that far, and only counted beyond. */
+/** More than any joint's number of DOFs: further values of a pose are only counted. */
 const KEPT_POSE = 16;
 
-/** A joint whose `}` has not come yet. */
+/** A joint that is not closed yet. */
 interface OpenJoint {
   readonly index: number;
   readonly parent: number;
@@ -61,7 +61,7 @@ interface OpenJoint {
   boxMin: Vec3;
   boxMax: Vec3;
   motion: Motion;
-  /** As they came: the last one for a DOF counts. */
+  /** In file order: the last one for a DOF counts. */
   readonly limits: { readonly dof: string; readonly limit: Limit; readonly place: Mark }[];
   pose?: { readonly values: number[]; readonly found: number; readonly place: Mark };
   length?: number;
@@ -92,7 +92,7 @@ function* skeletons(t: Tokens): GrammarPart<readonly Skeleton[]> {
   return roots.map((joints, i) => ({ name: i === 0 ? stem : `${stem}_${i + 1}`, joints }));
 }
 
-/** A root and all below it. Its joint type is at hand. */
+/** A root and its descendants. The current token is its joint type. */
 function* tree(t: Tokens, rootType: SkelType): GrammarPart<readonly Joint[]> {
   const joints: Joint[] = [];
   let count = 0;
@@ -133,7 +133,7 @@ function* head(t: Tokens, type: SkelType, index: number, parent: number): Gramma
   };
 }
 
-/** One token of a joint and its values; whether it is one. */
+/** Reads one token of a joint with its values; returns whether it is one. */
 function* token(t: Tokens, joint: OpenJoint, word: string, couples: OpenCouple[]): GrammarPart<boolean> {
   switch (word) {
     case 'offset':
@@ -180,7 +180,7 @@ function* token(t: Tokens, joint: OpenJoint, word: string, couples: OpenCouple[]
   return true;
 }
 
-/** `l`, of the bone along +y. */
+/** `l`, the length of the bone along +y. */
 function* boneLength(t: Tokens, joint: OpenJoint): GrammarPart<void> {
   const place = t.mark();
   const length = yield* numberToken(t, 'length', KEYWORDS);
@@ -209,7 +209,7 @@ function* limit(t: Tokens, joint: OpenJoint, dof: string): GrammarPart<void> {
   }
 }
 
-/** The joint's `}` is at hand: everything about it is known. */
+/** Called at the joint's `}`, when everything about it is known. */
 function close(t: Tokens, joint: OpenJoint): Joint {
   const { name, parent, offset, motion, pose, limits: given } = joint;
   const dofs = dofsOf(motion);

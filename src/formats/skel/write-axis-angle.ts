@@ -1,13 +1,13 @@
 /**
- * Writes the axis-angle form of `.skel`, a joint a line: `length ax ay az angle children`, angles in degrees. For
- * skeletons in whose way nothing stands (`model/axis-angle.ts`).
+ * Writes the axis-angle form of `.skel`, a joint per line: `length ax ay az angle children`, angles in degrees. For
+ * skeletons without an obstacle (`model/axis-angle.ts`).
  */
 import { axisOf, jointTypeOf } from '../../model/joint-types.ts';
 import type { Skeleton } from '../../model/skeleton.ts';
 import type { Text } from '../write-text.ts';
 import { degreesOf } from './degrees.ts';
 
-/** @throws Error for a joint that is no hinge with a bone */
+/** @throws Error for a joint other than a hinge with a bone */
 export function writeAxisAngleTree(text: Text, { joints, name }: Skeleton): void {
   const children = new Uint32Array(joints.length);
   for (const { parent } of joints) if (parent >= 0) children[parent]++;

@@ -1,6 +1,7 @@
 /**
- * Writes `.skel`: the hierarchy form, or the axis-angle form for a skeleton that was read from it. What is the default is left out, except the offset; a skeleton of balljoints in xyz
- * order uses the classic tokens only, so that other tools read it.
+ * Writes `.skel`: the hierarchy form, or the axis-angle form for a skeleton that was read from it. Defaults are
+ * omitted, except the offset; a skeleton of balljoints in xyz order uses only the classic tokens, so that other tools
+ * can read it.
  */
 import { axisAngleObstacle, savesAsAxisAngle } from '../../model/axis-angle.ts';
 import { dofsOf } from '../../model/joint-types.ts';
@@ -12,7 +13,7 @@ import { coupleTargets } from './couples.ts';
 import { keywordOf, LIMIT_TOKENS, ownLines } from './joint-types.ts';
 import { writeAxisAngleTree } from './write-axis-angle.ts';
 
-/** Every skeleton is a root of its own. `fileName` is what diagnostics name. */
+/** Every skeleton becomes a root. `fileName` appears in diagnostics. */
 export function writeSkel(skeletons: readonly Skeleton[], fileName = ''): WriteResult {
   const text = new Text(fileName);
   const [only, ...others] = skeletons;
@@ -30,14 +31,14 @@ export function writeSkel(skeletons: readonly Skeleton[], fileName = ''): WriteR
   return text.result();
 }
 
-/** One that came from the axis-angle form, and can't go back there. */
+/** Reports a skeleton from the axis-angle form that no longer fits it. */
 function tellForm(text: Text, skeleton: Skeleton, count: number): void {
   if (skeleton.form !== 'axis-angle') return;
   const why = axisAngleObstacle(skeleton) ?? `it holds one tree, and there are ${count}.`;
   text.changedForm(`${skeleton.name} can't be written in axis-angle form: ${why}`);
 }
 
-/** Pre-order makes this a walk: joints that are no ancestors of the next one are closed before it. */
+/** One walk in pre-order: joints that are not ancestors of the next one are closed before it. */
 function writeTree(text: Text, joints: readonly Joint[]): void {
   const targets = joints.some((joint) => joint.couples) ? coupleTargets(joints) : [];
   const open: number[] = [];
@@ -56,7 +57,7 @@ function closeJoint(text: Text, open: number[]): void {
   text.line(open.length, '}');
 }
 
-/** @param targets what couples call each joint */
+/** @param targets how links refer to each joint */
 function writeTokens(text: Text, depth: number, joint: Joint, targets: readonly string[]): void {
   const { box, motion, limits, pose, length, couples = [] } = joint;
   text.line(depth, `offset ${text.numbers(joint.offset)}`);

@@ -1,11 +1,11 @@
 /**
- * `.skin`: a mesh, what its vertices hang on, and where the joints were when it was bound.
+ * `.skin`: a mesh, its attachments to joints, and the joints' matrices when it was bound.
  *
  *     skin = { positions N "{" { x y z } "}"  |  normals N "{" { x y z } "}"  |  texcoords N "{" { u v } "}"
  *            | skinweights N "{" { k j0 w0 … } "}"  |  triangles M "{" { a b c } "}"
  *            | bindings J "{" { matrix "{" a b c d "}" } "}"  |  material [NAME] "{" texture FILE "}" }    in any order
  *
- * A matrix lists its columns a b c d, three numbers each. What concerns several blocks is checked at the end.
+ * A matrix lists its columns a b c d, three numbers each. What involves several blocks is checked at the end.
  */
 import { isSingular } from '../../math/mat4.ts';
 import type { Material, Skin } from '../../model/skin.ts';
@@ -44,7 +44,7 @@ const KEYWORDS = new Set([
 /** A name with blanks ends with one of these. */
 const TEXTURE = /\.(bmp|png|jpe?g|webp|gif|tga|tiff?)$/i;
 
-/** A block of one row a vertex, and where it was, for when it turns out not to fit. */
+/** A block with a row per vertex, and its place, in case it does not fit. */
 interface Block {
   readonly values: Float64Array;
   readonly place: Mark;
@@ -150,7 +150,7 @@ function* bindings(t: Tokens): GrammarPart<Float64Array> {
   return flat;
 }
 
-/** `{ a b c d }`, the columns, three numbers each. The identity where it is wrong. */
+/** `{ a b c d }`, the columns, three numbers each. The identity after an error. */
 function* matrix(t: Tokens, joint: number): GrammarPart<Float64Array> {
   const what = `the binding of joint ${joint}`;
   const place = t.mark();
@@ -201,7 +201,7 @@ function* material(t: Tokens): GrammarPart<Material> {
   return texture === undefined ? { name } : { name, texture };
 }
 
-/** The file is read: do its blocks fit together? */
+/** After the file is read: checks that its blocks fit together. */
 function skinOf(t: Tokens, parts: Parts): Skin {
   const { report } = t;
   const { attachments, triangles, material, bindings = new Float64Array(0) } = parts;
@@ -226,7 +226,7 @@ function skinOf(t: Tokens, parts: Parts): Skin {
   const texcoords = fitting(t, parts.texcoords, 2, vertices, 'texcoords');
   triangles?.tellOutOfRange(t, vertices);
   attachments?.tellOutOfRange(t, bindings.length / 16);
-  // A row that is cut off is an error already, and the rows are not what was meant.
+  // A truncated row is an error already, so the count of rows is not reliable.
   const misfits = attachments && attachments.missing === 0 && attachments.rows !== vertices && vertices > 0;
   if (misfits && parts.attachmentsAt) {
     const message = `Expected skinweights for ${vertices} vertices, found ${attachments.rows}.`;
@@ -248,7 +248,7 @@ function skinOf(t: Tokens, parts: Parts): Skin {
 /** A block if it has a row for each vertex. */
 function fitting(t: Tokens, block: Block | undefined, width: number, vertices: number, what: string) {
   if (!block || block.values.length === width * vertices) return block?.values;
-  // Rows that are incomplete are an error already.
+  // Incomplete rows are an error already.
   if (block.values.length % width === 0 && vertices > 0) {
     const message = `Expected ${what} for ${vertices} vertices, found ${block.values.length / width}.`;
     t.report.warn(`${what}-count`, message, t.placeOf(block.place), 'ignored');

@@ -1,6 +1,6 @@
 /**
- * Takers for the blocks of a `.skin` whose numbers are indices. They work through a few thousand numbers at a time,
- * while these are in the cache and the bytes they came from are at hand, so that what is wrong gets its exact place.
+ * Sinks for the blocks of a `.skin` whose numbers are indices. They process a few thousand numbers at a time, while
+ * these are in the cache and their bytes are available, so that errors get exact places.
  */
 import type { Attachments } from '../../model/skin.ts';
 import { MAX_COUNT, nextLength, WrongIndices } from '../grammar.ts';
@@ -8,11 +8,11 @@ import type { Place } from '../places.ts';
 import type { NumberSink, Tokens } from '../tokens.ts';
 import { Stairs } from './stairs.ts';
 
-/** Numbers worked through at a time. */
+/** Numbers processed at a time. */
 const BATCH = 8192;
-/** Below this an index can be held. */
+/** Larger indices can't be stored. */
 const LIMIT = MAX_COUNT - 1;
-/** How far a vertex's weights may be off 1. */
+/** Tolerance of the sum of a vertex's weights. */
 const SUM_TOLERANCE = 0.01;
 
 /** `triangles M { a b c … }` */
@@ -23,10 +23,10 @@ export class TriangleSink implements NumberSink {
   found = 0;
   private indices: Uint32Array;
   private readonly wrong: WrongIndices;
-  /** Where the number of vertices is not known yet. */
+  /** Used while the number of vertices is unknown. */
   private readonly stairs: Stairs | undefined;
 
-  /** `vertices`: how many there are, if the positions came already. */
+  /** `vertices`: their number, if positions were read already. */
   constructor(
     t: Tokens,
     private readonly expected: number,
@@ -81,14 +81,14 @@ export class AttachmentSink implements NumberSink {
   readonly usesUp = true;
   /** Rows whose length was read. */
   rows = 0;
-  /** Numbers that the last row still wants. */
+  /** Numbers still missing in the last row. */
   missing = 0;
   private start: Uint32Array;
   private joints: Uint32Array;
   private weights: Float64Array;
   private attachments = 0;
   private sum = 0;
-  /** Whether a joint came without its weight yet. (A huge `missing` doesn't tell odd from even.) */
+  /** Whether a joint was read without its weight yet. (A huge `missing` can't tell odd from even.) */
   private isHalf = false;
   private readonly wrongCounts = new WrongIndices('a number of attachments', () => ' (0 or more)');
   private readonly wrongJoints = new WrongIndices('the index of a joint', () => ' (0 or more)');
@@ -107,14 +107,14 @@ export class AttachmentSink implements NumberSink {
     this.weights = new Float64Array(64);
   }
 
-  /** Room for what a flush may add. */
+  /** Reserves what a flush may add. */
   private grow(t: Tokens): void {
     const { attachments, rows, expectedRows } = this;
     // Every number may be a row.
     this.start = roomFor(this.start, rows + this.count + 1, expectedRows + BATCH + 1);
     const needed = attachments + (this.count >> 1) + 1;
     if (needed <= this.weights.length) return;
-    // As many as the rows so far let expect, at once if the bytes at hand could hold them.
+    // Extrapolated from the rows so far, at once if the available bytes could hold them.
     const expected = rows > 0 ? Math.ceil((1.01 * attachments * expectedRows) / rows) : 0;
     const atOnce = expected <= attachments + t.numbersAtHand() / 2 ? expected : needed;
     this.joints = roomFor(this.joints, Math.max(needed, atOnce), expected);
@@ -137,14 +137,14 @@ export class AttachmentSink implements NumberSink {
         start[rows++] = attachments;
         sum = 0;
         isJoint = true;
-        // Compared as a double: a huge count is a row that the block's end cuts off.
+        // Compared as a double: a huge count is a row truncated by the block's end.
         if (k >= 1 && k % 1 === 0) missing = 2 * k;
         else if (k !== 0) this.wrongCounts.addSlot(k, t, i);
         else if (this.bare++ === 0) this.firstBare = { vertex: rows - 1, place: t.placeOfSlot(i) };
         i++;
         continue;
       }
-      // The row, as far as it is here: perhaps the weight that was cut off its joint, pairs, perhaps a joint alone.
+      // The available part of the row: possibly a weight whose joint was cut off, pairs, possibly a joint alone.
       const stop = Math.min(count, i + missing);
       missing -= stop - i;
       if (!isJoint) {
@@ -205,7 +205,7 @@ export class AttachmentSink implements NumberSink {
     }
   }
 
-  /** Where to look for a number that is missing: it makes the rest of the rows run into each other. */
+  /** Where to look for a missing number, which merges all following rows. */
   hint(): string {
     const line = this.firstOff?.place.line;
     return line ? ` Weights first fail to sum to 1 on line ${line}: look there.` : '';
@@ -220,7 +220,7 @@ export class AttachmentSink implements NumberSink {
     late.tell(t, countAtLeast(this.joints, this.attachments, bindings) - 1);
   }
 
-  /** For so many vertices: those past the rows have none, rows past the vertices are left out. */
+  /** For this many vertices: those beyond the rows have none, rows beyond the vertices are dropped. */
   all(vertices: number): Attachments {
     const start = new Uint32Array(vertices + 1);
     const rows = Math.min(vertices, this.rows);
@@ -231,10 +231,10 @@ export class AttachmentSink implements NumberSink {
   }
 }
 
-/** The first `length` numbers: a view where little is left over, else a copy. */
+/** The first `length` numbers: a view if little is left over, else a copy. */
 function trimmed<A extends Uint32Array | Float64Array>(array: A, length: number): A {
   const isSnug = array.length - length <= array.length / 16;
-  // Both methods give the kind of array they are called on.
+  // Both methods return the type of array they are called on.
   return (isSnug ? array.subarray(0, length) : array.slice(0, length)) as A;
 }
 

@@ -1,16 +1,19 @@
 /**
- * Finds the first number of a list that reaches a bound which is known only when the list and its bytes are gone: the
+ * Finds the first number of a list that reaches a bound which is only known after the list and its bytes are gone: the
  * joint indices of `skinweights` against the `bindings` that follow.
  *
- * The first number ≥ bound is larger than all before it. So it is enough to note each new maximum and its place, which
- * for joints are few.
+ * The first number ≥ bound is larger than all before it. So it is enough to record each new maximum with its place; for
+ * joints these are few.
  *
- * Rejected: the place of every number (8 bytes each), or of every 4096th (says no line).
+ * Rejected: the place of every number (8 bytes each), or of every 4096th (gives no line).
  */
 import type { Place } from '../places.ts';
 import type { Tokens } from '../tokens.ts';
 
-/** Places that keep their line to show; beyond it (triangles in ascending order before the positions) lines only. */
+/**
+ * Number of places that keep their line to show; beyond it (ascending triangles before positions) only line numbers are
+ * kept.
+ */
 const SHOWN = 256;
 
 export class Stairs {

@@ -1,9 +1,9 @@
-/** Writes `.skin`, its blocks in the order in which the course's files have them. */
+/** Writes `.skin`, its blocks in the order of the course's files. */
 import type { Attachments, Skin } from '../../model/skin.ts';
 import type { WriteResult } from '../reader.ts';
 import { Text } from '../write-text.ts';
 
-/** `fileName` is what diagnostics name. */
+/** `fileName` appears in diagnostics. */
 export function writeSkin(skin: Skin, fileName = ''): WriteResult {
   const text = new Text(fileName);
   const { positions, normals, texcoords, attachments, material, triangles, bindings } = skin;
