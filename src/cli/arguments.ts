@@ -60,7 +60,7 @@ export function parseArguments(args: readonly string[], types: OptionTypes): Arg
 
 function hint(types: OptionTypes): string {
   const names = Object.keys(types).map((name) => `--${name}`);
-  return names.length ? ` There are: ${names.join(', ')}.` : '';
+  return names.length ? ` Options: ${names.join(', ')}.` : '';
 }
 
 /** Decimal, as in the files: no hex, no infinity, nothing after the number. */

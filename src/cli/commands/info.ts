@@ -12,7 +12,7 @@ import { printJson, report } from '../report.ts';
 export const info: CliCommand = {
   name: 'info',
   usage: 'FILE… [--json]',
-  summary: 'what files hold, and what is wrong with them, alone and together',
+  summary: 'what files contain, their problems, and which belong together',
   async run(args, io) {
     const given = parseArguments(args, { json: 'flag' });
     const loaded = loadFiles(given.files, io.folder);

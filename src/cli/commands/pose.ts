@@ -23,7 +23,7 @@ import { printJson, report } from '../report.ts';
 export const pose: CliCommand = {
   name: 'pose',
   usage: 'FILE… [--time T | --frame N] [--root x,y,z] [--dofs v,v,…] [--morphs w,w,…] [--vertices] [--json]',
-  summary: 'joints and vertices at a pose or a time of the animation',
+  summary: 'joints and vertices in a pose or at a time of the animation',
   async run(args, io) {
     const given = parseArguments(args, {
       time: 'value',

@@ -58,7 +58,7 @@ export function restOfPage(root: HTMLElement, firstPicture: Promise<unknown>, mo
   };
 }
 
-const FAILED = 'Menus and panels could not be loaded; a reload of the page may help.';
+const FAILED = 'Menus and panels could not be loaded. Reloading the page may help.';
 
 /** Resolves after the current state was drawn. */
 function nextFrame(): Promise<void> {

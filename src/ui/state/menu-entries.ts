@@ -9,7 +9,7 @@ import type { Action, Uses } from './workbench.ts';
 /** A menu's current entries: build them when it opens. */
 export function menuEntries(wb: Uses<'actions' | 'settings'>, menu: MenuName): MenuEntry[] {
   const actions = actionsOf(wb).flatMap((action) => inMenu(action, menu));
-  if (!actions.length) return [{ kind: 'note', text: `No ${menu.toLowerCase()} came with this page.` }];
+  if (!actions.length) return [{ kind: 'note', text: `This page has no ${menu.toLowerCase()}.` }];
   const entries: MenuEntry[] = [];
   const subMenus = new Set<string>();
   let section = actions[0].section ?? 0;

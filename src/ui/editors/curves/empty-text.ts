@@ -15,7 +15,7 @@ export function emptyPlotText(wb: Uses<'store' | 'transport' | 'timeline'>, list
   const at = `${shown(wb.transport.get().timeSeconds)} s`;
   const keyed = take?.clip.channels.some((_, c) => spanOfChannel(take.clip, c)) ?? false;
   if (!keyed) {
-    return `${character.name} has no animation. Turn a joint and press K to key it at ${at} or Shift+K to key the whole pose, or drop an .anim file.`;
+    return `${character.name} has no animation. Rotate a joint and press K to key it at ${at} or Shift+K to key the whole pose, or drop an .anim file.`;
   }
   const { list, hidden, filter } = wb.timeline.view.get();
   if (!listed) {

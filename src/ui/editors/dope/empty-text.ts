@@ -13,5 +13,5 @@ export function emptyText(wb: Uses<'store' | 'timeline'>, take: Take | undefined
   const keyed = take?.clip.channels.some((_, c) => spanOfChannel(take.clip, c)) ?? false;
   const { filter } = wb.timeline.view.get();
   if (take && filter.trim() && keyed) return `No row with keys matches “${filter.trim()}”.`;
-  return 'No keys yet. Turn a joint and press K to key it or Shift+K to key the whole pose, or drop an .anim file.';
+  return 'No keys yet. Rotate a joint and press K to key it or Shift+K to key the whole pose, or drop an .anim file.';
 }

@@ -106,7 +106,7 @@ export function writtenOutText(before: Character, { clip, channels }: Pick<HeldT
   const named = names.slice(0, MAX_NAMED);
   const more = names.length - named.length;
   const list = `${named.join(', ')}${more > 0 ? ` and ${more} more` : ''}`;
-  return `${list} no longer ${names.length === 1 ? 'repeats' : 'repeat'}: keys replace the cycle over the played range.`;
+  return `${list} no longer ${names.length === 1 ? 'repeats' : 'repeat'}: keys replace the cycle over the playback range.`;
 }
 
 /** `12 curves changed; slides at most 0.0001 where it slid 0.21.` */

@@ -167,7 +167,7 @@ export class CharacterFolder {
       const names = Object.fromEntries(
         character.placements.map((_, i) => [`${i + 1} of ${character.placements.length}`, i]),
       );
-      const row = this.folder.add(binding, 'copy', names).name('Copy');
+      const row = this.folder.add(binding, 'copy', names).name('Instance');
       row.onChange((copy: number) => {
         this.copy = copy;
         this.update(this.character);
@@ -186,7 +186,7 @@ export class CharacterFolder {
     );
     const turnStep = angles === 'degrees' ? 0.1 : 0.001;
     this.addVector(
-      'Turn',
+      'Rotation',
       degrees,
       turnStep,
       angles === 'degrees' ? '°' : '',

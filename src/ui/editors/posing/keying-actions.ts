@@ -206,7 +206,7 @@ function keyChanged(
   }
   const whole = keyNameOf(wb, 'key.pose');
   wb.messages.note(
-    `Nothing to key: no value was changed and no joint is selected. Turn a joint, or select one${whole ? `; ${whole} keys the whole pose` : ''}.`,
+    `Nothing to key: no value was changed and no joint is selected. Rotate a joint, or select one${whole ? `; ${whole} keys the whole pose` : ''}.`,
   );
 }
 

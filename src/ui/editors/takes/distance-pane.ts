@@ -155,8 +155,8 @@ export class DistancePane {
 
 const ALIGNMENT_LABELS: Readonly<Record<Alignment, readonly [string, string]>> = {
   world: ['in world space', 'As seen in the viewport'],
-  root: ['relative to root position', 'Ignores where the root is'],
-  turned: ['relative to root', 'Ignores where the root is and how it is turned'],
+  root: ['relative to root position', 'Ignores the root’s position'],
+  turned: ['relative to root', 'Ignores the root’s position and orientation'],
 };
 
 function alignmentChoice(wb: Uses<'timeline'>): HTMLSelectElement {

@@ -115,7 +115,7 @@ export class RowView {
     const frames = row.frameCount ?? Math.round(row.durationSeconds * framesPerSecond) + 1;
     setText(this.frames, count(frames));
     this.frames.classList.toggle('faint', isKeyed);
-    setTooltip(this.frames, isKeyed ? `Keys; ${count(frames)} frames at the playback rate` : undefined);
+    setTooltip(this.frames, isKeyed ? `Keyed; ${count(frames)} frames at the playback frame rate` : undefined);
     setText(this.rate, isKeyed ? 'keys' : `${shown(row.framesPerSecond ?? 0, 2)}`);
     this.rate.classList.toggle('faint', isKeyed);
     setText(this.file, row.file);

@@ -42,7 +42,7 @@ describe('what is told of curves that repeated', () => {
   it('names curves that are written out on either side, and no others', () => {
     const after = take({ [TOE_X]: keyed('cycle', 'constant'), [TOE_Y]: keyed('constant', 'constant') });
     expect(writtenOutText(before, { clip: after, channels: [TOE_X, TOE_Y] })).toBe(
-      'toe_r rx no longer repeats: keys replace the cycle over the played range.',
+      'toe_r rx no longer repeats: keys replace the cycle over the playback range.',
     );
   });
 
