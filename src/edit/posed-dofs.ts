@@ -1,14 +1,14 @@
-/** What hands have changed and no key holds yet: what K keys. */
+/** Changes made by hand that are not keyed yet; K keys these. */
 import { channelOf } from '../evaluate/pose.ts';
 import type { Character } from '../model/document.ts';
 import { characterDofs } from '../model/dofs.ts';
 import { unkeyedAt } from './unkeyed.ts';
 
 /**
- * DOFs that were set by hand and not keyed, ascending: over keys, those of this moment; where there are no keys, those
- * that are at another value than the character had when it was opened.
+ * DOFs that were set by hand and not keyed, ascending: over keys, the unkeyed changes at this time; without keys, those
+ * whose values differ from when the character was opened.
  *
- * @param opened the character as it came in; only its skeleton, pose and takes are looked at
+ * @param opened the character as it was opened; only its skeleton, pose and takes are used
  * @param timeSeconds of the transport
  */
 export function posedDofs(character: Character, opened: Character | undefined, timeSeconds: number): readonly number[] {
@@ -24,7 +24,7 @@ export function posedDofs(character: Character, opened: Character | undefined, t
   return [...new Set(posed)].sort((a, b) => a - b);
 }
 
-/** The value at every time of a DOF that is not animated; undefined of one that is. */
+/** The constant value of a DOF that is not animated; undefined for others. */
 function steadyValue(character: Character, dof: number): number | undefined {
   const channel = channelOf(character, dof);
   if (channel && channel.kind !== 'rest') return undefined;

@@ -1,19 +1,19 @@
 /**
- * The rotations that samples gave to the joints of one pose, beside its DOFs. Between two frames, samples give a joint's
- * rotation as a quaternion, and the pose takes its Euler angles; a matrix made of those costs six sines and cosines more
- * than one made of the quaternion. So both travel from `poseFrom` to `worldMatrices`.
+ * The joint rotations that samples gave for a pose, beside its DOFs. Between two frames, samples give a joint's
+ * rotation as a quaternion, and the pose takes its Euler angles; making a matrix of these takes six more sines and
+ * cosines than of the quaternion. So both are passed from `poseFrom` to `worldMatrices`.
  *
- *     8 numbers a joint, at 8 · joint:  φ φ φ  x y z w  −
+ *     8 numbers per joint, at 8 · joint:  φ φ φ  x y z w  −
  *
- * φ are the angles that came of the quaternion, in the order in which they are applied. The quaternion counts only while
- * the joint's DOFs equal them: limits, linked DOFs, values set by hand, or whatever else overrides the samples, then have
- * nothing to clear, and none of them can forget to. They belong to one `PoseSource`, so nothing is another character's,
- * rotation order's or clip's; each pose between two frames rewrites those of all joints that its samples turn.
+ * φ are the angles of the quaternion, in order of application. The quaternion is used only while the joint's DOFs equal
+ * them, so that limits, linked DOFs, unkeyed changes, or anything else that overrides the samples need not clear it.
+ * Rotations belong to one `PoseSource`, and so to one character, rotation order and clip; each pose between two frames
+ * overwrites those of all joints that its samples rotate.
  */
 export class PoseRotations {
-  /** Whether the last pose had any: those of an earlier time don't count. */
+  /** Whether the last pose had any; those of an earlier time don't count. */
   areGiven = false;
-  /** The first φ is NaN, which no angle equals, where the samples gave no rotation. */
+  /** If samples gave no rotation, the first φ is NaN, which equals no angle. */
   readonly values: Float64Array;
 
   constructor(jointCount: number) {

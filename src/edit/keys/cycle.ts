@@ -71,10 +71,12 @@ export function changedCycles(
   });
 }
 
-/** The same of the take that two characters show, as they are before and after a step: none of another take or skeleton. */
+/**
+ * The same for the take that a character shows before and after a step; none if take, skeleton or morphs are others.
+ */
 export function changedCyclesOf(was: Character, now: Character): readonly ChangedCycle[] {
   if (was === now || was.shownClip !== now.shownClip || was.clips.length !== now.clips.length) return [];
-  // Of other DOFs the channels stand elsewhere, and move there with their keys as they are.
+  // With other DOFs, channels only change places, together with their keys.
   if (was.skeleton !== now.skeleton || was.morphs !== now.morphs) return [];
   const [before, after] = [shownClip(was), shownClip(now)];
   return before && after && before !== after ? changedCycles(before, after) : [];

@@ -11,8 +11,9 @@ import { handStiffness, IS_THERE } from './hand-problem.ts';
 import type { Hindrance } from './hindrance.ts';
 
 /**
- * A DOF that is set by its slider or its number while pins hold: it is where it is set, and the others make room for it
- * as in a drag, near the pose in which the change began. What can't hold slips, and holds again where it can.
+ * Sets a DOF by its slider or number field while pins hold: the DOF takes the value, and the others adapt to keep the
+ * pins, as in a drag, close to the pose at the start of the change. Pins that can't be kept slip, and hold again as
+ * soon as they can.
  */
 export class BesidePins {
   private readonly home: Float64Array;
@@ -21,9 +22,9 @@ export class BesidePins {
   private problem: IkProblem | undefined;
 
   /**
-   * @param dof into the character's; of a joint or the root
-   * @param shown the character's DOFs where the change begins; copied
-   * @param held where its pins hold, by id
+   * @param dof index into the character's DOFs, of a joint or the root
+   * @param shown the character's DOFs at the start of the change; copied
+   * @param held targets of its pins, by id
    */
   constructor(
     private readonly character: Character,
@@ -35,32 +36,32 @@ export class BesidePins {
     const { firstDof, jointCount } = compileSkeleton(skeleton);
     this.home = shown.slice(0, firstDof[jointCount]);
     this.dofs = this.home.slice();
-    // The root translation, before the first joint's own, is the root's.
+    // Root translation comes before the first joint's DOFs and belongs to the root.
     const joint = firstDof.findLastIndex((first) => first <= dof);
     this.stiffness = handStiffness(character, skeleton, Math.max(0, joint));
     this.stiffness[dof] = Infinity;
   }
 
-  /** The DOF at a value, and those that make room for it. */
+  /** The DOF at a value, with those that adapt to it. */
   at(value: number): readonly DofValue[] {
     const { character, skeleton, dof, dofs, home } = this;
     dofs[dof] = home[dof] = value;
     const fromHome = home.slice();
-    // Anew for each value: what slides or scales by hand makes bones longer, and pins reach further.
+    // Recomputed for each value: sliding or scaling DOFs change the length of bones, and so the reach of pins.
     const problem = ikProblem(skeleton, ikPinsOf(ikOf(character), this.held), dofs, {
       clamps: character.clampsToLimits,
       stiffness: this.stiffness,
     });
     this.problem = problem;
-    // From the beginning, so that a slider which comes back finds the pose as it was. Only where that doesn't get there,
-    // on from where it has come to.
+    // From the start, so that moving a slider back restores the pose. Continues from the last pose only if that gets
+    // nearer.
     const worst = (from: Float64Array) => Math.max(...solve(problem, from, 'drag').residuals);
     const gap = worst(fromHome);
     if (gap <= IS_THERE * problem.reach || gap <= worst(dofs)) dofs.set(fromHome);
     return [{ index: dof, value }, ...changedValues(skeleton, home, dofs).filter(({ index }) => index !== dof)];
   }
 
-  /** What keeps pins from holding at the last value; undefined before the first. */
+  /** Why pins can't hold at the last value; undefined before the first. */
   get hindrance(): Hindrance | undefined {
     if (!this.problem) return undefined;
     const { binding, bindingCount } = this.problem.result;

@@ -3,7 +3,7 @@ import type { DofValue } from '../../../model/dofs.ts';
 import type { Skeleton } from '../../../model/skeleton.ts';
 import { compileSkeleton } from '../../kinematics.ts';
 
-/** The DOFs that a solution has changed: no morph, and no linked DOF, whose value follows from another. */
+/** The DOFs that a solve has changed, without morphs and linked DOFs, whose values follow from others. */
 export function changedValues(skeleton: Skeleton, before: Float64Array, now: Float64Array): DofValue[] {
   const { firstDof, jointCount } = compileSkeleton(skeleton);
   const changed: DofValue[] = [];

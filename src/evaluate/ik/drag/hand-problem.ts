@@ -1,10 +1,11 @@
 /**
- * The problem of one drag: owns the solver's problem, the pose that it has come to, how strongly the hand pulls, and how
- * many iterations are left; not when and how often it is solved (`Pull`). A frame has room for so many iterations, told without a clock, so that the same drag comes to the same pose anywhere.
+ * The IK problem of one drag: owns the solver's problem, the current pose, the strength of the hand's pull, and the
+ * iterations left; not when and how often it is solved (`Pull`). Each frame has a fixed budget of iterations,
+ * independent of the clock, so that the same drag gives the same pose everywhere.
  *
- * A point that can't come where the hand is pulls the less the further away the hand is, f² · gap = const. Pins that hold
- * weigh ten times as much (a hundred times in squares), which is not enough beside a hand three metres off: feet would
- * be drawn out of their places. So they stay, and the point still comes as near as they let it.
+ * If the point can't reach the hand, its pull decreases with distance, f² · gap = const. Pins weigh ten times as much
+ * (a hundred times when squared), which would not be enough against a hand three metres away: feet would be pulled off
+ * the ground. So the pins hold, and the point still comes as near as they allow.
  */
 import type { Character } from '../../../model/document.ts';
 import type { IkSetup } from '../../../model/ik.ts';

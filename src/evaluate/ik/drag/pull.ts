@@ -1,11 +1,10 @@
 /**
- * The policy of one drag: places of the hand in, a pose out. Owns where the hand is, in the world, the pose that it was
- * taken hold of in, and in what order a frame's iterations are spent; not the pointer, the document and its undo step
- * (`ui/editors/ik/hand-pull.ts`), nor what a solution is (`HandProblem`). Needs no page.
+ * The policy of one drag: takes positions of the hand and returns poses. Owns the hand's position in the world, the
+ * pose at its start, and how a frame's iterations are spent; not the pointer, the document and its undo step
+ * (`ui/editors/ik/hand-pull.ts`), nor the solver (`HandProblem`). Independent of the page.
  *
- * The hand's way is followed in short steps, however far it went between two frames: a pose that is led there does not
- * flip over on the way. A frame has room for so many iterations of the solver; what does not get there goes on with the
- * next one (`isOnItsWay`).
+ * The hand's path is followed in short steps, however far it moved between two frames, so that the pose does not flip.
+ * Each frame has a budget of solver iterations; what is left continues in the next frame (`isOnItsWay`).
  */
 import { invertAffine, setIdentity } from '../../../math/mat4.ts';
 import { subtract, type Vec3 } from '../../../math/vec3.ts';
@@ -56,20 +55,20 @@ export interface Gap {
 const OWN_SPACE = new Float64Array(16);
 setIdentity(OWN_SPACE);
 
-/** What is taken hold of. */
+/** What is dragged. */
 export interface Grip {
   readonly joint: number;
   /** In the joint's space. */
   readonly point: Vec3;
-  /** The id of the pin that it is; absent for a point that nothing holds otherwise. */
+  /** Id of the pin, if the point is pinned. */
   readonly pin?: number;
 }
 
-/** A pose as it is shown. */
+/** A pose as displayed. */
 interface ShownPose {
   /** The character's DOFs. */
   readonly dofs: Float64Array;
-  /** As of `worldMatrices`. */
+  /** From `worldMatrices`. */
   readonly world: Float64Array;
 }
 
@@ -81,7 +80,7 @@ export class Pull {
   private readonly locks: LockTrial;
   private readonly start: Float64Array;
   private readonly toOwn = new Float64Array(16);
-  /** Where the hand is in the character's space, and the pose at the beginning of a frame. */
+  /** Position of the hand in the character's space, and the pose at the start of a frame. */
   private readonly goal: Float64Array;
   private readonly before: Float64Array;
   private isCalmed = false;
@@ -89,8 +88,8 @@ export class Pull {
   private readonly rootStays: boolean;
 
   /**
-   * @param shown where the drag begins; copied
-   * @param held where the pins hold, by id, in the character's space
+   * @param shown the pose at the start of the drag; copied
+   * @param held targets of the pins, by id, in the character's space
    * @param placement from the character's space to the world's, not singular; copied
    */
   constructor(
@@ -107,7 +106,7 @@ export class Pull {
     const own = pointAt(world, joint, point);
     this.place = pointAt(placement, 0, own);
     const targets = new Map(held);
-    // Where it is, not where an earlier drag wanted it: it is there that the hand has taken it.
+    // At its position, not at the target of an earlier drag, since that is where it was grabbed.
     const before = pin === undefined ? undefined : held.get(pin);
     if (before && pin !== undefined) targets.set(pin, { ...before, position: own });
     const dragged: DragTarget = pin === undefined ? { joint, point, target: own } : { pin };
@@ -136,17 +135,17 @@ export class Pull {
     return { binding: this.binding(), holders, locks: this.locks.inTheWay(), canMove: of.canMove, rootStays };
   }
 
-  /** Where the hand is, in the world: at first where the point was. Perhaps the pose is still on its way there. */
+  /** The hand's position in the world, initially that of the point. The pose may still be moving towards it. */
   get hand(): Vec3 {
     return this.place;
   }
 
-  /** What the drag has changed since it began, of what can be set. */
+  /** The settable DOFs that the drag has changed. */
   get changes(): DofValue[] {
     return changedValues(this.of.skeleton, this.start, this.dofs);
   }
 
-  /** The hand has gone there, in the world; `dofs` follow. What is not finite is nowhere. */
+  /** Moves the hand, in the world; `dofs` follow. Ignores positions that are not finite. */
   to(hand: Vec3): void {
     const own = pointAt(this.toOwn, 0, hand);
     if (!own.every(Number.isFinite)) return;
@@ -155,7 +154,7 @@ export class Pull {
     this.frame();
   }
 
-  /** One more frame of a pose that is on its way to where the hand is. */
+  /** Another frame of a pose that is still moving towards the hand. */
   goOn(): void {
     this.frame();
   }
@@ -224,7 +223,7 @@ export class Pull {
     return Array.from(binding.subarray(0, bindingCount));
   }
 
-  /** Where the pins hold once the hand lets go, by id: the dragged one where the hand is, reached or not. */
+  /** Targets of the pins after the release, by id: for the dragged one the hand's position, reached or not. */
   get held(): ReadonlyMap<number, PinTarget> {
     const { targets, dragged, hand } = this.of;
     const own = 'pin' in dragged ? targets.get(dragged.pin) : undefined;
@@ -232,7 +231,7 @@ export class Pull {
     return new Map(targets).set(dragged.pin, { ...own, position: at(hand, 0) });
   }
 
-  /** So far as a way in the world is in the unit of the character itself. */
+  /** A distance in the world, in the character's own unit. */
   inOwnUnit(from: Vec3, to: Vec3): number {
     const { toOwn } = this;
     return Math.hypot(...subtract(pointAt(toOwn, 0, to), pointAt(toOwn, 0, from)));

@@ -9,21 +9,22 @@ import { HandProblem } from './hand-problem.ts';
 import type { Hindrance } from './hindrance.ts';
 import { LockTrial } from './lock-trial.ts';
 
-/** A gap that is worth a word: part of the reach. */
+/** Fraction of the reach from which a gap is reported. */
 const MISSED = 1e-3;
 
 export interface Resolved {
   readonly changes: readonly DofValue[];
-  /** The joint of the pin that is furthest from its target; undefined if all are reached. */
+  /** The joint of the pin farthest from its target; undefined if all are reached. */
   readonly missed: number | undefined;
   readonly hindrance: Hindrance;
 }
 
 /**
- * Solves all pins of a character with restarts: unlike a drag it may jump, and finds a way round where a drag is stuck.
+ * Re-solves all pins of a character with restarts: unlike a drag it may jump, and finds a solution where a drag is
+ * stuck.
  *
  * @param shown the character's DOFs
- * @param held where its pins hold, by id; there is at least one
+ * @param held targets of its pins, by id; at least one
  */
 export function resolvePins(
   character: Character,
@@ -41,7 +42,7 @@ export function resolvePins(
   const worst = residuals.indexOf(Math.max(...residuals));
   const { id, joint } = setup.pins[worst];
   const isMissed = residuals[worst] > MISSED * problem.reach;
-  // Those that keep the pin from its place, in the pose that was found.
+  // Locks that keep the pin from its target in the solved pose.
   const locks = isMissed ? new LockTrial(new HandProblem(character, skeleton, dofs, held, { pin: id })).inTheWay() : [];
   return {
     changes: changedValues(skeleton, shown, dofs),
