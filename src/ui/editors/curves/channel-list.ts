@@ -5,7 +5,9 @@
  */
 import { EXTRAPOLATION_NAMES } from '../../../edit/commands/extrapolation.ts';
 import { allKeys, unionKeys } from '../../../edit/keys/selection.ts';
-import { element, setAttribute, setText } from '../../kit/dom.ts';
+import type { Character } from '../../../model/document.ts';
+import type { Selection } from '../../../model/session.ts';
+import { element, keepsFocusElsewhere, setAttribute, setText } from '../../kit/dom.ts';
 import { oncePerFrame } from '../../kit/frame.ts';
 import { icon } from '../../kit/icons.ts';
 import { isMac } from '../../kit/keyboard.ts';
@@ -17,7 +19,7 @@ import { currentCharacter } from '../../state/action.ts';
 import { CHANNEL_LISTS, type ChannelListKind as ListChoice } from '../../state/timeline.ts';
 import type { Uses } from '../../state/workbench.ts';
 import { LIST_LABELS } from '../timeline/actions.ts';
-import { channelName, isAnimated, type ListedChannel } from '../timeline/channels.ts';
+import { channelCount, channelName, isAnimated, type ListedChannel, selectedChannels } from '../timeline/channels.ts';
 import { keysInHand, selectedKeys, selectKeys, takeInHand } from '../timeline/in-hand.ts';
 import { extrapolationIcon } from '../timeline/key-actions.ts';
 import { extrapolationEntries, openChannelMenu, toggleIn } from './context-menu.ts';
@@ -37,10 +39,6 @@ interface Row extends WindowedRow {
   readonly dof: HTMLElement;
   readonly follows: HTMLElement;
 }
-
-/** Replaces `Selected joint` while none is selected; short enough for the button. */
-const NO_JOINT_LABEL = 'All (no joint)';
-const NO_JOINT_TITLE = 'No joint is selected, so all channels are listed';
 
 /** The plot's channels. */
 export interface ListSource {
@@ -66,6 +64,8 @@ export class ChannelList {
     { class: 'channel-rows', role: 'grid', tabindex: 0, 'aria-label': 'Channels' },
     this.space,
   );
+  /** Goes from the selected joint's channels to all, and back. */
+  private readonly more = keepsFocusElsewhere(element('button', { type: 'button', class: 'channel-more' }));
   private readonly list: WindowedList<Row>;
   private state: ListState = { hidden: new Set(), isolated: undefined, pinned: new Set(), selected: new Set() };
   private channels: readonly ListedChannel[] = [];
@@ -87,7 +87,11 @@ export class ChannelList {
       element('div', { class: 'channel-head' }, this.choice, this.filter),
       this.empty,
       this.grid,
+      this.more,
     );
+    this.more.addEventListener('click', () => {
+      wb.timeline.change({ list: wb.timeline.view.get().list === 'selected' ? 'all' : 'selected' });
+    });
     this.choice.addEventListener('change', () => {
       const list = CHANNEL_LISTS.find((l) => l === this.choice.value);
       if (list) this.wb.timeline.change({ list: list satisfies ListChoice });
@@ -148,10 +152,15 @@ export class ChannelList {
   private showChoice(list: ListChoice): void {
     const { choice, wb } = this;
     if (choice.value !== list) choice.value = list;
-    const showsAll = list === 'selected' && wb.store.selection.joint === undefined;
-    const texts = showsAll ? { ...LIST_LABELS, selected: NO_JOINT_LABEL } : LIST_LABELS;
+    const { document, selection } = wb.store;
+    const character = currentCharacter(wb);
+    const texts = { ...LIST_LABELS, selected: selectedLabel(character, selection) };
     for (const [i, one] of CHANNEL_LISTS.entries()) setText(choice.options[i], texts[one]);
-    setTooltip(choice, showsAll ? NO_JOINT_TITLE : undefined);
+    const all = character ? channelCount(character) : 0;
+    const more = list === 'selected' ? `Show all ${all} channels` : `Show only ${lowerFirst(texts.selected)}`;
+    const isShort = character !== undefined && selectedChannels(character, selection) !== undefined;
+    this.more.hidden = !document.characters.length || !isShort || list === 'pinned' || all === 0;
+    setText(this.more, more);
   }
 
   private fill(row: Row, index: number, state: ListState): void {
@@ -324,6 +333,19 @@ function describe(target: HTMLElement, label: string, on = false): void {
   setAttribute(target, 'aria-label', label);
   setTooltip(target, label);
   target.classList.toggle('on', on);
+}
+
+/** What the list of the selection is called: without a joint it is that of the root and the morphs, or of all. */
+export function selectedLabel(character: Character | undefined, selection: Selection): string {
+  if (!character || (selection.characterId === character.id && selection.joint !== undefined)) {
+    return LIST_LABELS.selected;
+  }
+  if (!selectedChannels(character, selection)) return 'All (no joint)';
+  return character.morphs.length ? 'Root and morphs' : 'Root';
+}
+
+function lowerFirst(text: string): string {
+  return text.charAt(0).toLowerCase() + text.slice(1);
 }
 
 function emptyText(wb: Uses<'store'>, list: ListChoice, filter: string): string {

@@ -6,14 +6,17 @@ import { compileClip } from '../../../evaluate/compiled-clip.ts';
 import type { ChannelClip } from '../../../model/clip.ts';
 import type { Character } from '../../../model/document.ts';
 import { currentCharacter } from '../../state/action.ts';
+import type { TimelineView } from '../../state/timeline.ts';
 import type { Uses } from '../../state/workbench.ts';
-import { drawnChannels, type ListedChannel, listedChannels } from '../timeline/channels.ts';
+import { drawnChannels, type ListedChannel, listedChannels, selectedChannels } from '../timeline/channels.ts';
 import { keysInHand, takeInHand } from '../timeline/in-hand.ts';
 import { type CurveLine, type CurveScene, NO_CHANNELS, sceneLines } from './scene/scene.ts';
 import { type CurveSpace, DEFAULT_AXES } from './scene/space.ts';
 
 /** Without a take there is still a ruler to scrub in. */
 const NO_CLIP: ChannelClip = { name: '', range: [0, 0], channels: [] };
+/** With more lines, those of the selection are in front of the others. */
+const MAX_LINES_ALIKE = 12;
 const NO_LINES: readonly CurveLine[] = [];
 
 export class PlotScene {
@@ -29,6 +32,7 @@ export class PlotScene {
   private listed: readonly ListedChannel[] = [];
   private drawn: readonly number[] = NO_CHANNELS;
   private lines: readonly CurveLine[] = [];
+  private emphasised: ReadonlySet<number> | undefined;
   private made: CurveScene | undefined;
   private stale = true;
   private linesOf: readonly unknown[] = [];
@@ -68,6 +72,7 @@ export class PlotScene {
       this.linesOf = NO_LINES;
       this.byChannel = new Map();
     }
+    this.updateEmphasis(take?.character, view);
     const { framesPerSecond } = wb.transport.get();
     const settings = wb.settings.get();
     const clip = take?.clip ?? NO_CLIP;
@@ -78,6 +83,7 @@ export class PlotScene {
       offsetSeconds,
       lines: this.lines,
       selected: keysInHand(wb),
+      ...(this.emphasised && { emphasised: this.emphasised }),
       space: { width: this.width, height: this.height, window: view.window, axes: this.axes },
       range: wb.transport.get().range,
       framesPerSecond,
@@ -86,6 +92,15 @@ export class PlotScene {
     };
     this.made = made;
     return made;
+  }
+
+  /** In a thicket of all channels the selected joint's are in front. */
+  private updateEmphasis(character: Character | undefined, { list, isolated }: TimelineView): void {
+    const isThicket = list === 'all' && !isolated && this.lines.length > MAX_LINES_ALIKE;
+    const front = isThicket && character ? selectedChannels(character, this.wb.store.selection) : undefined;
+    const drawn = front?.filter((channel) => this.lines.some((line) => line.channel === channel)) ?? NO_CHANNELS;
+    if (sameNumbers(drawn, [...(this.emphasised ?? NO_CHANNELS)])) return;
+    this.emphasised = drawn.length ? new Set(drawn) : undefined;
   }
 
   private updateLines(character: Character, clip: ChannelClip, normalised: boolean): void {

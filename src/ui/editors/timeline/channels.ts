@@ -2,7 +2,7 @@
  * Which channels the timeline lists, and which it draws. A pure function of document, selection and timeline settings.
  */
 import { silentChannels } from '../../../evaluate/retarget/moved-dofs.ts';
-import { keysOf } from '../../../model/clip.ts';
+import { keysOf, spanOfChannel } from '../../../model/clip.ts';
 import { coupleOf } from '../../../model/couples.ts';
 import { type Character, shownClip } from '../../../model/document.ts';
 import { type CharacterDof, characterDofs, firstDofs, unitOfChannel } from '../../../model/dofs.ts';
@@ -46,14 +46,10 @@ export function dofsFor({ skeleton, morphs }: Character): readonly CharacterDof[
 }
 
 /**
- * The channels of the list in DOF order: the selected joint's (with the root translation for the root; all if no joint
- * is selected), all, or the pinned ones; filtered by name. For a retargeted character only its morphs, since its own
- * joint channels have no effect.
+ * The channels of the list in DOF order: those of `selectedChannels`, all, or the pinned ones; filtered by name. For a
+ * retargeted character only its morphs, since its own joint channels have no effect.
  */
 export function listedChannels(character: Character, selection: Selection, settings: ListSettings): ListedChannel[] {
-  const dofs = dofsFor(character);
-  const channels = shownClip(character)?.channels ?? [];
-  const joint = selection.characterId === character.id ? selection.joint : undefined;
   const words = settings.filter.toLowerCase().split(/\s+/).filter(Boolean);
   const listed: ListedChannel[] = [];
   const silent = silentChannels(character);
@@ -62,15 +58,37 @@ export function listedChannels(character: Character, selection: Selection, setti
     const one = namedChannel(character, channel);
     if (isFound(words, `${one.joint} ${one.dof}`.toLowerCase())) listed.push(one);
   };
-  const count = Math.max(dofs.length, channels.length);
+  const count = channelCount(character);
   if (settings.list === 'pinned') {
     for (const channel of settings.pinned) if (channel < count) add(channel);
   } else {
-    const [first, end] =
-      settings.list === 'selected' && joint !== undefined ? channelsOfJoint(character, joint) : [0, count];
-    for (let channel = first; channel < end; channel++) add(channel);
+    const only = settings.list === 'selected' ? selectedChannels(character, selection) : undefined;
+    if (only) for (const channel of only) add(channel);
+    else for (let channel = 0; channel < count; channel++) add(channel);
   }
   return listed;
+}
+
+/**
+ * The channels of the selected joint. Without one, those of the root and the morphs: where the character goes and what
+ * its face does, without the thicket of all its joints. Undefined if no joint is selected and none of those is animated.
+ */
+export function selectedChannels(character: Character, selection: Selection): readonly number[] | undefined {
+  const joint = selection.characterId === character.id ? selection.joint : undefined;
+  const [first, end] = channelsOfJoint(character, joint ?? 0);
+  const channels = Array.from({ length: end - first }, (_, i) => first + i);
+  if (joint !== undefined) return channels;
+  dofsFor(character).forEach((dof, channel) => {
+    if (dof.joint < 0) channels.push(channel);
+  });
+  const clip = shownClip(character);
+  const silent = silentChannels(character);
+  return channels.some((c) => c >= silent && clip && spanOfChannel(clip, c)) ? channels : undefined;
+}
+
+/** Channels of all DOFs, and those of the take past them. */
+export function channelCount(character: Character): number {
+  return Math.max(dofsFor(character).length, shownClip(character)?.channels.length ?? 0);
 }
 
 /** A channel as it would be listed. */

@@ -15,8 +15,8 @@ import { sampleExtremes } from '../../../../evaluate/plot/sample-extremes.ts';
 import { CURVE, MOVE, type TracedPath, type TraceMap } from '../../../../evaluate/plot/trace-path.ts';
 import type { Channel } from '../../../../model/clip.ts';
 import type { Samples } from '../../../../model/samples.ts';
-import { type BaseColour, mixed } from '../scene/colours.ts';
-import type { CurveLine, CurveScene } from '../scene/scene.ts';
+import { type BaseColour, faintly, mixed } from '../scene/colours.ts';
+import { type CurveLine, type CurveScene, isFaint } from '../scene/scene.ts';
 import { type CurveSpace, PLOT_TOP } from '../scene/space.ts';
 import { DOT_PERIOD, LineTrace, sameMap, traceLine, traceMap } from '../scene/trace.ts';
 import { movedBetween } from '../scene/view-change.ts';
@@ -53,6 +53,8 @@ export interface LinesView {
   /** Device pixels per CSS pixel. */
   readonly ratio: number;
   readonly palette: Readonly<Record<BaseColour, string>>;
+  /** `#rrggbb` behind the lines. */
+  readonly ground: string;
 }
 
 /** A complete image of the lines, and its view. */
@@ -142,7 +144,7 @@ export class CurveLayer {
 
   /** Draws everything, yielding after each line and strip. */
   private *drawing(g: CanvasRenderingContext2D, view: LinesView): Generator<void, void> {
-    const { scene, standOut, ratio, palette } = view;
+    const { scene, standOut, ratio, palette, ground } = view;
     const { lines } = scene;
     const before = this.traced;
     this.traced = new Map(before);
@@ -155,17 +157,25 @@ export class CurveLayer {
       yield;
     }
     this.forgetAllBut(lines);
-    const isEmphasised = (line: CurveLine) => standOut.has(line.channel);
-    // Emphasised lines on top.
-    const order = [...lines.filter((line) => !isEmphasised(line)), ...lines.filter(isEmphasised)];
-    const widthOf = (line: CurveLine) => (isEmphasised(line) ? EMPHASISED_WIDTH : LINE_WIDTH);
-    yield* this.drawingColumns(g, scene.space, order, widthOf, ratio, columnsPerPixel, palette);
+    const rank = (line: CurveLine) => (standOut.has(line.channel) ? 2 : isFaint(scene, line) ? 0 : 1);
+    // Faint lines at the back, those with selected keys on top.
+    const order = [0, 1, 2].flatMap((r) => lines.filter((line) => rank(line) === r));
+    const look = new Map(
+      order.map((line) => [
+        line,
+        {
+          colour: isFaint(scene, line) ? faintly(line.colour, palette, ground) : mixed(line.colour, palette),
+          width: standOut.has(line.channel) ? EMPHASISED_WIDTH : LINE_WIDTH,
+        },
+      ]),
+    );
+    yield* this.drawingColumns(g, scene.space, look, ratio, columnsPerPixel);
     g.lineJoin = 'round';
-    for (const line of order) {
+    for (const [line, { colour, width }] of look) {
       const traced = this.traced.get(line.channel);
       if (!traced?.dotted && !traced?.solid) continue;
-      g.strokeStyle = mixed(line.colour, palette);
-      g.lineWidth = widthOf(line);
+      g.strokeStyle = colour;
+      g.lineWidth = width;
       if (traced.dotted) {
         g.setLineDash(DOTS);
         g.stroke(traced.dotted);
@@ -188,17 +198,15 @@ export class CurveLayer {
   private *drawingColumns(
     g: CanvasRenderingContext2D,
     space: CurveSpace,
-    order: readonly CurveLine[],
-    widthOf: (line: CurveLine) => number,
+    look: ReadonlyMap<CurveLine, { readonly colour: string; readonly width: number }>,
     ratio: number,
     columnsPerPixel: number,
-    palette: Readonly<Record<BaseColour, string>>,
   ): Generator<void, void> {
     const dense: ColumnLine[] = [];
-    for (const line of order) {
+    for (const [line, { colour, width }] of look) {
       const columns = this.traced.get(line.channel)?.trace.columns;
       if (!columns || columns.from === columns.to) continue;
-      dense.push({ columns, colour: mixed(line.colour, palette), width: widthOf(line) });
+      dense.push({ columns, colour, width });
     }
     if (dense.length === 0) return;
     const width = Math.ceil(space.width * ratio);
@@ -230,7 +238,12 @@ function sameSet(a: ReadonlySet<number>, b: ReadonlySet<number>): boolean {
 
 /** Whether both views have the same image. */
 function sameView(a: LinesView, b: LinesView): boolean {
-  return a.scene.space === b.scene.space && sameSet(a.standOut, b.standOut) && isStandIn(a, b);
+  return (
+    a.scene.space === b.scene.space &&
+    sameSet(a.standOut, b.standOut) &&
+    a.scene.emphasised === b.scene.emphasised &&
+    isStandIn(a, b)
+  );
 }
 
 /** Whether an image of one view can be transformed to the other: the same curves, seen from elsewhere. */

@@ -8,7 +8,7 @@ import { firstNotBelow } from '../../../../math/search.ts';
 import { FIXED_TANGENT, keysOf } from '../../../../model/clip.ts';
 import { mixed } from '../scene/colours.ts';
 import { handlesOf, type TangentHandle } from '../scene/handles.ts';
-import { type CurveLine, type CurveScene, lineOf } from '../scene/scene.ts';
+import { type CurveLine, type CurveScene, isFaint, lineOf } from '../scene/scene.ts';
 import { PLOT_TOP } from '../scene/space.ts';
 import { traceMap } from '../scene/trace.ts';
 import type { PictureColours } from './picture-colours.ts';
@@ -94,11 +94,12 @@ export function drawKeys(g: CanvasRenderingContext2D, scene: CurveScene, colours
   for (const part of chosen) markSelected(scene, part, crowd > MAX_KEYS);
   const selectedCount = markCount;
   let inView = 0;
-  for (const line of scene.lines) {
+  const lines = scene.lines.filter((line) => !isFaint(scene, line));
+  for (const line of lines) {
     const { from, to, dense } = keysInView(scene, line);
     if (!dense) inView += to - from;
   }
-  for (let l = scene.lines.length - 1; l >= 0; l--) markAll(scene, scene.lines[l], inView > MAX_KEYS);
+  for (let l = lines.length - 1; l >= 0; l--) markAll(scene, lines[l], inView > MAX_KEYS);
   g.strokeStyle = colours.plot;
   g.lineWidth = 1;
   fillMarks(g, selectedCount, markCount, colours.key);
@@ -107,6 +108,21 @@ export function drawKeys(g: CanvasRenderingContext2D, scene: CurveScene, colours
   fillMarks(g, 0, selectedCount, colours.selected);
   g.restore();
   return hasFrames || markCount > 0 || handles.length > 0;
+}
+
+/** The keys of one line, over all else: of a faint one under the pointer. */
+export function drawKeysOf(
+  g: CanvasRenderingContext2D,
+  scene: CurveScene,
+  line: CurveLine,
+  colours: PictureColours,
+): void {
+  cells.clear(scene.space.width, scene.space.height);
+  markCount = 0;
+  markAll(scene, line, false);
+  g.strokeStyle = colours.plot;
+  g.lineWidth = 1;
+  fillMarks(g, 0, markCount, colours.key);
 }
 
 function keysInView(scene: CurveScene, line: CurveLine) {

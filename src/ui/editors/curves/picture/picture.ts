@@ -12,13 +12,14 @@ import { keysOf } from '../../../../model/clip.ts';
 import { element } from '../../../kit/dom.ts';
 import type { SelectionBox } from '../../timeline/box.ts';
 import { drawPlayhead, drawTimeRuler } from '../../timeline/time-ruler.ts';
+import { mixed } from '../scene/colours.ts';
 import { handleOf } from '../scene/handles.ts';
-import { type CurveHit, type CurveLine, type CurveScene, lineOf } from '../scene/scene.ts';
+import { type CurveHit, type CurveLine, type CurveScene, isFaint, lineOf } from '../scene/scene.ts';
 import { PLOT_TOP, xOf, yOf } from '../scene/space.ts';
 import { drawCurveGround, drawLimits, drawValueLabels, timeView } from './grid.ts';
 import { type PictureColours, readPictureColours } from './picture-colours.ts';
-import { CurveLayer } from './picture-curves.ts';
-import { drawKeys, KEY_PIXELS } from './picture-keys.ts';
+import { CurveLayer, LINE_WIDTH } from './picture-curves.ts';
+import { drawKeys, drawKeysOf, KEY_PIXELS } from './picture-keys.ts';
 
 const HOVER_WIDTH = 3;
 
@@ -62,7 +63,7 @@ export class CurvePicture {
     const resized = [this.curves, this.keys, this.overlay].filter((layer) => layer.resize(width, height, ratio));
     const all = resized.length > 0 || !before || !sameGround(before, scene);
     if (all || !this.isWhole || !sameEmphasis(before, scene)) this.drawCurves(scene, ratio, this.colours);
-    if (all || before.selected !== scene.selected) {
+    if (all || before.selected !== scene.selected || before.emphasised !== scene.emphasised) {
       const { colours } = this;
       this.keys.setVisible(this.keys.draw((g) => drawKeys(g, scene, colours)) === true);
     }
@@ -89,12 +90,12 @@ export class CurvePicture {
   }
 
   private drawCurves(scene: CurveScene, ratio: number, colours: PictureColours): void {
-    const standOut = emphasisOf(scene);
-    const emphasised = scene.lines.filter((line) => standOut.has(line.channel));
+    const standOut = withSelectedKeys(scene);
+    const limited = scene.lines.filter((line) => standOut.has(line.channel));
     this.curves.draw((g) => {
       drawCurveGround(g, scene, colours);
-      drawLimits(g, scene, emphasised, ratio, colours);
-      this.isWhole = this.lines.draw(g, { scene, standOut, ratio, palette: colours.palette });
+      drawLimits(g, scene, limited, ratio, colours);
+      this.isWhole = this.lines.draw(g, { scene, standOut, ratio, palette: colours.palette, ground: colours.plot });
       drawValueLabels(g, scene, colours);
       drawTimeRuler(g, timeView(scene), colours.time);
     });
@@ -108,6 +109,12 @@ export class CurvePicture {
     g.beginPath();
     g.rect(0, PLOT_TOP, scene.space.width, scene.space.height - PLOT_TOP);
     g.clip();
+    if (isFaint(scene, line)) {
+      g.strokeStyle = mixed(line.colour, colours.palette);
+      g.lineWidth = LINE_WIDTH;
+      this.lines.outline(g, line.channel);
+      drawKeysOf(g, scene, line, colours);
+    }
     g.strokeStyle = colours.hover;
     if (hover.kind === 'curve') {
       g.globalAlpha = 0.25;
@@ -160,14 +167,15 @@ function drawBox(g: CanvasRenderingContext2D, { x0, y0, x1, y1 }: SelectionBox, 
   g.strokeRect(left, top, width, height);
 }
 
-/** Emphasised channels: those given, and those with selected keys. */
-function emphasisOf(scene: CurveScene): Set<number> {
-  return new Set([...(scene.emphasised ?? []), ...scene.selected.map((keys) => keys.channel)]);
+/** Channels with selected keys: their lines are wider, and their limits hatched. */
+function withSelectedKeys({ selected }: CurveScene): Set<number> {
+  return new Set(selected.map((keys) => keys.channel));
 }
 
 function sameEmphasis(a: CurveScene, b: CurveScene): boolean {
-  if (a.selected === b.selected && a.emphasised === b.emphasised) return true;
-  const [before, now] = [emphasisOf(a), emphasisOf(b)];
+  if (a.emphasised !== b.emphasised) return false;
+  if (a.selected === b.selected) return true;
+  const [before, now] = [withSelectedKeys(a), withSelectedKeys(b)];
   return before.size === now.size && [...now].every((channel) => before.has(channel));
 }
 

@@ -78,6 +78,14 @@ export function mixed(colour: LineColour, palette: Readonly<Record<BaseColour, s
   return colour.part === 0 ? own : mixture(palette, colour);
 }
 
+/** How much of the background is in a faint line. */
+const FAINTNESS = 0.72;
+
+/** The colour of a faint line, nearly that of the plot behind it. @param ground `#rrggbb` */
+export function faintly(colour: LineColour, palette: Readonly<Record<BaseColour, string>>, ground: string): string {
+  return mixOklab(mixed(colour, palette), ground, FAINTNESS);
+}
+
 /** Cached: a hundred lines ask every frame. */
 const mixture = perPair((palette: Readonly<Record<BaseColour, string>>, { base, with: other, part }: LineColour) =>
   mixOklab(palette[base], palette[other], part),

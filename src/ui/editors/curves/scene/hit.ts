@@ -7,7 +7,7 @@ import { keysOf } from '../../../../model/clip.ts';
 import type { ChannelKeys } from '../../../../model/session.ts';
 import type { SelectionBox } from '../../timeline/box.ts';
 import { handlesOf } from './handles.ts';
-import type { CurveHit, CurveLine, CurveScene } from './scene.ts';
+import { type CurveHit, type CurveLine, type CurveScene, isFaint } from './scene.ts';
 import { PLOT_TOP } from './space.ts';
 import { traceMap } from './trace.ts';
 
@@ -26,10 +26,25 @@ const extremes = new ChannelExtremes();
  */
 export function hitTest(scene: CurveScene, x: number, y: number, reach = 6): CurveHit {
   if (y < PLOT_TOP || y > scene.space.height) return EMPTY;
-  return keyOrHandleAt(scene, x, y, reach) ?? curveAt(scene, x, y, reach) ?? EMPTY;
+  const faint = scene.lines.filter((line) => isFaint(scene, line));
+  const front = faint.length ? scene.lines.filter((line) => !isFaint(scene, line)) : scene.lines;
+  return (
+    keyOrHandleAt(scene, front, x, y, reach) ??
+    curveAt(scene, front, x, y, reach) ??
+    keyOrHandleAt(scene, faint, x, y, reach) ??
+    curveAt(scene, faint, x, y, reach) ??
+    EMPTY
+  );
 }
 
-function keyOrHandleAt(scene: CurveScene, x: number, y: number, reach: number): CurveHit | undefined {
+function keyOrHandleAt(
+  scene: CurveScene,
+  lines: readonly CurveLine[],
+  x: number,
+  y: number,
+  reach: number,
+): CurveHit | undefined {
+  if (lines.length === 0) return undefined;
   let best = Number.POSITIVE_INFINITY;
   let found: CurveHit | undefined;
   const consider = (distance: number, ahead: boolean, hit: () => CurveHit) => {
@@ -41,8 +56,8 @@ function keyOrHandleAt(scene: CurveScene, x: number, y: number, reach: number): 
   };
   const selected = new Map(scene.selected.map(({ channel, indices }) => [channel, indices]));
   // Front to back, so that lines behind have to be closer.
-  for (let l = scene.lines.length - 1; l >= 0; l--) {
-    const line = scene.lines[l];
+  for (let l = lines.length - 1; l >= 0; l--) {
+    const line = lines[l];
     const { times, values } = keysOf(scene.clip.channels[line.channel]);
     const map = traceMap(scene, line);
     const end = firstNotBelow(times, map.left + (x + reach) / map.perSecond);
@@ -63,12 +78,18 @@ function keyOrHandleAt(scene: CurveScene, x: number, y: number, reach: number): 
   return found;
 }
 
-function curveAt(scene: CurveScene, x: number, y: number, reach: number): CurveHit | undefined {
+function curveAt(
+  scene: CurveScene,
+  lines: readonly CurveLine[],
+  x: number,
+  y: number,
+  reach: number,
+): CurveHit | undefined {
   let best = Number.POSITIVE_INFINITY;
   let found: { readonly line: CurveLine; readonly x: number } | undefined;
   const selected = new Set(scene.selected.map((keys) => keys.channel));
-  for (let l = scene.lines.length - 1; l >= 0; l--) {
-    const line = scene.lines[l];
+  for (let l = lines.length - 1; l >= 0; l--) {
+    const line = lines[l];
     const near = nearestOn(scene, line, x, y, reach);
     if (!near || near.distance > reach) continue;
     const rank = near.distance - (selected.has(line.channel) ? SELECTED_PIXELS : 0);
@@ -133,6 +154,7 @@ export function keysInBox(scene: CurveScene, box: SelectionBox): ChannelKeys[] {
   const [top, bottom] = [Math.min(box.y0, box.y1), Math.max(box.y0, box.y1)];
   const found: ChannelKeys[] = [];
   for (const line of scene.lines) {
+    if (isFaint(scene, line)) continue;
     const { times, values } = keysOf(scene.clip.channels[line.channel]);
     const map = traceMap(scene, line);
     const indices: number[] = [];

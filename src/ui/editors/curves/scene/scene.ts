@@ -7,6 +7,7 @@ import { type Character, shownClip } from '../../../../model/document.ts';
 import { axisOfDof } from '../../../../model/dof-axis.ts';
 import { type CharacterDof, characterDofs, unitOfChannel } from '../../../../model/dofs.ts';
 import { jointName } from '../../../../model/joint-name.ts';
+import { perObject } from '../../../../model/per-object.ts';
 import { columnOf } from '../../../../model/samples.ts';
 import type { ChannelKeys } from '../../../../model/session.ts';
 import { type DofUnit, isUnlimited, type Limit } from '../../../../model/skeleton.ts';
@@ -39,10 +40,10 @@ export interface CurveScene {
   readonly lines: readonly CurveLine[];
   readonly selected: readonly ChannelKeys[];
   /**
-   * Emphasised channels (such as those clicked in the list); their limits are hatched. Those with selected keys always
-   * are.
+   * Channels in front where many are drawn: the others are faint, and their keys appear under the pointer only. Those
+   * with selected keys are never faint. Absent: all are alike.
    */
-  readonly emphasised?: readonly number[];
+  readonly emphasised?: ReadonlySet<number>;
   readonly space: CurveSpace;
   /** Playback range, seconds of the transport. */
   readonly range: readonly [number, number];
@@ -145,6 +146,15 @@ function normaliseBetween(low: number, high: number): Normalise {
   const scale = high > low && Number.isFinite(2 / (high - low)) ? 2 / (high - low) : 1;
   return { scale, shift: -scale * (low + (high - low) / 2) };
 }
+
+/** Whether a line is faint, behind those that are emphasised. */
+export function isFaint(scene: CurveScene, { channel }: CurveLine): boolean {
+  return scene.emphasised !== undefined && !inFront(scene).has(channel);
+}
+
+const inFront = perObject(
+  ({ emphasised, selected }: CurveScene) => new Set([...(emphasised ?? []), ...selected.map((keys) => keys.channel)]),
+);
 
 /** The line of a channel. */
 export function lineOf(scene: Pick<CurveScene, 'lines'>, channel: number): CurveLine | undefined {

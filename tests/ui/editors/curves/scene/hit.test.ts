@@ -45,6 +45,19 @@ describe('hit-testing', () => {
     expect(hitTest(given, x(1), y(0))).toMatchObject({ kind: 'key', channel: 0 });
   });
 
+  it('takes what is in front before the keys of a faint line, and boxes select no key of one', () => {
+    const lines = [ramp, keyed([[2, 0.5]])];
+    const given = scene(lines, { emphasised: new Set([1]) });
+    expect(hitTest(given, x(2), y(0.5))).toMatchObject({ kind: 'key', channel: 1 });
+    // The curve in front, though the key behind it is nearer.
+    expect(hitTest(scene(lines, { emphasised: new Set([0]) }), x(1.97), y(0.5))).toMatchObject({ channel: 0 });
+    expect(hitTest(given, x(1), y(0))).toEqual({ kind: 'key', channel: 0, index: 0 });
+    const everything = { x0: 0, y0: 0, x1: SPACE.width, y1: SPACE.height };
+    expect(keysInBox(given, everything).map((keys) => keys.channel)).toEqual([1]);
+    const selected = [{ channel: 0, indices: [0] }];
+    expect(keysInBox({ ...given, selected }, everything).map((keys) => keys.channel)).toEqual([0, 1]);
+  });
+
   it('finds a point of the curve between keys and beyond them, and its value there', () => {
     const given = scene([ramp]);
     for (const time of [1.4, 2.7, 0.3, 3.8]) {
