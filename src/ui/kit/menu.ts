@@ -19,6 +19,8 @@ export interface MenuItem {
   readonly shortcut?: string | undefined;
   readonly ariaShortcut?: string | undefined;
   readonly enabled: boolean;
+  /** Chosen while disabled: says why. Without it the menu stays open. */
+  readonly refuse?: (() => void) | undefined;
   /** Absent: not checkable. */
   readonly checked?: boolean | undefined;
   readonly radio?: boolean | undefined;
@@ -203,9 +205,10 @@ export class Menu {
   }
 
   private run(entry: MenuItem): void {
-    if (!entry.enabled) return;
+    if (!entry.enabled && !entry.refuse) return;
     this.closeAll(true);
-    entry.run();
+    if (entry.enabled) entry.run();
+    else entry.refuse?.();
   }
 
   private focusAt(index: number): void {

@@ -1,4 +1,5 @@
 /** Actions on the document and its selection. */
+
 import { addCopy, removeCharacter } from '../../edit/commands/characters.ts';
 import { resetPose, setClamping } from '../../edit/commands/pose.ts';
 import { setHidden } from '../../edit/commands/spaces.ts';
@@ -8,9 +9,10 @@ import type { Joint } from '../../model/skeleton.ts';
 import { autoKey } from '../editors/posing/pose-edits.ts';
 import { currentCharacter } from '../state/action.ts';
 import { addKeyed } from '../state/add-keys.ts';
+import { NO_CHARACTER, needs } from '../state/needs.ts';
 import type { Action, Uses } from '../state/workbench.ts';
 
-const hasCharacter = (wb: Uses<'store'>) => currentCharacter(wb) !== undefined;
+const hasCharacter = needs(NO_CHARACTER, (wb: Uses<'store'>) => currentCharacter(wb) !== undefined);
 
 export const EDIT_ACTIONS: readonly Action[] = [
   {
@@ -21,7 +23,7 @@ export const EDIT_ACTIONS: readonly Action[] = [
     menu: 'Edit',
     shortcuts: ['Ctrl+Z'],
     repeats: true,
-    enabled: (wb) => wb.store.undoLabel !== undefined,
+    enabled: needs('There is nothing to undo.', (wb) => wb.store.undoLabel !== undefined),
     run: (wb) => travel(wb, 'undo'),
   },
   {
@@ -32,11 +34,12 @@ export const EDIT_ACTIONS: readonly Action[] = [
     menu: 'Edit',
     shortcuts: ['Ctrl+Shift+Z', 'Ctrl+Y'],
     repeats: true,
-    enabled: (wb) => wb.store.redoLabel !== undefined,
+    enabled: needs('There is nothing to redo.', (wb) => wb.store.redoLabel !== undefined),
     run: (wb) => travel(wb, 'redo'),
   },
   {
     id: 'pose.resetToFile',
+    unchanged: 'The pose is that of the file already.',
     label: 'Reset to file pose',
     group: 'Edit',
     menu: 'Edit',
@@ -47,6 +50,7 @@ export const EDIT_ACTIONS: readonly Action[] = [
   },
   {
     id: 'pose.resetToZero',
+    unchanged: 'The pose is the zero pose already.',
     label: 'Reset to zero pose',
     group: 'Edit',
     menu: 'Edit',
@@ -118,6 +122,7 @@ export const EDIT_ACTIONS: readonly Action[] = [
   },
   {
     id: 'select.parent',
+    unchanged: 'The selected joint has no parent.',
     label: 'Select parent',
     group: 'Select',
     menu: 'Edit/Select',
@@ -128,6 +133,7 @@ export const EDIT_ACTIONS: readonly Action[] = [
   },
   {
     id: 'select.child',
+    unchanged: 'The selected joint has no child.',
     label: 'Select first child',
     group: 'Select',
     menu: 'Edit/Select',
@@ -139,6 +145,7 @@ export const EDIT_ACTIONS: readonly Action[] = [
   },
   {
     id: 'select.previousSibling',
+    unchanged: 'The selected joint has no sibling.',
     label: 'Select previous sibling',
     group: 'Select',
     menu: 'Edit/Select',
@@ -149,6 +156,7 @@ export const EDIT_ACTIONS: readonly Action[] = [
   },
   {
     id: 'select.nextSibling',
+    unchanged: 'The selected joint has no sibling.',
     label: 'Select next sibling',
     group: 'Select',
     menu: 'Edit/Select',
@@ -163,7 +171,7 @@ export const EDIT_ACTIONS: readonly Action[] = [
     group: 'Select',
     menu: 'Edit/Select',
     section: 1,
-    enabled: (wb) => wb.store.selection.characterId !== undefined,
+    enabled: needs('Nothing is selected.', (wb) => wb.store.selection.characterId !== undefined),
     run: (wb) => wb.store.select(NOTHING_SELECTED),
   },
 ];

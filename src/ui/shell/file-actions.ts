@@ -1,10 +1,15 @@
 /** Opening and saving. */
+
 import { KINDS, SAVED_KINDS, type Saving } from '../../project/kinds.ts';
 import { currentCharacter } from '../state/action.ts';
+import { needs } from '../state/needs.ts';
 import type { Action, Uses } from '../state/workbench.ts';
 import { contentText, whenText } from './kept-text.ts';
 
-const hasCharacters = (wb: Uses<'store'>) => wb.store.document.characters.length > 0;
+const hasCharacters = needs(
+  'There is no character to save. Open one first.',
+  (wb: Uses<'store'>) => wb.store.document.characters.length > 0,
+);
 
 export const FILE_ACTIONS: readonly Action[] = [
   {
@@ -33,10 +38,10 @@ export const FILE_ACTIONS: readonly Action[] = [
     section: 1,
     // Ctrl+R stays the browser's.
     shortcuts: ['Alt+R'],
-    enabled(wb) {
+    enabled: needs('The character’s files can’t be read again: open them with Open, or drop them.', (wb) => {
       const character = currentCharacter(wb);
       return character !== undefined && wb.files.canReload(character.id);
-    },
+    }),
     run(wb) {
       const character = currentCharacter(wb);
       if (character) wb.files.reload(character.id);
@@ -68,10 +73,10 @@ export const FILE_ACTIONS: readonly Action[] = [
       group: 'Files',
       menu: 'Save',
       section: 1,
-      enabled(wb) {
+      enabled: needs('The character has nothing to save in this format.', (wb) => {
         const character = currentCharacter(wb);
         return character !== undefined && KINDS[kind].save.has(character);
-      },
+      }),
       whyNot(wb) {
         const { whyNot }: Saving = KINDS[kind].save;
         const character = currentCharacter(wb);

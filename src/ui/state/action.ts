@@ -1,5 +1,8 @@
 /** Finds, inspects and runs the page's actions (`Workbench.actions`). */
 import { type Character, findCharacter } from '../../model/document.ts';
+import { watchEffect } from './effect.ts';
+import type { GroupName } from './menus.ts';
+import { reasonOf } from './needs.ts';
 import type { Action, Uses } from './workbench.ts';
 
 type ActionsOnPage = Uses<'actions'>;
@@ -26,7 +29,7 @@ export function isChecked({ actions }: ActionsOnPage, action: Action): boolean |
   return action.checked?.(actions.page);
 }
 
-/** Why it is disabled, in a sentence. */
+/** Why it is disabled, in a sentence, if menus show it. */
 export function whyNot({ actions }: ActionsOnPage, action: Action): string | undefined {
   return action.whyNot?.(actions.page);
 }
@@ -48,17 +51,39 @@ export function runAction(wb: ActionsOnPage, id: string, args?: unknown): Promis
   return action.run(wb.actions.page, args) ?? undefined;
 }
 
-/** Runs it if enabled; a refusal becomes a message. */
+/** Runs it if enabled. A refusal becomes a message, and so does the reason if it is disabled or changes nothing. */
 export function tryAction(wb: ActionsOnPage, action: Action, args?: unknown): void {
-  if (!isEnabled(wb, action)) return;
   const { page } = wb.actions;
+  if (!isEnabled(wb, action)) {
+    const why = whyNot(wb, action) ?? reasonOf(action.enabled, page);
+    if (why && !action.quiet) page.messages.note(why);
+    return;
+  }
   const failed = (error: unknown) => {
     const why = error instanceof Error ? error.message : String(error);
     page.messages.note(`${actionLabel(wb, action)}: ${why}`, 'error');
   };
+  const hasEffect = watchEffect(page);
+  const tell = () => {
+    if (isExpectedToChange(wb, action) && !hasEffect()) {
+      page.messages.note(action.unchanged ?? `${actionLabel(wb, action)}: nothing to change.`);
+    }
+  };
   try {
-    action.run(page, args)?.catch(failed);
+    const running = action.run(page, args);
+    if (running) running.then(tell, failed);
+    else tell();
   } catch (error) {
     failed(error);
   }
+}
+
+/** Groups whose actions edit the document or the selection; others may change only what is drawn, which isn't watched. */
+const EDITING: readonly GroupName[] = ['Edit', 'Pose', 'Rig', 'Keys', 'Select'];
+
+function isExpectedToChange(wb: ActionsOnPage, action: Action): boolean {
+  // Choosing the option that is ticked already is no surprise.
+  const isChosen = action.radio && isChecked(wb, action);
+  const edits = action.unchanged !== undefined || EDITING.includes(action.group);
+  return edits && !action.quiet && !isChosen;
 }

@@ -69,5 +69,6 @@ export function itemOf(wb: Uses<'actions' | 'settings'>, action: Action): MenuIt
     checked: isChecked(wb, action),
     radio: action.radio,
     run: () => tryAction(wb, action),
+    refuse: () => tryAction(wb, action),
   };
 }

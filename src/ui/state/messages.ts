@@ -31,6 +31,7 @@ export class Messages {
   /** Counts requests to show the list. */
   readonly listAsked: Observable<number> = observable(0);
   private nextId = 1;
+  private given = 0;
 
   /**
    * Adds a notice of one sentence. An info disappears by itself; anything worse is listed.
@@ -38,11 +39,17 @@ export class Messages {
    * @param lasting for warnings; an error stays in the line until read
    */
   note(text: string, severity: Severity = 'info', lasting: Lasting = 'until a step'): void {
+    this.given++;
     if (severity === 'info') this.passing.set(text);
     else {
       const isRefusal = severity === 'warning' && lasting === 'until a step';
       this.add({ text, severity, diagnostics: [], ...(isRefusal && { isRefusal }) });
     }
+  }
+
+  /** Messages given so far, passing ones too. */
+  get count(): number {
+    return this.given;
   }
 
   /** A marker to tell earlier messages from later ones. */
@@ -67,6 +74,7 @@ export class Messages {
    * @param fateOf what happened to a file with errors, in a few words: `not opened`
    */
   report(diagnostics: readonly Diagnostic[], files: readonly string[] = [], fateOf?: (file: string) => string): void {
+    this.given++;
     const well = new Set(files);
     this.keep((m) => m.diagnostics.length === 0 || !well.has(m.diagnostics[0].file));
     const groups = [...groupByFile(diagnostics)].map(([file, found]) => ({ file, found, severity: worst(found) }));

@@ -102,6 +102,10 @@ export interface Action extends Bindable {
   readonly icon?: IconName;
   /** Repeats while its key is held. */
   readonly repeats?: boolean;
+  /** Says nothing if it is disabled or changes nothing: Escape, which may be pressed to be sure. */
+  readonly quiet?: boolean;
+  /** What is said if it changed nothing. */
+  readonly unchanged?: string;
   /** Absent: always enabled. */
   enabled?(wb: Workbench): boolean;
   /** Why it is disabled, in a sentence, shown in place of the detail. */

@@ -1,13 +1,14 @@
 /** Actions of the dope sheet beyond those on keys: ripple, collapsing rows, showing curves. */
+
 import { rippleKeys } from '../../../edit/commands/keys.ts';
-import type { Action, Uses } from '../../state/workbench.ts';
+import { needs } from '../../state/needs.ts';
+import type { Action } from '../../state/workbench.ts';
 import { allFolds } from '../timeline/dope-rows.ts';
 import { aboutKeysInHand, keysInHand, takeInHand } from '../timeline/in-hand.ts';
+import { hasKeys, hasTake } from '../timeline/key-actions.ts';
 import { showCurves } from './show-curves.ts';
 
 const MENU = 'Keys/Dope sheet';
-const hasTake = (wb: Uses<'store'>) => takeInHand(wb) !== undefined;
-const hasKeys = (wb: Uses<'store' | 'timeline'>) => keysInHand(wb).length > 0;
 
 export const DOPE_ACTIONS: readonly Action[] = [
   {
@@ -69,7 +70,7 @@ export const DOPE_ACTIONS: readonly Action[] = [
     menu: MENU,
     section: 17,
     panel: 'timeline',
-    enabled: (wb) => wb.timeline.view.get().unfolded.length > 0,
+    enabled: needs('All rows are collapsed.', (wb) => wb.timeline.view.get().unfolded.length > 0),
     run: (wb) => wb.timeline.change({ unfolded: [] }),
   },
 ];

@@ -1,6 +1,8 @@
 /** Actions of inverse kinematics: pins, joint locks, root motion. Their scripts are loaded on first use. */
+
 import { defaultIk } from '../../../model/ik.ts';
 import { currentCharacter } from '../../state/action.ts';
+import { NO_SKELETON, needs } from '../../state/needs.ts';
 import { selectedJoint } from '../../state/selected-joint.ts';
 import type { Action, Uses } from '../../state/workbench.ts';
 
@@ -64,7 +66,7 @@ export const IK_ACTIONS: readonly Action[] = [
     group: 'Pose',
     menu: MENU,
     section: 2,
-    enabled: (wb) => ikOfCurrent(wb) !== undefined,
+    enabled: needs(NO_SKELETON, (wb) => ikOfCurrent(wb) !== undefined),
     checked: (wb) => ikOfCurrent(wb)?.rootIsFree ?? false,
     async run(wb) {
       const { freeRoot } = await edits();

@@ -1,13 +1,15 @@
 /** Actions on whole poses: copy, paste, mirror, save. Their scripts are loaded on first use. */
+
 import { jointName } from '../../../model/joint-name.ts';
 import { currentCharacter } from '../../state/action.ts';
+import { NO_CHARACTER, NO_SKELETON, needs } from '../../state/needs.ts';
 import { selectedJoint } from '../../state/selected-joint.ts';
 import type { Action, Uses } from '../../state/workbench.ts';
 
 const MENU = 'Edit/Pose';
 const edits = () => import('./pose-edits.ts');
-const hasCharacter = (wb: Uses<'store'>) => currentCharacter(wb) !== undefined;
-const hasSkeleton = (wb: Uses<'store'>) => currentCharacter(wb)?.skeleton !== undefined;
+const hasCharacter = needs(NO_CHARACTER, (wb: Uses<'store'>) => currentCharacter(wb) !== undefined);
+const hasSkeleton = needs(NO_SKELETON, (wb: Uses<'store'>) => currentCharacter(wb)?.skeleton !== undefined);
 
 function selectedName(wb: Uses<'store'>): string | undefined {
   const selected = selectedJoint(wb);
@@ -36,7 +38,10 @@ export const POSE_ACTIONS: readonly Action[] = [
     menu: MENU,
     section: 1,
     shortcuts: ['Ctrl+Shift+V'],
-    enabled: (wb) => hasCharacter(wb) && wb.posing.copied.get() !== undefined,
+    enabled: needs(
+      (wb) => (hasCharacter(wb) ? 'Copy a pose first.' : NO_CHARACTER),
+      (wb) => hasCharacter(wb) && wb.posing.copied.get() !== undefined,
+    ),
     run: async (wb) => (await edits()).pasteCopied(wb),
   },
   {
@@ -58,7 +63,7 @@ export const POSE_ACTIONS: readonly Action[] = [
     group: 'Edit',
     menu: MENU,
     section: 2,
-    enabled: (wb) => selectedName(wb) !== undefined,
+    enabled: needs('Select a joint first.', (wb) => selectedName(wb) !== undefined),
     run: async (wb) => (await edits()).mirror(wb, 'swap', true),
   },
   {
@@ -69,7 +74,7 @@ export const POSE_ACTIONS: readonly Action[] = [
     menu: MENU,
     section: 2,
     shortcuts: ['Alt+Shift+M'],
-    enabled: (wb) => selectedName(wb) !== undefined,
+    enabled: needs('Select a joint first.', (wb) => selectedName(wb) !== undefined),
     run: async (wb) => (await edits()).mirror(wb, 'toOther', true),
   },
   {

@@ -1,6 +1,8 @@
 /** Actions of the posing modes, and keys that only the viewport has. */
+
 import { stepFrames } from '../../../edit/playback.ts';
 import { NOTHING_SELECTED } from '../../../model/session.ts';
+import { needs } from '../../state/needs.ts';
 import type { PosingMode } from '../../state/posing.ts';
 import { GIZMO_SCALES } from '../../state/settings.ts';
 import type { Action, Uses, Workbench } from '../../state/workbench.ts';
@@ -31,6 +33,7 @@ export const POSING_ACTIONS: readonly Action[] = [
     label: 'Back to FK, then deselect all',
     group: 'Pose',
     shortcuts: ['Escape'],
+    quiet: true,
     // During a drag, Escape is handled by `canvas-tools.ts`: this runs otherwise.
     run(wb) {
       if (wb.posing.mode.get() !== 'fk') wb.posing.mode.set('fk');
@@ -67,7 +70,10 @@ function mode(to: PosingMode, label: string, shortcuts?: readonly string[]): Act
 }
 
 function dofKey(id: string, label: string, shortcuts: readonly string[], run: (wb: Workbench) => void): Action {
-  const enabled = (wb: Uses<'store' | 'posing'>) => wb.posing.mode.get() === 'fk' && activeDof(wb) !== undefined;
+  const enabled = needs(
+    'Select a joint with DOFs, in FK mode.',
+    (wb: Uses<'store' | 'posing'>) => wb.posing.mode.get() === 'fk' && activeDof(wb) !== undefined,
+  );
   return { id, label, group: 'Pose', shortcuts, panel: 'viewport', repeats: true, enabled, run };
 }
 

@@ -1,4 +1,5 @@
 /** Actions that key the pose, and that create and remove takes. */
+
 import { createClip, duplicateClip, removeClip, setClipRange } from '../../../edit/commands/clips.ts';
 import { discardUnkeyed } from '../../../edit/commands/pose.ts';
 import { posedDofs } from '../../../edit/posed-dofs.ts';
@@ -6,9 +7,11 @@ import { rangeOfKeys } from '../../../edit/takes.ts';
 import { type Character, shownClip } from '../../../model/document.ts';
 import { shown } from '../../kit/number-text.ts';
 import { currentCharacter } from '../../state/action.ts';
+import { NO_SKELETON, needs } from '../../state/needs.ts';
 import { selectedJointOf } from '../../state/selected-joint.ts';
 import type { NEW_KEY_TANGENTS } from '../../state/settings.ts';
 import type { Action, Uses } from '../../state/workbench.ts';
+import { hasTake } from '../timeline/key-actions.ts';
 import { deleteKeysNow, jointDofs, keyNow, keysNow } from './pose-edits.ts';
 import { keyNameOf } from './unkeyed-values.ts';
 
@@ -18,7 +21,7 @@ const TANGENT_LABELS: Readonly<Record<(typeof NEW_KEY_TANGENTS)[number], string>
   flat: 'Flat',
 };
 
-const canKey = (wb: Uses<'store'>) => currentCharacter(wb)?.skeleton !== undefined;
+const canKey = needs(NO_SKELETON, (wb: Uses<'store'>) => currentCharacter(wb)?.skeleton !== undefined);
 const shownTake = (wb: Uses<'store'>) => {
   const character = currentCharacter(wb);
   return character && shownClip(character);
@@ -59,7 +62,7 @@ export const KEYING_ACTIONS: readonly Action[] = [
     group: 'Keys',
     menu: 'Keys',
     shortcuts: ['Alt+K'],
-    enabled: (wb) => hasKeysHere(wb),
+    enabled: needs('There are no keys at the current time.', (wb) => hasKeysHere(wb)),
     run: (wb) => withCharacter(wb, (character) => deleteKeysNow(wb, character)),
   },
   {
@@ -68,7 +71,7 @@ export const KEYING_ACTIONS: readonly Action[] = [
     group: 'Keys',
     menu: 'Keys',
     shortcuts: ['Alt+Shift+K'],
-    enabled: (wb) => hasKeysHere(wb),
+    enabled: needs('There are no keys at the current time.', (wb) => hasKeysHere(wb)),
     run: (wb) => withJoint(wb, (character, dofs) => deleteKeysNow(wb, character, dofs)),
   },
   {
@@ -76,7 +79,9 @@ export const KEYING_ACTIONS: readonly Action[] = [
     label: 'Discard unkeyed changes',
     group: 'Keys',
     menu: 'Keys',
-    enabled: (wb) => wb.store.document.characters.some((c) => c.unkeyed !== undefined),
+    enabled: needs('There are no unkeyed changes.', (wb) =>
+      wb.store.document.characters.some((c) => c.unkeyed !== undefined),
+    ),
     run: (wb) => wb.store.apply(discardUnkeyed, { exceptSeconds: null }),
   },
   {
@@ -121,7 +126,7 @@ export const KEYING_ACTIONS: readonly Action[] = [
     group: 'Keys',
     menu: 'Keys/Take',
     section: 1,
-    enabled: (wb) => shownTake(wb) !== undefined,
+    enabled: hasTake,
     run: (wb) => withCharacter(wb, ({ id }) => wb.store.apply(duplicateClip, { characterId: id })),
   },
   {
@@ -130,7 +135,7 @@ export const KEYING_ACTIONS: readonly Action[] = [
     group: 'Keys',
     menu: 'Keys/Take',
     section: 1,
-    enabled: (wb) => shownTake(wb) !== undefined,
+    enabled: hasTake,
     run: (wb) => wb.timeline.takeRenameAsked.update((times) => times + 1),
   },
   {
@@ -140,16 +145,17 @@ export const KEYING_ACTIONS: readonly Action[] = [
     group: 'Keys',
     menu: 'Keys/Take',
     section: 1,
-    enabled: (wb) => shownTake(wb) !== undefined,
+    enabled: hasTake,
     run: (wb) => withCharacter(wb, ({ id }) => wb.store.apply(removeClip, { characterId: id })),
   },
   {
     id: 'take.rangeFromPlayed',
+    unchanged: 'The take has that range already.',
     label: 'Set take range to playback range',
     group: 'Keys',
     menu: 'Keys/Take',
     section: 2,
-    enabled: (wb) => shownTake(wb) !== undefined,
+    enabled: hasTake,
     run: (wb) =>
       withCharacter(wb, (character) =>
         wb.store.apply(setClipRange, { characterId: character.id, range: playedRange(wb, character) }),
@@ -157,14 +163,15 @@ export const KEYING_ACTIONS: readonly Action[] = [
   },
   {
     id: 'take.rangeFromKeys',
+    unchanged: 'The take has that range already.',
     label: 'Fit take range to keys and samples',
     group: 'Keys',
     menu: 'Keys/Take',
     section: 2,
-    enabled(wb) {
+    enabled: needs('The take has no keys or samples.', (wb) => {
       const take = shownTake(wb);
       return take !== undefined && rangeOfKeys(take) !== undefined;
-    },
+    }),
     run: (wb) =>
       withCharacter(wb, (character) => {
         const clip = shownClip(character);

@@ -1,5 +1,7 @@
 /** Actions of retargeting. */
+
 import { currentCharacter } from '../../state/action.ts';
+import { needs } from '../../state/needs.ts';
 import type { Action } from '../../state/workbench.ts';
 import { possibleTargets } from './targets.ts';
 
@@ -12,7 +14,10 @@ export const RETARGET_ACTIONS: readonly Action[] = [
     group: 'Edit',
     menu: 'Edit',
     section: 3,
-    enabled: (wb) => possibleTargets(wb.store.document).length > 0,
+    enabled: needs(
+      'Open two characters with skeletons, one of them with a take.',
+      (wb) => possibleTargets(wb.store.document).length > 0,
+    ),
     run: (wb) => wb.dialog.set('retarget'),
   },
   {
@@ -23,7 +28,7 @@ export const RETARGET_ACTIONS: readonly Action[] = [
     group: 'Edit',
     menu: 'Edit',
     section: 3,
-    enabled: (wb) => currentCharacter(wb)?.driver !== undefined,
+    enabled: needs('The character is not retargeted from another.', (wb) => currentCharacter(wb)?.driver !== undefined),
     async run(wb) {
       const { bakeRetarget } = await commands();
       const character = currentCharacter(wb);
@@ -38,7 +43,7 @@ export const RETARGET_ACTIONS: readonly Action[] = [
     group: 'Edit',
     menu: 'Edit',
     section: 3,
-    enabled: (wb) => currentCharacter(wb)?.driver !== undefined,
+    enabled: needs('The character is not retargeted from another.', (wb) => currentCharacter(wb)?.driver !== undefined),
     async run(wb) {
       const { clearRetarget } = await commands();
       const character = currentCharacter(wb);

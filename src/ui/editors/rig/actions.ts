@@ -1,6 +1,8 @@
 /** Actions that build and edit skeletons. Loaded on first use; their shortcuts work in rig mode only. */
+
 import type { NamedAxis } from '../../../edit/rig/rigging.ts';
 import { currentCharacter } from '../../state/action.ts';
+import { NO_SKELETON, needs, reasonOf } from '../../state/needs.ts';
 import { isPanelOpen, openPanel } from '../../state/panels.ts';
 import { selectedJoint } from '../../state/selected-joint.ts';
 import type { Action, Uses } from '../../state/workbench.ts';
@@ -8,13 +10,16 @@ import type { Action, Uses } from '../../state/workbench.ts';
 const edits = () => import('./rig-edits.ts');
 
 const inRigMode = (wb: Uses<'posing'>) => wb.posing.mode.get() === 'rig';
-const hasSkeleton = (wb: Uses<'store'>) => currentCharacter(wb)?.skeleton !== undefined;
-const hasJoint = (wb: Uses<'store'>) => selectedJoint(wb) !== undefined;
+const hasSkeleton = needs(NO_SKELETON, (wb: Uses<'store'>) => currentCharacter(wb)?.skeleton !== undefined);
+const hasJoint = needs('Select a joint first.', (wb: Uses<'store'>) => selectedJoint(wb) !== undefined);
 
 function inRig(action: Action): Action {
   return {
     ...action,
-    enabled: (wb) => inRigMode(wb) && (action.enabled?.(wb) ?? true),
+    enabled: needs(
+      (wb) => (inRigMode(wb) ? (reasonOf(action.enabled, wb) ?? '') : 'Switch to rig mode first.'),
+      (wb) => inRigMode(wb) && (action.enabled?.(wb) ?? true),
+    ),
     whyNot: (wb) => (inRigMode(wb) ? action.whyNot?.(wb) : undefined),
   };
 }

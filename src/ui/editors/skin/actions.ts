@@ -1,6 +1,8 @@
 /** Actions on the shown skin. */
+
 import { shownSkin } from '../../../model/document.ts';
 import { currentCharacter } from '../../state/action.ts';
+import { needs } from '../../state/needs.ts';
 import type { Action, Uses } from '../../state/workbench.ts';
 
 const skinOf = (wb: Uses<'store'>) => {
@@ -17,7 +19,10 @@ export const SKIN_ACTIONS: readonly Action[] = [
     menu: 'Edit',
     section: 4,
     alsoIn: { menu: 'Rig', section: 6 },
-    enabled: (wb) => skinOf(wb) !== undefined && currentCharacter(wb)?.skeleton !== undefined,
+    enabled: needs(
+      'Open a character with a skeleton and a skin first.',
+      (wb) => skinOf(wb) !== undefined && currentCharacter(wb)?.skeleton !== undefined,
+    ),
     whyNot(wb) {
       const character = currentCharacter(wb);
       if (!character) return undefined;

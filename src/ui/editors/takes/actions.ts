@@ -1,5 +1,7 @@
 /** Actions on takes: playing one or several, when and where. */
+
 import type { Arrangement } from '../../../edit/commands/takes.ts';
+import { needs } from '../../state/needs.ts';
 import type { Action, Uses } from '../../state/workbench.ts';
 import { compareTakes, endComparison } from './compare.ts';
 import {
@@ -20,7 +22,10 @@ import {
 } from './play.ts';
 
 const MENU = 'Play/Takes';
-const several = (wb: Uses<'store' | 'timeline'>) => charactersMeant(wb).length > 1;
+const several = needs(
+  'This needs two characters with takes: select them in the list of takes, or show all.',
+  (wb: Uses<'store' | 'timeline'>) => charactersMeant(wb).length > 1,
+);
 
 export const TAKE_ACTIONS: readonly Action[] = [
   {
@@ -77,7 +82,7 @@ export const TAKE_ACTIONS: readonly Action[] = [
     // H toggles the heat map elsewhere, and Space must play here too.
     panel: 'takes',
     shortcuts: ['H'],
-    enabled: (wb) => takesAtHand(wb).length > 0,
+    enabled: needs('Select a take first.', (wb) => takesAtHand(wb).length > 0),
     run: (wb) => toggleShown(wb, ...takesAtHand(wb)),
   },
   {
@@ -90,7 +95,7 @@ export const TAKE_ACTIONS: readonly Action[] = [
     group: 'Play',
     menu: MENU,
     section: 5,
-    enabled: (wb) => chosenTakes(wb).length > 1,
+    enabled: needs('Select two takes or more first.', (wb) => chosenTakes(wb).length > 1),
     run: (wb) => playTogether(wb, chosenTakes(wb)),
   },
   {
@@ -99,7 +104,7 @@ export const TAKE_ACTIONS: readonly Action[] = [
     group: 'Play',
     menu: MENU,
     section: 5,
-    enabled: (wb) => wb.store.document.characters.some((c) => c.isHidden),
+    enabled: needs('No character is hidden.', (wb) => wb.store.document.characters.some((c) => c.isHidden)),
     run: showAll,
   },
   {
@@ -109,7 +114,10 @@ export const TAKE_ACTIONS: readonly Action[] = [
     group: 'Play',
     menu: MENU,
     section: 6,
-    enabled: (wb) => wb.timeline.takes.comparison.get() !== undefined || chosenTakes(wb).length === 2,
+    enabled: needs(
+      'Select two takes first.',
+      (wb) => wb.timeline.takes.comparison.get() !== undefined || chosenTakes(wb).length === 2,
+    ),
     run(wb) {
       const [first, second] = chosenTakes(wb);
       if (wb.timeline.takes.comparison.get()) endComparison(wb);

@@ -1,4 +1,5 @@
 /** Edits of takes: playing one or several, the next one, when and where. */
+
 import { setTimeOffset } from '../../../edit/commands/characters.ts';
 import { setHidden } from '../../../edit/commands/spaces.ts';
 import {
@@ -13,6 +14,7 @@ import { clipsRange } from '../../../evaluate/plot/shown-keys.ts';
 import { findCharacter, shownClip } from '../../../model/document.ts';
 import type { Selection } from '../../../model/session.ts';
 import { attempt } from '../../state/attempt.ts';
+import { needs } from '../../state/needs.ts';
 import type { Uses } from '../../state/workbench.ts';
 import { endComparison } from './compare.ts';
 import { followRangeOfTakes, playRange } from './played-range.ts';
@@ -175,6 +177,6 @@ export function selectCharacter(wb: Uses<'store'>, characterId: string): void {
 }
 
 /** Whether any take plays. */
-export function hasTakes(wb: Uses<'store'>): boolean {
-  return wb.store.document.characters.some((c) => c.clips.length > 0 || shownClip(c) !== undefined);
-}
+export const hasTakes = needs('There are no takes. Open an .anim or .bvh file, or key a pose.', (wb: Uses<'store'>) =>
+  wb.store.document.characters.some((c) => c.clips.length > 0 || shownClip(c) !== undefined),
+);

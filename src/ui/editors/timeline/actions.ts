@@ -1,23 +1,28 @@
 /** Actions for the timeline's display and options, and the tools for whole curves. */
+
 import { OUTSIDE_CYCLE } from '../../../edit/keys/cycle.ts';
+import { needs } from '../../state/needs.ts';
 import type { ChannelListKind, HandleMode, TimelineView } from '../../state/timeline.ts';
 import type { Action, CurveToolName, Uses, Workbench } from '../../state/workbench.ts';
 import { OUTSIDE_LABELS } from './cycle-text.ts';
-import { channelsInHand, channelsInView, keysInHand, takeInHand } from './in-hand.ts';
-import { hasKeys, hasTake } from './key-actions.ts';
+import { channelsInHand, keysInHand, takeInHand } from './in-hand.ts';
+import { hasKeys, hasTake, inView } from './key-actions.ts';
 import type { SampleTool } from './sample-tools.ts';
 
-const inView = (wb: Uses<'store' | 'timeline'>) => channelsInView(wb).length > 0;
-const inHand = (wb: Uses<'store' | 'timeline'>) => channelsInHand(wb).length > 0;
-const hasSamples = (wb: Uses<'store'>) => takeInHand(wb)?.clip.samples !== undefined;
+const inHand = needs(
+  'No curve is shown: select a joint that has keys, or show all channels.',
+  (wb: Uses<'store' | 'timeline'>) => channelsInHand(wb).length > 0,
+);
+const hasSamples = needs('The take has no samples.', (wb: Uses<'store'>) => takeInHand(wb)?.clip.samples !== undefined);
 /** Tools for keyed curves don't apply to samples. */
-const keyedInHand = (wb: Uses<'store' | 'timeline'>) =>
-  channelsInHand(wb).some((c) => takeInHand(wb)?.clip.channels[c]?.kind === 'keys');
+const keyedInHand = needs('No curve with keys is shown.', (wb: Uses<'store' | 'timeline'>) =>
+  channelsInHand(wb).some((c) => takeInHand(wb)?.clip.channels[c]?.kind === 'keys'),
+);
 /** … except those that don't depend on interpolation. */
-const animatedInHand = (wb: Uses<'store' | 'timeline'>) => {
+const animatedInHand = needs('No curve is shown.', (wb: Uses<'store' | 'timeline'>) => {
   const clip = takeInHand(wb)?.clip;
   return clip !== undefined && channelsInHand(wb).some((c) => clip.channels[c] && clip.channels[c].kind !== 'rest');
-};
+});
 
 function curves(id: string, label: string, shortcuts: readonly string[], more: Omit<Action, 'id' | 'label' | 'group'>) {
   const action: Action = { id: `timeline.${id}`, label, group: 'Curves', panel: 'timeline', ...more };
@@ -122,7 +127,10 @@ export const TIMELINE_ACTIONS: readonly Action[] = [
     run: tool('scaleKeys'),
   }),
   curves('scaleDrag', 'Scale selected keys (hold and drag)', ['S'], {
-    enabled: (wb) => hasKeys(wb) && wb.timeline.view.get().tab === 'curves',
+    enabled: needs(
+      'Select keys in the curve editor first.',
+      (wb) => hasKeys(wb) && wb.timeline.view.get().tab === 'curves',
+    ),
     run: (wb) => wb.timeline.scaling.set(true),
   }),
   curves('euler', 'Euler filter', [], {
@@ -181,13 +189,13 @@ export const TIMELINE_ACTIONS: readonly Action[] = [
   curves('unpinAll', 'Unpin all', [], {
     menu: 'Keys/Channels',
     section: 17,
-    enabled: (wb) => wb.timeline.view.get().pinned.length > 0,
+    enabled: needs('No channel is pinned.', (wb) => wb.timeline.view.get().pinned.length > 0),
     run: (wb) => wb.timeline.change({ pinned: [] }),
   }),
   curves('isolate', 'Isolate channels of selected keys', ['Q'], {
     menu: 'Keys/Channels',
     section: 18,
-    enabled: (wb) => hasKeys(wb) || wb.timeline.view.get().isolated !== undefined,
+    enabled: needs('Select keys first.', (wb) => hasKeys(wb) || wb.timeline.view.get().isolated !== undefined),
     checked: (wb) => wb.timeline.view.get().isolated !== undefined,
     run(wb) {
       const { isolated } = wb.timeline.view.get();

@@ -1,4 +1,5 @@
 /** Actions on the selected keys. Their shortcuts belong to the timeline and have other meanings elsewhere. */
+
 import { EXTRAPOLATION_NAMES } from '../../../edit/commands/extrapolation.ts';
 import { walkChannels, walkKeys } from '../../../edit/keys/key-walk.ts';
 import { stepFrames } from '../../../edit/playback.ts';
@@ -10,6 +11,8 @@ import {
   type TangentKind,
 } from '../../../model/clip.ts';
 import type { ChannelKeys } from '../../../model/session.ts';
+import { currentCharacter } from '../../state/action.ts';
+import { NO_CHARACTER, needs } from '../../state/needs.ts';
 import type { Action, Uses } from '../../state/workbench.ts';
 import { channelsInHand, channelsInView, clipTime, keysInHand, selectKeys, takeInHand } from './in-hand.ts';
 import {
@@ -26,11 +29,26 @@ import {
   selectWhere,
   snapToFrames,
 } from './key-edits.ts';
+import { pastableChannels } from './paste-targets.ts';
 
-export const hasKeys = (wb: Uses<'store' | 'timeline'>) => keysInHand(wb).length > 0;
-export const hasTake = (wb: Uses<'store'>) => takeInHand(wb) !== undefined;
-const hasCopied = (wb: Uses<'store' | 'timeline'>) => hasTake(wb) && wb.timeline.copied !== undefined;
-const inView = (wb: Uses<'store' | 'timeline'>) => channelsInView(wb).length > 0;
+function noTakeText(wb: Uses<'store'>): string {
+  const character = currentCharacter(wb);
+  return character ? `${character.name} has no take: pose a joint and press K to start one.` : NO_CHARACTER;
+}
+
+export const hasKeys = needs(
+  (wb) => (hasTake(wb) ? 'Select keys first.' : noTakeText(wb)),
+  (wb: Uses<'store' | 'timeline'>) => keysInHand(wb).length > 0,
+);
+export const hasTake = needs(noTakeText, (wb: Uses<'store'>) => takeInHand(wb) !== undefined);
+const hasCopied = needs(
+  (wb) => (hasTake(wb) ? 'Copy keys first.' : noTakeText(wb)),
+  (wb: Uses<'store' | 'timeline'>) => hasTake(wb) && wb.timeline.copied !== undefined,
+);
+export const inView = needs(
+  (wb) => (hasTake(wb) ? 'No curve is shown: select a joint that has keys, or show all channels.' : noTakeText(wb)),
+  (wb: Uses<'store' | 'timeline'>) => channelsInView(wb).length > 0,
+);
 
 export const TANGENT_LABELS: Readonly<Record<TangentKind, string>> = {
   flat: 'Flat',
@@ -47,6 +65,7 @@ function key(id: string, label: string, shortcuts: readonly string[], more: Omit
 
 const edits: readonly Action[] = [
   key('insertKey', 'Insert key at current time', ['I', 'Enter'], {
+    unchanged: 'The shown curves have keys at the current time already.',
     menu: 'Keys',
     section: 10,
     icon: 'insertKey',
@@ -86,11 +105,11 @@ const edits: readonly Action[] = [
     enabled: hasCopied,
     run: (wb) => paste(wb, 'insert'),
   }),
-  key('pasteInto', 'Paste into visible channels', ['Ctrl+Alt+V'], {
+  key('pasteInto', 'Paste into all listed channels', ['Ctrl+Alt+V'], {
     menu: 'Keys/Copy and paste',
     section: 10,
-    enabled: (wb) => hasCopied(wb) && inView(wb),
-    run: (wb) => paste(wb, 'merge', channelsInView(wb)),
+    enabled: hasCopied,
+    run: (wb) => paste(wb, 'merge', pastableChannels(wb)),
   }),
   key('duplicate', 'Duplicate at current time', ['Ctrl+D'], {
     menu: 'Keys/Copy and paste',
@@ -99,6 +118,7 @@ const edits: readonly Action[] = [
     run: duplicate,
   }),
   key('snapToFrames', 'Snap keys to frames', ['Shift+S'], {
+    unchanged: 'The selected keys are on frames already.',
     menu: 'Keys',
     section: 10,
     enabled: hasKeys,
@@ -114,6 +134,7 @@ const selecting: readonly Action[] = [
     run: (wb) => selectWhere(wb, channelsInView(wb), () => true),
   }),
   key('selectNone', 'Deselect keys', ['Escape', 'Ctrl+Shift+A'], {
+    quiet: true,
     menu: 'Keys/Select',
     section: 12,
     enabled: hasKeys,
@@ -207,7 +228,7 @@ function arrow(id: string, label: string, shortcut: string, frames: number, step
     menu: 'Keys/Move',
     section: 12,
     repeats: true,
-    enabled: (wb) => hasKeys(wb) || Math.abs(frames) >= 1,
+    enabled: needs('Select keys first.', (wb) => hasKeys(wb) || Math.abs(frames) >= 1),
     run(wb) {
       if (hasKeys(wb)) nudge(wb, frames, steps);
       else wb.transport.update((p) => stepFrames(p, frames));

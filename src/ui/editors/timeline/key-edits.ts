@@ -24,6 +24,7 @@ import {
   selectKeys,
   takeInHand,
 } from './in-hand.ts';
+import { pastableChannels, pasteTargets } from './paste-targets.ts';
 import { frameNumber, nudgeStep } from './snapping.ts';
 
 /** Inserts a key at the playhead on each curve in view; does nothing if there is none. */
@@ -65,13 +66,22 @@ export function copyToTray(wb: Uses<'store' | 'timeline' | 'messages'>): boolean
  * @param into other channels than the keys were copied from
  */
 export function paste(
-  wb: Uses<'store' | 'transport' | 'timeline' | 'settings'>,
+  wb: Uses<'store' | 'transport' | 'timeline' | 'settings' | 'messages'>,
   mode: 'merge' | 'insert',
   into?: readonly number[],
   copied = wb.timeline.copied,
-) {
+): void {
   const take = takeInHand(wb);
   if (!take || !copied) return;
+  const targets = into ?? pasteTargets(take.character, copied, pastableChannels(wb));
+  if (!targets) {
+    const names = copied.channels.map(({ channel }) => channelName(namedChannel(take.character, channel)));
+    const from = names.length === 1 ? names[0] : `${names[0]} and ${plural(names.length - 1, 'more channel')}`;
+    wb.messages.note(
+      `The keys are of ${from}, and no listed channel is like it. Select its joint, or list all channels.`,
+    );
+    return;
+  }
   standStill(wb);
   const { character } = take;
   const pasted: PasteKeys = {
@@ -79,7 +89,7 @@ export function paste(
     copied,
     timeSeconds: clipTime(wb, character),
     mode,
-    ...(into && { into: [...into] }),
+    into: [...targets],
   };
   // Pushing later keys on lengthens a cycle anyway, and is meant to.
   if (mode === 'insert') wb.store.apply(pasteKeys, pasted);
@@ -87,7 +97,7 @@ export function paste(
 }
 
 /** Duplicates the selected keys at the playhead, without the clipboard. */
-export function duplicate(wb: Uses<'store' | 'transport' | 'timeline' | 'settings'>): void {
+export function duplicate(wb: Uses<'store' | 'transport' | 'timeline' | 'settings' | 'messages'>): void {
   const take = takeInHand(wb);
   const keys = keysInHand(wb);
   if (!take || !keys.length) return;

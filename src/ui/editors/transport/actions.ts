@@ -1,8 +1,10 @@
 /** The transport. */
+
 import { LOOP_MODES, type LoopMode, type Playback, pause, play, stepFrames } from '../../../edit/playback.ts';
 import { clipsRange, nextKey, previousKey, shownKeys } from '../../../evaluate/plot/shown-keys.ts';
 import { playingCharacters } from '../../../model/document.ts';
 import { shown } from '../../kit/number-text.ts';
+import { needs } from '../../state/needs.ts';
 import { stopsOnFrame } from '../../state/stand-still.ts';
 import type { Action, Uses } from '../../state/workbench.ts';
 import { switchKinematics } from '../posing/actions.ts';
@@ -16,7 +18,10 @@ export const LOOP_LABELS: Readonly<Record<LoopMode, string>> = {
 
 export const RATES = [-4, -2, -1, -0.5, -0.25, 0.25, 0.5, 1, 2, 4] as const;
 
-const hasKeys = (wb: Uses<'store'>) => shownKeys(wb.store.document, wb.store.selection).length > 0;
+const hasKeys = needs(
+  'There are no keys to step to.',
+  (wb: Uses<'store'>) => shownKeys(wb.store.document, wb.store.selection).length > 0,
+);
 
 export const PLAY_ACTIONS: readonly Action[] = [
   {
@@ -39,6 +44,7 @@ export const PLAY_ACTIONS: readonly Action[] = [
   at('play.stepForward', 'Step forward one frame', ['Right'], 1, 'forward', (p) => stepFrames(p, 1)),
   {
     id: 'play.previousKey',
+    unchanged: 'There is no key before the current time.',
     label: 'Go to previous key',
     group: 'Play',
     menu: 'Play',
@@ -51,6 +57,7 @@ export const PLAY_ACTIONS: readonly Action[] = [
   },
   {
     id: 'play.nextKey',
+    unchanged: 'There is no key after the current time.',
     label: 'Go to next key',
     group: 'Play',
     menu: 'Play',
@@ -78,7 +85,7 @@ export const PLAY_ACTIONS: readonly Action[] = [
     menu: 'Play',
     section: 2,
     shortcuts: ['Shift+I'],
-    enabled: (wb) => clipsRange(wb.store.document) !== undefined,
+    enabled: needs('There is no take whose range could play.', (wb) => clipsRange(wb.store.document) !== undefined),
     run(wb) {
       const range = clipsRange(wb.store.document);
       if (range) wb.transport.update((p) => ({ ...p, range }));

@@ -1,0 +1,42 @@
+/**
+ * Which channels copied keys are pasted into. Keys never go where nobody sees them: if the channels that they were copied
+ * from are not listed, those of the same DOFs that are listed take them, with or without keys of their own.
+ */
+import type { CopiedKeys } from '../../../edit/keys/clipboard.ts';
+import type { Character } from '../../../model/document.ts';
+import { currentCharacter } from '../../state/action.ts';
+import type { Uses } from '../../state/workbench.ts';
+import { listedChannels, namedChannel } from './channels.ts';
+
+/** The listed channels that are not hidden, also those without keys. Everything in the dope sheet, which lists them all. */
+export function pastableChannels(wb: Uses<'store' | 'timeline'>): readonly number[] {
+  const character = currentCharacter(wb);
+  if (!character) return [];
+  const view = wb.timeline.view.get();
+  const list = view.tab === 'dope' ? 'all' : view.list;
+  const listed = listedChannels(character, wb.store.selection, { ...view, list }).map(({ channel }) => channel);
+  if (view.tab === 'dope') return listed;
+  const { isolated } = view;
+  const shown = isolated ? listed.filter((channel) => isolated.includes(channel)) : [];
+  return shown.length ? shown : listed.filter((channel) => !view.hidden.includes(channel));
+}
+
+/**
+ * One channel for each that keys were copied from, in their order; undefined if some have none.
+ * @param listed as `pastableChannels` returns them
+ */
+export function pasteTargets(
+  character: Character,
+  { channels }: CopiedKeys,
+  listed: readonly number[],
+): readonly number[] | undefined {
+  const from = channels.map(({ channel }) => channel);
+  if (from.every((channel) => listed.includes(channel))) return from;
+  const nameOf = (channel: number) => namedChannel(character, channel).dof;
+  const targets = from.flatMap((channel) => {
+    const alike = listed.filter((one) => nameOf(one) === nameOf(channel));
+    return alike.length === 1 ? alike : [];
+  });
+  if (targets.length !== from.length || new Set(targets).size !== from.length) return undefined;
+  return targets;
+}

@@ -1,0 +1,41 @@
+/** Whether an action did anything that a person can notice. */
+import type { Workbench } from './workbench.ts';
+
+/** Call it before an action; the function it returns says whether anything has changed since, or a message was given. */
+export function watchEffect(wb: Workbench): () => boolean {
+  const before = noticeable(wb);
+  return () => noticeable(wb).some((now, i) => now !== before[i]);
+}
+
+function noticeable({
+  store,
+  transport,
+  timeline,
+  posing,
+  settings,
+  messages,
+  dialog,
+  loading,
+}: Workbench): readonly unknown[] {
+  return [
+    store.document,
+    store.selection,
+    messages.count,
+    messages.listAsked.get(),
+    dialog.get(),
+    transport.get(),
+    loading.get(),
+    settings.get(),
+    timeline.view.get(),
+    timeline.autoKey.get(),
+    timeline.copied,
+    timeline.outsideCycle.get(),
+    timeline.scaling.get(),
+    timeline.takeRenameAsked.get(),
+    posing.mode.get(),
+    posing.chosenDof.get(),
+    posing.copied.get(),
+    posing.rigSkin.get(),
+    posing.ik.selected.get(),
+  ];
+}
