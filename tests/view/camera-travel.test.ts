@@ -10,7 +10,7 @@ const view = (x: number, azimuth: number, distance: number): View => ({
 });
 
 describe('a move of the camera', () => {
-  it('starts with the first picture, and stands still at its end', () => {
+  it('starts with the first frame, and stops at its end', () => {
     const travel = new CameraTravel();
     travel.begin(view(0, 0, 1), view(10, 1, 4));
     expect(travel.goal).toEqual(view(10, 1, 4));
@@ -20,7 +20,7 @@ describe('a move of the camera', () => {
     expect(travel.at(10_001)).toBeUndefined();
   });
 
-  it('turns the short way, and nears in factors', () => {
+  it('turns the short way, and zooms geometrically', () => {
     const travel = new CameraTravel();
     travel.begin(view(0, 3, 1), view(10, -3, 16));
     travel.at(1);
@@ -31,7 +31,7 @@ describe('a move of the camera', () => {
     expect(half?.distance).toBeCloseTo(16 ** done, 9);
   });
 
-  it('goes along with what it follows', () => {
+  it('moves along with what it follows', () => {
     const travel = new CameraTravel();
     travel.begin(view(0, 0, 1), view(10, 0, 1));
     travel.shift(new Vector3(2, 0, 0));

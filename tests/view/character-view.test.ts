@@ -128,7 +128,7 @@ describeShared('a character in the picture, against the reference', () => {
 });
 
 describe('a character in the picture', () => {
-  it('a character in the picture has bones in their hierarchy, by index, whatever their names', () => {
+  it('a character has bones in their hierarchy, by index, whatever their names', () => {
     const own = skeleton(3);
     const nameless = { ...own, joints: own.joints.map((j) => ({ ...j, name: '' })) };
     const view = shown(character({ skeleton: nameless, pose: filePose(nameless, 0) }));
@@ -142,7 +142,7 @@ describe('a character in the picture', () => {
     expect(new Vector3().setFromMatrixPosition(tip.matrix).y).toBe(1);
   });
 
-  it('builds nothing anew for an edit of the pose', () => {
+  it('rebuilds nothing for an edit of the pose', () => {
     const model = character({ skins: [skin()] });
     const view = shown(model);
     const before = { mesh: view.skinnedMeshes[0], bone: view.bones[0], dofs: view.dofs };
@@ -154,7 +154,7 @@ describe('a character in the picture', () => {
     expect(view.vertices()[0]).toBe(7);
   });
 
-  it('keeps its mesh when only the skeleton is another, and follows that one', () => {
+  it('keeps its mesh when only the skeleton changes, and follows the new one', () => {
     const model = character({ skins: [skin('hero', 1)] });
     const view = shown(model);
     const mesh = view.skinnedMeshes[0];
@@ -174,7 +174,7 @@ describe('a character in the picture', () => {
     expect(view.bones).toEqual([]);
   });
 
-  it('takes up the skeleton that comes after the skin', () => {
+  it('uses a skeleton that is added after the skin', () => {
     const model = character({ skins: [skin()] });
     const { skeleton: _, ...bare } = model;
     const view = shown(bare);
@@ -185,19 +185,19 @@ describe('a character in the picture', () => {
     expect(view.vertices()[1]).toBe(0);
   });
 
-  it('hangs a skin without weights on the root', () => {
+  it('binds a skin without weights to the root', () => {
     const { attachments: _, ...plain } = skin();
     const view = shown(character({ skins: [plain], pose: [1, 2, 3, 0, 0, 0, 0, 0, 0] }));
     expect([...view.vertices().subarray(0, 3)]).toEqual([1, 3, 3]);
   });
 
-  it('a character in the picture has a box around joints and their boxes where there is no skin', () => {
+  it('a character without a skin has a box around joints and their boxes', () => {
     const view = shown(character({ skeleton: skeleton(2) }));
     const box = view.bounds(new Box3());
     expectClose([...box.min, ...box.max], [-0.1, 0.9, -0.1, 0.1, 2.1, 0.1], WITHIN.rounding);
   });
 
-  it('stands in every placement over the same data', () => {
+  it('draws every placement from the same data', () => {
     const placements = [
       DEFAULT_PLACEMENT,
       { position: [10, 0, 0] as const, turn: [0, Math.PI / 2, 0] as const, scale: 2 },
@@ -218,7 +218,7 @@ describe('a character in the picture', () => {
     expect(view.placements).toHaveLength(1);
   });
 
-  it('cancels the travel over the ground in place, in the picture only', () => {
+  it('cancels horizontal root motion in place, when drawing only', () => {
     const model = character({ skins: [skin()], pose: [3, 4, 5, 0, 0, 0, 0, 0, 0] });
     const view = new CharacterView();
     view.show(model, { ...DEFAULT_DISPLAY, inPlace: true }, undefined);
@@ -228,7 +228,7 @@ describe('a character in the picture', () => {
     expectClose(view.bounds(new Box3()).min.toArray(), [3, 5, 5], WITHIN.rounding);
   });
 
-  it('turns by its own angles, whatever rotation samples gave another character for the same ones', () => {
+  it('rotates by its own angles, whatever rotations samples gave another character', () => {
     const turning = (channels: readonly BvhChannel[]) => ({ name: 'one', joints: [bvhJoint(-1, channels)] });
     const { skeleton: captured, clip: take } = bvhFigure(
       turning(['rz', 'rx', 'ry']),
@@ -251,7 +251,7 @@ describe('a character in the picture', () => {
     expect(view.worldMatrices).toEqual(byAngles);
   });
 
-  it('a character in the picture is culled by where it is now', () => {
+  it('a character is culled by its current bounds', () => {
     const model = character({ skins: [skin()], clips: [clip('go', [100])], shownClip: 0 });
     const view = shown(model);
     const { boundingSphere } = view.skinnedMeshes[0];
@@ -259,7 +259,7 @@ describe('a character in the picture', () => {
     expect(boundingSphere.radius).toBeLessThan(1);
   });
 
-  it('sees morphs that come later', () => {
+  it('shows morphs that are added later', () => {
     const model = character({ skins: [skin()], skeleton: skeleton(1) });
     const view = shown(model);
     view.show({ ...model, morphs: [morph('up')], pose: [0, 0, 0, 0, 0, 0, 0.5] }, DEFAULT_DISPLAY, undefined);
@@ -280,7 +280,7 @@ describe('a character in the picture', () => {
     });
     const model = character({ skins: [large], pose: [5, 0, 0, 0, 0, 0, 0, 0, 0] });
 
-    it('knows where it is at once, and shows it when it is prepared', async () => {
+    it('has bounds at once, and is shown when prepared', async () => {
       const view = shown(model);
       expect(view.needsPreparing).toBe(true);
       expect(view.skinnedMeshes).toEqual([]);
@@ -295,7 +295,7 @@ describe('a character in the picture', () => {
       expect(view.vertices()[3 * count - 3]).toBe(6);
     });
 
-    it('has its vertices for whoever asks before that', async () => {
+    it('returns its vertices before that on request', async () => {
       const view = shown(model);
       const coming = view.prepare();
       expect(view.vertices()).toHaveLength(3 * count);
@@ -303,7 +303,7 @@ describe('a character in the picture', () => {
       expect(view.needsPreparing).toBe(false);
     });
 
-    it('lets go of it when another comes meanwhile', async () => {
+    it('is dropped if replaced meanwhile', async () => {
       const view = shown(model);
       const coming = view.prepare();
       view.show({ ...model, skins: [skin()] }, DEFAULT_DISPLAY, undefined);
@@ -312,7 +312,7 @@ describe('a character in the picture', () => {
       expect(view.vertices()).toHaveLength(9);
     });
 
-    it('lets go of it when disposed of', async () => {
+    it('is dropped when disposed of', async () => {
       const view = shown(model);
       const coming = view.prepare();
       view.dispose();

@@ -49,7 +49,7 @@ function framing() {
 }
 
 describe('what is framed', () => {
-  it('what is framed is everything, once, with the next picture', () => {
+  it('frames everything, once, with the next frame', () => {
     const { framer, told } = framing();
     framer.frameAll();
     framer.frameAll();
@@ -59,7 +59,7 @@ describe('what is framed', () => {
     expect(told).toEqual(['both, 90 px covered, smoothly']);
   });
 
-  it('what is framed is looked at from where one looks first, whatever is asked for beside that', () => {
+  it('frames the default view, whatever else is requested', () => {
     const { framer, told } = framing();
     framer.lookFirst();
     framer.frameAll();
@@ -67,7 +67,7 @@ describe('what is framed', () => {
     expect(told).toEqual(['first look, 90 px covered']);
   });
 
-  it('what is framed is nothing where the camera was put somewhere meanwhile', () => {
+  it('frames nothing if the camera was moved meanwhile', () => {
     const { framer, told } = framing();
     framer.frameAll();
     framer.leave();
@@ -75,7 +75,7 @@ describe('what is framed', () => {
     expect(told).toEqual([]);
   });
 
-  it('what is framed is a character that is not seen well, and none that is not there', () => {
+  it('reveals a character that is not well in view, and none that does not exist', () => {
     const { framer, told, id } = framing();
     framer.reveal(['nobody']);
     framer.settle(STILL, 0);
@@ -86,7 +86,7 @@ describe('what is framed', () => {
     expect(told).toEqual(['both, 90 px covered, smoothly']);
   });
 
-  it('what is framed is the joint of the copy that was picked, as large as that is', () => {
+  it('frames the joint of the picked instance, at its scale', () => {
     const { select, spheres, id } = framing();
     select({ characterId: id, joint: 1 });
     select({ characterId: id, placement: 1, joint: 1 });
@@ -95,7 +95,7 @@ describe('what is framed', () => {
     expect(spheres[1].radius).toBeCloseTo(2 * spheres[0].radius, 9);
   });
 
-  it('what is framed is a whole character where no joint of it is meant, and everything where none is', () => {
+  it('frames a whole character if no joint is selected, and everything if none is', () => {
     const { select, told, framer, id } = framing();
     select({ characterId: id });
     expect(told).toEqual(['both, 90 px covered, smoothly']);

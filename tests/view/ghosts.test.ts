@@ -19,7 +19,7 @@ function roots(ghosts: Ghosts, nodes: number): number[][] {
 }
 
 describe('how far apart ghosts are', () => {
-  it('how far apart ghosts are is seconds, or frames of the clip, or of the transport where the clip has none', () => {
+  it('ghosts are seconds apart, or frames of the clip, or of the transport if the clip has none', () => {
     const mocap = captured(figure(), take(figure(), [[0, 85, 0]]));
     const keyed = character({ clips: [clip('walk', [0])], shownClip: 0 });
     const frames: Display = { ...ON, ghostStepIn: 'frames', ghostStep: 3 };
@@ -30,11 +30,11 @@ describe('how far apart ghosts are', () => {
 });
 
 describe('which ghosts there are', () => {
-  it('which ghosts there are is before and after, and never now', () => {
+  it('ghosts are before and after, and never now', () => {
     expect(ghostSteps(ON, 5, 0.1, [0, 10])).toEqual([-2, -1, 1, 2]);
   });
 
-  it('which ghosts there are is none outside of the played range, its ends included', () => {
+  it('ghosts are inside the playback range, ends included', () => {
     expect(ghostSteps(ON, 0.1, 0.1, [0, 10])).toEqual([-1, 1, 2]);
     expect(ghostSteps(ON, 10, 0.1, [0, 10])).toEqual([-2, -1]);
     expect(ghostSteps(ON, 0, 0, [0, 10])).toEqual([]);
@@ -48,7 +48,7 @@ describe('ghosts', () => {
     space: { up: 'y', unit: 'centimetres', lift: 0.25 },
   });
 
-  it('stand where the character was and will be, in its space', () => {
+  it('ghosts are at past and future poses, in the character’s space', () => {
     const ghosts = new Ghosts();
     ghosts.fill(walking, ON, 0.5, [0, 1], 30);
     expect(ghosts.object.visible).toBe(true);
@@ -57,7 +57,7 @@ describe('ghosts', () => {
     for (const [, y] of found) expect(y).toBeCloseTo(1.1, 5);
   });
 
-  it('stand on the spot in place', () => {
+  it('ghosts stay on the spot in place', () => {
     const ghosts = new Ghosts();
     ghosts.fill(walking, { ...ON, inPlace: true }, 0.5, [0, 1], 30);
     for (const [x, y, z] of roots(ghosts, 9)) {
@@ -67,7 +67,7 @@ describe('ghosts', () => {
     }
   });
 
-  it('ghosts are gone where there is no character, and cost two draw calls however many they are', () => {
+  it('ghosts are removed without a character, and take two draw calls for any number', () => {
     const ghosts = new Ghosts();
     ghosts.fill(walking, { ...ON, ghostsBefore: 20, ghostsAfter: 20, ghostStep: 0.01 }, 0.5, [0, 1], 30);
     expect(ghosts.object.children).toHaveLength(2);
@@ -76,7 +76,7 @@ describe('ghosts', () => {
     expect(ghosts.object.visible).toBe(false);
   });
 
-  it('show the other moments as the clip has them, whatever is set by hand now', () => {
+  it('ghosts ignore unkeyed changes of the current time', () => {
     const ghosts = new Ghosts();
     ghosts.fill({ ...walking, unkeyed: { timeSeconds: 0.5, dofs: [0], values: [999] } }, ON, 0.5, [0, 1], 30);
     expect(roots(ghosts, 9)[0][0]).toBeCloseTo(0.3, 5);

@@ -6,13 +6,13 @@ describe('the trail of a joint', () => {
   const still = character({ skeleton: skeleton(2), clips: [], shownClip: -1 });
   const pose = still.pose.map((value, dof) => (dof === 0 ? 3 : value));
 
-  it('the trail of a joint is where the joint is at each moment', () => {
+  it('the motion path is where the joint is at each time', () => {
     const path = samplePath({ ...still, pose }, 0, [0, 1], 4, false);
     expect(path).toHaveLength(12);
     for (let i = 0; i < 4; i++) expect(path[3 * i]).toBeCloseTo(3, 12);
   });
 
-  it('leaves out the root’s travel in place', () => {
+  it('leaves out the root motion in place', () => {
     const path = samplePath({ ...still, pose }, 0, [0, 1], 2, true);
     expect(path[0]).toBeCloseTo(0, 12);
   });

@@ -1,7 +1,7 @@
 import { expect, it } from 'vitest';
 import { observable } from '../../../src/ui/kit/observable.ts';
 
-it('tells listeners what is and what was', () => {
+it('tells listeners the new and the old value', () => {
   const value = observable(1);
   const heard: string[] = [];
   value.subscribe((now, before) => heard.push(`${before} to ${now}`));
@@ -10,7 +10,7 @@ it('tells listeners what is and what was', () => {
   expect(heard).toEqual(['1 to 2', '2 to 3']);
 });
 
-it('tells nobody of the same value', () => {
+it('notifies nobody of the same value', () => {
   const value = observable(Number.NaN);
   let times = 0;
   value.subscribe(() => times++);
@@ -18,7 +18,7 @@ it('tells nobody of the same value', () => {
   expect(times).toBe(0);
 });
 
-it('lets a listener leave', () => {
+it('lets a listener unsubscribe', () => {
   const value = observable(1);
   let times = 0;
   const leave = value.subscribe(() => times++);
@@ -27,7 +27,7 @@ it('lets a listener leave', () => {
   expect(times).toBe(0);
 });
 
-it('never tells a listener of a value that another one has replaced meanwhile', () => {
+it('never notifies of a value that another listener has replaced meanwhile', () => {
   const value = observable(0);
   const heard: number[] = [];
   value.subscribe((now) => {

@@ -35,13 +35,13 @@ describe('the list of actions', () => {
     for (const menu of MENUS) expect(actionsOf(wb).some((a) => a.menu?.split('/')[0] === menu)).toBe(true);
   });
 
-  it('the list of actions has the page’s samples', () => {
+  it('the list of actions has the page’s examples', () => {
     const { wb } = workbench();
     const ids = actionsOf(wb).map((a) => a.id);
     expect(ids).toContain('sample.walker');
   });
 
-  it('the list of actions has work that an earlier page left behind, for as long as there is some', () => {
+  it('the list of actions has sessions left by an earlier page, as long as there are any', () => {
     const { wb } = workbench();
     const inMenu = () => actionsOf(wb).find((a) => a.id === 'session.restore');
     expect(inMenu()).toBeUndefined();
@@ -64,7 +64,7 @@ describe('the list of actions', () => {
     expect(inMenu()).toBeUndefined();
   });
 
-  it('can all be asked about without a character', () => {
+  it('can be queried without a character', () => {
     const { wb } = workbench();
     for (const action of actionsOf(wb)) {
       expect(() => [action.enabled?.(wb), action.checked?.(wb)], action.id).not.toThrow();
@@ -84,7 +84,7 @@ describe('runAction', () => {
       { range: [0, 2] },
     );
 
-  it('says so when there is no such action, or it can’t be done', () => {
+  it('reports an unknown or disabled action', () => {
     const { wb } = workbench();
     expect(() => runAction(wb, 'nothing.atAll')).toThrow('no action');
     expect(() => runAction(wb, 'edit.undo')).toThrow('is not available');
@@ -114,7 +114,7 @@ describe('runAction', () => {
     expect(wb.transport.get().timeSeconds).toBe(0.5);
   });
 
-  it('pauses on a frame where time is in frames, and at the very moment where it is in seconds', () => {
+  it('pauses on a frame if time is in frames, and at the exact time if in seconds', () => {
     const { wb } = walker();
     for (const [timeDisplay, pausedAt] of [
       ['seconds', 0.71],
@@ -127,7 +127,7 @@ describe('runAction', () => {
     }
   });
 
-  it('takes back what was said of a step with the step', () => {
+  it('removes the message of a step when undone', () => {
     const { wb } = walker();
     runAction(wb, 'pose.holdLimits');
     for (const way of ['edit.undo', 'edit.redo']) {
@@ -137,7 +137,7 @@ describe('runAction', () => {
     }
   });
 
-  it('sets the range at the time shown, and back to the takes', () => {
+  it('sets the range at the current time, and back to the takes', () => {
     const { wb } = walker();
     wb.transport.update((p) => ({ ...p, timeSeconds: 3 }));
     runAction(wb, 'play.setIn');
@@ -146,7 +146,7 @@ describe('runAction', () => {
     expect(wb.transport.get().range).toEqual([0, 2]);
   });
 
-  it('undoes a reset by name', () => {
+  it('names a reset in undo', () => {
     const { wb } = walker();
     runAction(wb, 'pose.holdLimits');
     expect(wb.store.document.characters[0].clampsToLimits).toBe(false);
@@ -156,7 +156,7 @@ describe('runAction', () => {
     expect(wb.store.document.characters[0].clampsToLimits).toBe(true);
   });
 
-  it('folds panels, each by itself and both together', () => {
+  it('collapses panels, one by one and together', () => {
     const { wb } = workbench();
     const open = () => {
       const { outlinerOpen, inspectorOpen } = wb.settings.get().panels;
@@ -198,7 +198,7 @@ describe('findActions', () => {
     expect(found('na')).toEqual(['Joint names']);
   });
 
-  it('puts what is to come last behind others that are found as well, and not behind those that are found less', () => {
+  it('sorts actions to come last behind equal matches, but before worse ones', () => {
     const undoLast = (typed: string) =>
       findActions(
         ['Edit Undo', 'Edit Select', 'View Redo it', 'Keys Find redoubt'],
@@ -230,7 +230,7 @@ describe('what is drawn', () => {
     joints: rig.joints.map((j) => ({ ...j, motion: { kind: 'bvh', channels: [], positions: 'replace' } as const })),
   };
 
-  it('offers skins and boxes only where a character that is shown has them', () => {
+  it('offers skin and box styles only if a visible character has them', () => {
     const captures = styles(character({ skeleton: capture }));
     expect(['draw.skin.solid', 'draw.boxes.wire', 'draw.boxes.hidden'].map(captures.enabled)).toEqual([
       false,

@@ -14,7 +14,7 @@ beforeEach(() => {
 });
 
 describe('a refusal', () => {
-  it('leaves the line with the next step, and stays in the list', () => {
+  it('a refusal leaves the line on the next step, and stays in the list', () => {
     wb.messages.note('No.', 'warning');
     wb.store.select({ characterId: 'c1' });
     expect(unread()).toEqual(['No.']);
@@ -23,13 +23,13 @@ describe('a refusal', () => {
     expect(wb.messages.list.get()).toMatchObject([{ text: 'No.' }]);
   });
 
-  it('stays through a step that is none', () => {
+  it('a refusal stays if nothing changes', () => {
     wb.messages.note('No.', 'warning');
     wb.store.apply(renameCharacter, named('wasp'));
     expect(unread()).toEqual(['No.']);
   });
 
-  it('stays where it came in the middle of the drag that ends now, and goes with the one after', () => {
+  it('a refusal during a drag stays at its end, and leaves with the next one', () => {
     wb.messages.note('Before.', 'warning');
     const drag = wb.store.begin('Drag');
     drag.preview(renameCharacter.run(drag.base, named('be')));
@@ -41,7 +41,7 @@ describe('a refusal', () => {
     expect(unread()).toEqual([]);
   });
 
-  it('a refusal is not kept by a drag that was given up, nor by a document from elsewhere', () => {
+  it('a refusal is not kept by a cancelled drag, nor by another document', () => {
     const drag = wb.store.begin('Drag');
     drag.preview(renameCharacter.run(drag.base, named('be')));
     wb.messages.note('Amid.', 'warning');
@@ -57,7 +57,7 @@ describe('a refusal', () => {
 });
 
 describe('what a step leaves as it is', () => {
-  it('what a step leaves as it is is an error, a warning that has to be read, and what is wrong with files', () => {
+  it('steps keep errors, warnings to be read, and problems of files in the line', () => {
     wb.messages.note('Broken.', 'error');
     wb.messages.note('Full.', 'warning', 'until read');
     const place = { file: 'a.skel', line: 1, column: 1, code: 'odd', severity: 'warning', message: 'Odd.' } as const;
@@ -69,7 +69,7 @@ describe('what a step leaves as it is', () => {
 });
 
 describe('what is said in passing', () => {
-  it('goes with the next step, unless it is said of that', () => {
+  it('a confirmation disappears with the next step, unless it is about that', () => {
     wb.messages.note('Copied.');
     wb.store.apply(renameCharacter, named('bee'));
     expect(wb.messages.passing.get()).toBeUndefined();

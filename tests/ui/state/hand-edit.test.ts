@@ -37,7 +37,7 @@ it('makes one step of a drag', () => {
   expect(wb.store.undoLabel).toBeUndefined();
 });
 
-it('puts everything back at Escape, and stays so until the mouse is let go', () => {
+it('restores everything on Escape, until the mouse is released', () => {
   const { wb, edit, drag, value } = hand();
   drag(0.5);
   pressKey?.('Escape');
@@ -51,7 +51,7 @@ it('puts everything back at Escape, and stays so until the mouse is let go', () 
   expect(value()).toBe(0.2);
 });
 
-it('goes on as a new step when something else ended it', () => {
+it('continues in a new step if something else has ended it', () => {
   const { wb, edit, drag, value } = hand();
   drag(0.5);
   wb.store.apply(setDofs, { characterId: 'c1', dofs: [{ index: 4, value: 1 }], timeSeconds: 0 });
@@ -63,7 +63,7 @@ it('goes on as a new step when something else ended it', () => {
   expect(value()).toBe(0.5);
 });
 
-it('ends when something else ended it, where it is about the document as it was', () => {
+it('ends if something else has ended it, when it depends on the document at the press', () => {
   const { wb, edit, drag, value } = hand(() => true);
   drag(0.5);
   wb.store.apply(setDofs, { characterId: 'c1', dofs: [{ index: 4, value: 1 }], timeSeconds: 0 });
@@ -76,7 +76,7 @@ it('ends when something else ended it, where it is about the document as it was'
   expect([value(), edit.cancelled, wb.store.undoLabel]).toEqual([0.5, false, undoLabel]);
 });
 
-it('leaves what was undone under it to be redone', () => {
+it('keeps what was undone meanwhile redoable', () => {
   const { wb, edit, drag, value } = hand(() => true);
   drag(0.5);
   wb.store.undo();
@@ -87,7 +87,7 @@ it('leaves what was undone under it to be redone', () => {
   expect(value()).toBe(0.5);
 });
 
-it('does not begin where what it is about is gone', () => {
+it('does not start if its object no longer exists', () => {
   const { wb, edit, drag, value } = hand(() => false);
   drag(0.5);
   expect([value(), edit.cancelled]).toEqual([0, true]);
@@ -95,7 +95,7 @@ it('does not begin where what it is about is gone', () => {
   expect(wb.store.undoLabel).toBeUndefined();
 });
 
-it('makes a message of a refusal', () => {
+it('turns a refusal into a message', () => {
   const { wb, drag } = hand();
   drag(0.5, 'nobody');
   expect(wb.messages.list.get()).toMatchObject([{ severity: 'warning' }]);

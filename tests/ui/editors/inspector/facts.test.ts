@@ -39,7 +39,7 @@ describe('movedVertices', () => {
     expect([0, 1, 2].map((joint) => movedVertices(patch, joint))).toEqual([2, 2, 0]);
   });
 
-  it('gives all to the root where there are no weights', () => {
+  it('attributes all vertices to the root without weights', () => {
     const { attachments: _none, ...bare } = patch;
     expect(movedVertices(bare, 0)).toBe(4);
     expect(movedVertices(bare, 1)).toBe(0);
@@ -47,7 +47,7 @@ describe('movedVertices', () => {
 });
 
 describe('vertexDeformer', () => {
-  it('gives what deforming the whole skin gives, to the last bit', () => {
+  it('equals deforming the whole skin, to the last bit', () => {
     const legs = skeleton(['hips', -1], ['leg', 0]);
     const dofs = Float64Array.of(0.1, 0.2, 0.3, 0.4, -0.5, 0.6, 1, 0.2, -0.7, 0.35);
     const world = new Float64Array(32);
@@ -64,7 +64,7 @@ describe('vertexDeformer', () => {
     }
   });
 
-  it('leaves a skin without a skeleton where it is, and says no normal where the file has none', () => {
+  it('keeps a skin without a skeleton in place, and has no normal if the file has none', () => {
     const { normals: _none, ...bare } = patch;
     const { position, normal } = vertexDeformer(bare, [], 1)(new Float64Array(3), undefined);
     expect([...position]).toEqual([1, 0, 0]);

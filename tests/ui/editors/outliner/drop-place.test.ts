@@ -13,12 +13,12 @@ const { joints } = skeleton(['root', -1], ['spine', 0], ['head', 1], ['leg_l', 0
 describe('why a joint stays where it is dropped', () => {
   const named = joints.map((one, j) => ({ ...one, name: j === 4 ? '' : `j${j}` }));
 
-  it('why a joint stays where it is dropped is told where it would hang on what hangs on it', () => {
+  it('dropping a joint on its own descendant is refused with a reason', () => {
     expect(whyNoDrop(named, 3, 4)).toBe('j3 can’t be parented to its descendant joint 4.');
     expect(whyNoDrop(named, 1, 2)).toBe('j1 can’t be parented to its descendant j2.');
   });
 
-  it('needs no word where it is let go on itself or elsewhere', () => {
+  it('dropping a joint on itself or elsewhere needs no reason', () => {
     expect([whyNoDrop(named, 3, 3), whyNoDrop(named, 1, 3), whyNoDrop(named, 3, 1)]).toEqual([
       undefined,
       undefined,
@@ -28,25 +28,25 @@ describe('why a joint stays where it is dropped', () => {
 });
 
 describe('a joint dropped on a row', () => {
-  it('a joint dropped on a row is above it, on it, or below it', () => {
+  it('a row has an upper, a middle and a lower part', () => {
     expect([0.1, 0.5, 0.9].map(rowPart)).toEqual(['above', 'on', 'below']);
   });
 
-  it('hangs on it as its last child', () => {
+  it('a joint dropped on a row becomes its last child', () => {
     expect(dropPlace(joints, 5, 1, 'on', true)).toEqual({ parent: 1 });
   });
 
-  it('comes to stand before it, or after it', () => {
+  it('a joint dropped beside a row is inserted before or after it', () => {
     expect(dropPlace(joints, 5, 3, 'above', true)).toEqual({ parent: 0, before: 3 });
     expect(dropPlace(joints, 5, 1, 'below', false)).toEqual({ parent: 0, before: 3 });
     expect(dropPlace(joints, 1, 5, 'below', false)).toEqual({ parent: 0 });
   });
 
-  it('a joint dropped on a row is the first child of a row that is unfolded, when it is let go below it', () => {
+  it('a joint dropped below an expanded row becomes its first child', () => {
     expect(dropPlace(joints, 5, 3, 'below', true)).toEqual({ parent: 3, before: 4 });
   });
 
-  it('goes nowhere where it is already, or on its own branch', () => {
+  it('a joint is not moved to where it already is, or into its own hierarchy', () => {
     expect(dropPlace(joints, 2, 1, 'on', true)).toBeUndefined();
     expect(dropPlace(joints, 3, 5, 'above', false)).toBeUndefined();
     expect(dropPlace(joints, 3, 1, 'below', false)).toBeUndefined();
@@ -54,7 +54,7 @@ describe('a joint dropped on a row', () => {
     expect(dropPlace(joints, 0, 3, 'on', true)).toBeUndefined();
   });
 
-  it('hangs on the root where it is dropped beside it', () => {
+  it('a joint dropped beside the root becomes its child', () => {
     expect(dropPlace(joints, 2, 0, 'above', true)).toEqual({ parent: 0 });
     expect(dropPlace(joints, 2, 0, 'below', true)).toEqual({ parent: 0, before: 1 });
   });

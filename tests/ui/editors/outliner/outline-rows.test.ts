@@ -25,7 +25,7 @@ const wasp = character({
 });
 
 describe('outlineRows', () => {
-  it('folds the characters where they are many, unless someone unfolds one', () => {
+  it('collapses many characters, unless expanded by hand', () => {
     const many = documentOf(...Array.from({ length: 50 }, (_, i) => character({ ...wasp, id: `c${i}` })));
     expect(outlineRows(many, asIs)).toHaveLength(50);
     const one = (key: string, otherwise: boolean) => key === 'c7' || otherwise;
@@ -33,7 +33,7 @@ describe('outlineRows', () => {
     expect(outlineRows(many, asIs, 'foot_l')).toHaveLength(50 * 5);
   });
 
-  it('lists a character and what it is made of', () => {
+  it('lists a character and its parts', () => {
     expect(text(outlineRows(documentOf(wasp), asIs))).toEqual([
       'wasp',
       '  Joints',
@@ -49,12 +49,12 @@ describe('outlineRows', () => {
     ]);
   });
 
-  it('marks the alternative that is shown', () => {
+  it('marks the shown alternative', () => {
     const rows = outlineRows(documentOf(wasp), asIs).filter((r) => r.kind === 'skin');
     expect(rows.map((r) => r.shown)).toEqual([false, true]);
   });
 
-  it('tells a skin that no joint moves', () => {
+  it('marks a skin that no joint moves', () => {
     const attachments = { start: new Uint32Array(4), joints: new Uint32Array(0), weights: new Float64Array(0) };
     const details = (skeletal: Partial<Parameters<typeof character>[0]>) =>
       outlineRows(
@@ -67,14 +67,14 @@ describe('outlineRows', () => {
     expect(details({})).toEqual(['3 vertices', '3 vertices']);
   });
 
-  it('outlineRows leaves out what is folded', () => {
+  it('outlineRows leaves out what is collapsed', () => {
     const folded = (key: string, otherwise: boolean) => (key === 'c1/joint/1' ? false : otherwise);
     expect(text(outlineRows(documentOf(wasp), folded)).slice(2, 5)).toEqual(['    hips', '      leg_l', '      leg_r']);
     const closed = (key: string, otherwise: boolean) => (key === 'c1' ? false : otherwise);
     expect(text(outlineRows(documentOf(wasp), closed))).toEqual(['wasp']);
   });
 
-  it('finds joints by name and shows the way to them, folded or not', () => {
+  it('finds joints by name and shows their ancestors, even if collapsed', () => {
     const rows = outlineRows(documentOf(wasp), () => false, 'FOOT');
     expect(text(rows)).toEqual(['wasp', '  Joints', '    hips', '      leg_l', '        foot_l']);
     expect(rows.filter((r) => !r.onTheWay).map((r) => r.label)).toEqual(['foot_l']);
@@ -84,18 +84,18 @@ describe('outlineRows', () => {
     expect(outlineRows(documentOf(wasp), asIs, '#3').at(-1)).toMatchObject({ kind: 'joint', index: 3 });
   });
 
-  it('finds nothing where nothing is called that', () => {
+  it('finds nothing if no name matches', () => {
     expect(outlineRows(documentOf(wasp), asIs, 'wheel')).toEqual([]);
   });
 
-  it('tells joints of one name apart, and shows those without', () => {
+  it('distinguishes joints of the same name, and shows nameless ones', () => {
     const twins = character({ skeleton: skeleton(['a', -1], ['a', 0], ['', 0]) });
     const rows = outlineRows(documentOf(twins), asIs).filter((r) => r.kind === 'joint');
     expect(new Set(rows.map((r) => r.key)).size).toBe(3);
     expect(rows[2].label).toBe('');
   });
 
-  it('takes a chain as deep as a file can make it', () => {
+  it('handles a chain as deep as a file can have', () => {
     const joints = Array.from({ length: 20_000 }, (_, i) => joint(`j${i}`, i - 1));
     const chain = documentOf(character({ skeleton: { name: 'chain', joints } }));
     expect(outlineRows(chain, () => true)).toHaveLength(20_002);
@@ -104,7 +104,7 @@ describe('outlineRows', () => {
   });
 });
 
-it('has the same rows though the pose changed', () => {
+it('has the same rows if only the pose changed', () => {
   const posed: Document = documentOf({ ...wasp, pose: wasp.pose.map(() => 1) });
   expect(sameOutline(documentOf(wasp), posed)).toBe(true);
   expect(sameOutline(documentOf(wasp), documentOf({ ...wasp, name: 'bee' }))).toBe(false);
@@ -112,6 +112,6 @@ it('has the same rows though the pose changed', () => {
   expect(sameOutline(documentOf(wasp), documentOf())).toBe(false);
 });
 
-it('unfolds what a joint is in', () => {
+it('expands the ancestors of a joint', () => {
   expect(keysAbove(wasp, 2)).toEqual(['c1', 'c1/joint', 'c1/joint/1', 'c1/joint/0']);
 });

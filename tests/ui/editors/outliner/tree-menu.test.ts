@@ -13,7 +13,7 @@ function menu(mode: 'fk' | 'rig', keys: Record<string, readonly string[]> = {}) 
   return new Map(items.map(({ label, shortcut, ariaShortcut }) => [label, [shortcut, ariaShortcut]]));
 }
 
-it('shows the keys that do the same with the selected joint', () => {
+it('shows the shortcuts of actions on the selected joint', () => {
   const items = menu('rig');
   expect(items.get('Rename')).toEqual(['F2', 'F2']);
   expect(items.get('Add child')).toEqual(['Shift+C', 'Shift+C']);
@@ -21,17 +21,17 @@ it('shows the keys that do the same with the selected joint', () => {
   expect(items.get('Add joints by clicking')).toEqual([undefined, undefined]);
 });
 
-it('shows them as they were changed', () => {
+it('shows remapped shortcuts', () => {
   const items = menu('rig', { 'rigging.rename': ['Ctrl+R'], 'rigging.addChild': [] });
   expect(items.get('Rename')).toEqual(['Ctrl+R', 'Control+R']);
   expect(items.get('Add child')).toEqual([undefined, undefined]);
 });
 
-it('names the tree’s own key outside of rig mode', () => {
+it('shows the tree’s own key outside of rig mode', () => {
   expect(menu('fk', { 'rigging.rename': ['Ctrl+R'] }).get('Rename')).toEqual(['F2', 'F2']);
 });
 
-it('pins and locks a joint outside of rig mode, and says what it would do', () => {
+it('pins and locks a joint outside of rig mode, with labels that tell which', () => {
   const skeletonOf = { skeleton: skeleton(['hips', -1], ['leg', 0]) };
   const pin = { id: 1, joint: 1, point: [0, 0, 0], weight: 1, holdsOrientation: false } as const;
   const labels = (ik?: Character['ik']) => {

@@ -6,7 +6,7 @@ const rig = () => skeleton(['hip', -1], ['arm_l', 0], ['arm_r', 0]);
 const pose = [1, 0, 0, 0, 0, 0, 0.1, 0.2, 0.3, 0, 0, 0];
 
 describe('poses by menus and keys', () => {
-  it('poses by menus and keys are copied from one character onto another, and what did not fit is said', async () => {
+  it('a pose copied to another character reports what did not match', async () => {
     const other = character({ id: 'c2', name: 'crab', skeleton: skeleton(['hip', -1], ['claw', 0]), pose: [] });
     const { wb } = workbench(documentOf(character({ id: 'c1', skeleton: rig(), pose }), other));
     expect(() => runAction(wb, 'pose.paste')).toThrow();
@@ -19,7 +19,7 @@ describe('poses by menus and keys', () => {
     expect(wb.store.undoLabel).toBe('Paste pose');
   });
 
-  it('poses by menus and keys are mirrored, whole or from the selected joint down', async () => {
+  it('mirroring applies to the whole pose, or from the selected joint down', async () => {
     const { wb } = workbench(documentOf(character({ id: 'c1', skeleton: rig(), pose })));
     await runAction(wb, 'pose.mirror');
     expect(wb.store.document.characters[0].pose.slice(6)).toEqual([0, 0, 0, 0.1, -0.2, -0.3]);
@@ -32,7 +32,7 @@ describe('poses by menus and keys', () => {
     expect(wb.messages.list.get().at(-1)?.text).toContain('in the middle');
   });
 
-  it('poses by menus and keys are kept with what plays stopped, and the library can be gone to', async () => {
+  it('saving a pose stops playback, and the library can be opened', async () => {
     const { wb } = workbench(documentOf(character({ id: 'c1', skeleton: rig(), pose })), { playing: true });
     await runAction(wb, 'pose.keep');
     expect(wb.transport.get().playing).toBe(false);

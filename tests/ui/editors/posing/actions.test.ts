@@ -20,7 +20,7 @@ function posing(more: Parameters<typeof character>[0] = {}) {
 }
 
 describe('the keys of posing', () => {
-  it('switch between FK and IK, and to the rig', () => {
+  it('switch between FK and IK, and to rig mode', () => {
     const { wb, press } = posing();
     const seen = ['E', 'E', 'Shift+E', 'E'].map((key) => {
       press(key);
@@ -29,7 +29,7 @@ describe('the keys of posing', () => {
     expect(seen).toEqual(['ik', 'fk', 'rig', 'fk']);
   });
 
-  it.each(['viewport', 'outliner', undefined])('leave the mode by Escape, then the selection (%s)', (panel) => {
+  it.each(['viewport', 'outliner', undefined])('Escape leaves the mode, then deselects (%s)', (panel) => {
     const { wb, press } = posing();
     wb.store.select({ characterId: 'c1', joint: 1 });
     wb.posing.mode.set('ik');
@@ -57,13 +57,13 @@ describe('the keys of posing', () => {
     expect(larger?.whyNot?.(wb)).toBe('Only FK mode has a gizmo.');
   });
 
-  it('the keys of posing has one line on the page of shortcuts for what Escape leaves', () => {
+  it('Escape has one line on the page of shortcuts', () => {
     const { wb } = posing();
     const lines = actionsOf(wb).filter(({ shortcuts, panel }) => shortcuts?.includes('Escape') && !panel);
     expect(lines.map((action) => action.label)).toEqual(['Back to FK, then deselect all']);
   });
 
-  it('Space switches where there is nothing to play, and plays where there is', () => {
+  it('Space switches modes if there is nothing to play, and plays otherwise', () => {
     const still = posing();
     still.press('Space');
     expect([still.wb.posing.mode.get(), still.wb.transport.get().playing]).toEqual(['ik', false]);
@@ -77,7 +77,7 @@ describe('the keys of posing', () => {
     expect([moving.wb.posing.mode.get(), moving.wb.transport.get().playing]).toEqual(['fk', true]);
   });
 
-  it('the arrows turn the view in the viewport while nothing plays, and step frames otherwise', () => {
+  it('arrow keys orbit the view while paused, and step frames while playing', () => {
     const { wb, turns, press } = posing();
     press('Right', 'viewport');
     press('Left', 'viewport');
@@ -96,7 +96,7 @@ describe('the keys of posing', () => {
 });
 
 describe('the active DOF', () => {
-  it('the active DOF is one that turns, then the one that was chosen, by its name on the next joint', () => {
+  it('the active DOF rotates by default, then is the chosen one, by name on the next joint', () => {
     const { wb, press } = posing();
     wb.store.select({ characterId: 'c1', joint: 0 });
     // tx ty tz of the root come first.
@@ -110,7 +110,7 @@ describe('the active DOF', () => {
     expect(activeDof(wb)).toBe(8);
   });
 
-  it('the active DOF is none without a joint, nor where a DOF follows another', () => {
+  it('no DOF is active without a joint, nor a linked one', () => {
     const { wb } = posing();
     expect(activeDof(wb)).toBeUndefined();
     const couples = [{ dof: 'rx', joint: 0, follows: 'rx', gain: 1, offset: 0 }];
@@ -124,7 +124,7 @@ describe('the active DOF', () => {
     expect(selected && dofsByHand(selected)).toEqual([7, 8]);
   });
 
-  it('goes by a degree a key press, each a step to be undone', () => {
+  it('keys change the active DOF by a degree, each in an undo step', () => {
     const { wb, press } = posing();
     wb.store.select({ characterId: 'c1', joint: 1 });
     press('+', 'viewport');

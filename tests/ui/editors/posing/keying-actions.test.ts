@@ -18,7 +18,7 @@ const at = (wb: Workbench, timeSeconds: number) => wb.transport.update((p) => ({
 const enabled = (wb: Workbench) => KEYING_ACTIONS.filter((a) => isEnabled(wb, a)).map((a) => a.id);
 
 describe('keying from the menu', () => {
-  it('keys the whole pose of a bare character, over the range that is played', () => {
+  it('keys the whole pose of a character without a take, over the playback range', () => {
     const { wb } = workbench(documentOf(bare), { range: [0, 4], timeSeconds: 1 });
     runAction(wb, 'key.pose');
     expect(keyCounts(wb)).toEqual(new Array(9).fill(1));
@@ -40,14 +40,14 @@ describe('keying from the menu', () => {
     expect(jointDofs(bare, 7)).toEqual([]);
   });
 
-  it('says what is missing where no joint is selected', () => {
+  it('reports that no joint is selected', () => {
     const { wb } = workbench(documentOf(bare));
     runAction(wb, 'key.joint');
     expect(wb.messages.passing.get()).toBe('Select a joint first.');
     expect(wasp(wb)).toBe(bare);
   });
 
-  it('deletes the keys of the moment, and of none else', () => {
+  it('deletes the keys at the current time only', () => {
     const { wb } = workbench(documentOf(bare));
     for (const time of [0, 1]) {
       at(wb, time);
@@ -62,7 +62,7 @@ describe('keying from the menu', () => {
     expect(enabled(wb)).not.toContain('key.deleteHere');
   });
 
-  it('makes keys with the tangents that are chosen', () => {
+  it('makes keys with the chosen tangents', () => {
     const { wb } = workbench(documentOf(bare));
     runAction(wb, 'key.tangents.linear');
     runAction(wb, 'key.pose');
@@ -72,7 +72,7 @@ describe('keying from the menu', () => {
     expect(autoKey(wb)).toEqual({ tangents: 'linear', playedRange: [0, 2] });
   });
 
-  it('stops what plays to key it, on a frame where keys snap to frames', () => {
+  it('stops playback before keying, on a frame if keys snap to frames', () => {
     const timesAfter = (snapsToFrames: boolean) => {
       const { wb } = workbench(documentOf(bare), { playing: true, timeSeconds: 51.4 / 30 });
       wb.timeline.change({ snapsToFrames });
@@ -86,7 +86,7 @@ describe('keying from the menu', () => {
     expect(timesAfter(false)).toBeCloseTo(51.4, 12);
   });
 
-  it('keys where the playhead stands, on a frame or not', () => {
+  it('keys at the playhead, on a frame or not', () => {
     const { wb } = workbench(documentOf(bare), { timeSeconds: 51.4 / 30 });
     runAction(wb, 'key.pose');
     expect(keysOf(wasp(wb).clips[0].channels[4]).times).toEqual(Float64Array.of(51.4 / 30));
@@ -99,7 +99,7 @@ describe('keying from the menu', () => {
     expect(keyCounts(wb)).toEqual(new Array(9).fill(1));
   });
 
-  it('drops what was set by hand, and undo gives it back', () => {
+  it('discards unkeyed changes, and undo restores them', () => {
     const driven = clip([0, 1], channel(0, 1));
     const { wb } = workbench(documentOf({ ...bare, clips: [driven], shownClip: 0 }));
     expect(enabled(wb)).not.toContain('key.dropUnkeyed');
@@ -110,7 +110,7 @@ describe('keying from the menu', () => {
     expect(wasp(wb).unkeyed?.values).toEqual([3]);
   });
 
-  it('keys what was changed over the take, and leaves all other channels alone', () => {
+  it('keys the changed values, and leaves all other channels alone', () => {
     const [swing, still] = [channel(0, 1), channel(0, 1)];
     const { wb } = workbench(documentOf({ ...bare, clips: [clip([0, 1], swing, still)], shownClip: 0 }), {
       timeSeconds: 0.5,
@@ -160,7 +160,7 @@ describe('keying from the menu', () => {
     expect(wb.messages.passing.get()).toBe('Keyed already at 0 s, with these values.');
   });
 
-  it('offers what can be done: nothing to key without a skeleton, no take to remove without one', () => {
+  it('is enabled only if possible: no keying without a skeleton, no removing without a take', () => {
     const always = ['key.auto', 'key.tangents.smooth', 'key.tangents.linear', 'key.tangents.flat'];
     expect(enabled(workbench().wb)).toEqual(always);
     expect(enabled(workbench(documentOf(bare)).wb)).toEqual([
@@ -174,7 +174,7 @@ describe('keying from the menu', () => {
 });
 
 describe('takes', () => {
-  it('takes are made, copied and removed, each in one step', () => {
+  it('takes are created, duplicated and removed, each in one step', () => {
     const { wb } = workbench(documentOf(bare), { range: [1, 3] });
     const names = () => wasp(wb).clips.map((c) => c.name);
     runAction(wb, 'take.new');
@@ -188,7 +188,7 @@ describe('takes', () => {
     expect(wasp(wb)).toBe(bare);
   });
 
-  it('play what is played, or what is keyed', () => {
+  it('the range of a take can be the playback range, or that of its keys', () => {
     const late = { ...bare, timeOffsetSeconds: 10 };
     const { wb } = workbench(documentOf({ ...late, clips: [clip([0, 1], channel(2, 7))], shownClip: 0 }), {
       range: [1, 3],
@@ -203,7 +203,7 @@ describe('takes', () => {
 describe('the mark of a DOF', () => {
   const state = (wb: Workbench) => dofState(wb, wasp(wb), 4);
 
-  it('tells keyed here, keyed elsewhere, set by hand, and free', () => {
+  it('distinguishes keyed now, keyed elsewhere, unkeyed changes, and free', () => {
     const { wb } = workbench(documentOf(bare));
     expect(state(wb)).toBe('free');
     toggleKey(wb, 'c1', 4);
@@ -217,7 +217,7 @@ describe('the mark of a DOF', () => {
     expect(state(wb)).toBe('keyed');
   });
 
-  it('keys what was set by hand, and takes the key away again', () => {
+  it('keys an unkeyed change, and deletes the key again', () => {
     const { wb } = workbench(documentOf(bare));
     toggleKey(wb, 'c1', 4);
     at(wb, 1);
@@ -228,7 +228,7 @@ describe('the mark of a DOF', () => {
     expect(keysOf(wasp(wb).clips[0].channels[4]).values).toEqual(Float64Array.of(0));
   });
 
-  it('leaves a channel standing that has lost its last key', () => {
+  it('keeps the value of a channel that has lost its last key', () => {
     const { wb } = workbench(documentOf({ ...bare, pose: [0, 0, 0, 0, 0.5, 0, 0, 0, 0] }));
     toggleKey(wb, 'c1', 4);
     toggleKey(wb, 'c1', 4);

@@ -31,7 +31,7 @@ const driver: Driver = {
 const puppet = () => character({ name: 'walker', skeleton: BODY, driver });
 
 describe('posing what another take moves', () => {
-  it('posing what another take moves is told once, and stays told after the drag that it was told in', () => {
+  it('posing a retargeted character is reported once, and stays reported after the drag', () => {
     const { wb } = workbench(documentOf(puppet()));
     const stop = leaveRefusalsBehind(wb);
     const [own] = wb.store.document.characters;
@@ -49,14 +49,14 @@ describe('posing what another take moves', () => {
     stop();
   });
 
-  it('posing what another take moves is not told of a character that follows nothing', () => {
+  it('posing a character that is not retargeted is not reported', () => {
     const own = character({ skeleton: BODY });
     const { wb } = workbench(documentOf(own));
     tellFollows(wb, own, [ARM]);
     expect(wb.messages.passing.get()).toBeUndefined();
   });
 
-  it('bends no joint by a drag that the take leaves alone, but for what is dragged itself', () => {
+  it('bends only the dragged joint of those that the take does not drive', () => {
     const own = puppet();
     const free = (joint: number) => {
       const dragged = { joint, point: [0, 1, 0], target: [0, 0, 0] } as const;

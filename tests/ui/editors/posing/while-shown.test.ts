@@ -2,7 +2,7 @@ import { expect, it } from 'vitest';
 import { whileShown } from '../../../../src/ui/editors/posing/while-shown.ts';
 import { Posing } from '../../../../src/ui/state/posing.ts';
 
-it('listens from each coming to its going, and not in between', () => {
+it('listens while shown, and not in between', () => {
   const posing = new Posing();
   // Only their identity matters.
   const [own, other] = [{}, {}] as HTMLElement[];

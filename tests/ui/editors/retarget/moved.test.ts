@@ -33,7 +33,7 @@ function moved(): Store {
   return store;
 }
 
-it('is said in the outliner and in both rows of the takes', () => {
+it('a retargeted character is marked in the outliner and in both rows of the takes', () => {
   const store = moved();
   const rowOf = (id: string) => outlineRows(store.document, () => true).find((row) => row.key === id);
   const before = store.document;
@@ -48,7 +48,7 @@ it('is said in the outliner and in both rows of the takes', () => {
   expect(takeRows(store.document).map((row) => row.note)).toEqual(['', '']);
 });
 
-it('leaves the timeline its morphs', () => {
+it('the timeline lists only morphs of a retargeted character', () => {
   const store = moved();
   const lists = () => {
     const walker = findCharacter(store.document, 't');

@@ -2,7 +2,7 @@ import { describe, expect, it } from 'vitest';
 import { character, documentOf, skeleton, workbench } from '../../builders.ts';
 
 describe('adding joints', () => {
-  it('begins at the root where no joint is selected, and leaves one that is', async () => {
+  it('adding joints starts at the root if none is selected', async () => {
     const { RIG_ACTIONS } = await import('../../../../src/ui/editors/rig/actions.ts');
     const add = RIG_ACTIONS.find(({ id }) => id === 'rigging.addJoints');
     const { wb } = workbench(documentOf(character({ skeleton: skeleton(['root', -1], ['leg', 0]) })));

@@ -23,14 +23,14 @@ function placesAfter(size: Vec3 | undefined): readonly Vec3[] {
 }
 
 describe('a character shown once more', () => {
-  it('stands beside its last copy, clear of all that is drawn of it', () => {
+  it('a duplicated instance is beside the last one, clear of everything drawn of it', () => {
     const [, , beside] = placesAfter([4, 9, 9]);
     expect(beside[0]).toBeGreaterThan(9);
     expect(beside[0]).toBeLessThan(11);
     expect(beside.slice(1)).toEqual([1, 2]);
   });
 
-  it('stands apart from one that has no width, or is not drawn', () => {
+  it('a duplicated instance is apart from one without width, or not drawn', () => {
     expect(placesAfter([0, 2, 0])[2][0]).toBeGreaterThan(5);
     expect(placesAfter(undefined)[2][0]).toBeGreaterThan(5);
   });

@@ -24,21 +24,21 @@ const withArrow = () => {
 };
 
 describe('what is under the pointer', () => {
-  it('what is under the pointer is the nearest joint', () => {
+  it('hits the nearest joint', () => {
     expect(partAt(screen(), 104, 103)).toEqual({ kind: 'joint', joint: 0 });
     expect(partAt(screen(), 293, 100)).toEqual({ kind: 'joint', joint: 2 });
   });
 
-  it('what is under the pointer is a bone between joints, by the joint that it starts from', () => {
+  it('hits a bone between joints, as the joint where it starts', () => {
     expect(partAt(screen(), 250, 103)).toEqual({ kind: 'bone', joint: 1 });
   });
 
-  it('what is under the pointer is nothing on ground, nor what is behind the camera', () => {
+  it('hits nothing on the ground, nor behind the camera', () => {
     expect(partAt(screen(), 150, 130)).toBeUndefined();
     expect(partAt(screen(), 400, 100)).toBeUndefined();
   });
 
-  it('is an arrow before the bone below it, and a joint right under it before the arrow', () => {
+  it('hits an arrow before the bone below it, and a joint right at the pointer before the arrow', () => {
     const arrows = withArrow();
     expect(partAt(screen({ arrows }), 250, 102)).toEqual({ kind: 'arrow', axis: 0 });
     const nodes = Float64Array.of(100, 100, 200, 100, 260, 100, Number.NaN, Number.NaN);
@@ -46,14 +46,14 @@ describe('what is under the pointer', () => {
     expect(partAt(screen({ arrows, nodes }), 268, 100)).toEqual({ kind: 'arrow', axis: 0 });
   });
 
-  it('what is under the pointer is a face of the box before an arrow through it', () => {
+  it('hits a face of the box before an arrow through it', () => {
     const faces = NOTHING.slice();
     faces.set([180, 100, 220, 100]);
     expect(partAt(screen({ arrows: withArrow(), faces }), 222, 100)).toEqual({ kind: 'face', axis: 0, side: 'max' });
     expect(partAt(screen({ faces }), 181, 104)).toEqual({ kind: 'face', axis: 0, side: 'min' });
   });
 
-  it('while joints are added is a joint’s dot alone: what is around it is a place for the next one', () => {
+  it('while adding joints, hits only a joint’s dot: beside it a joint would be added', () => {
     const faces = NOTHING.slice();
     faces.set([180, 100, 220, 100]);
     const adding = (x: number, y: number) => partAt(screen({ faces, arrows: withArrow() }), x, y, { isAdding: true });
@@ -64,20 +64,20 @@ describe('what is under the pointer', () => {
     expect(adding(150, 100)).toBeUndefined();
   });
 
-  it('of joints at one place is the selected one, else the last', () => {
+  it('of coincident joints hits the selected one, else the last', () => {
     const nodes = Float64Array.of(100, 100, 100, 100, 100, 100, 100, 100);
     expect(partAt(screen({ nodes }), 100, 100)).toEqual({ kind: 'joint', joint: 1 });
     expect(partAt(screen({ nodes, selected: undefined }), 100, 100)).toEqual({ kind: 'joint', joint: 3 });
   });
 
-  it('what is under the pointer is found further away by a finger', () => {
+  it('has a larger tolerance for touch', () => {
     expect(partAt(screen(), 100, 118)).toBeUndefined();
     expect(partAt(screen(), 100, 118, { byTouch: true })).toEqual({ kind: 'joint', joint: 0 });
   });
 });
 
 describe('the distance to a segment', () => {
-  it('counts to its ends, and to a point where it has no length', () => {
+  it('is measured to its ends, and to a point if it has no length', () => {
     expect(toSegment(5, 3, 0, 0, 10, 0)).toBe(3);
     expect(toSegment(-3, 4, 0, 0, 10, 0)).toBe(5);
     expect(toSegment(3, 4, 0, 0, 0, 0)).toBe(5);

@@ -6,12 +6,12 @@ import { skeleton } from '../../builders.ts';
 const named = (...names: readonly string[]): Skeleton => skeleton(...names.map((name, j) => [name, j - 1] as const));
 
 describe('what is said of a joint’s name', () => {
-  it('what is said of a joint’s name is how a file writes it, where it can’t be written as it is', () => {
+  it('a joint’s note tells how a file writes its name, if not as it is', () => {
     expect(nameNote({ skeleton: named('left arm{') }, 0)).toBe('Saved as “left_arm_”.');
     expect(nameNote({ skeleton: named('left_arm') }, 0)).toBe('');
   });
 
-  it('knows that BVH takes blanks within a name', () => {
+  it('BVH names may contain blanks', () => {
     const { joints } = named('left arm', '{');
     const motion = { kind: 'bvh', channels: [], positions: 'replace' } as const;
     const bvh = { name: 'bvh', joints: joints.map((joint) => ({ ...joint, motion, limits: [], pose: [] })) };
@@ -19,7 +19,7 @@ describe('what is said of a joint’s name', () => {
     expect(nameNote({ skeleton: bvh }, 1)).toBe('Saved as “_”.');
   });
 
-  it('what is said of a joint’s name is that another joint is called so, which is no fault', () => {
+  it('a joint’s note tells that another joint has the same name', () => {
     const twice = { skeleton: named('a b', 'c', 'a b') };
     expect(nameNote(twice, 2)).toBe('Saved as “a_b”. Another joint has the same name. They are told apart by index.');
     expect(nameNote(twice, 1)).toBe('');

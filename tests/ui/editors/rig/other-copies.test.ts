@@ -34,18 +34,18 @@ function found(hit: Partial<Hit> | undefined, clientX: number, picked = 0, what 
 }
 
 describe('a joint of a copy that has no handles', () => {
-  it('is the one nearest the pointer, whichever bone or box of it was hit', () => {
+  it('finds the joint nearest to the pointer, whichever bone or box of it was hit', () => {
     expect(found({ joint: 0 }, 104)).toEqual({ joint: 0, placement: 1 });
     expect(found({ joint: 0 }, 126)).toEqual({ joint: 1, placement: 1 });
   });
 
-  it('picking another copy finds no joint between joints, on the ground, or under a skin', () => {
+  it('finds no joint between joints, on the ground, or under a skin of another instance', () => {
     expect(found({ joint: 0 }, 115)).toBeUndefined();
     expect(found(undefined, 100)).toBeUndefined();
     expect(found({ joint: 0, vertex: 3 }, 100)).toBeUndefined();
   });
 
-  it('picking another copy finds no joint of the copy with the handles, nor of another character', () => {
+  it('finds no joint of the instance with the handles, nor of another character', () => {
     expect(found({ joint: 0 }, 100, 1)).toBeUndefined();
     expect(found({ joint: 0, characterId: 'c2' }, 100)).toBeUndefined();
     expect(found({ joint: 0 }, 100, 0, { ...twice, placements: [DEFAULT_PLACEMENT] })).toBeUndefined();

@@ -14,5 +14,5 @@ describe('what is said of joints that move nothing', () => {
     );
   });
 
-  it('is nothing where all move something', () => expect(idleText(rig, [])).toBe(''));
+  it('is empty if all move something', () => expect(idleText(rig, [])).toBe(''));
 });

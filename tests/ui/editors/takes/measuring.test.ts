@@ -30,7 +30,7 @@ function compared() {
 }
 
 describe('the distance of two compared takes', () => {
-  it('the distance of two compared takes is measured once it can be seen', async () => {
+  it('the distance of two compared takes is measured once visible', async () => {
     const { measuring, next } = compared();
     expect(measuring.result.get()).toBeUndefined();
     const result = next();
@@ -38,7 +38,7 @@ describe('the distance of two compared takes', () => {
     expect(await result).toBe(2);
   });
 
-  it('is measured anew when either take changes, and when it is looked at otherwise', async () => {
+  it('is measured again when either take or the alignment changes', async () => {
     const { wb, measuring, next } = compared();
     let result = next();
     measuring.setVisible(true);

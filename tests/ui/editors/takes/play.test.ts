@@ -54,7 +54,7 @@ describe('the next take', () => {
     expect(revealed.at(-1)).toBe('c');
   });
 
-  it('follows the order and the filter of the list, and past the last comes the first', () => {
+  it('follows the order and filter of the list, cyclically', () => {
     const { wb, seen } = bench();
     wb.timeline.takes.change({ order: { column: 'duration', descending: true } });
     runAction(wb, 'take.next');
@@ -64,7 +64,7 @@ describe('the next take', () => {
     expect(seen()).toEqual(['c']);
   });
 
-  it('the next take is counted in its own frames, and stops on one of them', () => {
+  it('the next take uses its own frame rate, and stops on a frame', () => {
     const frames = { ...clip('d', [], [0, 1]), samples: framesOf(101, 0.01) };
     const { wb } = bench(take('d', [0, 1], { clips: [frames] }));
     runAction(wb, 'take.previous');
@@ -80,13 +80,13 @@ describe('the next take', () => {
     expect(wb.transport.get().timeSeconds).toBe(0.2537);
   });
 
-  it('pauses nothing and starts nothing', () => {
+  it('neither pauses nor starts playback', () => {
     const { wb } = bench();
     runAction(wb, 'take.next');
     expect(wb.transport.get().playing).toBe(false);
   });
 
-  it('keeps the selected joint where the next character has it', () => {
+  it('keeps the selected joint if the next character has it', () => {
     const other = take('d', [0, 1], { skeleton: { ...skeleton(3), joints: skeleton(3).joints.slice(0, 2) } });
     const { wb } = bench(other);
     wb.store.select({ characterId: 'c', joint: 1 });
@@ -94,7 +94,7 @@ describe('the next take', () => {
     expect(wb.store.selection).toEqual({ characterId: 'd', joint: 1 });
   });
 
-  it('the next take is played at its offset', () => {
+  it('the next take plays at its offset', () => {
     const { wb } = bench();
     wb.store.replace('x', {
       document: documentOf(take('a', [0, 1], { timeOffsetSeconds: 0.25 })),
@@ -105,7 +105,7 @@ describe('the next take', () => {
 });
 
 describe('chosen takes', () => {
-  it('play together, over all their time', () => {
+  it('selected takes play together, over all their time', () => {
     const { wb, seen } = bench();
     wb.timeline.takes.change({ chosen: new Set(['a/0', 'c/0']) });
     playTogether(wb, chosenTakes(wb));
@@ -116,7 +116,7 @@ describe('chosen takes', () => {
     expect(seen()).toEqual(['a', 'b', 'c']);
   });
 
-  it('start when one says, in seconds of the transport', () => {
+  it('a take starts at a given time, in seconds of the transport', () => {
     const { wb } = bench();
     startAt(wb, listOfTakes(wb)[2], 1.5);
     expect(wb.store.document.characters[2].timeOffsetSeconds).toBe(-0.5);
@@ -125,7 +125,7 @@ describe('chosen takes', () => {
     expect(wb.store.document.characters[0].timeOffsetSeconds).toBe(0);
   });
 
-  it('chosen takes are hidden by a key of the list, and come back by it', () => {
+  it('selected takes are hidden by a key of the list, and shown again by it', () => {
     const { wb, seen } = bench();
     wb.timeline.takes.change({ chosen: new Set(['a/0', 'c/0']), focused: 'c/0' });
     runAction(wb, 'take.toggleShown');
@@ -137,7 +137,7 @@ describe('chosen takes', () => {
     expect(seen()).toEqual(['a', 'c']);
   });
 
-  it('chosen takes are hidden and shown one by one', () => {
+  it('takes are hidden and shown one by one', () => {
     const { wb, seen } = bench();
     toggleShown(wb, listOfTakes(wb)[1]);
     expect(seen()).toEqual(['a', 'c']);
@@ -145,7 +145,7 @@ describe('chosen takes', () => {
     expect(seen()).toEqual(['a', 'b', 'c']);
   });
 
-  it('chosen takes are removed, and the list goes on to the one after them', () => {
+  it('selected takes are removed, and the next one is focused', () => {
     const { wb } = bench();
     const rows = listOfTakes(wb);
     removeTakeRows(wb, [rows[0], rows[1]]);
@@ -157,7 +157,7 @@ describe('chosen takes', () => {
 });
 
 describe('two takes that are compared', () => {
-  it('two takes that are compared are all that is seen, in their common time', () => {
+  it('only the two compared takes are visible, in their common time', () => {
     const { wb, seen } = bench();
     const rows = listOfTakes(wb);
     compareTakes(wb, rows[1], rows[2]);
@@ -170,7 +170,7 @@ describe('two takes that are compared', () => {
     expect(wb.timeline.takes.comparison.get()).toBeUndefined();
   });
 
-  it('two takes that are compared are put back where they were when that is over, in no step of its own', () => {
+  it('compared takes are restored afterwards, without a step of its own', () => {
     const { wb } = bench(take('d', [0, 1], { placements: [{ ...DEFAULT_PLACEMENT, position: [5, 0, 0] }] }));
     const before = wb.store.document;
     wb.transport.update((p) => ({ ...p, range: [0.25, 3] }));
@@ -183,7 +183,7 @@ describe('two takes that are compared', () => {
     expect([wb.store.undoLabel, wb.store.redoLabel]).toEqual([undefined, 'Compare a with d']);
   });
 
-  it('two takes that are compared are compared no longer once that is undone, and again once it is redone', () => {
+  it('undo ends a comparison, and redo restores it', () => {
     const { wb } = bench();
     runAction(wb, 'play.wholeRange');
     const before = wb.store.document;
@@ -200,7 +200,7 @@ describe('two takes that are compared', () => {
     expect(wb.transport.get().range).toEqual(range);
   });
 
-  it('go back in a step of its own where something was changed meanwhile, which can be undone', () => {
+  it('ending a comparison after other changes is a step of its own, which can be undone', () => {
     const { wb, seen } = bench();
     runAction(wb, 'play.wholeRange');
     const rows = listOfTakes(wb);
@@ -220,7 +220,7 @@ describe('two takes that are compared', () => {
     expect(seen()).toEqual(['a', 'b', 'c']);
   });
 
-  it('go back before another is played alone, or another two are compared', () => {
+  it('a comparison ends before another take plays alone, or two others are compared', () => {
     const { wb, seen } = bench();
     const rows = listOfTakes(wb);
     const places = () => wb.store.document.characters.map((c) => c.placements[0]);
@@ -234,7 +234,7 @@ describe('two takes that are compared', () => {
     expect(wb.store.undoLabel).toMatch(/^Play . alone$/);
   });
 
-  it('of one character are drawn as two, and picked as the one', () => {
+  it('two takes of one character are drawn as two, and picked as the one', () => {
     const twice = take('d', [0, 1], { clips: [clip('x', [0]), clip('y', [1])] });
     const { wb } = bench(twice);
     const rows = listOfTakes(wb).filter((r) => r.characterId === 'd');
@@ -246,7 +246,7 @@ describe('two takes that are compared', () => {
     expect(drawn.map((c) => characterIdOf(c.id))).toEqual(['d', 'd']);
   });
 
-  it('two takes that are compared end with one of them', () => {
+  it('a comparison ends when one of its takes is removed', () => {
     const { wb } = bench();
     const rows = listOfTakes(wb);
     compareTakes(wb, rows[0], rows[1]);
@@ -255,7 +255,7 @@ describe('two takes that are compared', () => {
     expect(drawnDocument(wb.store.document, wb.timeline.takes.comparison.get())).toBe(wb.store.document);
   });
 
-  it('two takes that are compared are refused where they have no joint in common', () => {
+  it('takes without a joint in common are not compared', () => {
     const other = skeleton(2);
     const joints = other.joints.map((j) => ({ ...j, name: `other ${j.name}` }));
     const { wb, seen } = bench(take('d', [0, 1], { skeleton: { ...other, joints } }));

@@ -48,13 +48,13 @@ describe('the rows of takes', () => {
     ]);
   });
 
-  it('say frames and rate of what has frames, and when and where it plays', () => {
+  it('tell frames and frame rate of sampled takes, and when and where they play', () => {
     expect(rows[0]).toMatchObject({ frameCount: 11, framesPerSecond: 50, durationSeconds: 0.2 });
     expect(rows[2]).toMatchObject({ durationSeconds: 3, offsetSeconds: 0.5, startSeconds: -0.5, x: 2, z: -1 });
     expect(rows[2]).not.toHaveProperty('frameCount');
   });
 
-  it('show nothing of a hidden character', () => {
+  it('hidden characters show no take', () => {
     const [c1] = document.characters;
     expect(takeRows(documentOf({ ...c1, isHidden: true }))[0]).toMatchObject({ isShown: false, isHidden: true });
   });
@@ -70,7 +70,7 @@ describe('the list of takes', () => {
   const names = (...args: Parameters<typeof listedTakes>) => listedTakes(...args).map((r) => r.name);
   const rows = takeRows(document);
 
-  it('finds what has every word, in the name, the character or the file', () => {
+  it('finds takes with every word in the name, the character or the file', () => {
     expect(names(rows, 'WALK', undefined)).toEqual(['walk_10', 'walk_2']);
     expect(names(rows, 'wasp walk', undefined)).toEqual(['walk_2']);
     expect(names(rows, 'day1', undefined)).toEqual(['walk_10']);

@@ -25,7 +25,7 @@ const all = { list: 'all', pinned: [], filter: '' } as const;
 const numbers = (list: readonly { channel: number }[]) => list.map((c) => c.channel);
 
 describe('listed channels', () => {
-  it('listed channels are the selected joint’s, with the root’s translation for the root', () => {
+  it('the list has the selected joint’s channels, with the root translation for the root', () => {
     const list = { ...all, list: 'selected' } as const;
     expect(numbers(listedChannels(walker, { characterId: 'c1', joint: 1 }, list))).toEqual([6, 7, 8]);
     expect(numbers(listedChannels(walker, { characterId: 'c1', joint: 0 }, list))).toEqual([0, 1, 2, 3, 4, 5]);
@@ -45,7 +45,7 @@ describe('listed channels', () => {
     expect(listedChannels({ ...walker, clips: [] }, {}, list)).toHaveLength(10);
   });
 
-  it('say which DOF they follow, whatever their keys say', () => {
+  it('the list tells which DOF a linked one follows, whatever its keys', () => {
     const bones = skeleton(['hips', -1], ['leg', 0]);
     const couples = [{ dof: 'ry', joint: 0, follows: 'rx', gain: 2, offset: 0 }];
     const joints = bones.joints.map((joint, j) => (j === 1 ? { ...joint, couples } : joint));
@@ -54,7 +54,7 @@ describe('listed channels', () => {
     expect(follows).toEqual(Array.from({ length: 10 }, (_, i) => (i === 7 ? 'hips rx' : undefined)));
   });
 
-  it('listed channels are called by joint and DOF, morphs by their own name, what drives nothing by its number', () => {
+  it('channels are named by joint and DOF, morphs by their own name, others by number', () => {
     const more = { ...walker, clips: [clip([0, 1], ...Array.from({ length: 12 }, keyed))] };
     const named = listedChannels(more, {}, all).map(channelName);
     expect(named[0]).toBe('hips tx');
@@ -62,16 +62,16 @@ describe('listed channels', () => {
     expect(named.slice(9)).toEqual(['smile', 'channel 10', 'channel 11']);
   });
 
-  it('listed channels are found by every word of the filter, in any order', () => {
+  it('the filter matches every word, in any order', () => {
     expect(numbers(listedChannels(walker, {}, { ...all, filter: 'rx leg' }))).toEqual([6]);
     expect(numbers(listedChannels(walker, {}, { ...all, filter: 'nothing' }))).toEqual([]);
   });
 
-  it('listed channels are those that were pinned, if there still is such a channel', () => {
+  it('pinned channels are listed, if they still exist', () => {
     expect(numbers(listedChannels(walker, {}, { ...all, list: 'pinned', pinned: [2, 7, 99] }))).toEqual([2, 7]);
   });
 
-  it('listed channels are there without any animation, with no keys', () => {
+  it('channels without animation are listed, without keys', () => {
     const bare = { ...walker, clips: [] };
     expect(listedChannels(bare, {}, all).map((c) => c.keyCount)).toEqual(new Array(10).fill(0));
   });
@@ -80,15 +80,15 @@ describe('listed channels', () => {
 describe('drawn channels', () => {
   const list = listedChannels(walker, { characterId: 'c1', joint: 0 }, { ...all, list: 'selected' });
 
-  it('drawn channels are those with keys that are not hidden', () => {
+  it('channels with keys are drawn unless hidden', () => {
     expect(drawnChannels(list, { hidden: [0] })).toEqual([1, 2, 3, 5]);
   });
 
-  it('drawn channels are only the isolated ones, even if they were hidden', () => {
+  it('only isolated channels are drawn, even if hidden', () => {
     expect(drawnChannels(list, { hidden: [0], isolated: [0, 3] })).toEqual([0, 3]);
   });
 
-  it('drawn channels are all again when what was isolated is not listed any more', () => {
+  it('all channels are drawn again when no isolated one is listed any more', () => {
     expect(drawnChannels(list, { hidden: [], isolated: [8] })).toEqual([0, 1, 2, 3, 5]);
   });
 });

@@ -42,7 +42,7 @@ it('lists the summary, the root translation, joints in the order of the skeleton
   ]);
 });
 
-it('folds a group out to its channels', () => {
+it('expands a group to its channels', () => {
   expect(rows(everyKeyed, { unfolded: [1, MORPHS_FOLD] })).toEqual([
     'summary: 0 1 2 3 4 5 6 7 8 9',
     'Root translation: 0 1 2',
@@ -63,7 +63,7 @@ describe('rows without keys', () => {
     expect(rows(some, { unfolded: [0] })).toEqual(['summary: 4', 'hips: 4', '  ry: 4']);
   });
 
-  it('rows without keys are there where all are asked for', () => {
+  it('rows without keys are listed on request', () => {
     expect(rows(some, { all: true, unfolded: [0] })).toEqual([
       'summary: 0 1 2 3 4 5 6 7 8 9',
       'Root translation: 0 1 2',
@@ -76,21 +76,21 @@ describe('rows without keys', () => {
     ]);
   });
 
-  it('rows without keys are no channels in view', () => {
+  it('rows without keys are not in view', () => {
     expect(keyedChannels(some, '')).toEqual([4]);
   });
 
-  it('leave nothing where no row is left, not even a summary', () => {
+  it('leave nothing if no row is left, not even a summary', () => {
     expect(rows(wasp(none, none, none))).toEqual([]);
   });
 });
 
 describe('the filter', () => {
-  it('keeps a joint whose name has the word, whole', () => {
+  it('keeps a joint whose name matches, with all its channels', () => {
     expect(rows(everyKeyed, { filter: 'KNE' })).toEqual(['summary: 6 7 8', 'knee: 6 7 8']);
   });
 
-  it('shows which channels of a joint were meant', () => {
+  it('shows which channels of a joint match', () => {
     expect(rows(everyKeyed, { filter: 'knee ry' })).toEqual(['summary: 7', 'knee: 7', '  ry: 7']);
   });
 
@@ -99,7 +99,7 @@ describe('the filter', () => {
   });
 });
 
-it('names channels past the DOFs by their number', () => {
+it('names channels beyond the DOFs by number', () => {
   const long = wasp(...Array.from({ length: 12 }, () => key));
   expect(rows(long, { unfolded: [OTHERS_FOLD] }).slice(-3)).toEqual([
     'More channels: 10 11',
@@ -108,11 +108,11 @@ it('names channels past the DOFs by their number', () => {
   ]);
 });
 
-it('ends where a short clip ends', () => {
+it('ends with a short clip’s last channel', () => {
   expect(rows(wasp(key, key, key, key))).toEqual(['summary: 0 1 2 3', 'Root translation: 0 1 2', 'hips: 3']);
 });
 
-it('knows everything that can be folded', () => {
+it('lists everything that can be expanded', () => {
   expect(allFolds(everyKeyed, everyKeyed.clips[0])).toEqual([ROOT_FOLD, 0, 1, MORPHS_FOLD]);
 });
 
@@ -128,7 +128,7 @@ it('keeps its rows when keys move, and not when a channel gets its first or lose
   expect(sameRows(before, clip([0, 1], none, none))).toBe(false);
 });
 
-it('says what is followed, on the joint too where it has nothing else', () => {
+it('tells what is followed, on the joint too if it has nothing else', () => {
   const couples = ['rx', 'ry', 'rz'].map((dof) => ({ dof, joint: 0, follows: 'rx', gain: 1, offset: 0 }));
   const { skeleton: bones = skeleton(), clips } = everyKeyed;
   const coupledBy = (count: number) => {

@@ -29,7 +29,7 @@ beforeEach(() => {
 });
 
 describe('what is picked out in the timeline', () => {
-  it('stays with its character, and is there again with it', () => {
+  it('pinned, hidden and isolated channels stay with their character', () => {
     const before = picked();
     wb.store.select({ characterId: 'c2' });
     expect(picked()).toEqual(NOTHING);
@@ -41,13 +41,13 @@ describe('what is picked out in the timeline', () => {
     expect(picked()).toEqual({ ...NOTHING, hidden: [0] });
   });
 
-  it('leaves everything else of the timeline as it is', () => {
+  it('leaves everything else of the timeline alone', () => {
     wb.timeline.change({ list: 'all', snapsToFrames: false });
     wb.store.select({ characterId: 'c2' });
     expect(wb.timeline.view.get()).toMatchObject({ list: 'all', snapsToFrames: false });
   });
 
-  it('goes with a skeleton of other DOFs, seen or not, and stays while only limits change', () => {
+  it('are dropped with a skeleton of other DOFs, shown or not, and kept if only limits change', () => {
     const before = picked();
     wb.store.apply(setLimit, { characterId: 'c1', dof: 4, min: -1, max: 1 });
     expect(picked()).toEqual(before);
@@ -61,7 +61,7 @@ describe('what is picked out in the timeline', () => {
     expect(picked()).toEqual(NOTHING);
   });
 
-  it('comes back with a character that was removed', () => {
+  it('are restored with a character that was removed', () => {
     const before = picked();
     wb.store.apply(removeCharacter, { characterId: 'c1' });
     expect(picked()).toEqual(NOTHING);

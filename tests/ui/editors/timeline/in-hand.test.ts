@@ -66,19 +66,19 @@ describe.each(WAYS)('keys of a curve that is %s', (how, hide) => {
   });
 });
 
-it('has nothing in hand where all that is selected is out of view', () => {
+it('edits no keys if all selected ones are out of view', () => {
   selectKeys(wb, [HIDDEN]);
   wb.timeline.change({ hidden: [1] });
   const enabled = ACTIONS.find((a) => a.id === 'timeline.delete')?.enabled;
   expect(enabled?.(wb)).toBe(false);
 });
 
-it('has all of them in hand in the dope sheet, which draws all keys', () => {
+it('edits all selected keys in the dope sheet, which draws all keys', () => {
   wb.timeline.change({ hidden: [1], tab: 'dope' });
   expect(keysInHand(wb)).toEqual([SHOWN, HIDDEN]);
 });
 
-it('gives the same arrays while nothing has changed that they follow from', () => {
+it('returns the same arrays while nothing has changed', () => {
   wb.timeline.change({ hidden: [1] });
   const keys = keysInHand(wb);
   const channels = channelsInView(wb);

@@ -26,7 +26,7 @@ beforeEach(() => {
 });
 
 describe('selecting', () => {
-  it('takes all keys in view, their opposite, and none', () => {
+  it('selects all keys in view, inverts, and deselects', () => {
     run('selectAll');
     expect(keysInHand(wb).map((k) => [k.channel, ...k.indices])).toEqual([
       [0, 0, 1, 2],
@@ -50,7 +50,7 @@ describe('selecting', () => {
     expect(keysInHand(wb).map((k) => k.channel)).toEqual([1]);
   });
 
-  it('goes by the playhead, on the transport’s time', () => {
+  it('uses the playhead, in the transport’s time', () => {
     run('selectHere');
     expect(keysInHand(wb)).toEqual([{ channel: 0, indices: [1] }]);
     run('selectAfter');
@@ -70,7 +70,7 @@ describe('selecting', () => {
 });
 
 describe('editing from the keyboard', () => {
-  it('nudges by a frame, and back by undo, selection and all', () => {
+  it('nudges by a frame, and undo restores keys and selection', () => {
     run('selectHere');
     run('later');
     expect(times(0)[1]).toBeCloseTo(1 + 1 / 30, 12);
@@ -90,13 +90,13 @@ describe('editing from the keyboard', () => {
     expect(keysOf(channelOf(3)).values[0]).toBeCloseTo(Math.PI / 180, 12);
   });
 
-  it('steps the playhead with the same arrows where nothing is selected', () => {
+  it('steps the playhead with the same arrows if nothing is selected', () => {
     run('later');
     expect(wb.transport.get().timeSeconds).toBeCloseTo(1 + 1 / 30, 12);
     expect(times(0)).toEqual([0, 1, 2]);
   });
 
-  it('inserts on every curve in view, and not where there is none', () => {
+  it('inserts on every curve in view, and does nothing if there is none', () => {
     wb.transport.update((p) => ({ ...p, timeSeconds: 1.5 }));
     run('insertKey');
     expect(times(0)).toEqual([0, 1, 1.5, 2]);
@@ -104,7 +104,7 @@ describe('editing from the keyboard', () => {
     expect(times(2)).toEqual([]);
   });
 
-  it('cuts and pastes at the playhead, as often as one likes', () => {
+  it('cuts and pastes at the playhead, repeatedly', () => {
     run('selectHere');
     run('cut');
     expect(times(0)).toEqual([0, 2]);
@@ -116,7 +116,7 @@ describe('editing from the keyboard', () => {
     expect(keysInHand(wb)).toEqual([{ channel: 0, indices: [2] }]);
   });
 
-  it('sets tangents and extrapolation of what is in hand', () => {
+  it('sets tangents and extrapolation of the selected keys', () => {
     run('selectHere');
     run('tangents.linear');
     expect(keysOf(channelOf(0)).tangentsIn.kinds[1]).toBe(1);
@@ -128,7 +128,7 @@ describe('editing from the keyboard', () => {
     ]);
   });
 
-  it('snaps to the frames that are seen, wherever the character’s clip begins', () => {
+  it('snaps to displayed frames, whatever the clip’s offset', () => {
     const loose = character({
       skeleton: skeleton(['hips', -1]),
       clips: [clip([0, 2], channel(0.01, 1.02))],
@@ -140,7 +140,7 @@ describe('editing from the keyboard', () => {
     expect(times(0).map((t) => Number((t - 0.05).toFixed(9)))).toEqual([0, 1]);
   });
 
-  it('can’t do anything without keys in hand', () => {
+  it('is disabled without selected keys', () => {
     expect(() => run('delete')).toThrow('is not available');
     expect(() => run('paste')).toThrow('is not available');
   });

@@ -10,14 +10,14 @@ import { swing, swinging } from '../../../edit/samples/made.ts';
 const before = { character: swinging(), clip: swing };
 
 describe('the message line', () => {
-  it('says which take has how many frames after a split', () => {
+  it('tells which take has how many frames after a split', () => {
     const [first, second] = split(swing, 1);
     const named = { ...second, name: 'swing_2' };
     const character = { ...swinging(), clips: [first, named], shownClip: 1 };
     expect(splitText({ character, clip: named }, 0)).toBe('Split: swing has 60 frames, swing_2 has 61 frames.');
   });
 
-  it('says what a cut left, at the seconds that are shown', () => {
+  it('tells what a cut has left, in displayed seconds', () => {
     const character = { ...before.character, timeOffsetSeconds: 0.25 };
     const clip = cropped(swing, 0.5, 1.5);
     expect(cutText('crop', before, { character, clip })).toBe('Cropped swing to 61 of 121 frames, 0.25 – 1.25 s.');
@@ -27,7 +27,7 @@ describe('the message line', () => {
 });
 
 describe('numbers in the dialogs', () => {
-  it('numbers in the dialogs are called by the unit of the character', () => {
+  it('numbers in the dialogs have the unit of the character', () => {
     const units = (['asIs', 'centimetres', 'metres', 'inches', 'millimetres', 'own'] as const).map((unit) =>
       lengthUnit({ space: { ...DEFAULT_SPACE, unit } }),
     );

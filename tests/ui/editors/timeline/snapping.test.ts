@@ -13,7 +13,7 @@ const seconds = fc.double({ min: -100, max: 100, noNaN: true });
 const rate = fc.constantFrom(1, 23.976, 24, 25, 30, 60, 120);
 
 describe('snapping to frames', () => {
-  it('puts the grabbed key on a whole frame, at most half a frame away', () => {
+  it('moves the grabbed key to a whole frame, at most half a frame away', () => {
     fc.assert(
       fc.property(seconds, seconds, rate, (key, by, framesPerSecond) => {
         const moved = key + snapSeconds(key, by, framesPerSecond);
@@ -23,7 +23,7 @@ describe('snapping to frames', () => {
     );
   });
 
-  it('takes a key that is between frames onto one, though it is hardly moved', () => {
+  it('moves a key between frames to one, even if hardly dragged', () => {
     expect(snapSeconds(0.51, 0, 10)).toBeCloseTo(-0.01, 12);
   });
 });
@@ -33,7 +33,7 @@ describe('snapping to values', () => {
     expect(0.37 + snapValue(0.37, 0.2, 0.25)).toBeCloseTo(0.5, 12);
   });
 
-  it('leaves a move alone where there is no step', () => {
+  it('keeps a move if there is no step', () => {
     expect(snapValue(1, 0.123, 0)).toBe(0.123);
   });
 

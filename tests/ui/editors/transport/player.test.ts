@@ -22,7 +22,7 @@ beforeEach(() => {
 });
 afterEach(() => void vi.unstubAllGlobals());
 
-it('moves time on by what passed between frames', () => {
+it('advances time by the elapsed time between frames', () => {
   const { wb, seeks } = workbench(undefined, { range: [0, 10], playing: true });
   startPlayer(wb, new AbortController().signal);
   for (const now of [5000, 5016, 5050]) frame(now);
@@ -30,7 +30,7 @@ it('moves time on by what passed between frames', () => {
   expect(seeks).toEqual([0, 0.016, expect.closeTo(0.05)]);
 });
 
-it('lets every frame have its picture: what a tick asked for comes before the next tick', () => {
+it('draws every frame: a tick’s request is drawn before the next tick', () => {
   const { wb, seeks } = workbench(undefined, { range: [0, 10], playing: true });
   // Like the viewport: several requests draw once, in the next frame.
   let asked = false;
@@ -48,7 +48,7 @@ it('lets every frame have its picture: what a tick asked for comes before the ne
   expect(drawn.length).toBeGreaterThanOrEqual(9);
 });
 
-it('asks for frames only while it plays', () => {
+it('requests frames only while playing', () => {
   const { wb } = workbench(undefined, { range: [0, 10] });
   startPlayer(wb, new AbortController().signal);
   expect(frames).toHaveLength(0);
@@ -60,7 +60,7 @@ it('asks for frames only while it plays', () => {
   expect(frames).toHaveLength(0);
 });
 
-it('does not jump over a pause, or over an hour in the background', () => {
+it('does not jump after a pause, or after an hour in the background', () => {
   const { wb } = workbench(undefined, { range: [0, 100], playing: true });
   startPlayer(wb, new AbortController().signal);
   frame(0);
@@ -89,7 +89,7 @@ describe('values set by hand and not keyed', () => {
     return { wb, now, seek };
   };
 
-  it('go when time moves, and that is said', () => {
+  it('unkeyed changes are discarded when the time changes, with a message', () => {
     const { wb, now, seek } = setAt();
     expect(now()).toEqual(unkeyed);
     seek(0.5);
@@ -97,7 +97,7 @@ describe('values set by hand and not keyed', () => {
     expect(wb.messages.passing.get()).toBe('Unkeyed change discarded. Ctrl+Z restores it, K keys such changes.');
   });
 
-  it('come back with undo, at their moment', () => {
+  it('unkeyed changes are restored by undo, with their time', () => {
     const { wb, now, seek } = setAt();
     seek(0.5);
     expect(wb.store.undoLabel).toBe('Discard 1 unkeyed change');
@@ -107,7 +107,7 @@ describe('values set by hand and not keyed', () => {
     expect(wb.transport.get()).toMatchObject({ timeSeconds: 0, playing: false });
   });
 
-  it('stay, unseen, while something can be redone', () => {
+  it('unkeyed changes stay, invisible, while something can be redone', () => {
     const { wb, now, seek } = setAt();
     wb.store.apply(setDofs, { characterId: 'c1', dofs: [{ index: 4, value: 2 }], timeSeconds: 0 });
     wb.store.undo();
@@ -120,7 +120,7 @@ describe('values set by hand and not keyed', () => {
   });
 });
 
-it('stops with the signal', () => {
+it('stops when aborted', () => {
   const { wb, seeks } = workbench(undefined, { range: [0, 10], playing: true });
   const stop = new AbortController();
   startPlayer(wb, stop.signal);

@@ -2,7 +2,7 @@ import { expect, it } from 'vitest';
 import { typeRange } from '../../../../src/ui/editors/transport/range-edits.ts';
 import { workbench } from '../../builders.ts';
 
-it('refuses a range that goes backward, in the unit in which it was typed', () => {
+it('refuses a reversed range, in the unit in which it was typed', () => {
   const { wb } = workbench();
   wb.transport.update((p) => ({ ...p, framesPerSecond: 24 }));
   const { range } = wb.transport.get();

@@ -82,7 +82,7 @@ function leftTool() {
   return { tool, said };
 }
 
-it('claims the pointer over a handle and through a drag, so that nothing else lights up', () => {
+it('claims the pointer over a handle and during a drag, so that nothing else is highlighted', () => {
   const { tool } = leftTool();
   const { pointer, claims } = page(tool);
   pointer('pointermove', 300, 10);
@@ -94,7 +94,7 @@ it('claims the pointer over a handle and through a drag, so that nothing else li
 });
 
 describe('a press in the viewport', () => {
-  it('that a tool takes is its drag, and not the camera’s', () => {
+  it('a press used by a tool is its drag, and not the camera’s', () => {
     const { tool, said } = leftTool();
     const { pointer, canvas, picked } = page(tool);
     expect(pointer('pointerdown', 10, 10).reachesCamera).toBe(false);
@@ -107,7 +107,7 @@ describe('a press in the viewport', () => {
     expect(picked).toEqual([]);
   });
 
-  it('that no tool takes is the camera’s, and picks where it went nowhere', () => {
+  it('a press not used by a tool is the camera’s, and picks if it does not move', () => {
     const { pointer, picked, canvas } = page(leftTool().tool);
     expect(pointer('pointerdown', 200, 10).reachesCamera).toBe(true);
     pointer('pointerup', 200 + CLICK_PIXELS, 10);
@@ -118,7 +118,7 @@ describe('a press in the viewport', () => {
     expect(canvas.focused).toBe(2);
   });
 
-  it('a press in the viewport is a click of the tool’s where it wants that one', () => {
+  it('a press in the viewport is the tool’s click if the tool uses it', () => {
     const { pointer, picked } = page({ press: () => undefined, click: ({ clientX }) => clientX === 7 });
     for (const x of [7, 8]) {
       pointer('pointerdown', x, 0);
@@ -136,7 +136,7 @@ describe('a press in the viewport', () => {
 });
 
 describe('a drag of a tool', () => {
-  it('a drag of a tool is given up by Escape, and what comes after is nobody’s', () => {
+  it('Escape cancels a drag of a tool, and later events are ignored', () => {
     const { tool, said } = leftTool();
     const { pointer, key, picked } = page(tool);
     pointer('pointerdown', 10, 10);
@@ -149,7 +149,7 @@ describe('a drag of a tool', () => {
     expect(key('Escape')).toBe(false);
   });
 
-  it('a drag of a tool keeps the keyboard waiting', () => {
+  it('a drag of a tool blocks the keyboard', () => {
     const { pointer, key } = page(leftTool().tool);
     expect(key('z')).toBe(false);
     pointer('pointerdown', 10, 10);
@@ -158,7 +158,7 @@ describe('a drag of a tool', () => {
     expect(key('z')).toBe(false);
   });
 
-  it('a drag of a tool is not disturbed by another button or finger', () => {
+  it('a drag of a tool ignores other buttons and fingers', () => {
     const { tool, said } = leftTool();
     const { pointer } = page(tool);
     pointer('pointerdown', 10, 10);
@@ -169,7 +169,7 @@ describe('a drag of a tool', () => {
     expect(said).toEqual(['end 15']);
   });
 
-  it('a drag of a tool is told how many fingers are down', () => {
+  it('a drag of a tool gets the number of fingers', () => {
     const counts: number[] = [];
     const { tool } = leftTool();
     const { pointer } = page({
@@ -187,7 +187,7 @@ describe('a drag of a tool', () => {
     expect(counts).toEqual([2, 1, 2, 1]);
   });
 
-  it('ends where the browser takes the pointer away', () => {
+  it('a drag ends if the browser cancels the pointer', () => {
     const { tool, said } = leftTool();
     const { pointer } = page(tool);
     pointer('pointerdown', 10, 10);
@@ -196,7 +196,7 @@ describe('a drag of a tool', () => {
   });
 });
 
-it('the cursor says what there is to take hold of', () => {
+it('the cursor shows what can be grabbed', () => {
   const { pointer, canvas } = page(leftTool().tool);
   pointer('pointermove', 10, 10);
   expect(canvas.style.cursor).toBe('grab');
