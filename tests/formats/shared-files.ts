@@ -1,12 +1,15 @@
-/** The reference files that these formats read. */
+/** The reference files of all formats that are read and written. */
 import { readdirSync } from 'node:fs';
-import { formatOf } from '../../src/project/codecs.ts';
+import { formatKindOf, isSaved } from '../../src/project/kinds.ts';
 import { hasShared, sharedPath } from '../helpers/shared.ts';
 
 function filesIn(folder: string): string[] {
   if (!hasShared) return [];
   return readdirSync(sharedPath(folder))
-    .filter((name) => formatOf(name) !== undefined)
+    .filter((name) => {
+      const kind = formatKindOf(name);
+      return kind !== undefined && isSaved(kind);
+    })
     .map((name) => `${folder}/${name}`);
 }
 
