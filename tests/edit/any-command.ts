@@ -57,7 +57,7 @@ function madeUpPose(dice: Dice, character: Character) {
   return poseByNames(character, { name: dice.pick(['rest', 'sting', 'land']), values });
 }
 
-/** One of the poses that were kept; undefined without any. */
+/** One of the poses in the library; undefined without any. */
 function ofPose({ dice, character }: Situation, rest: object): object | undefined {
   return character.poses && { characterId: character.id, pose: dice.below(character.poses.length), ...rest };
 }
@@ -381,14 +381,14 @@ export const anyCommand = fc.oneof(
   { weight: 1, arbitrary: fc.constantFrom(...COMMANDS_HERE) },
 );
 
-/** One character's situation; commands that need keys or a clip get those of a clip without any where there is none. */
+/** One character's situation; commands that need keys or a clip get those of a clip without keys if there is none. */
 export function argumentsFor(id: string, store: Store, dice: Dice): object | undefined {
   const [character, ...others] = store.document.characters;
   const clip = shownClip(character) ?? { name: 'none', range: [0, 1], channels: [] };
   return ARGUMENTS[id]?.({ dice, character, others, clip, keys: keysFor(store, clip, dice) });
 }
 
-/** What is selected as a rule, else any keys. */
+/** Usually the selected keys, else any. */
 export function keysFor({ selection }: Store, clip: ChannelClip, dice: Dice): readonly ChannelKeys[] {
   return selection.keys && dice.is(0.7) ? selection.keys : someKeys(clip, dice);
 }

@@ -22,7 +22,7 @@ const pinned = (joint: number, more: Partial<IkSetup> = {}): IkSetup => ({
   ...more,
 });
 
-/** A character whose `hero.skel` comes again with other joints. */
+/** A character whose `hero.skel` is opened again with other joints. */
 function reloaded(before: Partial<Character> & { skeleton: Skeleton }, after: Skeleton, ...others: Character[]) {
   const source = { name: 'hero.skel', path: 'hero.skel', bytes: 1 };
   const { document, diagnostics } = openFiles(documentOf(character({ ...before, sources: [source] }), ...others), [
@@ -42,7 +42,7 @@ describe('pins and stiff joints, where a skeleton is read again', () => {
     expect(diagnostics).toEqual([['info', 'ik-lost']]);
   });
 
-  it('pins and stiff joints follow their joints to other numbers when a skeleton is read again', () => {
+  it('pins and stiff joints follow their joints to new indices when a skeleton is read again', () => {
     const ik = pinned(2, { stiff: [{ joint: 0 }, { joint: 1 }] });
     const after = skeletonOf(hinge(-1, 'pelvis'), hinge(0, 'foot'), hinge(0, 'hip'), hinge(2, 'knee'));
     const { character: now, diagnostics } = reloaded({ skeleton: LEG, ik }, after);
@@ -69,7 +69,7 @@ describe('poses that were kept, where a skeleton is read again', () => {
     expect(diagnostics).toEqual([]);
   });
 
-  it('keep what they have of joints without names, where one has come between', () => {
+  it('keep what belongs to joints without names when another joint is inserted before them', () => {
     const bone = (parent: number, x: number) => hinge(parent, '', { offset: [x, 0, 0] });
     const before = skeletonOf(bone(-1, 0), bone(0, 1), bone(1, 1), bone(0, 2));
     const after = skeletonOf(bone(-1, 0), bone(0, 9), bone(0, 1), bone(2, 1), bone(0, 2));
@@ -78,14 +78,14 @@ describe('poses that were kept, where a skeleton is read again', () => {
     expect(diagnostics).toEqual([]);
   });
 
-  it('know joints without names by number where they have moved', () => {
+  it('find joints without names by index after they have moved', () => {
     const before = skeletonOf(hinge(-1, ''), hinge(0, ''), fixed(0, ''), hinge(0, ''));
     const [root, a, still, b] = before.joints;
     const after = skeletonOf(root, { ...a, offset: [0, 5, 0] }, still, { ...b, offset: [0, 6, 0] }, hinge(3, ''));
     expect(poseOf(reloaded({ skeleton: before, poses: kept(1, 2, 3) }, after).character)).toEqual([1, 2, 3, 0]);
   });
 
-  it('lose what a joint had that is gone, or moves by other DOFs, and it is said', () => {
+  it('lose what belonged to a joint that was removed or moves by other DOFs, and report it', () => {
     const ball = skeletonOf(LEG.joints[0], joint(0, { name: 'knee' }));
     const { character: now, diagnostics } = reloaded({ skeleton: LEG, poses: kept(1, 2, 3) }, ball);
     expect(poseOf(now)).toEqual([1, 0, 0, 0]);
@@ -105,7 +105,7 @@ describe('poses that were kept, where a skeleton is read again', () => {
   });
 });
 
-it('a pose of joints without names goes onto a skeleton with more of them', () => {
+it('a pose of joints without names applies to a skeleton with more of them', () => {
   const two = character({ skeleton: skeletonOf(hinge(-1, ''), hinge(0, '')) });
   const pose = poseByNames(two, { name: 'a', values: [0, 0, 0, 1, 2] });
   const three = character({ skeleton: skeletonOf(hinge(-1, ''), hinge(0, ''), hinge(1, '')) });
@@ -113,12 +113,12 @@ it('a pose of joints without names goes onto a skeleton with more of them', () =
     [3, 1],
     [4, 2],
   ]);
-  // Not onto one that has a name, nor onto other DOFs.
+  // Not to one that has a name, nor to other DOFs.
   const others = character({ skeleton: skeletonOf(hinge(-1, 'hip'), joint(0, { name: '' }), hinge(1, '')) });
   expect([...takePose(others, pose).values.keys()].sort()).toEqual([0, 1, 2]);
 });
 
-describe('a take that is put onto another character', () => {
+describe('retargeting when a skeleton is read again', () => {
   const driver = (sourceId: string, own: Skeleton): Driver => ({
     sourceId,
     source: { name: 'x', skeleton: own, clip: WALK, pose: [], clampsToLimits: true, timeOffsetSeconds: 0 },
@@ -128,7 +128,7 @@ describe('a take that is put onto another character', () => {
   const WALK = clip('walk', new Array(6).fill(0));
   const after = skeletonOf(hinge(-1, 'hip'), hinge(0, 'foot'));
 
-  it('moves the same joints where they have other numbers, or are gone', () => {
+  it('drives the same joints after they were renumbered or removed', () => {
     const bee = character({ id: 'c2', skeleton: LEG });
     const { character: now } = reloaded({ skeleton: LEG, driver: driver('c2', LEG) }, after, bee);
     expect(now.driver?.pairs).toEqual([
@@ -137,7 +137,7 @@ describe('a take that is put onto another character', () => {
     ]);
   });
 
-  it('is followed by the same joints where those it moves by have other numbers, or are gone', () => {
+  it('is driven by the same joints after these were renumbered or removed', () => {
     const bee = character({ id: 'c2', skeleton: LEG, driver: driver('c1', LEG) });
     const { document } = reloaded({ skeleton: LEG, clips: [WALK], shownClip: 0 }, after, bee);
     expect(document.characters[1].driver?.pairs).toEqual([

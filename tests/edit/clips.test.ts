@@ -13,7 +13,7 @@ const only = (document: typeof two) => document.characters[0];
 const names = (document: typeof two) => only(document).clips.map((c) => c.name);
 
 describe('clip.setRange', () => {
-  it('sets what is played of the take shown, or of another', () => {
+  it('sets the playback range of the shown take, or of another', () => {
     const next = setClipRange.run(two, { characterId: 'c1', range: [-1, 4] });
     expect(only(next).clips.map((c) => c.range)).toEqual([
       [-1, 4],
@@ -24,40 +24,40 @@ describe('clip.setRange', () => {
     expect(setClipRange.label(two, { characterId: 'c1', range: [0, 1] })).toBe('Set range of walk');
   });
 
-  it('refuses a range that goes backward, and a take that is not there', () => {
+  it('refuses a reversed range, and a take that does not exist', () => {
     expect(() => setClipRange.run(two, { characterId: 'c1', range: [1, 0] })).toThrow('start before it ends');
     expect(() => setClipRange.run(two, { characterId: 'c1', clip: 2, range: [0, 1] })).toThrow('no take number 2');
     expect(() => setClipRange.run(none, { characterId: 'c1', range: [0, 1] })).toThrow('shows no take');
   });
 
-  it('gives the very same document back where the range is that one', () => {
+  it('returns the same document if the range does not change', () => {
     expect(setClipRange.run(two, { characterId: 'c1', range: [0, 1] })).toBe(two);
   });
 });
 
 describe('clip.create', () => {
-  it('makes a take in which everything stands at the pose, and shows it', () => {
+  it('creates a take at rest in the pose, and shows it', () => {
     const made = only(createClip.run(none, { characterId: 'c1', range: [0, 3] }));
     expect(made.shownClip).toBe(0);
     expect(made.clips[0]).toMatchObject({ name: 'hero_anim', range: [0, 3] });
     expect(made.clips[0].channels).toEqual(made.pose.map((value) => restChannel(value)));
   });
 
-  it('numbers a name that a file has whose take is called something else by now', () => {
+  it('numbers a name that belongs to the file of a renamed take', () => {
     const [own] = two.characters;
     const document = { ...two, characters: [{ ...own, parts: clipsFrom('old.anim') }] };
     const made = createClip.run(document, { characterId: 'c1', range: [0, 1], name: 'old' });
     expect(names(made)).toEqual(['walk', 'run', 'old_2']);
   });
 
-  it('numbers a name that is taken, whatever its case', () => {
+  it('numbers a name that is in use, ignoring case', () => {
     let document = createClip.run(two, { characterId: 'c1', range: [0, 1], name: 'Walk' });
     document = createClip.run(document, { characterId: 'c1', range: [0, 1], name: 'walk' });
     expect(names(document)).toEqual(['walk', 'run', 'Walk_2', 'walk_3']);
     expect('unkeyed' in only(document)).toBe(false);
   });
 
-  it('refuses where there is no skeleton', () => {
+  it('refuses if there is no skeleton', () => {
     const { skeleton: _none, ...skin } = character();
     expect(() => createClip.run(documentOf(skin), { characterId: 'c1', range: [0, 1] })).toThrow('no skeleton');
   });
@@ -108,7 +108,7 @@ describe('clip.remove', () => {
     return [left.clips.map((c) => c.name), left.shownClip, 'unkeyed' in left];
   };
 
-  it('goes on showing the take that was shown, or its neighbour', () => {
+  it('keeps showing the take that was shown, or its neighbour', () => {
     expect(shown(0)).toEqual([['run'], 0, false]);
     expect(shown(1)).toEqual([['walk'], 0, false]);
     expect(shown(1, 0)).toEqual([['run'], 0, true]);
@@ -116,14 +116,14 @@ describe('clip.remove', () => {
     expect(shown(-1, 1)).toEqual([['walk'], -1, true]);
   });
 
-  it('shows none where none is left', () => {
+  it('shows none if none is left', () => {
     const one = documentOf(character({ clips: [walk], shownClip: 0 }));
     expect(only(removeClip.run(one, { characterId: 'c1' })).shownClip).toBe(-1);
   });
 });
 
 describe('rangeOfKeys', () => {
-  it('goes from the first key to the last, and is none without keys', () => {
+  it('extends from the first key to the last, and is undefined without keys', () => {
     const at = (time: number) => ({ ...walk.channels[0], times: Float64Array.of(time) });
     expect(rangeOfKeys({ ...walk, channels: [at(2), restChannel(1), at(-1)] })).toEqual([-1, 2]);
     expect(rangeOfKeys({ ...walk, channels: [restChannel()] })).toBeUndefined();

@@ -45,7 +45,7 @@ describe('the list of commands', () => {
     expect(listed.map(({ id }) => id)).toEqual([...COMMANDS_BY_ID.keys()]);
   });
 
-  it('the list of commands is known to the page, which fetches what is not at hand, by exactly its ids', () => {
+  it('the list of commands is known to the page, which loads the others on demand, by exactly its ids', () => {
     const fetched = [...COMMANDS_BY_ID.keys()].filter((id) => !COMMANDS_AT_HAND.has(id));
     expect([...FETCHED_IDS].sort()).toEqual(fetched.sort());
   });
@@ -63,7 +63,7 @@ describe('every command', () => {
     expect(expectEdit(given.document, command, given.args as never)).not.toBe(given.document);
   });
 
-  it.each(all)('$id refuses, or gives the very same document, where there is nothing to do', ({ command, given }) => {
+  it.each(all)('$id refuses, or returns the same document, if there is nothing to do', ({ command, given }) => {
     const { document } = given;
     try {
       expect(expectEdit(document, command, given.idle as never)).toBe(document);

@@ -28,7 +28,7 @@ describe('rig.setCouple', () => {
     expect(value?.[0].joints[1].couples).toEqual([{ dof: 'ry', joint: 0, follows: 'rx', gain: 2, offset: 0.25 }]);
   });
 
-  it('keeps couples in the order of the DOFs, and joints that it is not about as they are', () => {
+  it('keeps links in the order of the DOFs, and other joints unchanged', () => {
     const both = couple(couple(document, 1, 'rz', { joint: 0, dof: 'rx' }), 1, 'rx', { joint: 0, dof: 'rz' });
     expect(jointsOf(both)[1].couples?.map(({ dof }) => dof)).toEqual(['rx', 'rz']);
     expect(jointsOf(both)[0]).toBe(jointsOf(document)[0]);
@@ -40,13 +40,13 @@ describe('rig.setCouple', () => {
     expect('couples' in jointsOf(off)[1]).toBe(false);
   });
 
-  it('gives the very same document back where nothing changes', () => {
+  it('returns the same document if nothing changes', () => {
     const once = couple(document, 1, 'ry', { joint: 0, dof: 'rx' });
     expect(couple(once, 1, 'ry', { joint: 0, dof: 'rx' })).toBe(once);
     expect(couple(document, 1, 'ry', null)).toBe(document);
   });
 
-  it('refuses a DOF that would follow itself, by way of however many', () => {
+  it('refuses a DOF that would follow itself, directly or through others', () => {
     expect(() => couple(document, 1, 'ry', { joint: 1, dof: 'ry' })).toThrow('would follow itself');
     const chain = couple(couple(document, 1, 'rx', { joint: 0, dof: 'rx' }), 2, 'rx', { joint: 1, dof: 'rx' });
     expect(() => couple(chain, 0, 'rx', { joint: 2, dof: 'rx' })).toThrow(CommandError);
@@ -61,7 +61,7 @@ describe('rig.setCouple', () => {
     expect(() => setCouple.run(document, { characterId: 'c1', joint: 1, dof: 'rx', follows })).toThrow('The gain');
   });
 
-  it('rig.setCouple is undone to the very same document', () => {
+  it('rig.setCouple is undone to the same document', () => {
     const store = new Store(document);
     const follows = { joint: 0, dof: 'rx', gain: 1, offset: 0 };
     store.apply(setCouple, { characterId: 'c1', joint: 2, dof: 'rz', follows });

@@ -32,7 +32,7 @@ describe('deltaTo and applyDelta', () => {
       }),
     ));
 
-  it('share with the other value what is the same in both', () => {
+  it('share equal parts with the other value', () => {
     const skin = { positions: new Float64Array(3) };
     const from = { name: 'a', skin, clips: [{ name: 'walk' }, { name: 'run' }] };
     const target = { ...from, name: 'b', clips: [from.clips[0], { name: 'jump' }] };
@@ -83,7 +83,7 @@ describe('deltaTo and applyDelta', () => {
     expect(applyDelta(shorter, delta)).toEqual(list);
   });
 
-  it('keep whole what is no plain data', () => {
+  it('store anything but plain data whole', () => {
     const blob = new Date(0);
     expect(deltaTo({ blob }, { blob: new Date(1) })).toEqual({
       kind: 'object',

@@ -45,11 +45,11 @@ describe('the frame rate', () => {
     expect(rateOf(0.0166834)).toBeCloseTo(60 / 1.001, 10);
   });
 
-  it('the frame rate is as the file has it where that is no usual one', () => {
+  it('the frame rate is as in the file if it is no usual one', () => {
     expect(rateOf(0.03)).toBe(1 / 0.03);
   });
 
-  it('counts every frame of a long take as the file does, whatever the rounding', () => {
+  it('counts every frame of a long take like the file, whatever the rounding', () => {
     for (const frameSeconds of [0.0333, 0.033333, 0.008333, 0.0083333, 0.0167]) {
       const frameCount = 40_000;
       const last = (frameCount - 1) * frameSeconds * rateOf(frameSeconds, frameCount);
@@ -61,7 +61,7 @@ describe('the frame rate', () => {
 describe('what plays', () => {
   const keyed = character({ id: 'k', clips: [clip('keys', [0, 1])], shownClip: 0 });
 
-  it('what plays has one rate where all that is seen has the same', () => {
+  it('what plays has one rate if everything visible has the same', () => {
     expect(sharedFrameRate(documentOf(sampled('a', 0.0083333), sampled('b', 1 / 120)))).toBe(120);
     expect(sharedFrameRate(documentOf(sampled('a', 0.01), sampled('b', 0.02)))).toBeUndefined();
     expect(sharedFrameRate(documentOf(sampled('a', 0.01), sampled('b', 0.02, { isHidden: true })))).toBe(100);

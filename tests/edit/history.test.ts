@@ -67,7 +67,7 @@ describe('the history', () => {
     expect(held).toBeLessThan(200 * 128);
   });
 
-  it('goes all the way back and forth through long channels, selection included', () => {
+  it('undoes and redoes everything through long channels, including the selection', () => {
     const store = new Store(documentOf(character({ clips: [longClip(400)], shownClip: 0 })));
     store.select({ characterId: 'c1' });
     const states: { readonly document: Document; readonly keys: unknown }[] = [];
@@ -87,7 +87,7 @@ describe('the history', () => {
     }
   });
 
-  it('goes back to the very document before a step, whatever was amended since', () => {
+  it('undoes to the identical document before a step, whatever was amended since', () => {
     const store = new Store(start);
     store.apply(rename, 'b');
     const amended = { ...store.document, isOpeningSample: true };

@@ -67,7 +67,7 @@ describe('commands on keys', () => {
     expect(keysOf(channelIn(store, 0)).times).toBe(keysOf(walk.channels[0]).times);
   });
 
-  it('make no step where nothing changes', () => {
+  it('make no step if nothing changes', () => {
     const store = opened();
     store.apply(moveKeys, { characterId, keys: [{ channel: 0, indices: [0] }], seconds: 0 });
     store.apply(setTangents, { characterId, keys: [{ channel: 0, indices: [0] }], side: 'both', kind: 'smooth' });
@@ -77,7 +77,7 @@ describe('commands on keys', () => {
     expect(store.undoLabel).toBeUndefined();
   });
 
-  it('insert keys on several curves and select them, those that were there too', () => {
+  it('insert keys on several curves and select them, including existing ones', () => {
     const store = opened();
     store.apply(insertKeys, { characterId, channels: [1, 0, 2], timeSeconds: 1 });
     expect(pointsOf(channelIn(store, 2))).toEqual([[1, 4]]);
@@ -126,7 +126,7 @@ describe('commands on keys', () => {
     expect([...keysOf(channelIn(store, 1)).values]).toEqual([1, 4]);
   });
 
-  it('keep keys selected whose channel is extrapolated otherwise', () => {
+  it("keep keys selected when their channel's extrapolation changes", () => {
     const store = opened();
     const keys = [{ channel: 0, indices: [1] }];
     store.select(withSelectedKeys(store.selection, keys));
@@ -135,7 +135,7 @@ describe('commands on keys', () => {
     expect(store.selection.keys).toBe(keys);
   });
 
-  it('paste at a moment, and select what was pasted', () => {
+  it('paste at a time, and select the pasted keys', () => {
     const store = opened();
     const copied = copyKeys(walk, [{ channel: 1, indices: [0, 1] }]);
     store.apply(pasteKeys, { characterId, copied, timeSeconds: 0, into: [2], mode: 'merge' });

@@ -37,7 +37,7 @@ const take = (c: Character) => {
 const points = (channel: Channel) => [...keysOf(channel).times].map((time, k) => [time, keysOf(channel).values[k]]);
 
 describe('pose.key on a character without animation', () => {
-  it('makes a take that finds its skeleton again by its name', () => {
+  it('creates a take that finds its skeleton again by its name', () => {
     const made = take(only(key(bare, 0).document));
     expect(made.name).toBe('wasp_anim');
     expect(made.channels).toHaveLength(10);
@@ -56,7 +56,7 @@ describe('pose.key on a character without animation', () => {
     }
   });
 
-  it('keys only what it is asked for; all else stands where it stood, at every time', () => {
+  it('keys only the requested DOFs; all others keep their values at every time', () => {
     const { document, keys } = key(bare, 0.5, { dofs: [4, 3] });
     const keyed = only(document);
     expect(keys).toEqual([
@@ -68,7 +68,7 @@ describe('pose.key on a character without animation', () => {
     expect([3, 5].map((dof) => isDriven(keyed, dof))).toEqual([true, false]);
   });
 
-  it('plays what the transport plays, or up to the key and a second at least', () => {
+  it('plays what the transport plays, or up to the key and at least a second', () => {
     const range = (timeSeconds: number, playedRange?: readonly [number, number], offset = 0) =>
       take(only(key({ ...bare, timeOffsetSeconds: offset }, timeSeconds, { playedRange }).document)).range;
     expect(range(1, [0, 4])).toEqual([0, 4]);
@@ -79,7 +79,7 @@ describe('pose.key on a character without animation', () => {
     expect(range(1, [0, 4], 10)).toEqual([10, 14]);
   });
 
-  it('refuses where there is no skeleton to count channels by', () => {
+  it('refuses without a skeleton, whose DOFs channels correspond to', () => {
     const { skeleton: _none, ...skinless } = bare;
     expect(() => key(skinless, 0)).toThrow('no skeleton');
   });
@@ -98,14 +98,14 @@ describe('pose.key over a take', () => {
     expect(keysOf(channel).tangentsIn.kinds[0]).toBe(FLAT);
   });
 
-  it('finds the key again whose time went through an offset', () => {
+  it('finds the key again whose time was computed with an offset', () => {
     const shifted = { ...walking, timeOffsetSeconds: 0.1 };
     const once = only(key(shifted, 0.2, { dofs: [3] }).document);
     const again = only(key(once, 0.3 - 0.1 + Number.EPSILON, { dofs: [3] }).document);
     expect(keysOf(take(again).channels[3]).times).toHaveLength(2);
   });
 
-  it('makes what it keys not unkeyed any more, and nothing else', () => {
+  it('makes what it keys no longer unkeyed, and nothing else', () => {
     const dofs = [3, 4].map((index) => ({ index, value: 0.5 }));
     const byHand = only(documentIn(setDofs.run(documentOf(walking), { characterId: 'c1', dofs, timeSeconds: 2 })));
     expect(only(key(byHand, 2, { dofs: [3] }).document).unkeyed).toEqual({ timeSeconds: 2, dofs: [4], values: [0.5] });
@@ -124,7 +124,7 @@ describe('pose.key over a take', () => {
     expect(again.document).toBe(once);
   });
 
-  it('selects the keys, and undo selects what was before', () => {
+  it('selects the keys, and undo restores the previous selection', () => {
     const store = new Store(documentOf(walking));
     store.select({ characterId: 'c1', joint: 1 });
     store.apply(keyPose, { characterId: 'c1', timeSeconds: 1, dofs: [6, 7] });
@@ -148,7 +148,7 @@ describe('pose.key over a take', () => {
     ]);
   });
 
-  it('refuses DOFs that are not there, and tangents that nobody knows', () => {
+  it('refuses DOFs that do not exist, and unknown tangents', () => {
     expect(() => key(walking, 0, { dofs: [10] })).toThrow('no DOF number 10');
     expect(() => key(walking, Number.NaN)).toThrow('finite');
     // As a script may say it.
@@ -160,7 +160,7 @@ const time = fc.integer({ min: -400, max: 400 }).map((n) => n / 100);
 const value = fc.double({ min: -3, max: 3, noNaN: true });
 const extrapolation = fc.constantFrom('constant', 'linear', 'cycle', 'cycle_offset', 'bounce' as const);
 
-/** Posing and keying in any order, on a take whose channels extend anyhow. */
+/** Posing and keying in any order, on a take whose channels extrapolate in any way. */
 const session = fc.record({
   extrapolations: fc.array(fc.tuple(extrapolation, extrapolation), { minLength: 10, maxLength: 10 }),
   clamps: fc.boolean(),
@@ -176,7 +176,7 @@ const session = fc.record({
   ),
 });
 
-describe('keying as it goes on', () => {
+describe('continued keying', () => {
   it('never changes the pose at the moment that is keyed', () => {
     fc.assert(
       fc.property(session, ({ extrapolations, clamps, offset, steps }) => {
@@ -201,7 +201,7 @@ describe('keying as it goes on', () => {
     );
   });
 
-  it('keying as it goes on is in the file what it is on screen, at all times', () => {
+  it('continued keying is in the file what it is on screen, at all times', () => {
     fc.assert(
       fc.property(session, fc.array(time, { minLength: 1 }), ({ steps }, times) => {
         let document = documentOf(bare);

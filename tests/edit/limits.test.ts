@@ -14,7 +14,7 @@ const limit = (dof: number, min: number, max: number, on = document) =>
   setLimit.run(on, { characterId: 'c1', dof, min, max });
 
 describe('skeleton.setLimit', () => {
-  it('holds the DOF from then on, and leaves the pose as it was set', () => {
+  it('clamps the DOF from then on, and keeps the pose as it was set', () => {
     const limited = only(limit(7, -1, 1));
     const shown = new Float64Array(dofCountOf(limited));
     poseAt(limited, 0, shown);
@@ -36,7 +36,7 @@ describe('skeleton.setLimit', () => {
     expect(value?.[0].joints[1].limits[1]).toEqual({ min: -1, max: 0.5 });
   });
 
-  it('gives the very same document back where the limits are those', () => {
+  it('returns the same document if the limits do not change', () => {
     const once = limit(7, -1, 1);
     expect(limit(7, -1, 1, once)).toBe(once);
   });

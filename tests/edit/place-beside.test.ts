@@ -18,7 +18,7 @@ function bvh(name: string, ...roots: readonly Point[]): ParsedFile {
 
 const open = (files: readonly ParsedFile[], document: Document = EMPTY_DOCUMENT) => openFiles(document, files).document;
 
-/** Where the roots stand on the ground, x and z. */
+/** Positions of the roots on the ground, x and z. */
 function standing({ characters }: Document): [number, number][] {
   return characters.map((character) => {
     const { min, max, depth } = extentOf(character);
@@ -33,7 +33,7 @@ const names = (count: number) => Array.from({ length: count }, (_, i) => `take${
 const takes = (count: number) => names(count).map((name, i) => bvh(name, anywhere(i)));
 
 describe('captures that are dropped at once', () => {
-  it('captures that are dropped at once stand in rows of eight', () => {
+  it('captures that are dropped at once are placed in rows of eight', () => {
     const at = standing(open(takes(50)));
     for (let i = 0; i < 50; i++) expect(at[i][1]).toBeCloseTo(at[i - (i % 8)][1], 2);
     const rows = new Set(at.map(([, z]) => z.toFixed(1)));
@@ -48,7 +48,7 @@ describe('captures that are dropped at once', () => {
     expect(second - first).toBeCloseTo(1.5 * 0.8 * 1.7, 2);
   });
 
-  it('count as one where they are in one file, and keep their places to each other', () => {
+  it('count as one if they are in one file, and keep their relative positions', () => {
     const pair = bvh('pair', [0, 85, 0], [60, 85, 400]);
     const document = open([pair, ...takes(8)]);
     const { characters } = document;
@@ -60,7 +60,7 @@ describe('captures that are dropped at once', () => {
     expect(at[2][0]).toBeGreaterThan(at[1][0] + 0.2);
   });
 
-  it('stand where they would if they had been dropped one after the other', () => {
+  it('are placed as if they had been dropped one after the other', () => {
     let document = EMPTY_DOCUMENT;
     for (const file of takes(20)) document = open([file], document);
     expect(standing(document)).toEqual(standing(open(takes(20))));

@@ -13,7 +13,7 @@ import {
 const playing = (more: Partial<Playback>): Playback => ({ ...DEFAULT_PLAYBACK, playing: true, range: [1, 3], ...more });
 
 describe('advance', () => {
-  it('advance stands still while paused', () => {
+  it('advance does nothing while paused', () => {
     const paused = playing({ playing: false, timeSeconds: 2 });
     expect(advance(paused, 1)).toBe(paused);
   });
@@ -69,14 +69,14 @@ describe('advance', () => {
 });
 
 describe('play', () => {
-  it('starts over where `once` had come to its end', () => {
+  it('starts again when `once` had reached its end', () => {
     expect(play(playing({ playing: false, loop: 'once', timeSeconds: 3 })).timeSeconds).toBe(1);
     expect(play(playing({ playing: false, loop: 'once', timeSeconds: 1, rate: -1 })).timeSeconds).toBe(3);
   });
 });
 
 describe('stepFrames', () => {
-  it('goes to the neighbouring frame, also from between two', () => {
+  it('steps to the neighbouring frame, also from between two', () => {
     const at = (timeSeconds: number, frames: number) => stepFrames(playing({ timeSeconds }), frames).timeSeconds * 30;
     expect(at(10 / 30, 1)).toBeCloseTo(11, 9);
     expect(at(10.4 / 30, 1)).toBeCloseTo(11, 9);
@@ -94,13 +94,13 @@ describe('pause', () => {
     expect(paused(1.411, true).timeSeconds).toBe(42 / 30);
   });
 
-  it('stays within a range that does not end on a frame, and where it is in one that has no frame at all', () => {
+  it('stays within a range that does not end on a frame, and does not move in one without frames', () => {
     expect(paused(1.418, true, [1, 1.42]).timeSeconds).toBe(42 / 30);
     expect(paused(1.41, true, [1.41, 3]).timeSeconds).toBe(43 / 30);
     expect(paused(1.411, true, [1.41, 1.412]).timeSeconds).toBe(1.411);
   });
 
-  it('takes the nearest frame where it runs on past the range', () => {
+  it('uses the nearest frame when playing past the range', () => {
     expect(paused(9.99, true).timeSeconds).toBe(300 / 30);
   });
 });

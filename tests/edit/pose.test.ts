@@ -44,7 +44,7 @@ describe('pose.setDofs', () => {
     expect(() => set(still, 3, Number.NaN)).toThrow('finite');
   });
 
-  it('gives the very same document back where nothing changes', () => {
+  it('returns the same document if nothing changes', () => {
     expect(set(still, 0, 0)).toBe(still);
   });
 });
@@ -54,7 +54,7 @@ describe('what is set by hand over a clip', () => {
     character({ skeleton: { name: 's', joints: [limited] }, clips: [clip('walk', [0, 0, 0, 0.5])], shownClip: 0 }),
   );
 
-  it('is not set by hand where the keys give that very value, and no more so where it was', () => {
+  it('is no unkeyed change if the keys give that value, and is discarded when it returns to it', () => {
     const shown = new Float64Array(dofCountOf(playing.characters[0]));
     poseAt(playing.characters[0], 1.5, shown);
     expect(set(playing, 3, shown[3], 1.5)).toBe(playing);
@@ -62,7 +62,7 @@ describe('what is set by hand over a clip', () => {
     expect(set(once, 3, shown[3], 1.5).characters[0].unkeyed).toEqual({ timeSeconds: 1.5, dofs: [0], values: [2] });
   });
 
-  it('what is set by hand over a clip is unkeyed for that moment, where a channel drives it', () => {
+  it('what is set by hand over a clip is unkeyed at that time, if a channel drives it', () => {
     const once = set(playing, 3, 0.25, 1.5);
     expect(once.characters[0].unkeyed).toEqual({ timeSeconds: 1.5, dofs: [3], values: [0.25] });
     expect(set(once, 0, 2, 1.5).characters[0].unkeyed).toEqual({
@@ -73,17 +73,17 @@ describe('what is set by hand over a clip', () => {
     expect(set(once, 0, 2, 1.6).characters[0].unkeyed).toEqual({ timeSeconds: 1.6, dofs: [0], values: [2] });
   });
 
-  it('what is set by hand over a clip is part of the pose where none does', () => {
+  it('what is set by hand over a clip is part of the pose if no channel drives it', () => {
     expect(set(playing, 5, 0, 1.5).characters[0].unkeyed).toBeUndefined();
   });
 
-  it('what is set by hand over a clip is no part of the pose, and leaves no trace when it goes', () => {
+  it('what is set by hand over a clip is no part of the pose, and leaves no trace when discarded', () => {
     const once = set(playing, 3, 0.25, 1.5);
     expect(poseOf(once)).toEqual(poseOf(playing));
     expect(documentWithoutUnkeyed(once, 2).characters[0]).toEqual(playing.characters[0]);
   });
 
-  it('what is set by hand over a clip goes when time moves on', () => {
+  it('what is set by hand over a clip is discarded when the time changes', () => {
     const once = set(playing, 3, 0.25, 1.5);
     expect(documentWithoutUnkeyed(once, 1.5)).toBe(once);
     expect(documentWithoutUnkeyed(once, 1.6).characters[0].unkeyed).toBeUndefined();
@@ -114,7 +114,7 @@ describe('what is set by hand where a channel has no keys', () => {
     }
   });
 
-  it('is the take’s alone: neither the pose beneath nor the other channels know of it', () => {
+  it('belongs to the take: neither the pose beneath nor other channels change', () => {
     const once = set(playing, 4, 0.75);
     expect(once.characters[0].pose).toBe(playing.characters[0].pose);
     expect(once.characters[0].clips[1]).toBe(take);
@@ -133,7 +133,7 @@ describe('what is set by hand where a channel has no keys', () => {
     expect(set(playing, 4, 0.25)).toBe(playing);
   });
 
-  it('goes each its own way in one step', () => {
+  it('stores each value where it belongs, in one step', () => {
     const values = [0.9, 0.8, 0.7].map((value, i) => ({ index: [3, 4, 6][i], value }));
     const once = documentIn(setDofs.run(playing, { characterId: 'c1', dofs: values, timeSeconds: 2 }));
     expect(once.characters[0].unkeyed).toEqual({ timeSeconds: 2, dofs: [3], values: [0.9] });
@@ -167,7 +167,7 @@ describe('with auto-key', () => {
 });
 
 describe('pose.reset', () => {
-  it('goes back to the file’s pose or to zero', () => {
+  it('returns to the file pose or to zero', () => {
     const moved = set(set(still, 0, 4), 6, 1);
     const reset = (to: 'file' | 'zero') =>
       poseOf(documentIn(resetPose.run(moved, { characterId: 'c1', to, timeSeconds: 0 })));

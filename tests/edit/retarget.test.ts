@@ -17,7 +17,7 @@ import { PARTS, person, take } from '../evaluate/retarget/people.ts';
 import { character, clip, documentOf, morph } from '../helpers/builders.ts';
 
 const SOURCE = person();
-/** Nods, turns and goes up and down. */
+/** Nods, turns and moves up and down. */
 const ROWS = Array.from({ length: 12 }, (_, f) => {
   const row = new Array<number>(jointDofCount(SOURCE)).fill(0);
   row[1] = 0.9;
@@ -65,7 +65,7 @@ describe('putting a take onto another character', () => {
     expect(poseOf(of(s, 't'), 0.3)).toEqual(before);
   });
 
-  it('takes what was posed by hand over it away with it, and nothing else', () => {
+  it('discards what was posed by hand over it when it ends, and nothing else', () => {
     const s = store();
     s.apply(setRetarget, { ...ONTO, pairs: [{ target: 1, source: 1 }] });
     const before = of(s, 't').pose;
@@ -82,7 +82,7 @@ describe('putting a take onto another character', () => {
     expect(of(s, 't').unkeyed?.dofs).toEqual([spine, smile]);
   });
 
-  it('follows the take as it is edited, in the same step', () => {
+  it('follows edits of the take, in the same step', () => {
     const s = store();
     s.apply(setRetarget, ONTO);
     s.apply(setClipRange, { characterId: 's', range: [0, 0.5] });
@@ -117,7 +117,7 @@ describe('putting a take onto another character', () => {
     expect(of(s, 't').driver).toBeUndefined();
   });
 
-  it('is posed over for a moment where it moves, and for good where it doesn’t', () => {
+  it('is posed over temporarily where it drives joints, and permanently where it doesn’t', () => {
     const s = store();
     s.apply(setRetarget, { ...ONTO, pairs: [{ target: 1, source: 1 }] });
     // The spine's first DOF, and the head's.
@@ -179,7 +179,7 @@ describe('putting a take onto another character', () => {
     expect([spine, head].map((dof) => isDriven(of(s, 't'), dof))).toEqual([true, true]);
   });
 
-  it('goes on when the other character is removed', () => {
+  it('continues when the other character is removed', () => {
     const s = store();
     s.apply(setRetarget, ONTO);
     const before = poseOf(of(s, 't'), 0.3);
@@ -188,7 +188,7 @@ describe('putting a take onto another character', () => {
     expect(rangeOfClips(s.document)?.[1]).toBeCloseTo(1.1, 12);
   });
 
-  it('changes pairs and options, and keeps what is not said', () => {
+  it('changes pairs and options, and keeps omitted ones', () => {
     const s = store();
     s.apply(setRetarget, ONTO);
     s.apply(changeRetarget, { characterId: 't', options: { scale: 2 } });
@@ -257,7 +257,7 @@ describe('putting a take onto another character', () => {
 });
 
 describe('baking', () => {
-  it('gives a take of its own with what was seen on every frame, in one step', () => {
+  it('gives a take of its own with every displayed frame, in one step', () => {
     const s = store();
     s.apply(setRetarget, ONTO);
     const live = ROWS.map((_, f) => poseOf(of(s, 't'), f * 0.1));
@@ -276,7 +276,7 @@ describe('baking', () => {
     expect(of(s, 't').clips).toHaveLength(1);
   });
 
-  it('gives what was seen where both characters are put off in time', () => {
+  it('gives what was displayed if both characters are offset in time', () => {
     const s = store();
     s.apply(setTimeOffset, { characterId: 's', seconds: 0.25 });
     s.apply(setTimeOffset, { characterId: 't', seconds: -0.1 });

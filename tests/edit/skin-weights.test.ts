@@ -84,7 +84,7 @@ describe('automatic weights', () => {
     expect(most(drawn(weighted(who, { bind: 'file' })), who.skins[0].positions)).toBeLessThan(STILL);
   });
 
-  it('keep bindings that are there, and the skin where it is at the pose of binding', () => {
+  it('keep existing bindings, and the skin in place in the binding pose', () => {
     const skeleton = arm(0);
     const bound = weighted(dressed(skeleton, sleeve()));
     const [{ bindings, positions }] = bound.skins;
@@ -129,7 +129,7 @@ describe('automatic weights', () => {
     expect(idleOf(dressed(arm(0), sleeve()))).toEqual([]);
   });
 
-  it('automatic weights are written with their bindings, and read back as they are', () => {
+  it('automatic weights are written with their bindings, and read back identically', () => {
     const [skin] = weighted(dressed(arm(0), sleeve())).skins;
     const { value } = readSkin(writeSkin(skin).text, 'sleeve.skin');
     expect(value?.attachments).toEqual(skin.attachments);

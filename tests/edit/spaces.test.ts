@@ -20,12 +20,12 @@ function bvh(name: string, ...roots: readonly (readonly [number, number, number]
 }
 
 describe('a figure of motion capture that is opened', () => {
-  it('stands upright, in metres, on the ground', () => {
+  it('is upright, in metres, on the ground', () => {
     const { document } = openFiles(EMPTY_DOCUMENT, [bvh('walk', [0, 185, 0])]);
     expect(document.characters[0].space).toEqual({ up: 'y', unit: 'centimetres', lift: -1 });
   });
 
-  it('keeps the space that it was given when its file comes again', () => {
+  it('keeps the space that it was given when its file is opened again', () => {
     const { document } = openFiles(EMPTY_DOCUMENT, [bvh('walk', [0, 85, 0])]);
     const store = new Store(document);
     store.apply(setSpace, { characterId: document.characters[0].id, space: SPACE });
@@ -34,7 +34,7 @@ describe('a figure of motion capture that is opened', () => {
     expect(again.characters[0].space).toEqual(SPACE);
   });
 
-  it('stands beside the others in one row, wherever in its file it is', () => {
+  it('is placed beside the others in one row, wherever it is in its file', () => {
     const files = [bvh('a', [0, 85, 0]), bvh('b', [400, 85, 900]), bvh('c', [-70, 85, -300])];
     const { characters } = openFiles(EMPTY_DOCUMENT, files).document;
     const feet = characters.map(({ placements: [{ position }] }, i) => [
@@ -89,7 +89,7 @@ describe('the space of a character', () => {
 });
 
 describe('position channels of a character', () => {
-  it('mean something else, and it stands on the ground again', () => {
+  it('have another meaning, and the character is on the ground again', () => {
     const skeleton = figure({ positionsEverywhere: true });
     const space: Space = { up: 'y', unit: 'centimetres', lift: 0 };
     const store = new Store(documentOf(captured(skeleton, take(skeleton, [[0, 85, 0]]), { space })));
@@ -103,14 +103,14 @@ describe('position channels of a character', () => {
     expect(store.document.characters[0].skeleton).toEqual(skeleton);
   });
 
-  it('position channels of a character are refused where there are none', () => {
+  it('position channels of a character are refused if there are none', () => {
     const store = new Store(documentOf(character()));
     expect(() => store.apply(setPositionChannels, { characterId: 'c1', positions: 'add' })).toThrow(CommandError);
   });
 });
 
 describe('hidden characters', () => {
-  it('hidden characters are several at once, and come back as they were', () => {
+  it('hidden characters can be several at once, and are shown as before', () => {
     const one = character();
     const two = character({ id: 'c2' });
     const store = new Store(documentOf(one, two));
@@ -123,7 +123,7 @@ describe('hidden characters', () => {
     expect(store.document).toBe(document);
   });
 
-  it('hidden characters refuse who is not there', () => {
+  it('hidden characters refuse unknown ids', () => {
     const store = new Store(documentOf(character()));
     expect(() => store.apply(setHidden, { ids: ['c9'], hidden: true })).toThrow(CommandError);
   });
@@ -139,7 +139,7 @@ describe('what a take plays between frames', () => {
     expect(store.document.characters[0].clips[0].samples?.interpolation).toBe('linear');
   });
 
-  it('what a take plays between frames is the keys’ own where there are only keys', () => {
+  it('what a take plays between frames is the keys’ own if there are only keys', () => {
     const store = new Store(documentOf(character({ clips: [clip('walk', [0])], shownClip: 0 })));
     expect(() => store.apply(setInterpolation, { characterId: 'c1', interpolation: 'cubic' })).toThrow(CommandError);
   });

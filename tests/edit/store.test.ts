@@ -9,7 +9,7 @@ const rename = (name: string) => ({ characterId: 'c1', name });
 const nameIn = (store: Store) => store.document.characters[0].name;
 
 describe('Store', () => {
-  it('undoes and redoes a step to the very same objects', () => {
+  it('undoes and redoes a step to the identical objects', () => {
     const store = new Store(start);
     store.apply(renameCharacter, rename('b'));
     const after = store.document;
@@ -61,19 +61,19 @@ describe('Store', () => {
     expect(told).toHaveBeenCalledTimes(2);
   });
 
-  it('says so where there is nothing to undo or redo', () => {
+  it('reports when there is nothing to undo or redo', () => {
     const store = new Store(start);
     expect([store.undo(), store.redo()]).toEqual([false, false]);
   });
 
-  it('leaves everything as it was when a command is refused', () => {
+  it('changes nothing when a command is refused', () => {
     const store = new Store(start);
     expect(() => store.apply(renameCharacter, { characterId: 'nobody', name: 'x' })).toThrow('no character "nobody"');
     expect(store.document).toBe(start);
     expect(store.undoLabel).toBeUndefined();
   });
 
-  it('selects nothing of a character that is gone, and selects it again when it comes back', () => {
+  it('selects nothing of a removed character, and selects it again when it is restored', () => {
     const store = new Store(start);
     store.select({ characterId: 'c1', joint: 1 });
     store.apply(removeCharacter, { characterId: 'c1' });
@@ -126,7 +126,7 @@ describe('Store', () => {
     expect(nameIn(store)).toBe('a');
   });
 
-  it('puts back what was only being tried before anything else happens', () => {
+  it('reverts what was only tried before anything else happens', () => {
     const others: readonly ((store: Store) => void)[] = [
       (store) => store.apply(renameCharacter, rename('c')),
       (store) => store.replace('Open', documentOf(character({ name: 'c' }))),
@@ -154,7 +154,7 @@ describe('Store', () => {
     }
   });
 
-  it('makes one step of what was tried and is wanted, and none of what is not', () => {
+  it('makes one step of a kept trial, and none of others', () => {
     const store = new Store(start);
     const trial = store.begin('Simplify', 'tried');
     expect(trial.closed).toBe(false);
@@ -174,7 +174,7 @@ describe('Store', () => {
     expect(nameIn(store)).toBe('b');
   });
 
-  it('tells listeners what it was before, and stops when they leave', () => {
+  it('passes the previous state to listeners, and stops when they unsubscribe', () => {
     const store = new Store(start);
     const heard = vi.fn();
     const leave = store.subscribe(heard);
@@ -186,7 +186,7 @@ describe('Store', () => {
     expect(heard).toHaveBeenCalledTimes(1);
   });
 
-  it('comes back to every document on the way, whatever was done', () => {
+  it('restores every document on the way, whatever was done', () => {
     const name = fc.string().map((end) => `a${end}`);
     const step = fc.oneof(
       fc.record({ kind: fc.constant('apply' as const), name }),
@@ -254,7 +254,7 @@ describe('Store', () => {
     expect(store.selection.joint).toBe(3);
   });
 
-  it('selects what a preview is about, and what was selected again when that is given up', () => {
+  it('selects what a preview is about, and the previous selection when it is cancelled', () => {
     const store = new Store(documentOf(character({ name: 'a', skeleton: skeleton(4) })));
     store.select({ characterId: 'c1', joint: 1 });
     const drag = store.begin('Drag');

@@ -60,7 +60,7 @@ describe('takes that are shown', () => {
     expect(() => showTakes.run(document, { takes: [{ characterId: 'a', clip: 2 }] })).toThrow('no take number 2');
   });
 
-  it('takes that are shown are one step, whatever they hide, and undone to the very same document', () => {
+  it('takes that are shown are one step, whatever they hide, and undone to the identical document', () => {
     const store = new Store(three);
     store.apply(showTakes, { takes: [{ characterId: 'b', clip: 0 }], alone: true });
     expect(store.undoLabel).toBe('Play b alone');
@@ -93,7 +93,7 @@ describe('takes in space', () => {
   const at = (id: string, x: number, z: number) => take(id, [0, 1], { clips: [clip(id, [x, 0, z])] });
   const spread = documentOf(at('a', 5, 1), at('b', -3, 0), at('c', 0, 0));
 
-  it('stand side by side in rows, no two in one place', () => {
+  it('are placed side by side in rows, no two in one place', () => {
     const next = arrange.run(spread, { characterIds: ids, how: 'grid' });
     const roots = next.characters.map((c, i) => {
       const [x, , z] = c.placements[0].position;
@@ -126,7 +126,7 @@ describe('takes in space', () => {
     ]);
   });
 
-  it('lie over each other when they are compared, and nothing else is seen', () => {
+  it('overlap when compared, and nothing else is visible', () => {
     const second = { ...DEFAULT_PLACEMENT, position: [4, 0, 0], turn: [0, 1, 0] } as const;
     const document = documentOf(take('a'), take('b', [0, 1], { placements: [second, second] }), take('c'));
     const next = overlayTakes.run(document, {
@@ -178,7 +178,7 @@ describe('takes that were compared', () => {
   const end = (now: Document, overlaid: Document) =>
     endOverlay.run(now, { before: document.characters, overlaid: overlaid.characters });
 
-  it('takes that were compared are where they were, and all is seen that was', () => {
+  it('takes that were compared return to their places, and the visibility is restored', () => {
     const overlaid = laid(['a', 0], ['b', 0]);
     expect(overlaid).not.toEqual(document);
     expect(end(overlaid, overlaid)).toEqual(document);
@@ -189,7 +189,7 @@ describe('takes that were compared', () => {
     expect(end(overlaid, overlaid)).toEqual(document);
   });
 
-  it('keep what was changed meanwhile, of them and of others', () => {
+  it('keep other changes made meanwhile', () => {
     const overlaid = laid(['a', 0], ['b', 0]);
     const edited = {
       ...overlaid,
@@ -232,7 +232,7 @@ describe('takes that are removed', () => {
     expect(next.characters[0]).toMatchObject({ clips: [], shownClip: -1 });
   });
 
-  it('leave the take that is shown as it is, or show the one after it', () => {
+  it('keep showing the same take, or show the one after it', () => {
     const clips = ['w', 'x', 'y', 'z'].map((name) => clip(name, [0]));
     const shown = (shownClip: number, ...gone: number[]) => {
       const document = documentOf(take('a', [0, 1], { clips, shownClip }));

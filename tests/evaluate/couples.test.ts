@@ -44,7 +44,7 @@ describe('a coupled DOF', () => {
     expect(out[4]).toBe(6.5);
   });
 
-  it('follows one that follows another, though it stands before both', () => {
+  it('follows one that follows another, even if it comes before both', () => {
     const chain = skel('balljoint a { couple rx b.rx 2 0 balljoint b { couple rx b.rz -1 1 limit rx -1 1 } }');
     expect(settled(chain, [9, 0, 0, 9, 0, 0.5])).toEqual([1, 0, 0, 0.5, 0, 0.5]);
     expect(settled(chain, [9, 0, 0, 9, 0, 5])).toEqual([-2, 0, 0, -1, 0, 5]);
@@ -57,7 +57,7 @@ describe('a coupled DOF', () => {
   });
 });
 
-describe('couples of a skeleton made by hand', () => {
+describe('are sorted so that each follows a final value', () => {
   const couple = (dof: string, of: number, follows: string) => ({ dof, joint: of, follows, gain: 1, offset: 0 });
   const chain = (...couples: readonly ReturnType<typeof couple>[][]): Skeleton => ({
     name: 'hero',
@@ -81,7 +81,7 @@ describe('couples of a skeleton made by hand', () => {
     );
   });
 
-  it('couples of a skeleton made by hand are left out where they go round, with all that follow them', () => {
+  it('couples of a skeleton made by hand are skipped if they are circular, with all that follow them', () => {
     const round = chain(
       [couple('rx', 1, 'rx')],
       [couple('rx', 0, 'rx')],

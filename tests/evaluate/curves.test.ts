@@ -376,7 +376,7 @@ describe('a compiled clip', () => {
     );
   });
 
-  it('stands at the rest of a channel without keys, at any time', () => {
+  it('has the rest value of a channel without keys, at any time', () => {
     const resting = { ...clip, channels: [restChannel(), restChannel(2.5), channel([[1, 7]])] };
     const out = new Float64Array(3);
     for (const time of [-1e6, -1, 0, 0.5, 1e6]) {

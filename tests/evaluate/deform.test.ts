@@ -170,7 +170,7 @@ describe('deforming', () => {
     expect(normals).toEqual([0, 0, 1, 0, 1, 0, 1, 0, 0]);
   });
 
-  it('hangs a skin without attachments on the root, through its binding where there is one', () => {
+  it('attaches a skin without attachments to the root, through its binding if there is one', () => {
     const { attachments: _none, ...bare } = skin();
     expect(run({ ...bare, bindings: new Float64Array(0) }, translated(5, 6, 7)).positions).toEqual([
       5, 6, 7, 6, 6, 7, 5, 7, 7,

@@ -5,7 +5,7 @@ import { skeleton } from '../ui/builders.ts';
 describe('joints of two skeletons', () => {
   const figure = skeleton(['hips', -1], ['leg_l', 0], ['foot', 1], ['leg_r', 0], ['foot', 3]);
 
-  it('match by name and parent, in whatever order siblings stand', () => {
+  it('match by name and parent, whatever the order of siblings', () => {
     const other = skeleton(['hips', -1], ['leg_r', 0], ['foot', 1], ['leg_l', 0], ['foot', 3]);
     const match = matchJoints(figure, other);
     expect(match).toEqual({ first: [0, 1, 2, 3, 4], second: [0, 3, 4, 1, 2], onlyFirst: [], onlySecond: [] });

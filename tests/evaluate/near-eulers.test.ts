@@ -110,7 +110,7 @@ describe('angles between two frames that are near to each other', () => {
     );
   });
 
-  it('stay the very same where nothing turns', () => {
+  it('are exactly unchanged if nothing turns', () => {
     fc.assert(
       fc.property(order, angles, part, (channels, given, share) => {
         // As many digits as files have: the smallest numbers there are can't be halved.
@@ -120,7 +120,7 @@ describe('angles between two frames that are near to each other', () => {
     );
   });
 
-  it('are left to others far apart, beside gimbal lock, past it and where there is no number', () => {
+  it('are left to others if far apart, at or near gimbal lock, and for non-finite numbers', () => {
     const isNear = (from: readonly number[], to: readonly number[]) => between(ORDERS[1], from, to, 0.5).isNear;
     expect(isNear([0, 0, 0], [0.1, 0.1, 0.1])).toBe(true);
     expect(isNear([0, 0, 0], [2, 0, 0])).toBe(false);

@@ -78,7 +78,7 @@ describe('a pose', () => {
     expect(isDriven(face, 0)).toBe(false);
   });
 
-  it('shows what was set by hand at its own moment only', () => {
+  it('shows unkeyed changes at their own time only', () => {
     const byHand = played([9, 8, 7, -1, -2, -3], { unkeyed: { timeSeconds: 0.5, dofs: [0, 4], values: [1, 0.2] } });
     expect(poseOf(byHand, 0.5)).toEqual([1, 8, 7, -1, 0.2, -3, 0.7]);
     expect(poseOf(byHand, 0.5 + 1e-10)).toEqual([1, 8, 7, -1, 0.2, -3, 0.7]);

@@ -37,7 +37,7 @@ describeShared('takes of the reference files', () => {
     );
   };
 
-  it.each(Object.keys(files))('%s stands where it should at its frames', (name) => {
+  it.each(Object.keys(files))('%s is in the right place at its frames', (name) => {
     const { frame_time, nodes, tolerance, positions } = files[name];
     const takes = takesOf(name);
     for (const [frame, expected] of Object.entries(positions)) {

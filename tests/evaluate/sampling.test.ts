@@ -85,7 +85,7 @@ describe('a column by itself', () => {
     expect([0.24, 0.25, 0.74, 0.76].map((t) => sampleColumn(samples, 0, t))).toEqual([10, 20, 20, 30]);
   });
 
-  it('goes straight from frame to frame, also from 179° to −179°', () => {
+  it('interpolates numerically from frame to frame, also from 179° to −179°', () => {
     expect(sampleColumn(column([179, -179]), 0, 0.125)).toBe(89.5);
   });
 

@@ -49,7 +49,7 @@ describeShared('captures of studios', () => {
 });
 
 describe('the joint that carries a character', () => {
-  it('the joint that carries a character is the root where it travels, though others do too', () => {
+  it('the joint that carries a character is the root if it travels, though others do too', () => {
     expect(
       carrierIn([
         [0, 0, 0],
@@ -58,7 +58,7 @@ describe('the joint that carries a character', () => {
     ).toBe(0);
   });
 
-  it('the joint that carries a character is the one below it where the root stands, or only trembles', () => {
+  it('the joint that carries a character is the one below if the root is static, or only trembles', () => {
     expect(
       carrierIn([
         [0, 0, 0],
@@ -82,7 +82,7 @@ describe('the joint that carries a character', () => {
     ).toBe(0);
   });
 
-  it('the joint that carries a character is the root where nothing moves, and where there is no clip', () => {
+  it('the joint that carries a character is the root if nothing moves, and if there is no clip', () => {
     expect(carrierIn([[3, 4, 5]])).toBe(0);
     expect(carrierOf(character({ skeleton: skeleton(3) }))).toBe(0);
     expect(carrierOf(character({ skeleton: skeleton(3), clips: [clip('walk', [0, 1, 2])], shownClip: 0 }))).toBe(0);

@@ -51,7 +51,7 @@ describe('lines and columns', () => {
 });
 
 describe('the place of anything', () => {
-  it('is what counting in the text gives, whatever stands before it and however it is cut', () => {
+  it('equals counting in the text, whatever precedes it and however it is cut', () => {
     const filler = fc.constantFrom('\n', '\r', '\r\n', '\r\r\n', ' ', '\t', '1 ', '0.25\n', ' 3\r\n', '-7\r');
     const block = fc.array(filler, { maxLength: 400 }).map((parts) => ` ${parts.join('')} `);
     const name = fc.constantFrom('a', 'ü', '骨', '\u{1F9B4}');

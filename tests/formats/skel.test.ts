@@ -75,7 +75,7 @@ describe('reading .skel', () => {
     });
   });
 
-  it('finds the DOF that another follows by a name or an index, wherever its joint stands', () => {
+  it('finds the DOF that another follows by a name or an index, wherever its joint is', () => {
     const text = [
       ...['hingejoint a.b {', ' couple r b.rx 2 -1', ' balljoint b { couple RY #2.r 0.5 0', ' couple rz b.ry 1 0 }'],
       ...[' hingejoint b.c { couple r a.b.r 1 0 }', ' hingejoint { }', '}'],

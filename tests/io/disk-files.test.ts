@@ -210,7 +210,7 @@ describe('reading again', () => {
     expect(again).toMatchObject({ path: 'given/a b.skel', address, version: '"2"' });
   });
 
-  it('reading again has nowhere to go for content of a script', () => {
+  it('reading again is impossible for content of a script', () => {
     expect(diskFileOf({ path: 'a.skel', blob: new Blob(['x']) })).toBeUndefined();
   });
 });

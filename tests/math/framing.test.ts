@@ -101,7 +101,7 @@ describe('framing', () => {
     for (let i = 0; i < 12; i++) expect(m[i]).toBeCloseTo(elements[i], 9);
   });
 
-  it('stands back from a point too', () => {
+  it('keeps a distance from a point too', () => {
     expect(fitDistance(0, 0, 0, cameraAt(0, 0, 1, 1).matrixWorld.elements, TAN, 1, 1.2)).toBeGreaterThan(0);
   });
 

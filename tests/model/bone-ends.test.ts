@@ -3,7 +3,7 @@ import { boneEnds } from '../../src/model/bone-ends.ts';
 import { hasAllBoxes, hasBox } from '../../src/model/boxes.ts';
 import { joint } from '../helpers/builders.ts';
 
-it('a bone ends at its End Sites, and at its tip where no child stands', () => {
+it('a bone ends at its End Sites, and at its tip if there is no child', () => {
   const joints = [
     joint(-1, { offset: [0, 0, 0], length: 2 }),
     joint(0, { offset: [0, 2, 0], length: 3 }),

@@ -19,7 +19,7 @@ describe('the axis that a DOF is coloured by', () => {
     expect(dofAxis({ kind: 'prismatic', axis: [3, 1e-9, 0] }, 't')).toBe('x');
   });
 
-  it('the axis that a DOF is coloured by is none where the joint stands askew, or has no axis', () => {
+  it('the axis that a DOF is coloured by does not exist if the joint is oblique, or has no axis', () => {
     expect(dofAxis(hinge(1, 1, 0.5), 'r')).toBeUndefined();
     expect(dofAxis({ kind: 'scale', mode: 'uniform', axis: [0, 1, 0] }, 's')).toBeUndefined();
     expect(dofAxis({ kind: 'scale', mode: 'volume', axis: [0, 1, 0] }, 's')).toBe('y');

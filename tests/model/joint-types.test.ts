@@ -16,7 +16,7 @@ describe('another kind of joint', () => {
     expect(motionOfKind('prismatic', { kind: 'ball', order: 'xyz' })).toEqual({ kind: 'prismatic', axis: [1, 0, 0] });
   });
 
-  it('keeps the order, as far as it goes', () => {
+  it('keeps the order, as far as it applies', () => {
     expect(motionOfKind('free', { kind: 'ball', order: 'zxy' })).toEqual({ kind: 'free', order: 'zxy' });
     expect(motionOfKind('universal', { kind: 'ball', order: 'zxy' })).toEqual({ kind: 'universal', order: 'zx' });
     expect(motionOfKind('ball', { kind: 'universal', order: 'yz' })).toEqual({ kind: 'ball', order: 'yzx' });

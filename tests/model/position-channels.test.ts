@@ -32,7 +32,7 @@ describe('what position channels mean', () => {
 describe('another meaning of position channels', () => {
   const before = figure({ positionsEverywhere: true });
 
-  it('leaves rest pose and set pose where they are', () => {
+  it('keeps rest pose and set pose in place', () => {
     const pose = filePose(before, 0).map((value, dof) => value + dof / 100);
     const after = withPositions(before, 'add');
     expect(positionsTaken(after)).toBe('add');

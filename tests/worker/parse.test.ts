@@ -34,7 +34,7 @@ describe('the parse job', () => {
     expect(diagnostics).toMatchObject([{ severity: 'warning', code: 'format-unknown', file: 'notes.txt' }]);
   });
 
-  it('keeps a texture’s bytes as they are', async () => {
+  it('skips unknown files, and reports them', async () => {
     const bytes = Uint8Array.of(1, 2, 3);
     const { files } = await parse({ files: [given('skin/face.BMP', bytes)] }, ignore);
     expect(files).toMatchObject([{ kind: 'texture', texture: { name: 'face.BMP', mime: 'image/bmp', bytes } }]);

@@ -166,7 +166,7 @@ describe('baking the extrapolation', () => {
     expect(valueAt(after, 2.4)).toBeCloseTo(valueAt(channel, 2.4), 12);
   });
 
-  it('needs one key for linear, which goes on', () => {
+  it('needs one key for linear, which continues', () => {
     const { channel } = withExtrapolationBaked(wave('linear', 5), -3, 4);
     expect(pointsOf(channel)).toEqual([
       [-3, -3],
@@ -190,7 +190,7 @@ describe('baking the extrapolation', () => {
     expect(withExtrapolationBaked(none, -5, 5).channel).toBe(none);
   });
 
-  it('holds what repeated, and says so where the other side goes on with another period', () => {
+  it('makes what repeated constant, and reports if the other side repeats with another period', () => {
     const { channel, periodChanged } = withExtrapolationBaked(wave('cycle'), 0, 5);
     expect([channel.extrapolateIn, channel.extrapolateOut]).toEqual(['cycle', 'constant']);
     expect(periodChanged).toBe(true);

@@ -63,7 +63,7 @@ describe('simplifying curves', () => {
     expect([1, 2].map((c) => after[c] === channelsOf(before)[c])).toEqual([true, true]);
   });
 
-  it('makes no step where nothing can go', () => {
+  it('makes no step if no key can be removed', () => {
     const store = new Store(documentWith(calm));
     store.apply(simplify, { characterId: 'c1', channels: [0], tolerance: 1 });
     expect(store.undoLabel).toBeUndefined();
@@ -101,14 +101,14 @@ describe('resampling, looping and baking curves', () => {
     expect(() => resample.run(before, { ...args, to: -1 })).toThrow('before it starts');
   });
 
-  it('makes loops, letting those travel that are named', () => {
+  it('makes loops, keeping the offset of the named channels', () => {
     const before = documentWith(wave(1), wave(1));
     const { document } = makeLoop.run(before, { characterId: 'c1', channels: [0, 1], keepOffset: [1] });
     expect(channelsOf(document).map((c) => c.extrapolateOut)).toEqual(['cycle', 'cycle_offset']);
     expect(makeLoop.label(before, { characterId: 'c1', channels: [0, 1] })).toBe('Make 2 curves loop');
   });
 
-  it('bakes, and says whose period is another', () => {
+  it('bakes, and reports whose period has changed', () => {
     const loop = { ...jumping, extrapolateIn: 'cycle' as const, extrapolateOut: 'cycle' as const };
     const before = documentWith(loop, calm);
     const args = { characterId: 'c1', channels: [0, 1], from: 0, to: 3 };
@@ -140,7 +140,7 @@ describe('the Euler filter over a character', () => {
     expect(filteredBy(before, rotations)).toMatchObject({ keysChanged: 2, notes: [] });
   });
 
-  it('finds the angles of any joint that has three, and leaves those of which a turn is more', () => {
+  it('finds the angles of any joint that has three, and skips those for which a whole turn matters', () => {
     const order = 'yxz';
     const free = joint(-1, { motion: { kind: 'free', order } });
     const screw = joint(0, { motion: { kind: 'screw', axis: [1, 0, 0], pitch: 2 } });
@@ -174,7 +174,7 @@ describe('the Euler filter over a character', () => {
     ]);
   });
 
-  it('unrolls by whole turns what is not keyed or chosen together, and says why', () => {
+  it('unrolls by whole turns the angles that are not keyed or selected together, and says why', () => {
     const later = channelOf([[0.5, 0]]);
     const before = documentWith(...three, jumping, later, calm, jumping, none, calm);
     const { channels, notes } = filteredBy(before, rotations);

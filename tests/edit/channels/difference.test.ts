@@ -5,7 +5,7 @@ import { channelOf, channels, valueAt } from '../keys/channels.ts';
 import { largestSampled } from './sampled.ts';
 
 describe('the difference of two curves', () => {
-  it('the difference of two curves is found between keys, where a cubic bulges out', () => {
+  it('the difference of two curves is found between keys, where a cubic overshoots', () => {
     const straight = channelOf([
       [0, 0, 'linear'],
       [1, 0, 'linear'],
@@ -32,7 +32,7 @@ describe('the difference of two curves', () => {
     expect(largestDifference(level, step).largestError).toBe(4);
   });
 
-  it('the difference of two curves is nothing between a curve and itself, or where there is no curve', () => {
+  it('the difference of two curves is zero between a curve and itself, or if there is no curve', () => {
     const one = channelOf([[0, 3]]);
     expect(largestDifference(one, one)).toEqual({ largestError: 0, atSeconds: 0 });
     expect(largestDifference(channelOf([[7, 1]]), one).largestError).toBe(0);

@@ -36,7 +36,7 @@ describe('the Euler filter', () => {
     );
   });
 
-  it.each(EULER_ORDERS)('finds a smooth motion again under turns and flips, in the order %s', (order) => {
+  it.each(EULER_ORDERS)('restores a smooth motion from turns and flips, in the order %s', (order) => {
     const middle = 'xyz'.indexOf(order[1]);
     const smooth = Array.from({ length: 20 }, (_, k) => [0, 1, 2].map((a) => Math.sin(0.1 * k + a) + 0.05 * k * a));
     const disguise = fc.tuple(fc.boolean(), ...[0, 1, 2].map(() => fc.integer({ min: -2, max: 2 })));
@@ -84,7 +84,7 @@ describe('the Euler filter', () => {
     );
   });
 
-  it('turns slopes of the middle angle over where it is mirrored', () => {
+  it('negates slopes of the middle angle where it is mirrored', () => {
     const [x, y, z] = filterRotations(
       ofTriples([
         [0, 1.5, 0],
@@ -101,7 +101,7 @@ describe('the Euler filter', () => {
     expect(slopesAt(y, 0)).toEqual([0.5, 0.5]);
   });
 
-  it('gives the very same channels where nothing jumps', () => {
+  it('returns the same channels if nothing jumps', () => {
     const before = ofTriples([
       [0, 0, 0],
       [1, 0.5, -1],
@@ -142,7 +142,7 @@ describe('the Euler filter', () => {
     expect(pointsOf(unrollAngle(channel, { min: -3.2, max: 3.2 }))[1]).toEqual([1, -3]);
   });
 
-  it('takes three angles together only where they are keyed at the same times', () => {
+  it('filters three angles together only if they are keyed at the same times', () => {
     const [x, y, z] = ofTriples([[0, 0, 0]]);
     expect(keyedTogether([x, y, z])).toBe(true);
     expect(keyedTogether([x, y, channelOf([[0.5, 0]])])).toBe(false);

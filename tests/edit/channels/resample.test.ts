@@ -71,7 +71,7 @@ describe('resampling', () => {
     );
   });
 
-  it('measures what it got wrong', () => {
+  it('measures its error', () => {
     fc.assert(
       fc.property(channels(2, { steps: true }), fc.integer({ min: -20, max: 10 }), (channel, from) => {
         const done = resampleChannel(channel, frames(from, from + 9, 'smooth', 3));
@@ -119,7 +119,7 @@ describe('resampling', () => {
     expect(largestError).toBe(0);
   });
 
-  it('makes a slope over one frame of a step between frames, swings over nowhere, and says how far that is off', () => {
+  it('turns a step between frames into a ramp over one frame, does not overshoot, and reports the error', () => {
     const { channel, largestError } = resampleChannel(step(1.25), frames(0, 2, 'smooth', 2));
     expect(pointsOf(channel)).toEqual([0, 0.5, 1, 1.5, 2].map((t) => [t, t < 1.25 ? 0 : 1]));
     expect(largestError).toBeCloseTo(0.5, 9);

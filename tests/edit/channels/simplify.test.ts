@@ -43,7 +43,7 @@ describe('simplifying', () => {
     );
   });
 
-  it('leaves each key that stays where it was', () => {
+  it('keeps the time and value of each remaining key', () => {
     fc.assert(
       fc.property(
         channels(2, { steps: true, maxLength: 25 }),
@@ -71,7 +71,7 @@ describe('simplifying', () => {
     );
   });
 
-  it('gives the very same channel where no key can go', () => {
+  it('returns the same channel if no key can be removed', () => {
     const zigzag = recorded((t) => (Math.round(t * 30) % 2 ? 1 : -1), 60);
     expect(simplifyChannel(zigzag, 0.1).channel).toBe(zigzag);
     expect(simplifyChannel(zigzag, 0.1)).toMatchObject({ keysBefore: 61, keysAfter: 61, largestError: 0 });
@@ -85,7 +85,7 @@ describe('simplifying', () => {
     });
   });
 
-  it('takes out keys that change nothing, whatever the tolerance', () => {
+  it('removes keys that change nothing, at any tolerance', () => {
     const straight = channelOf([
       [0, 0, 'linear'],
       [1, 1, 'linear'],
@@ -185,7 +185,7 @@ describe('simplifying', () => {
     }
   });
 
-  it('keeps the slope that goes on beyond the ends, as a number', () => {
+  it('keeps the slope that continues beyond the ends, as a number', () => {
     const wave = { ...recorded(Math.sin, 60), extrapolateOut: 'linear' as const };
     const { channel, keysAfter } = simplifyChannel(wave, 0.01);
     expect(keysAfter).toBeLessThan(10);
@@ -193,7 +193,7 @@ describe('simplifying', () => {
     expect(slopesAt(channel, keysAfter - 1)[1]).toBe(slopesAt(wave, 60)[1]);
   });
 
-  it('comes to fewer keys with more tolerance', () => {
+  it('needs fewer keys with more tolerance', () => {
     const wave = recorded((t) => Math.sin(t) + 0.3 * Math.sin(3.3 * t), 900);
     const counts = [1e-4, 1e-3, 1e-2, 1e-1].map((tolerance) => simplifyChannel(wave, tolerance).keysAfter);
     expect(counts).toEqual([...counts].sort((a, b) => b - a));

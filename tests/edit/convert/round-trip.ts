@@ -1,4 +1,4 @@
-/** Where joints stand, on both sides of a conversion. */
+/** Positions of joints, on both sides of a conversion. */
 import { compileSkeleton, worldMatrices } from '../../../src/evaluate/kinematics.ts';
 import { dofCountOf, poseAt } from '../../../src/evaluate/pose.ts';
 import type { Character } from '../../../src/model/document.ts';
@@ -53,7 +53,7 @@ export function worstDistance(a: Character, b: Character, seconds: readonly numb
   return worst;
 }
 
-/** The times of a clip's frames; frame 0 alone where it has none. */
+/** The times of a clip's frames; only frame 0 if it has none. */
 export function frameTimes({ clip }: CapturedFigure): readonly number[] {
   const samples = clip?.samples;
   if (!samples) return [0];

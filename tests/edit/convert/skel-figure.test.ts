@@ -52,7 +52,7 @@ describe('BVH as .skel and .anim', () => {
     expect(skeleton.joints.every((joint) => joint.endSites === undefined)).toBe(true);
   });
 
-  it('leaves a skeleton of .skel as it is', () => {
+  it('leaves a skeleton of .skel unchanged', () => {
     const { skeleton } = skelFigure(bvhFigure({ name: 'x', joints: [bvhJoint(-1, ['rx'])] }, [[0]]).skeleton);
     expect(skelFigure(skeleton).skeleton).toBe(skeleton);
   });
@@ -66,7 +66,7 @@ describe('BVH as .skel and .anim', () => {
     );
   });
 
-  it('comes back as BVH with every joint and End Site where it was', () => {
+  it('converts back to BVH with every joint and End Site in place', () => {
     fc.assert(
       fc.property(anyFigure(angle), (figure) => {
         const there = skelAndAnim(figure);
@@ -76,7 +76,7 @@ describe('BVH as .skel and .anim', () => {
     );
   });
 
-  it('gives keys that do not spin: an angle that jumps by a turn goes the short way', () => {
+  it('gives keys that do not spin: an angle that jumps by a whole turn is unrolled', () => {
     const figure = bvhFigure({ name: 'x', joints: [bvhJoint(-1, ['rx'])] }, [[170], [-175], [-160]]);
     if (!figure.clip) throw new Error('There is a clip.');
     const { channels, samples } = keyedClip(figure.clip, figure.skeleton);

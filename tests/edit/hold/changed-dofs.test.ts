@@ -24,12 +24,12 @@ function frames(changes: Readonly<Record<number, number>>): HeldFrames {
 }
 
 describe('the DOFs that a hold has changed', () => {
-  it('the DOFs that a hold has changed are all four parts of a quaternion where one of them is', () => {
+  it('the DOFs that a hold has changed are all four components of a quaternion if one of them is', () => {
     for (const part of [6, 7, 8, 9]) expect(changedDofs(ARM, frames({ [part]: 0.1 }), 1)).toEqual([6, 7, 8, 9]);
     expect(changedDofs(ARM, frames({ 4: 0.1 }), 1)).toEqual([4]);
   });
 
-  it('are those that someone sees, lengths as parts of the reach, and none that follow others', () => {
+  it('are visible changes, lengths relative to the reach, and no linked DOFs', () => {
     expect(changedDofs(ARM, frames({ 0: 1e-6, 3: 1e-8, 10: 0.5, 11: 0.5 }), 1)).toEqual([0, 11]);
     expect(changedDofs(ARM, frames({ 0: 1e-6 }), 100)).toEqual([]);
   });

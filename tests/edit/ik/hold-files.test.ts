@@ -60,11 +60,11 @@ describe('the walker', () => {
     shownClip: 0,
   });
 
-  it('stands on a foot that would go on', () => {
+  it('keeps a foot in place that would move on', () => {
     expectHeld(walker, { joints: ['foot_l'], range: [0.4, 0.9], tolerance: OF_KEYS });
   });
 
-  it('stands on both of its toes', () => {
+  it('keeps both of its toes in place', () => {
     expectHeld(walker, { joints: ['toe_l', 'toe_r'], range: [0.4, 0.7], tolerance: OF_KEYS });
   });
 });
@@ -80,15 +80,15 @@ describeShared('takes of others', () => {
   const wasp = () => opened('cse169/wasp.skel', 'cse169/wasp.skin', 'cse169/wasp_walk.anim');
   const feet = ['01', '02', '03'].flatMap((n) => [`knee_${n}_l`, `knee_${n}_r`]);
 
-  it('the wasp stands on one foot, whose end is one of its skin', () => {
+  it('the wasp stands on one foot, whose end is that of its skin', () => {
     expectHeld(wasp(), { joints: ['knee_01_l'], range: [0.5, 1.5], tolerance: OF_KEYS });
   });
 
-  it('the wasp stands on all six', () => {
+  it('the wasp stands on all six feet', () => {
     expectHeld(wasp(), { joints: feet, range: [0.5, 1], tolerance: OF_KEYS });
   });
 
-  it('a captured walk stands on a foot, frame by frame', () => {
+  it('a captured walk keeps a foot in place, frame by frame', () => {
     expectHeld(opened('bvh/cmu-01_01.bvh'), { joints: ['LeftFoot'], range: [6.88, 7.88], tolerance: OF_SAMPLES });
   });
 });

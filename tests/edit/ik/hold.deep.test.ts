@@ -106,7 +106,7 @@ describe('holding a pin over a range of time', () => {
     expect(slide(shown(s), place, 0.5, 1)).toBeLessThan(TOLERANCE);
   });
 
-  it('leaves all as it was before it sets in and after it has ended', () => {
+  it('changes nothing before it starts and after it has ended', () => {
     const s = store();
     const before = shown(s);
     s.apply(holdPins, { ...HOLD, easeSeconds: 0.2 });
@@ -118,7 +118,7 @@ describe('holding a pin over a range of time', () => {
     }
   });
 
-  it('goes to the place and back without a jump', () => {
+  it('eases in and out without a jump', () => {
     const s = store();
     const before = shown(s);
     s.apply(holdPins, { ...HOLD, easeSeconds: 0.25 });
@@ -180,14 +180,14 @@ describe('holding a pin over a range of time', () => {
     expect(s.document).toBe(document);
   });
 
-  it('goes by the seconds of the transport for a character that begins later', () => {
+  it('uses transport time for a character that starts later', () => {
     const s = store({ timeOffsetSeconds: 0.3 });
     const place = footAt(shown(s), 0.5);
     s.apply(holdPins, HOLD);
     expect(slide(shown(s), place, 0.5, 1)).toBeLessThan(TOLERANCE);
   });
 
-  it('begins at what was set by hand, which is keyed then', () => {
+  it('starts from unkeyed changes, which are then keyed', () => {
     const s = store();
     s.apply(setDofs, { characterId: 'c1', dofs: [{ index: 3, value: 0.6 }], timeSeconds: 0.5 });
     const place = footAt(shown(s), 0.5);
@@ -196,7 +196,7 @@ describe('holding a pin over a range of time', () => {
     expect(slide(shown(s), place, 0.5, 1)).toBeLessThan(TOLERANCE);
   });
 
-  it('reports what it came to', () => {
+  it('reports its result', () => {
     const s = store();
     const { report } = runToEnd(holdSteps(s.document, HOLD));
     const [pin] = report.pins;
@@ -208,7 +208,7 @@ describe('holding a pin over a range of time', () => {
 });
 
 describe('what a hold may move', () => {
-  it('what a hold may move is not what is locked, and not the root where that is kept', () => {
+  it('what a hold may move is not what is locked, and not the root if that is fixed', () => {
     const s = store();
     s.apply(setRootFree, { characterId: 'c1', isFree: false });
     s.apply(setStiffness, { characterId: 'c1', joints: [1], stiffness: 'locked' });
@@ -237,7 +237,7 @@ describe('what a hold may move', () => {
     }
   });
 
-  it('comes as near as can be to what is out of reach, and says in how many frames', () => {
+  it('approaches unreachable targets as closely as possible, and reports in how many frames', () => {
     const s = store();
     s.apply(setRootFree, { characterId: 'c1', isFree: false });
     const far = walk();
@@ -262,7 +262,7 @@ describe('what a hold may move', () => {
     expect(jerk).toBeLessThan(0.05 * REACH);
   });
 
-  it('what a hold may move is turned back too, where a pin holds its orientation', () => {
+  it('what a hold may move is rotated back too, if a pin holds its orientation', () => {
     const s = store();
     s.apply(pinPoint, { characterId: 'c1', joint: FOOT, point: [0, -0.2, 0], holdsOrientation: true });
     const ends = (c: Character, t: number) => [footAt(c, t, FOOT, [1, 0, 0]), footAt(c, t, FOOT, [0, 0, 1])];
@@ -277,7 +277,7 @@ describe('what a hold may move', () => {
 });
 
 describe('takes of other kinds', () => {
-  it('that repeat are written out where they are played, and go on as they did', () => {
+  it('that repeat are baked over the playback range, and continue as before', () => {
     const looped = walk();
     const all = looped.channels.map((channel, c): Channel => {
       if (keysOf(channel).times.length === 0) return channel;
@@ -296,7 +296,7 @@ describe('takes of other kinds', () => {
     }
   });
 
-  it('of samples get other frames, those outside to the last bit as they were', () => {
+  it('of samples get other frames, and those outside are exactly unchanged', () => {
     const rows = 61;
     const values = new Float64Array(15 * rows);
     for (let f = 0; f < rows; f++) {
@@ -352,7 +352,7 @@ describe('takes of other kinds', () => {
     for (let t = 0; t < 2; t += 0.01) expect(valuesAt(shown(s), t)[6]).toBeLessThan(-0.5);
   });
 
-  it('takes of other kinds are held up to their very ends, where nothing comes before or after', () => {
+  it('takes of other kinds are held to their ends, if nothing comes before or after', () => {
     const s = store();
     const place = footAt(shown(s), 0);
     s.apply(holdPins, { ...HOLD, range: [-1, 9], atSeconds: 0 });
@@ -388,7 +388,7 @@ describe('what can not be held', () => {
     refused(store(), { tolerance: 0 }, 'greater than 0');
   });
 
-  it('what can not be held is a character without a take, or one that another one moves', () => {
+  it('what can not be held is a character without a take, or one driven by retargeting', () => {
     refused(store({ clips: [], shownClip: -1 }), {}, 'shows no take');
     const both = documentOf(
       character({ skeleton: LEG, clips: [walk()], shownClip: 0 }),
@@ -418,7 +418,7 @@ describe('whatever the way', () => {
     { height: 0.33371810149401426, phase: 0.4577729608863592, often: 0.45827419869601727 },
   ];
 
-  it('of the joints, the point stays, between frames too, and no curve goes astray', { timeout: 60_000 }, () => {
+  it('of the joints, the point stays in place, between frames too, and no curve deviates', { timeout: 60_000 }, () => {
     fc.assert(
       fc.property(fc.array(wave, { minLength: 9, maxLength: 9 }), moment, moment, (waves, a, b) => {
         const all = waves.map(({ height, phase, often }) =>
@@ -448,7 +448,7 @@ describe('whatever the curves', () => {
     tangentsOut: { ...channel.tangentsOut, slopes: channel.tangentsOut.slopes.map((v) => Math.atan(v)) },
   });
 
-  it('a hold is undone to the very document, and leaves the curves outside as they were', { timeout: 60_000 }, () => {
+  it('a hold is undone to the identical document, and keeps the curves outside unchanged', { timeout: 60_000 }, () => {
     fc.assert(
       fc.property(some, moment, moment, moment, (given, a, b, at) => {
         const all = [...given.map(small), ...Array.from({ length: 6 }, () => restChannel(0.1))];

@@ -81,7 +81,7 @@ describe('letting go', () => {
     expect(() => store.apply(unpin, { ...of, pins: [2] })).toThrow('no pin 2');
   });
 
-  it('leaves nothing behind when the last goes, and is no step where there is none', () => {
+  it('leaves nothing behind when the last is removed, and is no step if there is none', () => {
     const store = fresh();
     const before = store.document.characters[0];
     store.apply(clearPins, of);
@@ -102,7 +102,7 @@ describe('changing a pin', () => {
     return store;
   };
 
-  it('keeps what is not said, and its id', () => {
+  it('keeps omitted settings, and its id', () => {
     const store = pinned();
     store.apply(setPin, { ...of, pin: 1, weight: 3 });
     store.apply(setPin, { ...of, pin: 1, holdsOrientation: true });
@@ -112,7 +112,7 @@ describe('changing a pin', () => {
     expect(ik(store)?.pins[0]).toEqual({ id: 1, joint: 1, point: [1, 0, 0], weight: 3, holdsOrientation: true });
   });
 
-  it('changing a pin is no step where nothing changes, and refused onto another pin', () => {
+  it('changing a pin is no step if nothing changes, and refused onto another pin', () => {
     const store = pinned();
     const before = store.document;
     store.apply(setPin, { ...of, pin: 1, weight: 1, point: [0, 0, 0] });
@@ -123,7 +123,7 @@ describe('changing a pin', () => {
 });
 
 describe('locking and stiffening joints', () => {
-  it('locking and stiffening joints is kept in order of joints, and gone when all bend as usual', () => {
+  it('locking and stiffening joints is stored in joint order, and removed when all bend as by default', () => {
     const store = fresh();
     const set = (joints: number[], stiffness: number | 'locked' | 'usual') =>
       store.apply(setStiffness, { ...of, joints, stiffness });
@@ -146,7 +146,7 @@ describe('locking and stiffening joints', () => {
 });
 
 describe('the root', () => {
-  it('the root is let travel or kept, and nothing is said of it where that holds anyway', () => {
+  it('the root is freed or fixed, and nothing is stored if that is the default', () => {
     const store = fresh();
     store.apply(setRootFree, { ...of, isFree: false });
     expect(store.undoLabel).toBe('Keep root of hero in place');

@@ -18,7 +18,7 @@ import {
 import { evenly } from '../dice.ts';
 
 export type Tangent = 'flat' | 'linear' | 'smooth' | number;
-/** Smooth on both sides where nothing is said; with one tangent, that on both. */
+/** Smooth on both sides by default; a single tangent is used for both. */
 export type KeyRow = readonly [time: number, value: number, tangentIn?: Tangent, tangentOut?: Tangent];
 
 export function channelOf(

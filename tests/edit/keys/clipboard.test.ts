@@ -24,7 +24,7 @@ const paste = (copied: ReturnType<typeof copyKeys>, timeSeconds: number, mode: P
   withKeysPasted(walk, copied, { timeSeconds, mode, into });
 
 describe('copying keys', () => {
-  it('takes them as they are, their times counted from the earliest', () => {
+  it('copies them as they are, with times relative to the earliest', () => {
     const copied = copyKeys(walk, [
       { channel: 0, indices: [1] },
       { channel: 1, indices: [1] },
@@ -44,7 +44,7 @@ describe('copying keys', () => {
 describe('pasting keys', () => {
   const first = copyKeys(walk, [{ channel: 0, indices: [0, 1] }]);
 
-  it('puts them among those there, replacing what they land on, tangents as they were', () => {
+  it('pastes them among existing keys, replacing those they land on, tangents included', () => {
     const { channels: after, keys } = paste(first, 4, 'merge');
     expect(rowsOf(after[0])).toEqual([
       [1, 10, 'linear', 3],
@@ -66,7 +66,7 @@ describe('pasting keys', () => {
     ]);
   });
 
-  it('pushes what is there and later on by as long as they last', () => {
+  it('moves existing and later keys by their duration', () => {
     const { channels: after, keys } = paste(first, 1.5, 'insert');
     expect(pointsOf(after[0])).toEqual([
       [1, 10],
@@ -78,7 +78,7 @@ describe('pasting keys', () => {
     expect(keys).toEqual([{ channel: 0, indices: [1, 2] }]);
   });
 
-  it('keeps the times of channels together: the earliest key of all comes to the time given', () => {
+  it('keeps the times of channels together: the earliest key of all is put at the given time', () => {
     const copied = copyKeys(walk, allKeys(walk, [0, 1]));
     const { channels: after } = paste(copied, 10, 'merge');
     expect([...keysOf(after[1]).times]).toEqual([0, 2.5, 10, 12.5]);
@@ -125,7 +125,7 @@ describe('pasting keys', () => {
     expect(() => withKeysPasted(clipOf(), first, { timeSeconds: 0, mode: 'merge' })).toThrow('no channel 0');
   });
 
-  it('leaves sound channels and the pasted keys where it says, whatever is pasted', () => {
+  it('returns valid channels and the pasted keys at their positions, whatever is pasted', () => {
     const time = fc.integer({ min: -160, max: 160 }).map((tick) => tick / 8);
     const mode = fc.constantFrom<PasteMode[]>('merge', 'replace', 'insert');
     fc.assert(

@@ -56,7 +56,7 @@ const goesOnAlike = (c: KeyedChannel) =>
 const turnsAway = fc.array(between(-7, 7), { minLength: 8, maxLength: 20 });
 
 describe('baked repetitions', () => {
-  it('leave the curve as it is at every time, before and after, and go on in the same way', () => {
+  it('keep the curve at every time, before and after, and continue in the same way', () => {
     fc.assert(
       fc.property(looping.filter(goesOnAlike), between(-4, 4), between(-4, 4), turnsAway, (channel, a, b, at) => {
         const length = period(channel);
@@ -73,7 +73,7 @@ describe('baked repetitions', () => {
     );
   });
 
-  it('leave the curve as it is between their ends where it goes on in two different ways', () => {
+  it('keep the curve between their ends if it continues in two different ways', () => {
     fc.assert(
       fc.property(looping, between(-4, 0), between(1, 5), fc.array(between(0, 1), { maxLength: 20 }), (c, a, b, at) => {
         const [from, to] = [a, b].map((turns) => first(c) + turns * period(c));
@@ -160,7 +160,7 @@ describe('a key inside the cycle', () => {
     expect(placeOf(channel, asked, { outsideCycle: 'inside' })).toMatchObject({ channel, time, offset });
   });
 
-  it('moves both ends of a loop where it is put on its seam', () => {
+  it('moves both ends of a loop when put on its seam', () => {
     const loop = channelOf(
       [
         [0, 1],
@@ -183,7 +183,7 @@ describe('a key inside the cycle', () => {
     expect(valueAt(put, 4)).toBe(6);
   });
 
-  it('is baked on a side that does not repeat, whose times are no place of the cycle', () => {
+  it('is baked on a side that does not repeat, whose times have no phase in the cycle', () => {
     const channel = channelOf(
       [
         [0, 0],
@@ -297,14 +297,14 @@ describe('every command that adds keys', () => {
     expect(others(made[id]('bake'))).toHaveLength(5);
   });
 
-  it('keys on the curve leave the curve as it is, baked or inside', () => {
+  it('keys on the curve keep the curve, baked or inside', () => {
     for (const how of ['bake', 'inside'] as const) {
       const times = [-0.3, 0.1, 0.8, 1.7, 2.2, 2.9, 5.6];
       expectSameCurve(channelAfter(made['keys.insert'](how)), loop, times);
     }
   });
 
-  it('refuses another word for where they go', () => {
+  it('refuses unknown words for their placing', () => {
     const wrong = { ...WHO, channels: [3], timeSeconds: 2 };
     expect(() => insertKeys.run(document, { ...wrong, outsideCycle: 'elsewhere' as OutsideCycle })).toThrow(
       '"outsideCycle"',

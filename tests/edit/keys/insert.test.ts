@@ -31,7 +31,7 @@ const anyTime = fc.oneof(
   fc.integer({ min: -450, max: 450 }).map((tick) => tick / 8),
 );
 
-/** A moment, often hard beside a key. */
+/** A time, often right next to a key. */
 const moments = (channel: Channel) =>
   keysOf(channel).times.length === 0
     ? anyTime
@@ -43,7 +43,7 @@ const moments = (channel: Channel) =>
       );
 
 describe('a key inserted on the curve', () => {
-  it('keeps the shape of the curve and of what is beyond its ends', () => {
+  it('keeps the shape of the curve and of its extrapolation', () => {
     const cases = channelsOrRest({ steps: true, extrapolations: ['constant', 'linear'] }).chain((channel) =>
       fc.tuple(fc.constant(channel), fc.array(moments(channel), { minLength: 1, maxLength: 5 })),
     );
@@ -63,7 +63,7 @@ describe('a key inserted on the curve', () => {
     );
   });
 
-  it('keeps what cycles and bounces, too, as long as it is between the ends', () => {
+  it('keeps cycles and bounces too, if it is between the ends', () => {
     const cases = channels(2, { steps: true }).chain((channel) => {
       const inside = between(channel.times[0], channel.times[channel.times.length - 1]);
       return fc.tuple(fc.constant(channel), fc.array(inside, { minLength: 1, maxLength: 5 }));
@@ -82,7 +82,7 @@ describe('a key inserted on the curve', () => {
     );
   });
 
-  it('has the value and the slope of the extrapolated curve where it lands beyond the ends, whatever is there', () => {
+  it('has the value and slope of the extrapolated curve when inserted beyond the ends', () => {
     fc.assert(
       fc.property(channels(1), anyTime, (channel, time) => {
         const curve = compileChannels([channel]);
@@ -96,7 +96,7 @@ describe('a key inserted on the curve', () => {
     );
   });
 
-  it('says of no curve but one that cycles or bounces that its period changed, and of that only past its ends', () => {
+  it('reports a changed period only for curves that cycle or bounce, and only beyond their ends', () => {
     fc.assert(
       fc.property(channels(2), anyTime, (channel, time) => {
         const { channel: after, periodChanged } = insertKey(channel, time);
@@ -110,7 +110,7 @@ describe('a key inserted on the curve', () => {
 });
 
 describe('neighbours of an inserted key', () => {
-  it('become numbers where smooth would come to another slope, on both of their sides', () => {
+  it('become numbers if smooth would resolve to another slope, on both of their sides', () => {
     const channel = channelOf([
       [0, 0],
       [1, 1],
@@ -159,7 +159,7 @@ describe('neighbours of an inserted key', () => {
     }
   });
 
-  it('stay smooth where they come to the same slope, as on a line', () => {
+  it('stay smooth if they resolve to the same slope, as on a line', () => {
     const line = channelOf(
       [
         [0, 0],
@@ -178,7 +178,7 @@ describe('neighbours of an inserted key', () => {
     ]);
   });
 
-  it('at the ends become numbers where linear extrapolation goes by the slope of the end segment', () => {
+  it('at the ends become numbers if linear extrapolation uses the slope of the end segment', () => {
     const channel = channelOf(
       [
         [0, 0, 'linear', 5],
@@ -221,7 +221,7 @@ describe('a key inserted past the ends', () => {
     ]);
   });
 
-  it('leaves the old end its kind where that is level anyway', () => {
+  it('keeps the kind of the old end if that is level anyway', () => {
     const channel = channelOf([
       [0, 0, 'linear'],
       [1, 1, 'linear'],
@@ -249,13 +249,13 @@ describe('a key inserted past the ends', () => {
     expect(back.periodChanged).toBe(true);
   });
 
-  it('says nothing of a period where a lone key stands still, however it is said to repeat', () => {
+  it('reports no period for a single key at rest, however it is said to repeat', () => {
     expect(insertKey(channelOf([[1, 2]], 'cycle'), 3).periodChanged).toBe(false);
     expect(insertKey(channelOf([[1, 2, 4]], 'cycle', 'linear'), 3).periodChanged).toBe(true);
   });
 });
 
-describe('inserting where there is a key', () => {
+describe('inserting at an existing key', () => {
   it('changes nothing, and finds that key', () => {
     const channel = channelOf([
       [0, 0],
@@ -275,7 +275,7 @@ describe('inserting where there is a key', () => {
     expect(insertKey(channel, 1)).toMatchObject({ channel, index: 2 });
   });
 
-  it('puts a key where a keyless channel stands', () => {
+  it('puts a key at the value of a channel without keys', () => {
     const { channel } = insertKey(restChannel(2.5), 1);
     expect(rowsOf(channel)).toEqual([[1, 2.5, 'smooth', 'smooth']]);
     checkChannel(channel);

@@ -11,7 +11,7 @@ describe('going from key to key', () => {
     expect(walkKeys(channels, [], [1, 2, 0], 2, 1, false)).toEqual(one(2, 1));
   });
 
-  it('goes on from the last selected key, and back from the first', () => {
+  it('continues from the last selected key, and back from the first', () => {
     expect(walkKeys(channels, one(0, 1, 2), [0], 0, 1, false)).toEqual(one(0, 3));
     expect(walkKeys(channels, one(0, 1, 2), [0], 0, -1, false)).toEqual(one(0, 0));
   });

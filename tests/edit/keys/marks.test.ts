@@ -71,7 +71,7 @@ describe('marks of what moves', () => {
     return [...out].map((m) => (m ? '~' : '–')).join('');
   }
 
-  it('leave out spans whose curve stands still', () => {
+  it('omit spans whose curve is constant', () => {
     expect(moves([valued([0, 0.375, 0.875, 1.25], [1, 1, 2, 2])], [0])).toBe('–––~~~~–––');
   });
 

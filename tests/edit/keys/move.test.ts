@@ -19,7 +19,7 @@ const stairs = channelOf([
 const valuesOf = (channel: typeof four) => [...channel.values];
 
 describe('moving keys', () => {
-  it('moves in time and value, tangents going along as they are', () => {
+  it('moves in time and value, keeping tangents', () => {
     const { channel, indices } = withKeysMoved(four, [1, 2], 0.25, 100);
     expect(rowsOf(channel)).toEqual([
       [0, 10, 'linear', 'linear'],
@@ -53,7 +53,7 @@ describe('moving keys', () => {
     expect(pointsOf(withKeysMoved(thirds, [0], 0.2 - 1e-12, 0).channel)).toEqual([[0.1 + 0.2, 1]]);
   });
 
-  it('makes a step with what it lands on if that is asked for, holding from then on', () => {
+  it('makes a step with the key it lands on if requested, applying from then on', () => {
     const { channel, indices } = withKeysMoved(four, [1], 2, 0, 'step');
     expect(pointsOf(channel)).toEqual([
       [0, 10],
@@ -102,7 +102,7 @@ describe('moving keys', () => {
     expect(valuesOf(withKeysMoved(stairs, [2], 0, 5).channel)).toEqual([10, 11, 17, 13]);
   });
 
-  it('refuses to move to where there are no numbers', () => {
+  it('refuses to move to times that are not finite', () => {
     expect(() => withKeysMoved(four, [0], 1e308, 0).channel.times).not.toThrow();
     expect(() => withKeysMoved(withKeysMoved(four, [0], 1e308, 0).channel, [3], 1e308, 0)).toThrow('too large');
     expect(() => withKeysMoved(withKeysMoved(four, [0], 0, 1e308).channel, [0], 0, 1e308)).toThrow(
@@ -112,7 +112,7 @@ describe('moving keys', () => {
 });
 
 describe('what moving leaves alone', () => {
-  it('what moving leaves alone is the channel itself where nothing moves', () => {
+  it('what moving does not change is the channel itself if nothing moves', () => {
     expect(withKeysMoved(four, [1, 2], 0, 0)).toEqual({ channel: four, indices: [1, 2] });
     expect(withKeysMoved(four, [1, 2], 0, 0).channel).toBe(four);
     expect(withKeysMoved(four, [1], 1e-30, 1e-30).channel).toBe(four);
@@ -175,7 +175,7 @@ describe('moving any keys', () => {
     );
   });
 
-  it('comes back to the very numbers when moved back, where nothing was landed on', () => {
+  it('restores the exact numbers when moved back, if no key was landed on', () => {
     fc.assert(
       // A sixteenth off the eighths that keys are on: nothing is landed on, and nothing is rounded.
       fc.property(withSome(channels(1, { steps: true })), seconds, ({ channel, some }, by) => {

@@ -44,14 +44,14 @@ describe('a key of a quaternion joint', () => {
     expect(valuesAt(keyed(first, 1, [0.1, 0, 0.8, 0.6]), 1)).toEqual([0.1, 0, 0.8, 0.6]);
   });
 
-  it('goes by the key before, not by one that it takes the place of or that comes after', () => {
+  it('uses the previous key, not one that it replaces or that comes after', () => {
     expect(valuesAt(keyed(first, 0, [0, 0, -0.6, -0.8]), 0)).toEqual([0, 0, -0.6, -0.8]);
     expect(valuesAt(keyed(first, -1, [0, 0, -0.6, -0.8]), 0)).toEqual([0, 0, -0.6, -0.8]);
     const later = keyed(first, 2, [0, 0, 1, 0]);
     expect(valuesAt(keyed(later, 2, [0, 0, -1, 0]), 1)).toEqual([0, 0, 1, 0]);
   });
 
-  it('a key of a quaternion joint is left as it is where not all of it is keyed', () => {
+  it('a key of a quaternion joint is unchanged if not all of it is keyed', () => {
     const { document } = keyPose.run(first, { characterId: 'c1', dofs: [5], timeSeconds: 1 });
     expect(keysOf(shownClip(document.characters[0])?.channels[5]).values[1]).toBe(0.6);
   });
@@ -61,7 +61,7 @@ describe('DOFs that do not rest at 0', () => {
   const poseOf = (to: 'file' | 'zero') =>
     (resetPose.run(hero, { characterId: 'c1', to, timeSeconds: 0 }) as Document).characters[0].pose;
 
-  it('DOFs that do not rest at 0 are reset to where they change nothing, or to the file', () => {
+  it('DOFs that do not rest at 0 are reset to their neutral value, or to the file', () => {
     expect(poseOf('zero')).toEqual([0, 0, 0, 0, 0, 0, 1, 1]);
     expect(poseOf('file')).toEqual([0, 0, 0, 0, 0, 0, 1, 2]);
   });

@@ -8,7 +8,7 @@ import { channels, someKeys } from '../../ui/editors/dope/arbitrary.ts';
 const span = fc.tuple(fc.double({ min: -1, max: 2, noNaN: true }), fc.double({ min: 0, max: 1, noNaN: true }));
 
 describe('keys between two times', () => {
-  it('keys between two times are those that a walk over all keys finds', () => {
+  it('keys between two times are those found by a walk over all keys', () => {
     fc.assert(
       fc.property(channels, span, (all, [from, length]) => {
         const to = from + length;
@@ -29,7 +29,7 @@ describe('keys between two times', () => {
 });
 
 describe('the nearest key', () => {
-  it('the nearest key is the one that a walk over all keys finds', () => {
+  it('the nearest key is the one found by a walk over all keys', () => {
     const at = fc.double({ min: -1, max: 2, noNaN: true });
     fc.assert(
       fc.property(channels, at, fc.double({ min: 0.001, max: 1, noNaN: true }), (all, time, reach) => {
@@ -73,7 +73,7 @@ describe('what is selected of a row', () => {
 describe('the span of some keys', () => {
   const all = [channel(0, 1, 2), channel(0.5, 3)];
 
-  it('goes from the first to the last of them', () => {
+  it('extends from the first to the last of them', () => {
     const keys = [
       { channel: 0, indices: [1, 2] },
       { channel: 1, indices: [0] },
@@ -81,7 +81,7 @@ describe('the span of some keys', () => {
     expect(spanOf(all, keys)).toEqual([0.5, 2]);
   });
 
-  it('the span of some keys is none without keys, nor of keys that are gone', () => {
+  it('the span of some keys is undefined without keys, and ignores removed keys', () => {
     expect(spanOf(all, [])).toBeUndefined();
     expect(spanOf(all, [{ channel: 1, indices: [7] }])).toBeUndefined();
     expect(spanOf(all, [{ channel: 9, indices: [0] }])).toBeUndefined();

@@ -20,7 +20,7 @@ const two = channelOf([
 ]);
 
 describe('scaling keys', () => {
-  it('goes about a moment, and makes slopes as much less steep as time gets longer', () => {
+  it('pivots about a time, and makes slopes less steep in proportion to the time', () => {
     const { channel, indices } = withKeysScaled(two, [0, 1], by({ pivotSeconds: 1, timeFactor: 2 }));
     expect(rowsOf(channel)).toEqual([
       [1, 10, 'linear', 2],
@@ -30,7 +30,7 @@ describe('scaling keys', () => {
     expect(channel.values).toBe(two.values);
   });
 
-  it('goes about a value, and makes slopes as much steeper', () => {
+  it('pivots about a value, and makes slopes steeper in proportion', () => {
     const { channel } = withKeysScaled(two, [0, 1], by({ pivotValue: 10, valueFactor: 3 }));
     expect(rowsOf(channel)).toEqual([
       [1, 10, 'linear', 12],
@@ -66,14 +66,14 @@ describe('scaling keys', () => {
     ]);
   });
 
-  it('keeps the last of those that it brings to one time', () => {
+  it('keeps the last of the keys that end at one time', () => {
     const { channel, indices } = withKeysScaled(two, [0, 1], by({ pivotSeconds: 5, timeFactor: 0 }));
     expect(pointsOf(channel)).toEqual([[5, 20]]);
     expect(indices).toEqual([0]);
     checkChannel(channel);
   });
 
-  it('replaces keys that stand where it brings one', () => {
+  it('replaces keys at the times that it moves others to', () => {
     expect(pointsOf(withKeysScaled(two, [0], by({ timeFactor: 2 })).channel)).toEqual([[2, 10]]);
     expect(pointsOf(withKeysScaled(two, [0], by({ timeFactor: 2 }), 'step').channel)).toEqual([
       [2, 20],
@@ -81,7 +81,7 @@ describe('scaling keys', () => {
     ]);
   });
 
-  it('scaling keys is the channel itself where nothing changes', () => {
+  it('scaling keys returns the channel itself if nothing changes', () => {
     expect(withKeysScaled(two, [0, 1], by({ pivotSeconds: 1e9, pivotValue: 1e9 })).channel).toBe(two);
     expect(withKeysScaled(two, [0], by({ pivotSeconds: 1, timeFactor: 7 })).channel.times).toBe(two.times);
   });
@@ -132,7 +132,7 @@ describe('scaling any keys', () => {
     );
   });
 
-  it('scales the whole curve where all keys are scaled, mirrored or not', () => {
+  it('scales the whole curve if all keys are scaled, mirrored or not', () => {
     fc.assert(
       fc.property(channels(2), factor, factor, between(0, 1), (channel, t, v, u) => {
         const all = [...channel.times.keys()];

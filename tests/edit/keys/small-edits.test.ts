@@ -89,7 +89,7 @@ describe('rippling keys', () => {
     expect(indices).toEqual([1]);
   });
 
-  it('leaves no more than two keys at one time where a step comes back to a step', () => {
+  it('leaves at most two keys at one time when a step meets a step', () => {
     const steps = channelOf([
       [0, 1],
       [0, 2],
@@ -135,7 +135,7 @@ describe('rippling keys', () => {
 });
 
 describe('typed numbers', () => {
-  it('typed numbers are set as they are, slopes on their own side', () => {
+  it('typed numbers are set exactly, slopes on their own side', () => {
     const { channel, indices } = withKeysSet(three, [0], { timeSeconds: 2, value: -1, slopeOut: 0.5 });
     expect(rowsOf(channel)).toEqual([
       [1, 3, 'linear', 'linear'],
@@ -145,20 +145,20 @@ describe('typed numbers', () => {
     expect(indices).toEqual([1]);
   });
 
-  it('replace a key whose time is typed for another', () => {
+  it('replace another key at the typed time', () => {
     expect(pointsOf(withKeysSet(three, [0], { timeSeconds: 3 }).channel)).toEqual([
       [1, 3],
       [3, 0],
     ]);
   });
 
-  it('change nothing where they are there already', () => {
+  it('change nothing if they are the same', () => {
     expect(withKeysSet(three, [2], { timeSeconds: 3, value: 5, slopeIn: 2, slopeOut: 2 }).channel).toBe(three);
   });
 });
 
 describe('snapping to frames', () => {
-  it('moves keys to the nearest frame, and leaves those that are on one', () => {
+  it('moves keys to the nearest frame, and keeps those that are on one', () => {
     const loose = channelOf([
       [0.04, 1],
       [0.1, 2],
@@ -174,7 +174,7 @@ describe('snapping to frames', () => {
     expect(withKeysSnapped(channel, [0, 1, 2], 10).channel).toBe(channel);
   });
 
-  it('keeps the last of the keys that come to one frame, and the halves of a step', () => {
+  it('keeps the last of the keys on one frame, and the halves of a step', () => {
     const loose = channelOf([
       [0.98, 1],
       [1, 2],

@@ -31,7 +31,7 @@ describe('setting tangents', () => {
     expect(rowsOf(setTangentKind(three, [1], 'in', FIXED_TANGENT))[1]).toEqual([1, 3, 3, 'linear']);
   });
 
-  it('makes the side a number whose slope is set', () => {
+  it('makes the side a number when its slope is set', () => {
     expect(rowsOf(setSlope(three, [0, 1], 'out', -7)).map((row) => [row[2], row[3]])).toEqual([
       ['linear', -7],
       ['linear', -7],
@@ -39,7 +39,7 @@ describe('setting tangents', () => {
     ]);
   });
 
-  it('setting tangents is the channel itself where all is so already', () => {
+  it('setting tangents returns the channel itself if nothing changes', () => {
     expect(setSlope(three, [2], 'both', 2)).toBe(three);
     expect(setTangentKind(three, [2], 'both', FIXED_TANGENT)).toBe(three);
     expect(setTangentKind(three, [], 'both', FLAT)).toBe(three);
@@ -52,7 +52,7 @@ describe('unifying tangents', () => {
     expect(rowsOf(withTangentsUnified(three, [1]))[1]).toEqual([1, 3, 2, 2]);
   });
 
-  it('leaves keys whose sides are equal what they are', () => {
+  it('does not change keys whose sides are equal', () => {
     expect(withTangentsUnified(three, [0, 2])).toBe(three);
   });
 });

@@ -28,7 +28,7 @@ describe('a pose by names', () => {
     expect(missing).toEqual([]);
   });
 
-  it('goes onto one with the same names in another order, or spelled another way', () => {
+  it('applies to one with the same names in another order, or spelled differently', () => {
     const other = character({
       skeleton: { name: 'o', joints: [named(-1, 'mixamorig:Hip'), named(0, 'foot'), named(0, 'KNEE', hinge)] },
     });
@@ -42,7 +42,7 @@ describe('a pose by names', () => {
     expect([found, missing]).toEqual([3, []]);
   });
 
-  it('leaves out what there is no joint for, or whose DOFs have other names', () => {
+  it('skips joints that do not exist, or whose DOFs have other names', () => {
     const other = character({
       skeleton: { name: 'o', joints: [named(-1, 'hip', { kind: 'quaternion' }), named(0, 'knee', hinge)] },
     });
@@ -63,7 +63,7 @@ describe('a pose by names', () => {
     expect([taken.get(6), taken.get(7)]).toEqual([1, 2]);
   });
 
-  it('a pose by names is at rest where it has no value', () => {
+  it('a pose by names is at rest if it has no value', () => {
     const pose = poseByNames(hero, { name: 'a', values: [1] });
     expect(pose.root).toEqual([1, 0, 0]);
     expect(pose.joints.flatMap(({ dofs }) => dofs.map((d) => d.value))).toEqual([0, 0, 0, 0, 0, 0, 0]);
@@ -86,7 +86,7 @@ describe('the library', () => {
     ).toBe('sit 3');
   });
 
-  it('goes along when the skeleton’s file comes again with other joints', () => {
+  it('is carried over when the skeleton’s file is opened again with other joints', () => {
     const kept = addPoses(hero, [poseByNames(hero, { name: 'sit', values })]);
     const joints = [named(-1, 'hip'), named(0, 'tail', hinge), named(0, 'knee', hinge), named(2, 'foot')];
     const after = withSkeleton(kept, { name: 'hero', joints });
@@ -113,7 +113,7 @@ describe('a .pose that is opened', () => {
   const open = (document = documentOf(other, { ...hero, id: 'c1' }), selected?: string) =>
     openFiles(document, [poses], [], selected);
 
-  it('goes into the library of the character that has its joints, whichever is selected', () => {
+  it('is added to the library of the character that has its joints, whichever is selected', () => {
     for (const selected of [undefined, 'c1', 'c2']) {
       const { document, opened, diagnostics, label } = open(undefined, selected);
       expect(opened).toEqual(['c1']);
@@ -124,12 +124,12 @@ describe('a .pose that is opened', () => {
     }
   });
 
-  it('goes to the selected one of several that have them', () => {
+  it('is added to the selected one of several that have them', () => {
     const twin = { ...hero, id: 'c3', name: 'twin' };
     expect(open(documentOf(hero, twin), 'c3').opened).toEqual(['c3']);
   });
 
-  it('waits where no character has them, and goes to the first that comes', () => {
+  it('waits if no character has them, and is added to the first that comes', () => {
     const { document, diagnostics } = open(documentOf(other));
     expect(document.unused).toHaveLength(1);
     expect(diagnostics.map((d) => d.code)).toEqual(['file-unused']);

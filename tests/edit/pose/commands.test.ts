@@ -41,13 +41,13 @@ const shown = (document: Document, timeSeconds = 0) => {
 const at = { characterId: 'c1', timeSeconds: 0 };
 
 describe('poses.mirror', () => {
-  it('mirrors the whole character where it stands: its joints, and morphs of two sides', () => {
+  it('mirrors the whole character in place: its joints, and morphs of two sides', () => {
     const next = documentIn(mirrorPose.run(still, { ...at, way: 'swap' }));
     expect(shown(next)).toEqual([1, 2, 3, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0.1, -0.2, -0.3, 0.4, -0.5, -0.6, 0.1, 0.7, 0.2]);
     expect(shown(documentIn(mirrorPose.run(next, { ...at, way: 'swap' })))).toEqual(pose);
   });
 
-  it('copies one side onto the other, and refuses where there is none', () => {
+  it('copies one side onto the other, and refuses if there is none', () => {
     const next = documentIn(mirrorPose.run(still, { ...at, joint: 1, way: 'toOther' }));
     expect(shown(next).slice(6, 18)).toEqual([0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.1, -0.2, -0.3, 0.4, -0.5, -0.6]);
     expect(() => mirrorPose.run(still, { ...at, joint: 0, way: 'toOther' })).toThrow('hip is in the middle');
@@ -57,7 +57,7 @@ describe('poses.mirror', () => {
     expect(() => mirrorPose.run(lone, { ...at, joint: 1, way: 'toOther' })).toThrow('no counterpart');
   });
 
-  it('gives the very same document where the pose is its own mirror image', () => {
+  it('returns the same document if the pose is its own mirror image', () => {
     const symmetric = documentOf(character({ skeleton }));
     expect(documentIn(mirrorPose.run(symmetric, { ...at, way: 'swap' }))).toBe(symmetric);
   });
@@ -97,7 +97,7 @@ describe('the library’s commands', () => {
     expect(() => removePoses.run(sit, { characterId: 'c1', poses: [3] })).toThrow(CommandError);
   });
 
-  it('take on a pose exactly, in part, or below one joint, within limits', () => {
+  it('apply a pose exactly, in part, or below one joint, within limits', () => {
     const zero = documentIn(setDofs.run(kept, { ...at, dofs: pose.map((_, index) => ({ index, value: 0 })) }));
     expect(shown(documentIn(applyPose.run(zero, { ...at, pose: 0 })))).toEqual(pose);
     const branch = shown(documentIn(applyPose.run(zero, { ...at, pose: 0, joint: 1 })));
@@ -139,7 +139,7 @@ describe('poses.paste', () => {
     expect(next).toEqual([1, 2, 3, 0.4, 0.5, 0.6, 0, 0, 0]);
   });
 
-  it('refuses what is no pose, from whoever calls', () => {
+  it('refuses anything but a pose, whoever calls', () => {
     const bad = (value: unknown) => () => pastePose.run(still, { ...at, pose: value as never });
     expect(bad(3)).toThrow(CommandError);
     expect(bad({ name: 'a', joints: [{ name: 'hip', dofs: [{ name: 'rx', value: Number.NaN }] }] })).toThrow(

@@ -61,7 +61,7 @@ describe('a mirrored pose', () => {
     );
   });
 
-  it('mirrored again is the pose itself, to the last bit', () => {
+  it('is restored exactly when mirrored again', () => {
     fc.assert(
       fc.property(symmetricRig(anyMotion, middleMotion), seeds, ({ skeleton }, values) => {
         const pose = somePose(skeleton, values);
@@ -73,7 +73,7 @@ describe('a mirrored pose', () => {
     );
   });
 
-  it('leaves the pose of reference as it is', () => {
+  it('keeps the reference pose', () => {
     fc.assert(
       fc.property(symmetricRig(anyMotion, middleMotion), ({ skeleton }) => {
         const { reference } = reflectionOf(skeleton);
@@ -82,7 +82,7 @@ describe('a mirrored pose', () => {
     );
   });
 
-  it('stays within limits while they hold, and keeps what is coupled so', () => {
+  it('stays within enforced limits, and keeps links', () => {
     fc.assert(
       fc.property(symmetricRig(turningMotion), seeds, ({ skeleton }, values) => {
         const tight = {
@@ -177,14 +177,14 @@ describe('a mirrored pose', () => {
     expect(mostApart(turn(after, 16 * above), turn(acrossX(before, upper), 0))).toBeGreaterThan(0.1);
   });
 
-  it('carries the root to the other side of where it stands at rest', () => {
+  it('moves the root to the other side of its rest position', () => {
     const { skeleton } = rigOf([{ motion: { kind: 'ball', order: 'xyz' }, offset: [0, 0, 0] }], [], () => 'root');
     const { dofs } = mirroredPose(skeleton, [2, 3, 4, 0.1, 0.2, 0.3], false, { way: 'swap' });
     expect([...dofs]).toEqual([-2, 3, 4, 0.1, -0.2, -0.3]);
   });
 });
 
-describe('a figure that is mirrored where it stands', () => {
+describe('a figure that is mirrored in place', () => {
   const stays = { way: 'swap', stays: true } as const;
   const turningRig = symmetricRig(anyMotion, turningMotion).filter(({ skeleton }) => skeleton.joints.length > 1);
   /** Where the root's sides lie, in the ground: cosine and sine. */
@@ -195,7 +195,7 @@ describe('a figure that is mirrored where it stands', () => {
   /** Fits of fits; lengths here are a few units. */
   const TWICE_FITTED = 1e-6;
 
-  it('keeps its place and its heading, and is the mirrored figure but for those', () => {
+  it('keeps its position and heading, and is otherwise the mirrored figure', () => {
     fc.assert(
       fc.property(turningRig, seeds, ({ skeleton }, values) => {
         const pose = somePose(skeleton, values);
@@ -217,7 +217,7 @@ describe('a figure that is mirrored where it stands', () => {
     );
   });
 
-  it('mirrored again is as it was', () => {
+  it('is restored when mirrored again', () => {
     fc.assert(
       fc.property(turningRig, seeds, ({ skeleton }, values) => {
         const pose = somePose(skeleton, values);
@@ -235,7 +235,7 @@ describe('a figure that is mirrored where it stands', () => {
     side === 'middle' ? 'hip' : `leg_${i}_${side[0]}`,
   ).skeleton;
 
-  it('is mirrored to the last bit where it faces along the plane, whatever way it leans', () => {
+  it('is mirrored exactly if it faces along the plane, however it leans', () => {
     const pose = somePose(figure, [0.1, 0.9, 0.4, 0.7, 0.2]);
     pose[4] = 0;
     const { dofs } = mirroredPose(figure, pose, false, stays);
@@ -244,7 +244,7 @@ describe('a figure that is mirrored where it stands', () => {
     expect([...mirroredPose(figure, dofs, false, stays).dofs]).toEqual(pose);
   });
 
-  it('walking in a circle, leans to its other side and goes on the same way', () => {
+  it('walking in a circle, leans to its other side and continues on the same path', () => {
     // Turned by 2 about y, leaning forward by 0.2: Rz·Ry·Rx.
     const pose = restPose(figure, 0);
     const turn = (x: number, y: number) => [-1.1, 0.9, 2.5, x, y, 0];
@@ -301,7 +301,7 @@ describe('counterparts', () => {
     expect(chain(names)).toEqual([0, 1, 4, 5, 2, 3]);
   });
 
-  it('counterparts are found by shape where all offsets of one side are the other one’s reflected, for any rig', () => {
+  it('counterparts are found by shape if all offsets of one side are reflections of the other’s, for any rig', () => {
     fc.assert(
       fc.property(symmetricRig(turningMotion), ({ skeleton, partner }) => {
         const bare = { ...skeleton, joints: skeleton.joints.map((j) => ({ ...j, name: '' })) };
@@ -319,7 +319,7 @@ describe('counterparts', () => {
     );
   });
 
-  it('counterparts are none for a joint of one side whose name has no other', () => {
+  it('counterparts do not exist for a joint of one side if the other’s name is missing', () => {
     const joints = [joint(-1, { name: 'hips' }), joint(0, { name: 'sword_l', offset: [1, 0, 0] })];
     expect([...reflectionOf({ name: 's', joints }).partner]).toEqual([0, -1]);
     const pose = [0, 0, 0, 0.1, 0.2, 0.3, 0.4, 0.5, 0.6];
@@ -351,7 +351,7 @@ describe('one side’s pose on the other', () => {
   const arm = skeleton.joints.findIndex(({ name }) => name.startsWith('left'));
   const pose = somePose(skeleton, [0.9, 0.3, 0.6, 0.1, 0.8], 2);
 
-  it('leaves the side it is of, and everything above, as they are', () => {
+  it('leaves its own side, and everything above, unchanged', () => {
     const { dofs, joints } = mirroredPose(skeleton, pose, false, { joint: arm, way: 'toOther' });
     expect(joints).toEqual([partner[arm], partner[arm + 1]].sort((a, b) => a - b));
     pose.forEach((value, d) => {
@@ -360,7 +360,7 @@ describe('one side’s pose on the other', () => {
     });
   });
 
-  it('one side’s pose on the other is as it is on its own side, seen from the joint that both hang on', () => {
+  it('one side’s pose on the other looks as on its own side, seen from the joint above both', () => {
     const { dofs } = mirroredPose(skeleton, pose, false, { joint: arm, way: 'toOther' });
     for (const j of [arm, arm + 1]) {
       const [x, y, z] = [...dofs.subarray(first[partner[j]], first[partner[j]] + 3)];

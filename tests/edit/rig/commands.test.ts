@@ -62,7 +62,7 @@ describe('rig.create', () => {
     expect(saveCharacter(store.document.characters[0], 'skel')[0].text).toContain('balljoint root');
   });
 
-  it('numbers those that nobody names', () => {
+  it('numbers unnamed ones', () => {
     const store = new Store();
     for (let i = 0; i < 3; i++) store.apply(createRig, {});
     const made = store.document.characters;
@@ -70,7 +70,7 @@ describe('rig.create', () => {
     expect(made.map(({ skeleton }) => skeleton?.name)).toEqual(['character', 'character2', 'character3']);
   });
 
-  it('drives the opening sample away, as files do, and stands beside others', () => {
+  it('replaces the opening example, as files do, and is placed beside others', () => {
     const sample = { ...body(), isOpeningSample: true, charactersMade: 1 };
     expect(documentIn(createRig.run(sample, {})).characters.map(({ id }) => id)).toEqual(['c2']);
     const beside = documentIn(createRig.run({ ...sample, isOpeningSample: false }, {}));
@@ -98,7 +98,7 @@ describe('rig.addJoint', () => {
     expect(store.undoLabel).toBe('Add joint under thigh');
   });
 
-  it('goes on counting where its parent has a number', () => {
+  it('continues the numbering of its parent', () => {
     const spine = documentOf(character({ skeleton: { name: 'x', joints: [named(-1, 'spine09')] } }));
     expect(namesIn(done(addJoint, spine, { characterId: 'c1', parent: 0 }))).toEqual(['spine09', 'spine10']);
   });
@@ -154,7 +154,7 @@ describe('rig.addJoint', () => {
     expect(made.skins[0].bindings.length).toBe(16 * 5);
   });
 
-  it('binds the joint so that vertices given to it stay where its parent has them', () => {
+  it('binds the joint so that vertices assigned to it stay where its parent has them', () => {
     const made = done(addJoint, body({ skins: [skin('hero', 3)] }), {
       characterId: 'c1',
       parent: 1,
@@ -191,7 +191,7 @@ describe('joints of BVH', () => {
     expect(jointsOf(made)[1].endSites).toEqual([[0, -4, 0]]);
   });
 
-  it('move by their position channels where those replace the offset', () => {
+  it('move by their position channels if those replace the offset', () => {
     const made = done(setOffset, leg(), { ...of(0), offset: [0, 10, 0], children: 'follow' });
     expect(made.pose.slice(0, 3)).toEqual([1, 12, 3]);
     expect(jointsOf(made)[0].pose.slice(0, 3)).toEqual([0, 10, 0]);
@@ -200,7 +200,7 @@ describe('joints of BVH', () => {
 });
 
 describe('a root of BVH', () => {
-  it('that has some position channels beside the root translation moves once, not twice', () => {
+  it('with some position channels beside the root translation moves once, not twice', () => {
     const root = named(-1, 'hips', {
       offset: [0, 0, 2],
       motion: { kind: 'bvh', channels: ['tz'], positions: 'replace' },
@@ -214,7 +214,7 @@ describe('a root of BVH', () => {
     expect(made.pose).toEqual([0, 0, 1, 6]);
   });
 
-  it('stands where it stood when it becomes another joint, and gives its channels to the root translation', () => {
+  it('stays in place when it becomes another joint, and gives its channels to the root translation', () => {
     const before = leg();
     const made = done(setMotion, before, { ...of(0), motion: { kind: 'ball', order: 'xyz' } });
     expect(made.pose.slice(0, 6)).toEqual([1, 2, 3, 0, 0, 0]);
@@ -223,7 +223,7 @@ describe('a root of BVH', () => {
 });
 
 describe('rig.rename', () => {
-  it('changes the one joint, and nothing where it is called so', () => {
+  it('changes one joint, and nothing if it has that name', () => {
     const document = body();
     const made = done(renameJoint, document, { ...of(0), name: 'pelvis {1}' });
     expect(namesIn(made)[0]).toBe('pelvis {1}');
@@ -251,7 +251,7 @@ describe('rig.remove', () => {
     expect(made.skins[0].bindings.length).toBe(16 * 3);
   });
 
-  it('lets children stand as they stood, their channels their own', () => {
+  it('keeps children in place, with their own channels', () => {
     const pose = [0, 0, 0, 0, 0, 0.5, 0.25, 0, 0, 0, 0.75, 0, 0, 0, 0];
     const before = body({ pose });
     const made = done(removeJoint, before, { ...of(1), children: 'stay' });
@@ -330,7 +330,7 @@ describe('rig.reparent', () => {
     expect(Math.abs(was[0] - is[0])).toBeGreaterThan(0.01);
   });
 
-  it('lets a channel that stands go on standing where it has come between sampled ones', () => {
+  it('keeps a constant channel constant when it ends up between sampled ones', () => {
     const pose = Array.from({ length: 15 }, (_, d) => (d < 12 ? 0 : 0.5));
     const walk = {
       ...clip('walk', []),
@@ -354,7 +354,7 @@ describe('rig.reparent', () => {
     });
   });
 
-  it('sorts siblings, and changes nothing where the joint stands there already', () => {
+  it('sorts siblings, and changes nothing if the joint is there already', () => {
     const document = body();
     expect(namesIn(done(reparentJoint, document, { ...of(3), parent: 0, before: 1 }))).toEqual([
       ...['hip', 'tail', 'thigh', 'knee'],
@@ -363,7 +363,7 @@ describe('rig.reparent', () => {
     expect(reparentJoint.run(document, { ...of(1), parent: 0, before: 3 })).toBe(document);
   });
 
-  it('refuses to hang a joint on what is below it', () => {
+  it('refuses to reparent a joint to its descendant', () => {
     expect(() => reparentJoint.run(body(), { ...of(1), parent: 2 })).toThrow(
       'can’t be parented to its descendant knee',
     );
@@ -400,7 +400,7 @@ describe('rig.setMotion', () => {
     expect(jointsOf(made)[1].limits).toEqual([{ min: -1, max: 1 }, UNLIMITED]);
   });
 
-  it('turns a hinge into a ball that is turned as it was', () => {
+  it('turns a hinge into a ball with the same rotation', () => {
     const hinged = { ...BODY, joints: [...BODY.joints] };
     hinged.joints[1] = named(0, 'thigh', {
       motion: { kind: 'hinge', axis: [0, 0, -2] },
@@ -416,7 +416,7 @@ describe('rig.setMotion', () => {
     });
   });
 
-  it('changes nothing where it moves so already, and refuses what no joint does', () => {
+  it('changes nothing if the motion is the same, and refuses invalid ones', () => {
     const document = body();
     expect(setMotion.run(document, { ...of(1), motion: { kind: 'ball', order: 'xyz' } })).toBe(document);
     const set = (motion: object) => () => setMotion.run(document, { ...of(1), motion: motion as Motion });
@@ -437,7 +437,7 @@ describe('the axis-angle form', () => {
   };
   const document = documentOf(character({ skeleton: arm }));
 
-  it('the axis-angle form is kept by a child at the tip, and by a bone whose children go along', () => {
+  it('the axis-angle form is kept by a child at the tip, and by a bone whose children move along', () => {
     const grown = done(addJoint, document, { characterId: 'c1', parent: 1 });
     expect(jointsOf(grown)[2]).toMatchObject({ name: '', offset: [0, 1, 0], length: 1, motion: { axis: [0, 0, 1] } });
     expect(grown.skeleton?.form).toBe('axis-angle');
@@ -446,7 +446,7 @@ describe('the axis-angle form', () => {
     expect(longer.skeleton?.form).toBe('axis-angle');
   });
 
-  it('the axis-angle form is given up by what it can not hold', () => {
+  it('the axis-angle form is lost by what it can not store', () => {
     expect(
       done(setOffset, document, { ...of(1), offset: [1, 2, 0], children: 'follow' }).skeleton?.form,
     ).toBeUndefined();
@@ -492,7 +492,7 @@ describe('rig.setLength', () => {
 });
 
 describe('rig.setBox, rig.setLength and rig.setFilePose', () => {
-  it('change what they are about, and nothing where it is so', () => {
+  it('change only their joint, and nothing if it is so already', () => {
     const document = body({ pose: [0, 0, 0, ...Array(12).fill(0.5)] });
     const box = { min: [0, 0, 0], max: [1, 1, 1] } as const;
     expect(jointsOf(done(setBox, document, { ...of(2), box }))[2].box).toEqual(box);
@@ -518,7 +518,7 @@ describeShared('the wasp', () => {
     return documentOf(character({ skeleton: own, skins: [skinned] }));
   };
 
-  it('the wasp is saved byte for byte after a joint was added and taken away again', () => {
+  it('the wasp is saved byte for byte after a joint was added and removed again', () => {
     const document = read();
     const before = [...saveCharacter(document.characters[0], 'skel'), ...saveCharacter(document.characters[0], 'skin')];
     const store = new Store(document);

@@ -24,7 +24,7 @@ function expectPoint(found: Vec3 | undefined, wanted: Vec3): void {
   for (let k = 0; k < 3; k++) expect(Math.abs((found ?? [NaN, NaN, NaN])[k] - wanted[k])).toBeLessThan(NEAR);
 }
 
-/** Where joints are in a pose, for a character that stands aside, turned and half as large. */
+/** Positions of joints in a pose, for a character that is displaced, rotated and half as large. */
 const PLACEMENT = Float64Array.of(0, 0, -0.5, 0, 0, 0.5, 0, 0, 0.5, 0, 0, 0, 4, 1, -2, 1);
 
 function worldOf(of: Skeleton, dofs: readonly number[]): Float64Array {
@@ -39,7 +39,7 @@ const pivot = (world: Float64Array, joint: number): Vec3 =>
 describe('a joint that is dragged', () => {
   const arm = skeleton(['root', -1], ['shoulder', 0], ['elbow', 1]);
 
-  it('comes to stand where the hand has it, whatever the pose', () => {
+  it('moves to the position of the hand, in any pose', () => {
     fc.assert(
       fc.property(point, fc.array(coordinate, { minLength: 12, maxLength: 12 }), fc.nat(2), (to, dofs, joint) => {
         const world = worldOf(arm, dofs);
@@ -52,7 +52,7 @@ describe('a joint that is dragged', () => {
     );
   });
 
-  it('a joint that is dragged has its offset moved as far as its pivot, where its own DOFs move that too', () => {
+  it('a dragged joint has its offset moved as far as its pivot, even if its own DOFs move that too', () => {
     const motion = { kind: 'prismatic', axis: [0, 1, 0] } as const;
     const own = arm.joints[1];
     const sliding = { ...own, motion, limits: own.limits.slice(0, 1), pose: [0] };
@@ -66,14 +66,14 @@ describe('a joint that is dragged', () => {
     expectPoint(pivot(worldOf(moved, dofs), 1), to);
   });
 
-  it('goes nowhere in a space that is flat', () => {
+  it('does not move in a singular space', () => {
     const flat = Float64Array.of(1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1);
     expect(offsetMoved([0, 0, 0], flat, [0, 0, 0], [1, 1, 1])).toBeUndefined();
   });
 });
 
 describe('an arrow', () => {
-  it('follows the ray to where it passes nearest', () => {
+  it('follows the ray to its nearest point', () => {
     fc.assert(
       fc.property(point, point, point, point, (anchor, direction, origin, way) => {
         const length = Math.hypot(...way);
@@ -110,7 +110,7 @@ describe('numbers of a drag', () => {
 describe('a face of a box', () => {
   const box = { min: [-1, -2, -3], max: [1, 2, 3] } as const;
 
-  it('goes alone, or with the one across the other way', () => {
+  it('moves alone, or with the opposite one the other way', () => {
     expect(boxWithFace(box, 1, 'max', 0.5)).toEqual({ min: [-1, -2, -3], max: [1, 2.5, 3] });
     expect(boxWithFace(box, 0, 'min', -0.5, { both: true })).toEqual({ min: [-1.5, -2, -3], max: [1.5, 2, 3] });
   });
@@ -120,12 +120,12 @@ describe('a face of a box', () => {
     expect(boxWithFace(box, 2, 'min', 100, { both: true })).toEqual({ min: [-1, -2, 0], max: [1, 2, 0] });
   });
 
-  it('goes anywhere where min lies above max already', () => {
+  it('moves freely if min exceeds max already', () => {
     const crossed = { min: [1, 0, 0], max: [-1, 1, 1] } as const;
     expect(boxWithFace(crossed, 0, 'min', 1).min[0]).toBe(2);
   });
 
-  it('a face of a box has no more decimals than a hand can mean, and where nothing moves all that it had', () => {
+  it('a face of a box has no more decimals than a drag can give, and all of its own if nothing moves', () => {
     const fine = { min: [-0.13, 0, 0], max: [0.13000000000000003, 1, 1] } as const;
     // 0.13 + 0.293 is 0.42300000000000004.
     expect(boxWithFace(fine, 0, 'max', 0.293, { unitsPerPixel: 0.01 }).max[0]).toBe(0.423);

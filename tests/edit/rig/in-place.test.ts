@@ -1,4 +1,4 @@
-/** What stays where it is, in the pose shown: vertices in bind mode, pivots that a change does not mean to move. */
+/** What stays in place in the displayed pose: vertices in bind mode, and pivots that a change does not mean to move. */
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
 import { addJoint, createRig } from '../../../src/edit/commands/rig.ts';
@@ -72,7 +72,7 @@ function isPlain({ world, vertices }: Stand): boolean {
   return vertices.every((all) => all.every((v) => Math.abs(v) < 1e3));
 }
 
-/** The document after it; the same one where it is refused. */
+/** The document after it; the same one if it is refused. */
 function done(document: Document, id: RigCommand, args: object): Document {
   try {
     return documentIn(rigCommand(id).run(document, args));
@@ -86,7 +86,7 @@ const sizeOf = (world: Float64Array) =>
   world.reduce((most, v, k) => (k % 16 >= 12 && k % 16 < 15 ? Math.max(most, Math.abs(v)) : most), 1);
 
 describe('bind mode', () => {
-  it('keeps every vertex where it is, whatever becomes of the joints', () => {
+  it('keeps every vertex in place, whatever happens to the joints', () => {
     let moved = 0;
     fc.assert(
       fc.property(seeds, seeds, fc.constantFrom(...RIG_COMMANDS), (seed, thrown, id) => {
@@ -112,7 +112,7 @@ describe('bind mode', () => {
     expect(moved).toBeGreaterThan(20);
   });
 
-  it('leaves bindings of joints that did not move as they are', () => {
+  it('keeps bindings of joints that did not move', () => {
     const document = randomDocument(7);
     const [hero] = document.characters;
     const args = { characterId: 'c1', joint: 0, name: 'other', skin: 'stays', timeSeconds: 0 };
@@ -159,7 +159,7 @@ describe('limits and couples', () => {
     expect(moved('follows').skins).toBe(from.characters[0].skins);
   });
 
-  it('leave the skin as it is where nothing moves', () => {
+  it('leave the skin unchanged if nothing moves', () => {
     const wide = { ...limit, max: 3, skin: 'stays', timeSeconds: SECONDS };
     expect(done(document, 'rig.setLimit', wide).characters[0].skins).toBe(document.characters[0].skins);
     expect(done(limited, 'rig.setLimit', { ...limit, skin: 'stays' })).toBe(limited);
@@ -214,7 +214,7 @@ describe('pivots', () => {
     );
   });
 
-  it('of children stay while their joint is placed elsewhere, where they are to', () => {
+  it('of children stay when their joint is moved, if requested', () => {
     fc.assert(
       fc.property(seeds, seeds, (seed, thrown) => {
         const document = randomDocument(seed);
@@ -298,11 +298,11 @@ describe('a skeleton built into a skin that waits for one', () => {
     return stands.map(({ vertices }) => farthest(vertices[0], template.positions));
   };
 
-  it('leaves every vertex where it is, whichever joints its file speaks of, and hangs it on them', () => {
+  it('keeps every vertex in place, whichever joints its file refers to, and attaches them to these', () => {
     for (const away of built('stays')) expect(away).toBeLessThan(STAYS);
   });
 
-  it('takes what the file says of them where the skin is to follow', () => {
+  it('uses the file’s bindings if the skin is to follow', () => {
     expect(Math.min(...built('follows'))).toBeGreaterThan(0.5);
   });
 });

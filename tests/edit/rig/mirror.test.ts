@@ -1,4 +1,4 @@
-/** The mirrored branch moves as the mirror image of the first one, whatever its joints are. */
+/** The mirrored hierarchy moves as the mirror image of the original, whatever its joints are. */
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
 import { mirrorJoint } from '../../../src/edit/commands/rig.ts';
@@ -62,7 +62,7 @@ describe('mirroredMotion', () => {
     );
   });
 
-  it('keeps the way that an axis goes which is there already, and turns the sign of its DOF', () => {
+  it('keeps the axis direction of an existing joint, and negates its DOF', () => {
     const hinge: Motion = { kind: 'hinge', axis: [0, 0, 1] };
     expect(mirroredMotion(hinge, 0)).toEqual({ motion: { kind: 'hinge', axis: [0, 0, -1] }, signs: [1] });
     expect(mirroredMotion(hinge, 0, { kind: 'hinge', axis: [0, 0.1, 2] })).toEqual({ motion: hinge, signs: [-1] });
@@ -100,7 +100,7 @@ const skeletonIn = ({ characters: [{ skeleton }] }: ReturnType<typeof mirrorOf>[
 };
 
 describe('rig.mirror', () => {
-  it('makes a branch that stands as the mirror image in every mirrored pose', () => {
+  it('makes a hierarchy that is the mirror image in every mirrored pose', () => {
     fc.assert(
       fc.property(seeds, mirrors, (seed, across) => {
         const before = figure(seed, across);
@@ -134,7 +134,7 @@ describe('rig.mirror', () => {
     );
   });
 
-  it('writes offsets with as many digits as those they are made of', () => {
+  it('writes offsets with as many digits as the original ones', () => {
     const ball = { kind: 'ball', order: 'xyz' } as const;
     const joints = (x: number, arm: number) => [
       jointOf(ball, 'root', -1, {}),
@@ -145,13 +145,13 @@ describe('rig.mirror', () => {
       skeletonIn(mirrorOf({ name: 'hero', joints: joints(x, arm) }, 2, 0).next).joints[3].offset;
     const long = 0.47259999999999996;
     expect(mirroredArm(0, long)).toEqual([-long, 0.3, 0.1]);
-    // What it hangs on stands a little aside.
+    // Its parent is slightly displaced.
     expect(-0.4726 - 0.04).not.toBe(-0.5126);
     expect(mirroredArm(0.02, 0.4726)).toEqual([-0.5126, 0.3, 0.1]);
     expect(mirroredArm(0.02, 0.0000001)).toEqual([-0.0400001, 0.3, 0.1]);
   });
 
-  it('makes no −0 of what stands at 0: files would say so', () => {
+  it('makes no −0 of 0, which files would contain', () => {
     const ball = { kind: 'ball', order: 'xyz' } as const;
     const joints = [jointOf(ball, 'root', -1, {}), jointOf(ball, 'hip_l', 0, { offset: [1, 0, 0] })];
     const { characters } = mirrorOf({ name: 'hero', joints }, 1, 0).next;
@@ -161,7 +161,7 @@ describe('rig.mirror', () => {
     expect(numbers.filter((x) => Object.is(x, -0))).toEqual([]);
   });
 
-  it('changes nothing where both sides are in step, and brings them in step where they are not', () => {
+  it('changes nothing if both sides match, and updates them if they do not', () => {
     fc.assert(
       fc.property(seeds, mirrors, (seed, across) => {
         const both = skeletonIn(mirrorOf(figure(seed, across), 2, across).next);
@@ -232,7 +232,7 @@ describe('rig.mirror', () => {
     ).toThrow('must be one of "x", "y", "z"');
   });
 
-  it('makes a second joint of one whose name has no side, and then knows the two by their places', () => {
+  it('makes a second joint of one whose name has no side, and then distinguishes the two by position', () => {
     const skeleton = { name: 'x', joints: [joint(-1), joint(0, { name: 'fin', offset: [0.5, 1, 0] })] };
     const both = skeletonIn(mirrorOf(skeleton, 1, 0).next);
     expect(both.joints.map(({ name, offset }) => [name, ...offset])).toEqual([

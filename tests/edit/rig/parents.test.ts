@@ -11,13 +11,13 @@ import { skeleton } from '../../ui/builders.ts';
 //   5   leg_r
 const { joints } = skeleton(['root', -1], ['spine', 0], ['head', 1], ['leg_l', 0], ['foot_l', 3], ['leg_r', 0]);
 
-describe('what a joint can hang on', () => {
-  it('what a joint can hang on is all but itself and what hangs on it', () => {
+describe('valid parents of a joint', () => {
+  it('valid parents of a joint are all but itself and its descendants', () => {
     expect(possibleParents(joints, 3)).toEqual([0, 1, 2, 5]);
     expect(possibleParents(joints, 2)).toEqual([0, 1, 3, 4, 5]);
   });
 
-  it('what a joint can hang on is nothing for the root, and for joints that are not there', () => {
+  it('valid parents of a joint do not exist for the root, and for missing joints', () => {
     expect(possibleParents(joints, 0)).toEqual([]);
     expect([canHangOn(joints, 9, 0), canHangOn(joints, 1, -1), canHangOn(joints, 1, 9)]).toEqual([false, false, false]);
   });

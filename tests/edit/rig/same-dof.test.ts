@@ -88,7 +88,7 @@ describe('a hinge along an axis that becomes a ball', () => {
     }
   });
 
-  it('mirrors values, keys with their slopes, samples, limits, poses and couples where the axis goes the other way', () => {
+  it('mirrors values, keys with their slopes, samples, limits, poses and links if the axis is reversed', () => {
     const after = turned(hinged([-1, 0, 0]), BALL);
     const [, thigh, foot] = after.skeleton?.joints ?? [];
     expect(thigh.limits).toEqual([{ min: -0.5, max: 1 }, ...FREE_LIMITS.slice(1)]);
@@ -106,7 +106,7 @@ describe('a hinge along an axis that becomes a ball', () => {
     expect(foot.couples).toEqual([{ dof: 'rx', joint: 1, follows: 'rx', gain: -0.5, offset: 0.1 }]);
   });
 
-  it('a hinge along an axis that becomes a ball comes back as it was', () => {
+  it('a hinge along an axis that becomes a ball can be converted back', () => {
     for (const axis of [
       [1, 0, 0],
       [0, 0, -1],
@@ -122,7 +122,7 @@ describe('a hinge along an axis that becomes a ball', () => {
 });
 
 describe('which DOF is which', () => {
-  it('goes both ways, and only along an axis', () => {
+  it('works both ways, and only along an axis', () => {
     const z = hingeAbout([0, 0, -3]);
     expect(sameDof(z, BALL, 'rz')).toEqual({ name: 'r', sign: -1 });
     expect(sameDof(BALL, z, 'r')).toEqual({ name: 'rz', sign: -1 });
@@ -141,7 +141,7 @@ describe('keys that have no DOF to go to', () => {
     expect(store.document.characters[0].clips[0].channels.every(({ kind }) => kind === 'rest')).toBe(true);
   });
 
-  it('keys that have no DOF to go to are counted over all takes, and are none where all are kept', () => {
+  it('keys without a DOF are counted over all takes, and are none if all are kept', () => {
     const lost = (axis: Vec3, motion: Motion) =>
       keysLostBy(documentOf(hinged(axis)), { characterId: 'c1', joint: 1, motion });
     expect(lost([0, 0, 1], BALL)).toBeUndefined();

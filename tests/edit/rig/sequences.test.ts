@@ -1,4 +1,4 @@
-/** Whatever is done to a rig, in whatever order: what comes of it is sound, can be saved, and can be undone. */
+/** Any sequence of rigging commands gives a valid rig that can be saved, and can be undone. */
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
 import { CommandError, Store } from '../../../src/edit/store.ts';
@@ -11,7 +11,7 @@ import { diceOf, RIG_COMMANDS, randomDocument, rigArguments, rigCommand, seeds }
 
 const steps = fc.array(fc.tuple(fc.constantFrom(...RIG_COMMANDS), seeds), { minLength: 1, maxLength: 12 });
 
-/** Refusals are fine: they leave everything as it was. */
+/** Refusals are fine: they change nothing. */
 function perform(store: Store, id: (typeof RIG_COMMANDS)[number], seed: number): void {
   const before = store.document;
   try {

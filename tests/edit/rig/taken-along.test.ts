@@ -1,4 +1,4 @@
-/** What goes along with a change of rigging though it is about something else. */
+/** What a rigging change carries along although it is about something else. */
 import { describe, expect, it, onTestFinished, vi } from 'vitest';
 import { setRetarget } from '../../../src/edit/commands/retarget.ts';
 import { addJoint, mirrorJoint, removeJoint, reparentJoint } from '../../../src/edit/commands/rig.ts';
@@ -125,7 +125,7 @@ describe('bind mode', () => {
     expect(farthest(does(4), does(3))).toBeLessThan(NEAR);
   });
 
-  it('takes morphs along as those of the skin shown, whatever other skins there are', () => {
+  it('takes morphs along with the shown skin, whatever other skins there are', () => {
     const skeleton = skeletonOf(named(-1, 'root'), named(0, 'arm'), named(1, 'hand'));
     // Bound in different ways, so that the way of their vertices is another one for each.
     const [a, b] = ['a', 'b'].map((name, n) => {
@@ -163,7 +163,7 @@ describe('bind mode', () => {
 });
 
 describe('a take of motion capture', () => {
-  it('remains one in all its channels where a joint comes behind the last', () => {
+  it('remains sampled in all its channels when a joint is appended', () => {
     const skeleton = skeletonOf(named(-1, 'root'), named(0, 'arm'));
     const walk = {
       name: 'walk',

@@ -30,7 +30,7 @@ function tip(clip: typeof swing, seconds: number): number[] {
 }
 
 describe('converting samples to keys', () => {
-  it('keeps every joint and End Site within what is allowed, with far fewer keys', () => {
+  it('keeps every joint and End Site within tolerance, with far fewer keys', () => {
     const { after, report } = converted();
     expect(report.worstPosition.error).toBeLessThanOrEqual(tolerance.position);
     expect(report.worstAngle.error).toBeLessThanOrEqual(tolerance.angle);
@@ -68,7 +68,7 @@ describe('converting samples to keys', () => {
     expect(values.length).toBeLessThan(6);
   });
 
-  it('makes one key of what stands still', () => {
+  it('makes one key of a constant channel', () => {
     const { after } = converted(take(() => 7));
     expect(after.channels.map((c) => keysOf(c).times.length)).toEqual(new Array(WIDTH).fill(1));
     expect(keysOf(after.channels[0]).values[0]).toBe(7);

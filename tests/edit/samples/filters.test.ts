@@ -95,7 +95,7 @@ describe('smoothing within a range', () => {
     );
   });
 
-  it('refuses a range without a frame, one turned around, and what is no filter', () => {
+  it('refuses a range without frames, a reversed one, and invalid filters', () => {
     const tried = (args: Args) => () => filter(swing, args);
     expect(tried({ sigmaSeconds: 0.1, range: [5, 6] })).toThrow('There are no frames there');
     expect(tried({ sigmaSeconds: 0.1, range: [1, 0] })).toThrow('before it begins');
@@ -129,14 +129,14 @@ describe('the median of a few frames', () => {
     }
   });
 
-  it('leaves what goes one way, corners and steps as they are', () => {
+  it('keeps monotonic stretches, corners and steps', () => {
     const step = take((c, t) => (c < 3 ? Math.min(1, t) : t < 0.7 ? 0 : c === 4 ? 40 : 0));
     const document = documentWith(step);
     const after = clipOf(smoothSamples.run(document, { ...c1, filter: 'median', frames: 7 }));
     expect(rows(after)).toEqual(rows(step));
   });
 
-  it('gives values and rotations that are those of a frame beside', () => {
+  it('gives values and rotations of a neighbouring frame', () => {
     fc.assert(
       fc.property(anyTake, fc.constantFrom(3, 5, 7), (clip, frames) => {
         const after = median(clip, frames);
@@ -178,7 +178,7 @@ describe('the median of a few frames', () => {
 describe('the Euler filter, of samples', () => {
   const channels = Array.from({ length: WIDTH }, (_, c) => c);
 
-  it('leaves every rotation what it is, and no angle that jumps where another form does not', () => {
+  it('keeps every rotation, and leaves no angle that jumps if another form does not', () => {
     fc.assert(
       fc.property(anyTake, (clip) => {
         const after = clipOf(eulerFilter.run(documentWith(clip), { ...c1, channels }).document);
@@ -202,7 +202,7 @@ describe('the Euler filter, of samples', () => {
     );
   });
 
-  it('unrolls a turn that goes on, changes nothing where nothing jumps, and goes back by undo', () => {
+  it('unrolls a continuing turn, changes nothing if nothing jumps, and is undone', () => {
     const turning = take((c, t) => (c === 3 ? ((90 * t + 170 + 180) % 360) - 180 : 0));
     const store = new Store();
     store.apply({ id: 'x', label: () => 'x', run: () => documentWith(turning) }, {});

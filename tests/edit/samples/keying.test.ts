@@ -50,7 +50,7 @@ describe('keys over samples', () => {
     expect([clip.channels[9].kind, clip.channels[10].kind]).toEqual(['samples', 'keys']);
   });
 
-  it('keys over samples are not made by posing: what is set by hand stands for the moment, with auto-key too', () => {
+  it('keys over samples are not made by posing: changes stay unkeyed, with auto-key too', () => {
     for (const key of [undefined, {}]) {
       const document = documentIn(
         setDofs.run(half, {

@@ -17,7 +17,7 @@ function quaternionOf(angles: ArrayLike<number>, axes: JointRotation['axes']): F
   return out;
 }
 
-it('finds angles of the same rotation in every order, in gimbal lock and beside it too', () => {
+it('finds angles of the same rotation in every order, in and near gimbal lock', () => {
   const angle = fc.double({ min: -3, max: 3, noNaN: true });
   const middle = fc.oneof(
     angle,

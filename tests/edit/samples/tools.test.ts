@@ -48,7 +48,7 @@ describe('cutting samples', () => {
     expect(clip.samples?.values.buffer.byteLength).toBe(61 * WIDTH * 8);
   });
 
-  it('trims either end at a time, whose frame stays', () => {
+  it('trims either end at a time, keeping the frame there', () => {
     const start = clipOf(trimSamples.run(documentWith(), { ...c1, side: 'start', timeSeconds: 1 }));
     const end = clipOf(trimSamples.run(documentWith(), { ...c1, side: 'end', timeSeconds: 1 }));
     expect([start.range, end.range]).toEqual([
@@ -68,7 +68,7 @@ describe('cutting samples', () => {
     expect(pose(clips[1], 1.5)).toEqual(pose(swing, 1.5));
   });
 
-  it('changes nothing where nothing goes, and refuses to leave nothing', () => {
+  it('changes nothing if nothing is removed, and refuses to leave nothing', () => {
     const document = documentWith();
     expect(cropSamples.run(document, { ...c1, from: -1, to: 9 })).toBe(document);
     expect(() => cropSamples.run(document, { ...c1, from: 5, to: 9 })).toThrow(CommandError);
@@ -78,7 +78,7 @@ describe('cutting samples', () => {
 });
 
 describe('resampling samples', () => {
-  it('takes what is played at the new frames', () => {
+  it('samples what plays at the new frames', () => {
     const clip = clipOf(resampleSamples.run(documentWith(), { ...c1, framesPerSecond: 24 }));
     expect(clip.samples?.frameCount).toBe(49);
     pose(clip, 1.125).forEach((value, d) => {
@@ -97,7 +97,7 @@ describe('resampling samples', () => {
     expect(refuseTooMany(2_000_000, 500, 2_000_000)).toBeUndefined();
   });
 
-  it('turns joints the short way where an angle jumps from frame to frame', () => {
+  it('turns joints the short way if an angle jumps from frame to frame', () => {
     const jump = take((c, t) => (c === 4 ? (t < 0.25 ? 178 : -178) : 0), 31, 60);
     const clip = clipOf(resampleSamples.run(documentWith(jump), { ...c1, framesPerSecond: 120 }));
     const angle = pose(clip, 14.5 / 60)[4];
@@ -134,7 +134,7 @@ describe('smoothing samples', () => {
   const smooth = (clip: ChannelClip, sigmaSeconds = 0.05, channels?: readonly number[]) =>
     clipOf(smoothSamples.run(documentWith(clip), { ...c1, sigmaSeconds, channels }));
 
-  it('takes away jitter and leaves ends and straight ways where they are', () => {
+  it('removes jitter and keeps ends and straight stretches', () => {
     const jitter = take((c, t) => (c === 0 ? 10 * t + (Math.round(60 * t) % 2 ? 0.1 : -0.1) : 0));
     const clip = smooth(jitter);
     expect(pose(clip, 1)[0]).toBeCloseTo(10, 3);
@@ -157,7 +157,7 @@ describe('smoothing samples', () => {
     }
   });
 
-  it('leaves other channels, and those with keys, the numbers they are', () => {
+  it('leaves other channels, and keyed ones, unchanged', () => {
     const clip = smooth(swing, 0.1, [0]);
     expect(pose(clip, 0.7).slice(1)).toEqual(pose(swing, 0.7).slice(1));
     expect(pose(clip, 0.7)[0]).toBeCloseTo(0.7, 10);
@@ -188,7 +188,7 @@ describe('samples of a character that another one moves', () => {
     expect(() => steps(document).next()).toThrow('retargeted from');
   });
 
-  it('tools take the samples of a retargeted character as they are, not as retargeting moves it', () => {
+  it('tools use the samples of a retargeted character, not what retargeting makes of them', () => {
     const [character] = driven(swing).characters;
     expect(takeAlone(character, swing)).not.toHaveProperty('driver');
     const resampled = runToEnd(resampling(character, swing, 30));

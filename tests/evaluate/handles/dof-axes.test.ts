@@ -155,7 +155,7 @@ describe('the axes of a joint’s DOFs', () => {
     ]);
   });
 
-  it('are coloured by a main axis that they turn about, and by none where they stand askew', () => {
+  it('are coloured by a main axis that they turn about, and by none if they are oblique', () => {
     const hueAbout = (axis: readonly [number, number, number]) => {
       const { skeleton, dofs, joint: index } = rigOf({ kind: 'hinge', axis }, [0], false);
       return dofAxes(skeleton, index, dofs, worldOf(skeleton, dofs), placementOf(1))[0].hue;

@@ -6,7 +6,7 @@ const LIMITS = { min: -1, max: 2, hold: true };
 const FREE = { min: -Infinity, max: Infinity, hold: true };
 
 describe('a value that is dragged', () => {
-  it('goes as far as the hand, or a tenth of it', () => {
+  it('moves as far as the hand, or a tenth of it', () => {
     const dragged = new DraggedValue(0.5, FREE, 0.1, true);
     expect(dragged.by(0.25, PLAIN)).toEqual({ value: 0.75, stop: undefined });
     expect(dragged.by(1, { fine: true, snap: false }).value).toBeCloseTo(0.85, 12);
@@ -20,7 +20,7 @@ describe('a value that is dragged', () => {
     expect(dragged.by(4.5, PLAIN)).toEqual({ value: -0.5, stop: undefined });
   });
 
-  it('on a ring the hand comes back to where it ran into the limit; a bone turns round with it', () => {
+  it('on a ring the hand must return to where it met the limit; a bone reverses with it', () => {
     const ring = new DraggedValue(0, LIMITS, 0.1, true);
     const bone = new DraggedValue(0, LIMITS, 0.1, false);
     for (const dragged of [ring, bone]) dragged.by(3, PLAIN);
@@ -37,7 +37,7 @@ describe('a value that is dragged', () => {
     expect(dragged.by(-0.2, PLAIN).value).toBeCloseTo(0.73, 12);
   });
 
-  it('goes past limits that don’t hold, and says so; crossed ones are none', () => {
+  it('passes limits that are not enforced, and reports it; crossed ones do not apply', () => {
     const dragged = new DraggedValue(0, { ...LIMITS, hold: false }, 0.1, false);
     expect(dragged.by(3, PLAIN)).toEqual({ value: 3, stop: 'max' });
     const crossed = new DraggedValue(0, { min: 2, max: -2, hold: true }, 0.1, false);

@@ -93,7 +93,7 @@ describe('turning freely', () => {
     );
   });
 
-  it('changes nothing by turning nowhere, and keeps whole turns', () => {
+  it('changes nothing without a turn, and keeps whole turns', () => {
     fc.assert(
       fc.property(posed, fc.integer({ min: -2, max: 2 }), ([of, values], turns) => {
         fc.pre(of.kind !== 'quaternion');
@@ -111,7 +111,7 @@ describe('turning freely', () => {
     );
   });
 
-  it('about a DOF’s own axis changes that DOF alone, where it is the last applied', () => {
+  it('about a DOF’s own axis changes that DOF alone, if it is the last applied', () => {
     for (const order of EULER_ORDERS) {
       const { skeleton, dofs, made, turn } = turningOf({ kind: 'ball', order }, [0.3, -0.4, 0.5]);
       const axes = dofAxes(skeleton, 1, dofs, worldOf(skeleton, dofs), placement);
@@ -141,7 +141,7 @@ describe('turning freely', () => {
     expect(made.result[3]).toBeLessThan(0);
   });
 
-  it('turning freely is not for joints of fewer axes, nor where a couple ties an angle', () => {
+  it('turning freely is not for joints of fewer axes, nor if an angle is linked', () => {
     const hinge = rigOf({ kind: 'hinge', axis: [1, 0, 0] }, [0]).skeleton;
     expect(freeTurn(hinge, 1)).toBeUndefined();
     const { skeleton } = rigOf({ kind: 'ball', order: 'xyz' }, [0, 0, 0]);

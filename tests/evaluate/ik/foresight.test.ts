@@ -45,7 +45,7 @@ describe('what a drag foresees', () => {
     expect(miss).toBeLessThan(1e-4 * 5);
   });
 
-  it('what a drag foresees does no harm where the hand turns back, jumps or stands', () => {
+  it('what a drag foresees does no harm if the hand turns back, jumps or stops', () => {
     const back = Array.from({ length: 61 }, (_, i) => turn(30 - Math.abs(30 - i)));
     const jumps = Array.from({ length: 60 }, (_, i) => turn((i * 37) % 120));
     const stands = [0, 1, 1, 1, 2, 2, 3].map(turn);
@@ -54,7 +54,7 @@ describe('what a drag foresees', () => {
     expect(drag(stands).iterations.slice(1, 3)).toEqual([0, 0]);
   });
 
-  it('is nothing where the hand is out of reach: a hand that stands there costs no more iterations than one', () => {
+  it('is nothing if the hand is out of reach: a resting hand costs no more iterations than one', () => {
     const pose = Float64Array.from(filePose(arm, 0));
     const problem = ikProblem(
       arm,

@@ -59,7 +59,7 @@ describe('the way home', () => {
     );
   });
 
-  it('the way home is nothing where it is home already', () => {
+  it('the way home is zero at home', () => {
     fc.assert(
       fc.property(pose, (dofs) => {
         expect(writeWayHome(problemAt(dofs), dofs, dofs.slice())).toBeLessThan(1e-12);

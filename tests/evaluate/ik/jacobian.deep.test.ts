@@ -79,7 +79,7 @@ describe('the Jacobian', () => {
     );
   });
 
-  it('knows that what follows stands still at its own limit', () => {
+  it('knows that a linked DOF is constant at its own limit', () => {
     fc.assert(
       fc.property(anyProblem(true), (any) => expectSlopes(any, true)),
       { numRuns: 200 },

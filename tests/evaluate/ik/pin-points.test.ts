@@ -114,7 +114,7 @@ describe('a picked point of the skin', () => {
     });
   });
 
-  it('a picked point of the skin is none where no joint moves it, or the joint is flat', () => {
+  it('a picked point of the skin does not exist if no joint moves it, or the joint is flat', () => {
     expect(skinPinPoint(hero, 1, world, [0, 0, 0])).toBeUndefined();
     expect(skinPinPoint(hero, 2, world, [0, 0, 0])).toBeUndefined();
     expect(skinPinPoint(hero, 0, new Float64Array(48), [0, 0, 0])).toBeUndefined();

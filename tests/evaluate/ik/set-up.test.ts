@@ -34,7 +34,7 @@ function worldOf(own: Skeleton): Float64Array {
 }
 
 describe('where pins are', () => {
-  it('where pins are is where their points are in the pose, with the orientation only where it is held', () => {
+  it('targets of pins are their points in the pose, with the orientation only if it is held', () => {
     const targets = pinTargets(
       { pins: [pin(4), pin(7, { joint: 1, point: [0, 0, 2], holdsOrientation: true })] },
       worldOf(CHAIN),
@@ -96,7 +96,7 @@ describe('how unwilling DOFs are', () => {
     expect([...all]).toEqual([1, 1, 1, 1, 1, 1, Infinity, Infinity, Infinity, 4, 4, 4]);
   });
 
-  it('goes by the root switch alone for what carries the character, whichever root it has', () => {
+  it('uses only the root switch for what moves the character, whichever root it has', () => {
     expect([...stiffnessOf(CHAIN, { stiff: [{ joint: 0 }], rootIsFree: true })].slice(0, 6)).toEqual([
       1,
       1,

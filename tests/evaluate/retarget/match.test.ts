@@ -43,7 +43,7 @@ function named(source: Skeleton, target: Skeleton): Record<string, string> {
 }
 
 describe('matching', () => {
-  it('finds every part of a body that is called otherwise', () => {
+  it('what is degenerate is refused as a pin, and as a target of an existing one', () => {
     const source = person({ names: (part) => part.split(' ').map(capital).join('') });
     const target = person({ names: (part) => `rig:${part.replace('left ', 'l_').replace('right ', 'r_')}` });
     const pairs = automaticPairs(source, target);

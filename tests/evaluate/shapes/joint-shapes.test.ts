@@ -161,7 +161,7 @@ describe('sizes of joints', () => {
   });
 });
 
-it('a ball stands where the joint is', () => {
+it('a ball is at the joint', () => {
   const out = new Float32Array(16);
   sphereMatrix(1, 2, 3, 0.5, out, 0);
   expect(at(out, 0, 1, 0)).toEqual([1, 2.5, 3]);

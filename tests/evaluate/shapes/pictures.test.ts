@@ -72,7 +72,7 @@ describe('a character as solid', () => {
     expect(solidOf(nothing, [])).toBeUndefined();
   });
 
-  it('fills the picture, with a margin, wherever it stands', () => {
+  it('fills the picture, with a margin, wherever it is', () => {
     const who = character({ skeleton: skeleton() });
     for (const away of [0, 1e4]) {
       const solid = solidOf(who, [away, away, 0]);

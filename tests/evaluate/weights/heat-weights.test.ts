@@ -86,7 +86,7 @@ describe('weights of a tube over three joints', () => {
   });
 });
 
-describe('two legs that stand closer than they are wide', () => {
+describe('two legs that are closer than they are wide', () => {
   const plan = { around: 12, along: 16, radius: 0.5, length: 4 };
   const left = tube({ ...plan, at: [-0.55, 0] });
   const right = tube({ ...plan, at: [0.55, 0] });
@@ -110,7 +110,7 @@ describe('two legs that stand closer than they are wide', () => {
     return worst;
   }
 
-  it('two legs that stand closer than they are wide follow their own bones alone', () => {
+  it('two legs that are closer than they are wide follow their own bones only', () => {
     expect(bleeding(weigh(legs, bones).attachments)).toBe(0);
   });
 

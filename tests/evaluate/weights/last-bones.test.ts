@@ -97,7 +97,7 @@ describe('a last joint without box, in a tube', () => {
     expect(y).toBeLessThanOrEqual(length + SAME);
   });
 
-  it('a last joint without box, in a tube has a limb that goes back beside the one that it hangs on', () => {
+  it('a last joint without box, in a tube has a limb that runs back beside its parent', () => {
     // Down again beside the first half: its vertices are the nearest to the first bone, which they do not see.
     const other = tube({ around, along: 20, radius: 0.4, length: 4, at: [1, 0] });
     const bar = tube({ around, along: 6, radius: 0.4, length: 1.8 });

@@ -87,7 +87,7 @@ Frame Time: 0.04
     );
   });
 
-  it('writes a channel that stands in every frame, in degrees', () => {
+  it('writes a constant channel in every frame, in degrees', () => {
     const { skeleton, clip } = bvhFigure(DANCER, [ROW, ROW]);
     if (!clip) throw new Error('There is a clip.');
     const { samples: _, ...still } = clip;

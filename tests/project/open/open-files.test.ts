@@ -63,7 +63,7 @@ describe('files opened together', () => {
     expect(document.characters[0].shownSkin).toBe(0);
   });
 
-  it('go to the only skeleton of their folder, whatever they are called', () => {
+  it('belong to the only skeleton of their folder, whatever their names', () => {
     const { document } = open([
       skelFile('a/hero.skel', skeleton()),
       animFile(
@@ -88,7 +88,7 @@ describe('files opened together', () => {
     expect(only(document).morphs).toHaveLength(1);
   });
 
-  it('need no skeleton: morphs go to the skin whose name begins theirs', () => {
+  it('need no skeleton: morphs belong to the skin with the longest matching prefix', () => {
     const { document } = open([
       skelFile('wasp.skel', skeleton(2, 'wasp')),
       skinFile('wasp.skin', skin('wasp')),
@@ -155,7 +155,7 @@ describe('files opened together', () => {
     expect(second.opened).toEqual(['c1']);
   });
 
-  it('files opened together stand beside what is there', () => {
+  it('files opened together are placed beside existing characters', () => {
     const { document } = open([skelFile('a.skel', skeleton(2, 'a')), skelFile('b.skel', skeleton(2, 'b'))]);
     const [a, b] = document.characters.map((c) => c.placements[0].position);
     expect(a).toEqual([0, 0, 0]);
@@ -190,7 +190,7 @@ describe('a file that does not fit', () => {
     expect(result.diagnostics).toMatchObject([{ severity: 'info', code: 'held-back', file: 'hero.skin' }]);
   });
 
-  it('a file that does not fit is listed as unused, and taken up when what it waits for comes', () => {
+  it('a file that does not fit is listed as unused, and used when what it needs is opened', () => {
     const first = open([morphFile('hero_smile.morph', morph('smile'))]);
     expect(first.document.characters).toEqual([]);
     expect(first.document.unused).toMatchObject([{ file: { source: { name: 'hero_smile.morph' } } }]);
@@ -213,7 +213,7 @@ describe('files that lay unused', () => {
   const tube = open([skelFile('tube.skel', skeleton(2, 'tube'))]).document;
   const waiting = open([morphFile('head1.morph', morph('head1', 99))], tube);
 
-  it('files that lay unused are said, and kept', () => {
+  it('files that lay unused are reported, and kept', () => {
     expect(waiting.diagnostics).toMatchObject([{ severity: 'info', code: 'file-unused', file: 'head1.morph' }]);
     expect(waiting.document.unused).toHaveLength(1);
     expect(waiting.document.characters).toBe(tube.characters);
@@ -229,13 +229,13 @@ describe('files that lay unused', () => {
     expect(document.unused).toHaveLength(1);
   });
 
-  it('go on waiting, silently, where they would fit by name but not in fact', () => {
+  it('keep waiting, silently, if they fit by name but not in content', () => {
     const { document, diagnostics } = open([skinFile('head.skin', skin('head'))], waiting.document, 'c1');
     expect(diagnostics).toEqual([]);
     expect(document.unused).toHaveLength(1);
   });
 
-  it('files that lay unused are still there when the opening sample goes', () => {
+  it('files that lay unused are still there when the opening example is replaced', () => {
     const sample = { ...tube, isOpeningSample: true };
     const dropped = open([morphFile('head1.morph', morph('head1'))], sample);
     expect(dropped.document.isOpeningSample).toBe(true);
@@ -354,7 +354,7 @@ describe('files opened later', () => {
     };
     const own = only(sample).skeleton?.joints.map(({ name }) => name) ?? [];
 
-    it('go to the opening sample, which is worked on from then on', () => {
+    it('wait if they are of other joints, and the example stays', () => {
       const { document, diagnostics } = open([ofJoints(...own)], sample);
       expect(only(document)).toMatchObject({ id: 'c1', poses: [{ name: 'kept' }] });
       expect(document.isOpeningSample).toBe(false);
@@ -378,7 +378,7 @@ describe('files opened later', () => {
       expect(only(three).sources.filter(({ name }) => name.endsWith('.pose'))).toHaveLength(2);
     });
 
-    it('a library that is gone leaves its file to no other poses', () => {
+    it('a removed library leaves its file to no other poses', () => {
       const pose = ofJoints(...own);
       const first = open([pose], hero).document;
       const { poses: _poses, parts: { poses: _mark, ...parts } = NO_MARKS, ...rest } = only(first);
@@ -399,7 +399,7 @@ describe('files opened later', () => {
     });
   });
 
-  it('leave the opening sample where nothing could be opened', () => {
+  it('leave the opening example if nothing could be opened', () => {
     const sample = { ...hero, isOpeningSample: true };
     const { document } = openFiles(sample, [], [broken('x.skel', 'skel')]);
     expect(document).toBe(sample);

@@ -50,7 +50,7 @@ describe('saving motion capture', () => {
     expect(page.messages.list.get()).toEqual([]);
   });
 
-  it('samples channels that have keys by now, and leaves the others as they were', async () => {
+  it('samples keyed channels, and keeps the others unchanged', async () => {
     const page = await pageWith({ 'walk.bvh': BVH });
     const [keyed] = clip('', [Math.PI]).channels;
     page.change((c) => ({ ...c, clips: c.clips.map((own) => ({ ...own, channels: own.channels.with(6, keyed) })) }));

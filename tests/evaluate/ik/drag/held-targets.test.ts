@@ -2,7 +2,7 @@ import { describe, expect, it } from 'vitest';
 import { HeldTargets } from '../../../../src/evaluate/ik/drag/held-targets.ts';
 import type { Pin } from '../../../../src/model/ik.ts';
 
-/** One joint that stands at x. */
+/** One joint at x. */
 const worldAt = (x: number) => Float64Array.of(1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, x, 0, 0, 1);
 const pin: Pin = { id: 4, joint: 0, point: [0, 1, 0], weight: 1, holdsOrientation: false };
 const dofs = Float64Array.of(1, 2, 3);
@@ -15,12 +15,12 @@ function left() {
 }
 
 describe('where pins hold', () => {
-  it('where pins hold is where they are, if no drag has left them elsewhere', () => {
+  it('targets of pins are their positions, if no drag has left them elsewhere', () => {
     const found = new HeldTargets().targetsOf('c1', { pins: [pin] }, dofs, worldAt(5));
     expect(found.get(4)).toEqual({ position: [5, 1, 0] });
   });
 
-  it('where pins hold is where a drag has left them, for as long as the pose is as it left it', () => {
+  it('targets of pins are those a drag has left, as long as the pose is unchanged', () => {
     const targets = left();
     const at = (pose: Float64Array) => targets.targetsOf('c1', { pins: [pin] }, pose, worldAt(5)).get(4)?.position;
     expect(at(dofs.slice())).toEqual([9, 9, 9]);

@@ -126,7 +126,7 @@ describe('a point that is pulled', () => {
     expect(most).toBeLessThan(0.2);
   });
 
-  it('gets to where a hand was that went further than a frame has room for, with the frames after it', () => {
+  it('reaches a hand that moved further than the budget of a frame, in later frames', () => {
     const pull = pullOf(person(), HIPS);
     const steps: number[] = [];
     const goal = [0.5, 0.5, 1.2] as const;
@@ -155,7 +155,7 @@ describe('a point that is pulled', () => {
     expect(Math.max(...pull.dofs.map((value, d) => Math.abs(value - before[d])))).toBeLessThan(1e-3);
   });
 
-  it('keeps the limits, and names the one that is in the way', () => {
+  it('keeps the limits, and names the one that blocks', () => {
     const limits = new Map<number, readonly Limit[]>([
       [SHIN, [STIFF, STIFF, STIFF]],
       [THIGH, [KNEE, STIFF, STIFF]],
@@ -192,7 +192,7 @@ describe('a point that is pulled', () => {
     expect(pull.held.size).toBe(2);
   });
 
-  it('goes nowhere with a hand that is nowhere', () => {
+  it('does not move for a hand that is not finite', () => {
     const pull = pullOf(person(), HEAD);
     const before = pull.dofs.slice();
     pull.to([Number.NaN, 0, 0]);
@@ -200,7 +200,7 @@ describe('a point that is pulled', () => {
     expect(pull.dofs).toEqual(before);
   });
 
-  it('a point that is pulled has settled without a jump, where a leg is all but straight too', () => {
+  it('a point that is pulled has settled without a jump, even if a leg is almost straight', () => {
     const ik: IkSetup = { pins: [], stiff: [{ joint: HIPS }], rootIsFree: false };
     for (const start of [0.3, 0.6, 0.9]) {
       for (const short of [0, 3e-5, 1e-4, 2e-4, 4e-4, 1e-2]) {
