@@ -79,8 +79,8 @@ export function grammarReader<T>(fileName: string, grammar: Grammar<T>): Reader<
 
 /**
  * A reader that decodes all bytes of a file together, as most binary formats need.
- * @param decode checks every length before it reads: it may only throw a `ParseError`. Undefined where it reported an
- * error.
+ * @param decode must check every length before it reads, and may only throw a `ParseError`. Returns undefined only if it
+ * reported an error.
  */
 export function bytesReader<T>(
   fileName: string,

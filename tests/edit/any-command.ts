@@ -80,7 +80,7 @@ function autoKey(dice: Dice): { readonly key?: KeyOptions } {
   return { key: { tangents, playedRange: dice.is(0.5) ? range(dice) : undefined } };
 }
 
-/** By the command's id; undefined where there is nothing to do it with. */
+/** By the command's id; undefined if the document has nothing to use it on. */
 const ARGUMENTS: Readonly<Record<string, (s: Situation) => object | undefined>> = {
   'pose.setDofs': ({ dice, character }) => ({
     characterId: character.id,

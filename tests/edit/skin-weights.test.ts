@@ -114,7 +114,7 @@ describe('automatic weights', () => {
   it('tell which joints move nothing, and of those without a bone nothing', () => {
     const { joints } = arm(0);
     const aside = joint(0, { name: 'aside', offset: [9, 0, 0], length: 1 });
-    // Its child stands where it does, and has the bone.
+    // Its child coincides with it, and has the bone.
     const hinge = joint(0, { name: 'hinge', offset: [0, 2, 0] });
     const [root, ...others] = joints;
     const skeleton: Skeleton = {

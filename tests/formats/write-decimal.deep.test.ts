@@ -5,7 +5,7 @@ import { LONGEST_DECIMAL, putDecimal } from '../../src/formats/write-decimal.ts'
 
 const bytes = new Uint8Array(LONGEST_DECIMAL + 2);
 
-/** What is written for a value; undefined where it is left to `String`. */
+/** What is written for a value; undefined if it is left to `String`. */
 function written(value: number): string | undefined {
   bytes.fill(0);
   const end = putDecimal(value, bytes, 1);

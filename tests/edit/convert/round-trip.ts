@@ -17,7 +17,7 @@ export function characterOf({ skeleton, clip }: CapturedFigure): Character {
   });
 }
 
-/** x y z of every joint at a time, End Sites behind their joint, whether they are points of it or joints that stand for them. */
+/** x y z of every joint at a time, each followed by its End Sites, stored as points or as joints. */
 export function positionsAt(who: Character, seconds: number): readonly (readonly number[])[] {
   const { skeleton } = who;
   if (!skeleton) return [];

@@ -271,7 +271,7 @@ describe('what is shown', () => {
 });
 
 describe('a skeleton built into a skin that waits for one', () => {
-  /** Hangs on three joints that nobody has made yet, bound elsewhere than they will stand. */
+  /** Attached to three joints that don't exist yet, bound away from where they will be. */
   const template = skin('hero', 2, {
     positions: Float64Array.of(0, 0, 0, 1, 2, 0, 0, 4, 1, 2, 2, 2),
     normals: Float64Array.of(0, 0, 1, 0, 0, 1, 0, 0, 1, 0, 0, 1),

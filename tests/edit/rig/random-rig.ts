@@ -1,4 +1,4 @@
-/** Characters made up, with all that goes by joints and DOFs, and commands of rigging to try on them. */
+/** Random characters with everything that refers to joints and DOFs, and rigging commands to try on them. */
 import fc from 'fast-check';
 import { COMMANDS_BY_ID } from '../../../src/edit/commands/all.ts';
 import type { Command, Edit } from '../../../src/edit/store.ts';

@@ -36,7 +36,7 @@ describe('a character that another one’s take moves', () => {
     named(1, 'knee', { offset: [0, -1, 0] }),
     named(0, 'tail'),
   );
-  /** Hip, thigh and knee turn; the tail of the other one stands. */
+  /** Hip, thigh and knee turn; the other one's tail is static. */
   const turned = clip('walk', [0, 0, 0, 0.2, 0, 0, 0, 0.3, 0, 0.1, 0.2, 0.3, 0, 0, 1]);
   const driven = (own = BODY) => {
     const store = new Store(
@@ -86,7 +86,7 @@ describe('a character that another one’s take moves', () => {
   });
 
   it('keeps the pivot of a joint that is moved and hangs on another one now, and its own pose', () => {
-    // Bent in the file, the tail stands otherwise than the other one's: what hangs on it is turned anew.
+    // The tail is bent in the file, unlike the other one's, so its children get another rotation.
     const bent = BODY.joints.map((one, j) => (j === 3 ? { ...one, pose: [0.5, 0.25, 0] } : one));
     const store = driven({ ...BODY, joints: bent });
     const before = store.document.characters[0];

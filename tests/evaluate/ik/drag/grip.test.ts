@@ -14,7 +14,7 @@ const joint = (parent: number, offset: Vec3, half: number): Joint => ({
 });
 /** A bone from 0 along +y, of length 2, with a box of side 1 about its first joint. */
 const BONE: Skeleton = { name: 'bone', joints: [joint(-1, [0, 0, 0], 0.5), joint(0, [0, 2, 0], 0.5)] };
-/** The first stands at x = 10, the second above it. */
+/** The first is at x = 10, the second above it. */
 const WORLD = Float64Array.from([0, 2].flatMap((y) => [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 10, y, 0, 1]));
 const ahead = (x: number, y: number) => ({ origin: [x, y, 5] as const, direction: [0, 0, -1] as const });
 const close = (found: Vec3, wanted: Vec3) => {

@@ -18,7 +18,7 @@ function joint(name: string, parent: number, offset: Vec3, limits: readonly Limi
   return { name, parent, offset, box: DEFAULT_BOX, motion: DEFAULT_MOTION, limits, pose: [0, 0, 0] };
 }
 
-/** Hips with a trunk above and two legs below, straight as they stand: 2 from the ankles to the head. */
+/** Hips with a trunk above and two straight legs below: 2 from the ankles to the head. */
 const PERSON: Skeleton = {
   name: 'person',
   joints: [
@@ -52,7 +52,7 @@ function worldOf(dofs: ArrayLike<number>): Float64Array {
 const placeOf = (dofs: ArrayLike<number>, on: number) => pointAt(worldOf(dofs), on, [0, 0, 0]);
 const apart = (a: Vec3, b: Vec3) => Math.hypot(...a.map((v, k) => v - b[k]));
 
-/** How far a joint stands from upright, radians. */
+/** Angle of a joint from upright, radians. */
 function leans(dofs: ArrayLike<number>, on: number): number {
   return Math.acos(Math.min(1, worldOf(dofs)[16 * on + 5]));
 }
@@ -169,7 +169,7 @@ describe('a point that is pulled', () => {
     const thigh = 3 + 3 * THIGH;
     pull.to([0.2, 0.3, -0.7]);
     expect(pull.dofs[thigh]).toBeGreaterThan(0.5);
-    // A leg that swings back only: forward it comes to its limit, which stands in the way.
+    // A leg that only swings back: forwards it is stopped by its limit.
     pull.to([0.2, 0.2, 0.6]);
     expect(pull.dofs[thigh]).toBe(0);
     expect(pull.binding()).toContain(thigh);
