@@ -3,11 +3,11 @@
  * can be dismissed, the pointer can move onto it, and it stays until pointer or focus leave.
  */
 
-/** The pointer rests before the first tooltip, or a finger holds, for so long. */
+/** Delay before the first tooltip shows, and of a long press. */
 export const REST_MS = 500;
-/** A pointer crosses the gap between an element and its tooltip within this time. */
+/** Time for the pointer to cross the gap between an element and its tooltip. */
 export const LEAVE_MS = 120;
-/** After one has gone, a neighbour's shows at once for so long. */
+/** For this long after one was hidden, the next shows at once. */
 export const WARM_MS = 300;
 
 /** What made it show. */

@@ -1,7 +1,7 @@
-/** Keys that wait for an answer (`add-keys.ts`) and the dialog that asks for it open and close together. */
+/** Opens and closes the dialog together with the pending question of `add-keys.ts`. */
 import type { Uses } from '../state/workbench.ts';
 
-/** Until it is ended. A dialog that is closed by whatever means without an answer makes no keys. */
+/** Runs until ended. Closing the dialog without an answer makes no keys. */
 export function askAboutCycles({ timeline, dialog }: Uses<'timeline' | 'dialog'>): () => void {
   const { cycleQuestion } = timeline;
   const stops = [

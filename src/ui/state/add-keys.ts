@@ -1,10 +1,10 @@
 /**
- * Making keys. One outside the cycle of a channel that repeats changes all of its motion, and a person who keys one arm
- * means anything but that: it is asked where the key goes, while the viewport shows the pose that is keyed. Whoever keys
- * often says it once for all (*Keys > Editing*).
+ * Adds keys. One outside the cycle of a repeating channel would change all of its motion, which is rarely intended: a
+ * dialog asks what to do, while the viewport shows the pose to be keyed. The answer can be made permanent (*Keys >
+ * Editing*).
  *
- * Auto-key asks at the release, once for all that the drag has changed: a question in the middle of a drag would end it,
- * and none at all would lengthen a walk with every touch.
+ * Auto-key asks once on release, for everything that the drag has changed: asking during the drag would end it, and not
+ * asking would lengthen a walk with every touch.
  */
 import type { KeyOptions } from '../../edit/key-dofs.ts';
 import { changedCyclesOf, type OutsideCycle } from '../../edit/keys/cycle.ts';

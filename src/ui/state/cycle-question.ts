@@ -1,16 +1,16 @@
-/** Keys that wait until it is said where they go. */
+/** Keys waiting for the answer to where they belong. */
 import type { ChangedCycle, OutsideCycle } from '../../edit/keys/cycle.ts';
 import type { Character } from '../../model/document.ts';
 
 export interface CycleQuestion {
-  /** As it was before. */
+  /** The character before the change. */
   readonly character: Character;
-  /** What `lengthen` would change; at least one. */
+  /** What `lengthen` would change; at least one channel. */
   readonly changed: readonly ChangedCycle[];
-  /** Shows what an answer would give, until another is shown. */
+  /** Previews an answer, until another is previewed. */
   show(outsideCycle: OutsideCycle): void;
-  /** Makes the keys: one step. Throws a `CommandError` where that is refused. */
+  /** Adds the keys in one step. Throws a `CommandError` if refused. */
   answer(outsideCycle: OutsideCycle): void;
-  /** Makes none. */
+  /** Adds no keys. */
   cancel(): void;
 }

@@ -1,7 +1,7 @@
-/** Whether an action did anything that a person can notice. */
+/** Whether an action had any visible effect. */
 import type { Workbench } from './workbench.ts';
 
-/** Call it before an action; the function it returns says whether anything has changed since, or a message was given. */
+/** Call before an action; the returned function tells whether anything has changed since, or a message was shown. */
 export function watchEffect(wb: Workbench): () => boolean {
   const before = noticeable(wb);
   return () => noticeable(wb).some((now, i) => now !== before[i]);

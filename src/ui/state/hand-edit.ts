@@ -15,7 +15,7 @@ import type { Messages } from './messages.ts';
 export class HandEdit {
   private gesture: Gesture | undefined;
   private wasCancelled = false;
-  /** Makes the change anew, where it may be asked what was meant by it. */
+  /** Applies the edit again by `add-keys.ts`, which may ask a question first. */
   private anew: (() => void) | undefined;
 
   /**

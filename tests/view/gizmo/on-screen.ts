@@ -33,6 +33,6 @@ export function laid(handles: readonly Handle[], free = false, radius = 90): Lay
   return layout;
 }
 
-/** Rings that face the viewer, and stand on edge. */
+/** Two rings: one faces the viewer, the other is edge-on. */
 export const facing = handle(1, 'turn', [0, 0, 1], [1, 0, 0]);
 export const onEdge = handle(2, 'turn', [1, 0, 0], [0, 0, 1]);

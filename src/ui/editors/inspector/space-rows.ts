@@ -2,7 +2,7 @@
  * How a character's own space maps to the scene, in the character's section: up axis, unit, ground, and the meaning of
  * BVH position channels.
  *
- * Another unit or up axis puts the character back on the ground: corrected, it should stand.
+ * Another unit or up axis puts the character back on the ground: after a correction it should be grounded.
  */
 import type { GUI } from 'lil-gui';
 import { setPositionChannels, setSpace } from '../../../edit/commands/spaces.ts';

@@ -1,7 +1,7 @@
-/** Remembering characters as they came in, so that K can tell what was posed since. */
+/** Remembers characters as opened, so that K can tell what was posed since. */
 import type { Uses } from '../../state/workbench.ts';
 
-/** One that gets another skeleton or other morphs has come in anew. Until it is ended. */
+/** A character with another skeleton or other morphs counts as reopened. Runs until ended. */
 export function followOpened({ store, posing }: Uses<'store' | 'posing'>): () => void {
   const { opened } = posing;
   const look = () => {

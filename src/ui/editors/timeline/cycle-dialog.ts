@@ -1,4 +1,4 @@
-/** Where a key goes that is outside the cycle of a channel that repeats: asked beside the pose that is keyed. */
+/** The dialog about a key outside a channel's cycle, shown beside the pose to be keyed. */
 import { OUTSIDE_CYCLE } from '../../../edit/keys/cycle.ts';
 import type { DialogContent } from '../../kit/dialog.ts';
 import { element } from '../../kit/dom.ts';
@@ -23,7 +23,7 @@ export function cycleDialog(wb: Uses<'transport' | 'timeline' | 'messages'>, clo
       element('span', { class: 'choice-name' }, OUTSIDE_LABELS[how]),
       element('span', { class: 'faint' }, detail),
     );
-    // The curves show what it would do.
+    // Previews the result in the curves.
     const show = () => attempt(wb.messages, () => question.show(how));
     made.addEventListener('focus', show);
     made.addEventListener('pointerenter', show);

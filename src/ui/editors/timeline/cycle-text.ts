@@ -1,4 +1,4 @@
-/** What is asked about keys outside a cycle, in sentences. */
+/** Texts of the question about keys outside a cycle. */
 import { type OutsideCycle, placeOf, withRepeatsBaked } from '../../../edit/keys/cycle.ts';
 import { sameTime } from '../../../edit/keys/same-time.ts';
 import { shownClip } from '../../../model/document.ts';
@@ -15,11 +15,11 @@ export const OUTSIDE_LABELS: Readonly<Record<OutsideCycle, string>> = {
 export interface CycleText {
   /** What the key would do: `left_arm rx repeats every 0.8 s. A key at 2 s would make it repeat every 2 s.` */
   readonly about: string;
-  /** What each answer does; absent where it can't be given. */
+  /** The effect of each answer; absent if it isn't possible. */
   readonly answers: Readonly<Partial<Record<OutsideCycle, string>>>;
 }
 
-/** @param range what is played, in seconds of the transport */
+/** @param range playback range, in seconds of the transport */
 export function cycleText(
   { character, changed }: Pick<CycleQuestion, 'character' | 'changed'>,
   range: readonly [number, number],

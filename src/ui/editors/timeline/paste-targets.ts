@@ -1,6 +1,6 @@
 /**
- * Which channels copied keys are pasted into. Keys never go where nobody sees them: if the channels that they were copied
- * from are not listed, those of the same DOFs that are listed take them, with or without keys of their own.
+ * The channels that copied keys are pasted into. Keys are never pasted into unlisted channels: if the channels they
+ * were copied from aren't listed, listed ones with the same DOFs get them, whether or not they have keys.
  */
 import type { CopiedKeys } from '../../../edit/keys/clipboard.ts';
 import type { Character } from '../../../model/document.ts';
@@ -8,7 +8,10 @@ import { currentCharacter } from '../../state/action.ts';
 import type { Uses } from '../../state/workbench.ts';
 import { listedChannels, namedChannel } from './channels.ts';
 
-/** The listed channels that are not hidden, also those without keys. Everything in the dope sheet, which lists them all. */
+/**
+ * The listed channels that aren't hidden, including those without keys. Everything in the dope sheet, which lists them
+ * all.
+ */
 export function pastableChannels(wb: Uses<'store' | 'timeline'>): readonly number[] {
   const character = currentCharacter(wb);
   if (!character) return [];
