@@ -24,8 +24,8 @@ import { checkChannel } from '../../helpers/invariants.ts';
 import { between, channelOf, channels, valueAt } from './channels.ts';
 
 const REPEATING = EXTRAPOLATIONS.filter(repeats);
-/** Of the curve's largest value. */
-const SHAPE = 1e-9;
+/** Of the curve's largest value: room for what it rises between a step and the times looked at beside the step. */
+const SHAPE = 1e-8;
 
 const first = ({ times }: KeyedChannel) => times[0];
 const last = ({ times }: KeyedChannel) => times[times.length - 1];
