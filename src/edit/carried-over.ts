@@ -37,7 +37,7 @@ export function lostOver(before: Character, after: Character, file: string): Dia
     );
     return names.length > 1 ? `${names[0]} and ${names.length - 1} more` : names[0];
   };
-  const unposed = posedInVain(before, after.skeleton, to);
+  const unposed = unmatchedPosedJoints(before, after.skeleton, to);
   if (unposed.length) say('kept-pose-lost', `Poses in the library lost ${called(unposed)}, which no longer exists.`);
   const gone = ({ joint }: { readonly joint: number }) => to[joint] < 0;
   const held = [...(ik?.pins ?? []), ...(ik?.stiff ?? [])].filter(gone).map(({ joint }) => joint);
@@ -46,7 +46,11 @@ export function lostOver(before: Character, after: Character, file: string): Dia
 }
 
 /** Joints in the pose library that have lost their place. */
-function posedInVain({ skeleton, morphs, poses = [] }: Character, after: Skeleton, to: Int32Array): readonly number[] {
+function unmatchedPosedJoints(
+  { skeleton, morphs, poses = [] }: Character,
+  after: Skeleton,
+  to: Int32Array,
+): readonly number[] {
   if (poses.length === 0) return [];
   const key = (joint: number, name: string) => `${joint} ${name}`;
   const there = new Set(characterDofs(after, []).map(({ joint, name }) => key(joint, name)));

@@ -41,7 +41,7 @@ const POSITIONS: readonly BvhChannel[] = ['tx', 'ty', 'tz'];
 const END_SITE = /^end[ _]?site$/i;
 
 /** Whether a `.skel` joint represents a BVH End Site: a leaf below another joint that never moves. */
-export function standsForEndSite({ joints }: Skeleton, j: number): boolean {
+export function representsEndSite({ joints }: Skeleton, j: number): boolean {
   const { motion, name, parent } = joints[j];
   return (
     !isOfBvh(motion) && dofsOf(motion).length === 0 && END_SITE.test(name) && parent >= 0 && joints[j + 1]?.parent !== j
@@ -105,7 +105,7 @@ class Figuring {
     const { joints } = skeleton;
     this.plans = planJoints(skeleton);
     this.isScaled = joints.some(({ motion }) => stretches(motion));
-    this.kept = joints.flatMap((_, j) => (standsForEndSite(skeleton, j) ? [] : [j]));
+    this.kept = joints.flatMap((_, j) => (representsEndSite(skeleton, j) ? [] : [j]));
     this.local = new Float64Array(16 * joints.length);
     this.world = new Float64Array(16 * joints.length);
   }
@@ -310,7 +310,7 @@ function tipsOf(skeleton: Skeleton): ReadonlyMap<number, readonly Vec3[]> {
 function leavesOf(skeleton: Skeleton): ReadonlyMap<number, readonly Vec3[]> {
   const leaves = new Map<number, Vec3[]>();
   skeleton.joints.forEach(({ parent, offset }, j) => {
-    if (!standsForEndSite(skeleton, j)) return;
+    if (!representsEndSite(skeleton, j)) return;
     const siblings = leaves.get(parent);
     if (siblings) siblings.push(offset);
     else leaves.set(parent, [offset]);

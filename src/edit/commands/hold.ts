@@ -75,7 +75,7 @@ export function* holdSteps(document: Document, args: HoldPins): Steps<Held> {
   const { clip, channels, window } = report;
   if (channels.length === 0) return { edit: { document, keys: [] }, report };
   const held = changeCharacter(document, characterId, () =>
-    withoutHandOn(withTake(taken, taken.shownClip, clip), character, channels, window),
+    withoutUnkeyedOnHold(withTake(taken, taken.shownClip, clip), character, channels, window),
   );
   return { edit: { document: held, keys: keysIn(clip, channels, window) }, report };
 }
@@ -94,7 +94,7 @@ function above0(value: unknown, what: string): number {
 }
 
 /** Keeps unkeyed changes except where the hold has changed the pose at that time, since the hold started from them. */
-function withoutHandOn(
+function withoutUnkeyedOnHold(
   held: Character,
   { unkeyed }: Character,
   channels: readonly number[],

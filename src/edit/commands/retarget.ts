@@ -100,7 +100,7 @@ export const clearRetarget: Command<OfDriven> = {
   run: (document, { characterId }) =>
     changeCharacter(document, characterId, (c) => {
       requireDriver(c);
-      return withoutDriver(withoutHandOver(c));
+      return withoutDriver(withoutUnkeyedOverTake(c));
     }),
 };
 
@@ -157,7 +157,7 @@ function unrollRotations(skeleton: Skeleton, { values, scales, frameCount }: Sam
 }
 
 /** Discards unkeyed changes where retargeting drives the character, since they were made over that take. */
-function withoutHandOver(character: Character): Character {
+function withoutUnkeyedOverTake(character: Character): Character {
   const { unkeyed } = character;
   const moved = movedDofs(character);
   if (!unkeyed || !moved) return character;

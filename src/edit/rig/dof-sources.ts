@@ -51,7 +51,7 @@ export function dofSources(
     return {
       from: travel(name),
       sign: 1,
-      plus: hadRoot || !isSameRoot ? 0 : baseOf(root, name) - standOf(nextRoot, name),
+      plus: hadRoot || !isSameRoot ? 0 : baseOf(root, name) - rootStart(nextRoot, name),
       start: 0,
     };
   });
@@ -94,7 +94,7 @@ function baseOf(joint: Joint, name: string): number {
 }
 
 /** Position of a new root along an axis when root translation is 0. */
-function standOf(joint: Joint, name: string): number {
+function rootStart(joint: Joint, name: string): number {
   if (!replacesOffset(joint.motion, name)) return joint.offset[TRAVEL.indexOf(name)];
   return joint.pose[dofsOf(joint.motion).findIndex((dof) => dof.name === name)] ?? 0;
 }

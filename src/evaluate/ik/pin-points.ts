@@ -26,7 +26,7 @@ export interface PinPoint {
 /** Points closer than this fraction of the farthest one's distance are the same. */
 const SAME_POINT = 1e-6;
 /** A box has an end if one face is farther from the pivot than all others by this factor. */
-const STANDS_OUT = 1.25;
+const END_RATIO = 1.25;
 
 const FACES = [
   [0, 'min', 'box end −x'],
@@ -128,7 +128,7 @@ function boxEnd(joint: Joint): PinPoint | undefined {
   const end = furthest(faces);
   if (!end) return undefined;
   const length = distance(end.point);
-  return faces.every((face) => face === end || distance(face.point) * STANDS_OUT <= length) ? end : undefined;
+  return faces.every((face) => face === end || distance(face.point) * END_RATIO <= length) ? end : undefined;
 }
 
 /** The vertex farthest from the joint's pivot among those that the joint moves most, in the binding pose. */
