@@ -1,5 +1,5 @@
 /**
- * Camera framing: the position from which a camera shows a box, and its depth range. Plain formulas without three.js,
+ * Camera framing: the position from which a camera shows boxes, and its depth range. Plain formulas without three.js,
  * testable without rendering.
  *
  *     camera's axes: x right, y up, z towards the viewer; the camera looks along −z
@@ -9,46 +9,70 @@
  *              │╱
  */
 
+/** Where a camera of known rotation is: along its own axes, from the world's origin. */
+export interface FittedEye {
+  readonly x: number;
+  readonly y: number;
+  readonly z: number;
+  /** Along z, the middle of what is seen. */
+  readonly middle: number;
+}
+
+/** The camera is at least this many times as far from the middle as what is nearest to it. */
+const MIN_DISTANCE = 1.5;
+
 /**
- * Distance from a box's centre at which a camera with the rotation of world matrix `m` sees all of it with `margin`
- * (1.2: a fifth more room than needed). The box has half sizes hx, hy, hz; `tanHalfFov` is of the vertical angle,
- * `aspect` width / height. A corner at (x, y, z) from the centre, in camera axes, is visible from
+ * The nearest place from which a camera with the rotation of world matrix `m` sees several boxes whole, with `margin`
+ * (1.2: a fifth more room than needed). Several small boxes, one for each moment of a motion, show it larger than the
+ * one around them all, whose corners nothing ever reaches.
  *
- *     d ≥ z + max(|x| / (tan · aspect), |y| / tan)
+ * A corner at x, y, z along the camera's axes is seen from X, Y, Z between the left and the right edge if
  *
- * If a fraction `coveredTop` of the picture's height is covered, the centre is shown in the middle of the rest: the
- * camera is coveredTop · tan · d above it, and a corner is visible from
+ *     x + t·z ≤ X + t·Z    and    −x + t·z ≤ −X + t·Z        t: tangent of half the horizontal angle
  *
- *     d ≥ (z − y / tan) / (1 − coveredTop)                          above the lower edge
- *     d ≥ ((1 − 2 coveredTop) · z + y / tan) / (1 − coveredTop)     below the covered part
+ * so that with A and B, the largest of the left sides over all corners, Z ≥ (A + B) / 2t, and X is halfway between
+ * A − t·Z and t·Z − B. The same holds for Y, with the tangents of the upper and of the lower edge.
  *
- * Fitting a bounding sphere would be simpler, but shows long characters too small.
+ * @param boxes minimum x y z and maximum x y z, 6 for each
+ * @param tanHalfFov of the vertical angle
+ * @param aspect width / height
+ * @param coveredTop fraction of the height, at its top, that is kept clear
  */
-export function fitDistance(
-  hx: number,
-  hy: number,
-  hz: number,
+export function fitEye(
+  boxes: ArrayLike<number>,
   m: ArrayLike<number>,
   tanHalfFov: number,
   aspect: number,
   margin: number,
   coveredTop = 0,
-): number {
-  let distance = 0;
-  let deepest = 0;
-  for (let corner = 0; corner < 8; corner++) {
-    const x = corner & 1 ? hx : -hx;
-    const y = corner & 2 ? hy : -hy;
-    const z = corner & 4 ? hz : -hz;
-    const right = Math.abs(m[0] * x + m[1] * y + m[2] * z);
-    const up = (margin * (m[4] * x + m[5] * y + m[6] * z)) / tanHalfFov;
-    const nearer = m[8] * x + m[9] * y + m[10] * z;
-    const inHeight = Math.max(nearer - up, (1 - 2 * coveredTop) * nearer + up) / (1 - coveredTop);
-    distance = Math.max(distance, inHeight, nearer + (margin * right) / (tanHalfFov * aspect));
-    deepest = Math.max(deepest, nearer);
+): FittedEye {
+  const half = ((1 - coveredTop) * tanHalfFov) / margin;
+  const above = half - coveredTop * tanHalfFov;
+  const below = half + coveredTop * tanHalfFov;
+  const side = (aspect * tanHalfFov) / margin;
+  let [right, left, top, bottom] = [-Infinity, -Infinity, -Infinity, -Infinity];
+  let [nearest, farthest] = [-Infinity, Infinity];
+  for (let o = 0; o < boxes.length; o += 6) {
+    for (let corner = 0; corner < 8; corner++) {
+      const wx = boxes[o + (corner & 1 ? 3 : 0)];
+      const wy = boxes[o + (corner & 2 ? 4 : 1)];
+      const wz = boxes[o + (corner & 4 ? 5 : 2)];
+      const x = m[0] * wx + m[1] * wy + m[2] * wz;
+      const y = m[4] * wx + m[5] * wy + m[6] * wz;
+      const z = m[8] * wx + m[9] * wy + m[10] * wz;
+      right = Math.max(right, x + side * z);
+      left = Math.max(left, -x + side * z);
+      top = Math.max(top, y + above * z);
+      bottom = Math.max(bottom, -y + below * z);
+      nearest = Math.max(nearest, z);
+      farthest = Math.min(farthest, z);
+    }
   }
-  // Keeps clear of thin boxes that point at the camera: they would touch the edge, whatever the margin.
-  return Math.max(distance, (1.5 * deepest) / (1 - coveredTop)) || 1;
+  const middle = (nearest + farthest) / 2;
+  let z = Math.max((right + left) / (2 * side), (top + bottom) / (above + below));
+  z = Math.max(z, middle + MIN_DISTANCE * (nearest - middle));
+  if (z === middle) z += 1;
+  return { x: (right - left) / 2, y: (top - above * z + below * z - bottom) / 2, z, middle };
 }
 
 export interface DepthRange {

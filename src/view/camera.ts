@@ -10,13 +10,7 @@
  */
 import { type Box3, MOUSE, OrthographicCamera, PerspectiveCamera, Sphere, Spherical, TOUCH, Vector3 } from 'three';
 import { OrbitControls } from 'three/addons/controls/OrbitControls.js';
-import {
-  distanceForHalfHeight,
-  fitDistance,
-  lookingFrom,
-  orthographicDepth,
-  perspectiveDepth,
-} from '../math/framing.ts';
+import { distanceForHalfHeight, fitEye, lookingFrom, orthographicDepth, perspectiveDepth } from '../math/framing.ts';
 import type { Vec3 } from '../math/vec3.ts';
 import { CameraTravel, newView, PressWatch, type View } from './camera-travel.ts';
 import { Grid } from './grid.ts';
@@ -39,7 +33,7 @@ export const VIEW_DIRECTIONS: Readonly<Record<ViewDirection, readonly [azimuth: 
 const FOV_DEGREES = 32;
 const TAN_HALF_FOV = Math.tan((FOV_DEGREES * Math.PI) / 360);
 /** Margin around what is framed, on top of the box computed from joints. */
-const MARGIN = 1.12;
+const MARGIN = 1.08;
 /** At least this part of the height is assumed to be free of overlays. */
 const MIN_FREE = 0.6;
 
@@ -159,22 +153,25 @@ export class CameraRig {
   }
 
   /**
-   * Frames `box`, from the current direction or the one being moved to.
+   * Frames boxes, from the current direction or the one being moved to.
    *
    * @param coveredTop CSS pixels at the top covered by overlays
    * @param smoothly in a short animated move
    */
-  frame(box: Box3, coveredTop: number, smoothly: boolean): void {
-    if (box.isEmpty()) return;
+  frame(boxes: readonly Box3[], coveredTop: number, smoothly: boolean): void {
+    const corners = boxes.flatMap((box) => (box.isEmpty() ? [] : [...box.min.toArray(), ...box.max.toArray()]));
+    if (corners.length === 0) return;
     const to = this.goal();
-    box.getCenter(to.target);
-    box.getSize(this.size).multiplyScalar(0.5);
     const { axes } = this;
     lookingFrom(to.azimuth, to.polar, axes);
-    const { x, y, z } = this.size;
     const covered = this.partOfHeight(coveredTop);
-    to.distance = fitDistance(x, y, z, axes, TAN_HALF_FOV, this.aspect, MARGIN, covered);
-    to.target.addScaledVector(this.size.set(axes[4], axes[5], axes[6]), covered * TAN_HALF_FOV * to.distance);
+    const { x, y, z, middle } = fitEye(corners, axes, TAN_HALF_FOV, this.aspect, MARGIN, covered);
+    to.distance = z - middle;
+    to.target.set(
+      axes[0] * x + axes[4] * y + axes[8] * middle,
+      axes[1] * x + axes[5] * y + axes[9] * middle,
+      axes[2] * x + axes[6] * y + axes[10] * middle,
+    );
     this.go(to, smoothly);
   }
 
@@ -205,10 +202,10 @@ export class CameraRig {
   }
 
   /** The default view of something: three-quarter front, at once. */
-  lookFirst(box: Box3, coveredTop: number): void {
+  lookFirst(boxes: readonly Box3[], coveredTop: number): void {
     this.travel.stop();
     this.place({ ...this.read(newView()), azimuth: 0.6, polar: 1.32 });
-    this.frame(box, coveredTop, false);
+    this.frame(boxes, coveredTop, false);
   }
 
   /** Moves camera and target by the motion of what they follow. */

@@ -27,7 +27,7 @@ export class Framer {
 
   constructor(
     private readonly rig: Pick<CameraRig, 'frame' | 'frameSphere' | 'lookFirst' | 'partOfHeight' | 'camera'>,
-    private readonly characters: Pick<ShownCharacters, 'seen' | 'visible' | 'content' | 'roomOfMotion'>,
+    private readonly characters: Pick<ShownCharacters, 'seen' | 'visible' | 'content' | 'boundsOfMotion'>,
     private readonly skeletons: Pick<SkeletonDrawing, 'positionOf'>,
     private readonly picked: PickedCopy,
   ) {}
@@ -67,16 +67,16 @@ export class Framer {
       rig.frameSphere(point, AROUND_VERTEX * size, true);
     } else if (joint !== undefined && skeleton && this.skeletons.positionOf(id, copy, joint, point)) {
       rig.frameSphere(point, jointRadius(entry, copy, joint), true);
-    } else rig.frame(box, this.coveredTop(), true);
+    } else rig.frame([box], this.coveredTop(), true);
   }
 
   /** Each frame, before the camera is updated: starts the requested move. */
   settle(playedRange: readonly [number, number], timeSeconds: number): void {
     const { rig, characters } = this;
     if (this.everything !== 'no' && !characters.content.isEmpty()) {
-      const room = characters.roomOfMotion(playedRange, timeSeconds);
-      if (this.everything === 'first look') rig.lookFirst(room, this.coveredTop());
-      else rig.frame(room, this.coveredTop(), true);
+      const motion = characters.boundsOfMotion(playedRange, timeSeconds);
+      if (this.everything === 'first look') rig.lookFirst(motion, this.coveredTop());
+      else rig.frame(motion, this.coveredTop(), true);
       this.everything = 'no';
     }
     if (this.revealing.length > 0) this.bringIntoView(playedRange, timeSeconds);
@@ -89,9 +89,11 @@ export class Framer {
     box.makeEmpty();
     for (const { view } of entries) box.union(view.bounds(this.ownBox));
     if (box.isEmpty()) return;
-    const room = characters.roomOfMotion(playedRange, timeSeconds, entries);
+    const motion = characters.boundsOfMotion(playedRange, timeSeconds, entries);
+    this.ownBox.makeEmpty();
+    for (const moment of motion) this.ownBox.union(moment);
     const coveredTop = this.coveredTop();
-    if (!isWellSeen(box, room, rig.camera, rig.partOfHeight(coveredTop))) rig.frame(room, coveredTop, true);
+    if (!isWellSeen(box, this.ownBox, rig.camera, rig.partOfHeight(coveredTop))) rig.frame(motion, coveredTop, true);
   }
 }
 

@@ -34,10 +34,8 @@ export class ShownCharacters {
   visible: readonly ShownCharacter[] = [];
   /** Bounds of everything visible, as of the last `place`. */
   readonly content = new Box3();
-  private readonly room = new Box3();
   private readonly box = new Box3();
   private readonly own = new Box3();
-  private readonly moment = new Box3();
   private readonly size = new Vector3();
 
   /**
@@ -129,26 +127,31 @@ export class ShownCharacters {
   }
 
   /**
-   * Bounds of everything, or of `these`, over the playback range, sampled at a few times, so that walking characters
-   * stay in frame. One that walks far away would shrink everything: it counts where it is now.
+   * Bounds of everything, or of `these`, at a few times of the playback range, so that walking characters stay in frame.
+   * One that walks far away would shrink everything: it counts where it is now.
    */
-  roomOfMotion([start, end]: readonly [number, number], timeSeconds: number, these = this.visible): Box3 {
-    const { room, box, own, size } = this;
-    room.makeEmpty();
+  boundsOfMotion([start, end]: readonly [number, number], timeSeconds: number, these = this.visible): Box3[] {
+    const { own, size } = this;
+    const all: Box3[] = [];
     for (const { view } of these) {
-      view.bounds(box);
-      own.copy(box);
-      if (end > start) {
-        for (let i = 0; i <= FRAMED_MOMENTS; i++) {
-          view.seek(start + ((end - start) * i) / FRAMED_MOMENTS);
-          own.union(view.bounds(this.moment));
-        }
-        view.seek(timeSeconds);
+      const now = view.bounds(new Box3());
+      if (!(end > start)) {
+        all.push(now);
+        continue;
       }
-      const isFar = own.getSize(size).length() > MAX_ROOM * box.getSize(size).length();
-      room.union(isFar ? box : own);
+      const moments: Box3[] = [];
+      own.copy(now);
+      for (let i = 0; i <= FRAMED_MOMENTS; i++) {
+        view.seek(start + ((end - start) * i) / FRAMED_MOMENTS);
+        const moment = view.bounds(new Box3());
+        moments.push(moment);
+        own.union(moment);
+      }
+      view.seek(timeSeconds);
+      const isFar = own.getSize(size).length() > MAX_ROOM * now.getSize(size).length();
+      all.push(now, ...(isFar ? [] : moments));
     }
-    return room;
+    return all;
   }
 
   dispose(): void {

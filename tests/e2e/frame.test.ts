@@ -56,6 +56,31 @@ describe('the frame of the page', () => {
     ),
   );
 
+  it('shows its first picture at the size that it keeps, whatever panels were dragged or collapsed to', () =>
+    withPage(
+      async ({ page }) => {
+        await page.locator('.inspector .lil-gui').first().waitFor();
+        const sizes = await page.evaluate(() => (window as unknown as { stageSizes: string[] }).stageSizes);
+        expect(sizes.length).toBeGreaterThan(0);
+        expect([...new Set(sizes)]).toEqual([`${1280 - 400 - 312}x${sizes[0].split('x')[1]}`]);
+      },
+      {
+        walking: true,
+        before: () => {
+          const panels = { outlinerWidth: 400, timelineOpen: false };
+          localStorage.setItem('marrow.settings', JSON.stringify({ panels }));
+          const sizes: string[] = [];
+          Object.assign(window, { stageSizes: sizes });
+          const look = () => {
+            const stage = document.querySelector('.stage:has(canvas)');
+            if (stage) sizes.push(`${stage.clientWidth}x${stage.clientHeight}`);
+            requestAnimationFrame(look);
+          };
+          look();
+        },
+      },
+    ));
+
   it.each([
     ['light', 'rgb(246, 247, 248)'],
     ['dark', 'rgb(33, 36, 39)'],

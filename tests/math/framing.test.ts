@@ -4,7 +4,7 @@ import { describe, expect, it } from 'vitest';
 import {
   distanceForHalfHeight,
   easeOut,
-  fitDistance,
+  fitEye,
   lookingFrom,
   orthographicDepth,
   perspectiveDepth,
@@ -22,76 +22,87 @@ function cameraAt(azimuth: number, height: number, distance: number, aspect: num
 }
 
 describe('framing', () => {
-  it('framing has every corner of a box of any size in the picture, from any side', () => {
-    const size = fc.double({ min: 0, max: 1, noNaN: true });
-    const angle = fc.double({ min: -1.5, max: 1.5, noNaN: true });
-    fc.assert(
-      fc.property(
-        size,
-        size,
-        size,
-        fc.constantFrom(0.01, 1, 100),
-        angle,
-        angle,
-        fc.constantFrom(0.5, 1, 2.2),
-        (hx, hy, hz, scale, azimuth, height, aspect) => {
-          fc.pre(hx + hy + hz > 1e-3);
-          const far = cameraAt(azimuth, height, scale * 10, aspect);
-          const m = far.matrixWorld.elements;
-          const distance = fitDistance(hx * scale, hy * scale, hz * scale, m, TAN, aspect, 1.1);
-          const camera = cameraAt(azimuth, height, distance, aspect);
-          for (const x of [-1, 1]) {
-            for (const y of [-1, 1]) {
-              for (const z of [-1, 1]) {
-                const corner = new Vector3(x * hx, y * hy, z * hz).multiplyScalar(scale).project(camera);
-                expect(Math.max(Math.abs(corner.x), Math.abs(corner.y))).toBeLessThan(1);
-              }
-            }
-          }
-        },
+  const size = fc.double({ min: 0, max: 1, noNaN: true });
+  const angle = fc.double({ min: -1.5, max: 1.5, noNaN: true });
+  const boxAt = fc
+    .tuple(size, size, size, size, size, size)
+    .map(([x, y, z, w, h, d]) => [x - w, y - h, z - d, x + w, y + h, z + d]);
+
+  /** Each corner as it is seen from where `fitEye` puts the camera, and the camera's distance. */
+  function seen(boxes: readonly (readonly number[])[], azimuth: number, height: number, aspect: number, covered = 0) {
+    const m = new Float64Array(12);
+    lookingFrom(azimuth, Math.PI / 2 - height, m);
+    const { x, y, z, middle } = fitEye(boxes.flat(), m, TAN, aspect, 1.1, covered);
+    const camera = cameraAt(azimuth, height, 10, aspect);
+    camera.near = 1e-4;
+    camera.updateProjectionMatrix();
+    camera.position.set(0, 0, 0);
+    for (const [i, along] of [x, y, z].entries()) {
+      camera.position.add(new Vector3(m[4 * i], m[4 * i + 1], m[4 * i + 2]).multiplyScalar(along));
+    }
+    camera.updateMatrixWorld();
+    const corners = boxes.flatMap((box) =>
+      Array.from({ length: 8 }, (_, c) =>
+        new Vector3(box[c & 1 ? 3 : 0], box[c & 2 ? 4 : 1], box[c & 4 ? 5 : 2]).project(camera),
       ),
     );
-  });
+    return { corners, distance: z - middle };
+  }
 
-  it('leaves no more room than asked for', () => {
-    // A flat square seen head on: its edges are at 1 / 1.25 of the picture's.
-    const distance = fitDistance(1, 1, 0, cameraAt(0, 0, 1, 1).matrixWorld.elements, TAN, 1, 1.25);
-    expect(new Vector3(1, 1, 0).project(cameraAt(0, 0, distance, 1)).y).toBeCloseTo(0.8, 9);
-  });
-
-  it('keeps every corner out from under what covers the top', () => {
-    const size = fc.double({ min: 0.05, max: 1, noNaN: true });
-    const angle = fc.double({ min: -1.5, max: 1.5, noNaN: true });
+  it('framing has every corner of boxes in the picture, from any side, and nothing under what covers the top', () => {
     const covered = fc.double({ min: 0, max: 0.4, noNaN: true });
+    const boxes = fc.array(boxAt, { minLength: 1, maxLength: 4 });
+    const scale = fc.constantFrom(0.01, 1, 100);
     fc.assert(
-      fc.property(
-        size,
-        size,
-        size,
-        angle,
-        angle,
-        fc.constantFrom(0.5, 1, 2.2),
-        covered,
-        (hx, hy, hz, azimuth, height, aspect, top) => {
-          const m = new Float64Array(12);
-          lookingFrom(azimuth, Math.PI / 2 - height, m);
-          const distance = fitDistance(hx, hy, hz, m, TAN, aspect, 1.1, top);
-          const camera = cameraAt(azimuth, height, distance, aspect);
-          const raised = top * TAN * distance;
-          camera.position.add(new Vector3(m[4], m[5], m[6]).multiplyScalar(raised));
-          camera.updateMatrixWorld();
-          expect(new Vector3().project(camera).y).toBeCloseTo(-top, 6);
-          for (let corner = 0; corner < 8; corner++) {
-            const at = new Vector3(corner & 1 ? hx : -hx, corner & 2 ? hy : -hy, corner & 4 ? hz : -hz).project(camera);
-            expect(Math.abs(at.x)).toBeLessThan(1);
-            expect(at.y).toBeGreaterThan(-1);
-            expect(at.y).toBeLessThan(1 - 2 * top);
-          }
-        },
-      ),
-      // Something thin that points at the camera, once found on the very edge.
-      { examples: [[0.05, 0.4141262773465366, 0.05, 0, 1.4506417935452305, 1, 0.3999999999999974]], numRuns: 300 },
+      fc.property(boxes, scale, angle, angle, fc.constantFrom(0.5, 1, 2.2), covered, (given, by, a, h, aspect, top) => {
+        fc.pre(given.some((box) => box[3] - box[0] + box[4] - box[1] + box[5] - box[2] > 1e-3));
+        const { corners, distance } = seen(
+          given.map((box) => box.map((n) => n * by)),
+          a,
+          h,
+          aspect,
+          top,
+        );
+        expect(distance).toBeGreaterThan(0);
+        for (const { x, y, z } of corners) {
+          // In front of the camera.
+          expect(z).toBeLessThan(1);
+          expect(Math.abs(x)).toBeLessThan(1);
+          expect(y).toBeGreaterThan(-1);
+          expect(y).toBeLessThan(1 - 2 * top);
+        }
+      }),
+      { numRuns: 300 },
     );
+  });
+
+  it('framing leaves no more room than asked for: two opposite margins are touched', () => {
+    const long = boxAt.filter(([x0, y0, z0, x1, y1, z1]) => Math.max(x1 - x0, y1 - y0) > 0.05 + 3 * (z1 - z0));
+    fc.assert(
+      fc.property(fc.array(long, { minLength: 1, maxLength: 4 }), fc.constantFrom(0.5, 1, 2.2), (given, aspect) => {
+        const depths = given.flatMap((box) => [box[2], box[5]]);
+        const { corners, distance } = seen(given, 0, 0, aspect);
+        const spread = (Math.max(...depths) - Math.min(...depths)) / 2;
+        fc.pre(distance > 1.501 * spread);
+        const reach = (of: (corner: Vector3) => number) =>
+          Math.min(Math.max(...corners.map(of)), -Math.min(...corners.map(of)));
+        expect(
+          Math.max(
+            reach((c) => c.x),
+            reach((c) => c.y),
+          ),
+        ).toBeCloseTo(1 / 1.1, 6);
+      }),
+    );
+  });
+
+  it('several moments of a motion are shown larger than the box around them all', () => {
+    const moments = Array.from({ length: 16 }, (_, i) => {
+      const [x, z] = [Math.cos((i * Math.PI) / 8), Math.sin((i * Math.PI) / 8)];
+      return [x - 0.3, 0, z - 0.3, x + 0.3, 1.6, z + 0.3];
+    });
+    const around = seen([[-1.3, 0, -1.3, 1.3, 1.6, 1.3]], 0.6, 0.25, 1.7).distance;
+    expect(seen(moments, 0.6, 0.25, 1.7).distance).toBeLessThan(0.93 * around);
   });
 
   it('framing has the axes of a camera from its angles', () => {
@@ -102,7 +113,7 @@ describe('framing', () => {
   });
 
   it('keeps a distance from a point too', () => {
-    expect(fitDistance(0, 0, 0, cameraAt(0, 0, 1, 1).matrixWorld.elements, TAN, 1, 1.2)).toBeGreaterThan(0);
+    expect(seen([[1, 2, 3, 1, 2, 3]], 0.3, 0.2, 1).distance).toBeGreaterThan(0);
   });
 
   it.each([0.02, 2, 200])('sees the ground before and the grid behind a character of %d units', (size) => {

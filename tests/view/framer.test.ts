@@ -28,9 +28,11 @@ function framing() {
   camera.position.set(0, 0, -500);
   const rig = {
     camera,
-    frame: (box: Box3, covered: number, smoothly: boolean) =>
-      void told.push(`${box.max.x > 5 ? 'both' : 'one'}, ${covered} px covered, ${smoothly ? 'smoothly' : 'at once'}`),
-    lookFirst: (_box: Box3, covered: number) => void told.push(`first look, ${covered} px covered`),
+    frame: (boxes: readonly Box3[], covered: number, smoothly: boolean) =>
+      void told.push(
+        `${boxes.some((box) => box.max.x > 5) ? 'both' : 'one'}, ${covered} px covered, ${smoothly ? 'smoothly' : 'at once'}`,
+      ),
+    lookFirst: (_boxes: readonly Box3[], covered: number) => void told.push(`first look, ${covered} px covered`),
     partOfHeight: (pixels: number) => pixels / 900,
     frameSphere: ({ x }: Vector3, radius: number) => void spheres.push({ x, radius }),
   };

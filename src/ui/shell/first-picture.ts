@@ -9,6 +9,7 @@ import type { Observable } from '../kit/observable.ts';
 import { type Comparison, comparedIn, drawnDocument } from '../state/takes.ts';
 import type { Uses } from '../state/workbench.ts';
 import { dropTarget } from './drop-target.ts';
+import { sizePanels } from './panel-sizes.ts';
 import { followTheme } from './theme.ts';
 
 type Shown = Uses<
@@ -19,6 +20,7 @@ type Shown = Uses<
 export function startFirstPicture(root: HTMLElement, wb: Shown, signal: AbortSignal): Observable<ThemeName> {
   const { viewport, viewportElement, store, settings } = wb;
   const theme = followTheme(wb, signal);
+  sizePanels(root, settings.get());
   viewportElement.classList.add('viewport');
   root.querySelector('.stage')?.prepend(viewportElement);
   // Read only when something is framed: doing so every frame would force a layout.

@@ -8,14 +8,9 @@
  */
 import { element } from '../kit/dom.ts';
 import { isPanelOpen, NARROW, openPanel } from '../state/panels.ts';
-import { clampSize, splitter } from '../state/splitter.ts';
+import { splitter } from '../state/splitter.ts';
 import type { Uses } from '../state/workbench.ts';
-
-/** Sizes chosen by the layout until the user sets them. */
-const HEIGHTS = [
-  ['filesHeight', '--files-height'],
-  ['timelineHeight', '--timeline-height'],
-] as const;
+import { sizePanels } from './panel-sizes.ts';
 
 export interface Parts {
   readonly menuBar: HTMLElement;
@@ -45,19 +40,11 @@ export function layout(wb: Uses<'settings'>, root: HTMLElement, parts: Parts, si
   const narrow = window.matchMedia(NARROW);
   const show = () => {
     const settings = wb.settings.get();
-    const { panels } = settings;
-    root.style.setProperty('--outliner-width', `${clampSize('outlinerWidth', panels.outlinerWidth)}px`);
-    root.style.setProperty('--inspector-width', `${clampSize('inspectorWidth', panels.inspectorWidth)}px`);
-    for (const [size, property] of HEIGHTS) {
-      if (panels[size]) root.style.setProperty(property, `${clampSize(size, panels[size])}px`);
-      else root.style.removeProperty(property);
-    }
+    sizePanels(root, settings);
     root.classList.toggle('narrow', narrow.matches);
     for (const name of ['outliner', 'inspector'] as const) {
-      const open = isPanelOpen(settings, name);
-      root.classList.toggle(`${name}-folded`, !open);
       // Hidden panels can't have the focus either.
-      parts[name].inert = !open;
+      parts[name].inert = !isPanelOpen(settings, name);
     }
   };
   const closeDrawers = () => {
