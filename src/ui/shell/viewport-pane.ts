@@ -25,6 +25,7 @@ import type { Uses, Workbench } from '../state/workbench.ts';
 import { keptSession } from './kept-session.ts';
 import { messageLine } from './message-line.ts';
 import { modeTools } from './mode-tools.ts';
+import { pinsInFk } from './pins-in-fk.ts';
 
 const TOGGLES = ['bones', 'axes', 'names', 'normals', 'ghosts', 'grid', 'shadow', 'orthographic'] as const;
 
@@ -39,6 +40,7 @@ export function viewportPane(wb: Workbench, signal: AbortSignal): HTMLElement {
   // The view's own buttons have labels, but it knows no tooltips.
   for (const made of viewportElement.querySelectorAll('button')) setTooltip(made, made.ariaLabel ?? undefined);
   handTools(wb, signal);
+  pinsInFk(wb, signal);
   const head = element('div', { class: 'stage-head' }, displayStrip(wb), modeBar(wb));
   return element(
     'main',

@@ -2,7 +2,7 @@
  * What IK draws over the scene and writes beside its points, as of the current frame. Nothing is drawn without pins,
  * locked joints or a hovered point.
  */
-import { pinTarget, pointAt } from '../../../evaluate/ik/set-up.ts';
+import { ikOf, pinTarget, pointAt } from '../../../evaluate/ik/set-up.ts';
 import { type Vec3, ZERO } from '../../../math/vec3.ts';
 import { type Character, shownSkin } from '../../../model/document.ts';
 import type { Pin } from '../../../model/ik.ts';
@@ -16,6 +16,7 @@ import { gapText } from './gap-text.ts';
 import type { PullState } from './hand-pull.ts';
 import type { Label } from './ik-labels.ts';
 import {
+  hasPins,
   inWorld,
   naturalPoints,
   offeredPoints,
@@ -27,6 +28,7 @@ import {
 
 /** CSS pixels. */
 const PIN_SIZE = 12;
+const DIMMED_SIZE = 9;
 const AXIS_LENGTH = 16;
 /** As a part of the reach. */
 const LIMB = 0.13;
@@ -34,6 +36,9 @@ const LIMB = 0.13;
 const MIN_GAP = 1.5;
 /** As a part of the reach: closer counts as reached. */
 const IS_THERE = 1e-3;
+
+/** Opacity of pins that don't hold. */
+const DIMMED = 0.5;
 
 /** What is hovered and dragged. */
 export interface HandNow {
@@ -65,6 +70,22 @@ export function paintPins(
     else if (!pull) labels.push(...paintLeft(wb, painter, seen));
   }
   return labels;
+}
+
+/** Only the pins, dimmed, without labels: in FK they don't hold. */
+export function paintDimmedPins(wb: Uses<'store' | 'viewport'>, painter: PinPainter): void {
+  for (const seen of seenSkeletons(wb, hasPins)) {
+    for (const { joint, point, holdsOrientation, weight } of ikOf(seen.character).pins) {
+      painter.mark(inWorld(seen, joint, point), {
+        shape: holdsOrientation ? 'square' : 'round',
+        color: 'pin',
+        size: DIMMED_SIZE,
+        fill: Math.min(1, weight),
+        opacity: DIMMED,
+        cover: coverOf(seen),
+      });
+    }
+  }
 }
 
 function paintPin(

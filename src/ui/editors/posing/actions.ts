@@ -30,13 +30,14 @@ export const POSING_ACTIONS: readonly Action[] = [
   },
   {
     id: 'posing.leave',
-    label: 'Back to FK, then deselect all',
+    label: 'Leave rig mode, or deselect all',
     group: 'Pose',
     shortcuts: ['Escape'],
     quiet: true,
-    // During a drag, Escape is handled by `canvas-tools.ts`: this runs otherwise.
+    // During a drag, Escape is handled by `canvas-tools.ts`: this runs otherwise, and one press too many to cancel a drag
+    // must not end IK.
     run(wb) {
-      if (wb.posing.mode.get() !== 'fk') wb.posing.mode.set('fk');
+      if (wb.posing.mode.get() === 'rig') wb.posing.mode.set('fk');
       else if (wb.store.selection.characterId !== undefined) wb.store.select(NOTHING_SELECTED);
     },
   },

@@ -29,14 +29,24 @@ describe('the keys of posing', () => {
     expect(seen).toEqual(['ik', 'fk', 'rig', 'fk']);
   });
 
-  it.each(['viewport', 'outliner', undefined])('Escape leaves the mode, then deselects (%s)', (panel) => {
+  it.each(['viewport', 'outliner', undefined])('Escape leaves rig mode, then deselects (%s)', (panel) => {
     const { wb, press } = posing();
     wb.store.select({ characterId: 'c1', joint: 1 });
-    wb.posing.mode.set('ik');
+    wb.posing.mode.set('rig');
     press('Escape', panel);
     expect([wb.posing.mode.get(), wb.store.selection.joint]).toEqual(['fk', 1]);
     press('Escape', panel);
     expect(wb.store.selection.characterId).toBeUndefined();
+  });
+
+  it.each(['viewport', 'outliner', undefined])('Escape deselects in IK mode, and never leaves it (%s)', (panel) => {
+    const { wb, press } = posing();
+    wb.store.select({ characterId: 'c1', joint: 1 });
+    wb.posing.mode.set('ik');
+    for (let i = 0; i < 3; i++) {
+      press('Escape', panel);
+      expect([wb.posing.mode.get(), wb.store.selection.characterId]).toEqual(['ik', undefined]);
+    }
   });
 
   it('the keys [ and ] change the size of the gizmo within bounds, and say where they end', () => {
@@ -60,7 +70,7 @@ describe('the keys of posing', () => {
   it('Escape has one line on the page of shortcuts', () => {
     const { wb } = posing();
     const lines = actionsOf(wb).filter(({ shortcuts, panel }) => shortcuts?.includes('Escape') && !panel);
-    expect(lines.map((action) => action.label)).toEqual(['Back to FK, then deselect all']);
+    expect(lines.map((action) => action.label)).toEqual(['Leave rig mode, or deselect all']);
   });
 
   it('Space switches modes if there is nothing to play, and plays otherwise', () => {
