@@ -151,6 +151,27 @@ describe('the files of src', () => {
     expect(native.test("element('p', { class: 'a', title: text }, 'b')")).toBe(true);
   });
 
+  it('src exports no function that no other file names', () => {
+    const texts = new Map<string, string>();
+    for (const folder of ['src/', 'tests/']) {
+      const at = fileURLToPath(new URL(`../${folder}`, import.meta.url));
+      for (const file of readdirSync(at, { recursive: true, encoding: 'utf8' })) {
+        if (file.endsWith('.ts')) texts.set(folder + file.replaceAll('\\', '/'), readFileSync(join(at, file), 'utf8'));
+      }
+    }
+    texts.set('vite.config.ts', readFileSync(fileURLToPath(new URL('../vite.config.ts', import.meta.url)), 'utf8'));
+    const filesNaming = new Map<string, number>();
+    for (const text of texts.values()) {
+      for (const name of new Set(text.match(/[\w$]+/g))) filesNaming.set(name, (filesNaming.get(name) ?? 0) + 1);
+    }
+    const exported = [...texts].flatMap(([file, text]) =>
+      [...text.matchAll(/^export (?:async )?function\*? ([\w$]+)/gm)].map(([, name]) => ({ file, name })),
+    );
+    expect(exported.length).toBeGreaterThan(1000);
+    const unused = exported.filter(({ file, name }) => file.startsWith('src/') && filesNaming.get(name) === 1);
+    expect(unused.map(({ file, name }) => `${file} exports ${name}`)).toEqual([]);
+  });
+
   it('can be read: the scan finds imports of every form', () => {
     // Guards the expression above: a scan that finds nothing would pass everything.
     expect(inside.length).toBeGreaterThan(files.length);

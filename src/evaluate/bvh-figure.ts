@@ -41,7 +41,7 @@ const POSITIONS: readonly BvhChannel[] = ['tx', 'ty', 'tz'];
 const END_SITE = /^end[ _]?site$/i;
 
 /** Whether a `.skel` joint represents a BVH End Site: a leaf below another joint that never moves. */
-export function representsEndSite({ joints }: Skeleton, j: number): boolean {
+function representsEndSite({ joints }: Skeleton, j: number): boolean {
   const { motion, name, parent } = joints[j];
   return (
     !isOfBvh(motion) && dofsOf(motion).length === 0 && END_SITE.test(name) && parent >= 0 && joints[j + 1]?.parent !== j

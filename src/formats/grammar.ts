@@ -224,7 +224,7 @@ export class WrongIndices {
   }
 }
 
-export function andMore(count: number): string {
+function andMore(count: number): string {
   return count > 0 ? ` (and ${count} more like it)` : '';
 }
 

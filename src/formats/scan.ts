@@ -62,7 +62,7 @@ export interface Scan {
  * Infinity, -Infinity, in this order.
  */
 export type BlockWords = readonly [Uint8Array, Uint8Array, Uint8Array];
-export const WORD_VALUES = [Number.NaN, Number.POSITIVE_INFINITY, Number.NEGATIVE_INFINITY] as const;
+const WORD_VALUES = [Number.NaN, Number.POSITIVE_INFINITY, Number.NEGATIVE_INFINITY] as const;
 
 /**
  * Reads numbers from `bytes[scan.at]` into `out[scan.count]` up to `out[scan.limit]`. Returns why it stopped: FULL only
@@ -205,7 +205,7 @@ function wordValue(bytes: Uint8Array, start: number, end: number, words: BlockWo
 }
 
 /** Whether bytes [start, end) are the (lower-case, ASCII) word, in any case. */
-export function sameWord(bytes: Uint8Array, start: number, end: number, word: Uint8Array): boolean {
+function sameWord(bytes: Uint8Array, start: number, end: number, word: Uint8Array): boolean {
   if (end - start !== word.length) return false;
   for (let k = 0; k < word.length; k++) if ((bytes[start + k] | 32) !== word[k]) return false;
   return true;

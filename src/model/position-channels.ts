@@ -16,11 +16,6 @@ const MAX_FRAMES = 16;
 /** Channels below this fraction of their OFFSET's length count as 0. */
 const NOTHING = 0.05;
 
-/** Whether any joint has position channels, whose meaning can differ. */
-export function hasPositions({ joints }: Skeleton): boolean {
-  return joints.some(({ motion }) => positionsOf(motion));
-}
-
 /** The current meaning of the skeleton's position channels; undefined if it has none. */
 export function positionsTaken({ joints }: Skeleton): Positions | undefined {
   const motion = joints.find((joint) => positionsOf(joint.motion))?.motion;

@@ -9,7 +9,7 @@ import { pathToFileURL } from 'node:url';
 import { sampleFolder } from './samples.ts';
 
 /** Returns the files' names and sizes in bytes. Other files in the folder are left alone. */
-export function writeSamples(folder: string): Map<string, number> {
+function writeSamples(folder: string): Map<string, number> {
   mkdirSync(folder, { recursive: true });
   const sizes = new Map<string, number>();
   for (const [name, content] of sampleFolder()) {

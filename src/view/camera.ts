@@ -21,7 +21,7 @@ export type ViewDirection = 'front' | 'back' | 'left' | 'right' | 'top' | 'botto
  * Azimuth and polar angle (from +y) of each view. A character's left is at +x when it faces +z. From above, x is to the
  * right and −z up; from below, x to the right and z up.
  */
-export const VIEW_DIRECTIONS: Readonly<Record<ViewDirection, readonly [azimuth: number, polar: number]>> = {
+const VIEW_DIRECTIONS: Readonly<Record<ViewDirection, readonly [azimuth: number, polar: number]>> = {
   front: [0, Math.PI / 2],
   back: [Math.PI, Math.PI / 2],
   left: [Math.PI / 2, Math.PI / 2],

@@ -34,11 +34,6 @@ export class IdRuns<T> {
   }
 }
 
-/** The four colour bytes of an id. */
-export function encodeId(id: number): [number, number, number, number] {
-  return [id & 255, (id >>> 8) & 255, (id >>> 16) & 255, id >>> 24];
-}
-
 /** The id of pixel `index` of RGBA bytes. */
 export function decodeId(pixels: ArrayLike<number>, index: number): number {
   const i = 4 * index;

@@ -8,7 +8,7 @@ export interface ZipEntry {
 }
 
 /** Larger archives are refused, since one can claim terabytes. */
-export const MAX_UNPACKED_BYTES = 2 ** 31;
+const MAX_UNPACKED_BYTES = 2 ** 31;
 
 /** Throws an `Error` with a sentence if it is no zip, is damaged, or would be too large unpacked. */
 export function unzip(

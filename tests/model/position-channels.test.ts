@@ -1,13 +1,7 @@
 import { describe, expect, it } from 'vitest';
 import { compileSkeleton, worldMatrices } from '../../src/evaluate/kinematics.ts';
 import { filePose } from '../../src/model/dofs.ts';
-import {
-  hasPositions,
-  poseForPositions,
-  positionsMeant,
-  positionsTaken,
-  withPositions,
-} from '../../src/model/position-channels.ts';
+import { poseForPositions, positionsMeant, positionsTaken, withPositions } from '../../src/model/position-channels.ts';
 import { skeleton } from '../helpers/builders.ts';
 import { figure, take } from '../helpers/mocap.ts';
 
@@ -58,7 +52,6 @@ describe('another meaning of position channels', () => {
 
   it('another meaning of position channels is nothing to a skeleton without such channels', () => {
     const plain = skeleton();
-    expect(hasPositions(plain)).toBe(false);
     expect(positionsTaken(plain)).toBeUndefined();
     expect(withPositions(plain, 'add')).toBe(plain);
   });

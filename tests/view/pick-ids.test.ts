@@ -1,6 +1,11 @@
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
-import { decodeId, encodeId, IdRuns, nearestId } from '../../src/view/pick-ids.ts';
+import { decodeId, IdRuns, nearestId } from '../../src/view/pick-ids.ts';
+
+/** The four colour bytes that the shader writes for an id. */
+function encodeId(id: number): number[] {
+  return [id & 255, (id >>> 8) & 255, (id >>> 16) & 255, id >>> 24];
+}
 
 /** An image of `size` × `size` ids, rows from the bottom. */
 function picture(size: number, ids: Readonly<Record<number, number>>): Uint8Array {

@@ -8,8 +8,8 @@ import type { Observable } from '../../ui/kit/observable.ts';
 import type { KeptOffer } from '../../ui/state/kept-offer.ts';
 import { READABLE_VERSIONS } from './session-state.ts';
 
-export const MAX_KEPT = 5;
-export const LONGEST_KEPT_MS = 30 * 24 * 3600 * 1000;
+const MAX_KEPT = 5;
+const LONGEST_KEPT_MS = 30 * 24 * 3600 * 1000;
 /** A page that is reloading may hold its session's lock a moment longer. */
 const LOCK_PATIENCE_MS = 2000;
 /** A discarded session can be restored for this long. */

@@ -37,7 +37,7 @@ export function sampleExtremes(samples: Samples): SampleExtremes {
   return made;
 }
 
-export class SampleExtremes {
+class SampleExtremes {
   /** Of the last range queried. */
   low = 0;
   high = 0;

@@ -33,7 +33,7 @@ export interface SpanExtremes {
 const known = new WeakMap<Channel, WeakRef<SpanExtremes>>();
 
 /** @param index of `channel` in the compiled clip; it has at least two keys */
-export function spanExtremes(curves: CompiledClip, index: number, channel: Channel): SpanExtremes {
+function spanExtremes(curves: CompiledClip, index: number, channel: Channel): SpanExtremes {
   const before = known.get(channel)?.deref();
   if (before) return before;
   const first = curves.firstKey[index];

@@ -107,13 +107,6 @@ function ruleOf(space: Space | undefined): SpaceRule {
   return { up: upRotation(space), metres: space ? metresPerUnit(space) : 1, lift: space?.lift ?? 0 };
 }
 
-/** The root motion scale that a driver uses by default. */
-export function automaticScaleOf(driver: Driver, skeleton: Skeleton, space: Space | undefined): number {
-  const { source, pairs, options } = driver;
-  const bodies = bodiesOf(source.skeleton, source.space, skeleton, space, pairs);
-  return automaticScale(bodies, referenceFigure(bodies, playedSource(source), source.clip.range, options.reference));
-}
-
 function carriedJoints(bodies: Bodies): number[] {
   const thighs = LIMB_SIDES.map((side) => driven(bodies, `${side} thigh`)).filter((j) => j >= 0);
   if (thighs.length === 2) return thighs;

@@ -12,7 +12,7 @@ import { type NameParts, readName, type Word } from './names.ts';
 import { rolesByShape } from './shape.ts';
 
 /** Parts that exist once, or once per side. */
-export const LIMB_PARTS = ['collar', 'arm', 'forearm', 'hand', 'thigh', 'shin', 'foot', 'toe'] as const;
+const LIMB_PARTS = ['collar', 'arm', 'forearm', 'hand', 'thigh', 'shin', 'foot', 'toe'] as const;
 export type LimbPart = (typeof LIMB_PARTS)[number];
 export const LIMB_SIDES = ['left', 'right'] as const;
 export type BodySide = (typeof LIMB_SIDES)[number];

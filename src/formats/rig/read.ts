@@ -30,7 +30,7 @@ export function readRig(bytes: Uint8Array | string, fileName: string): ReadResul
 }
 
 /** Extensions of the FILE of each part, at which a name with blanks ends. */
-export const RIG_EXTENSIONS = {
+const RIG_EXTENSIONS = {
   skeleton: /\.(skel|axskel)$/i,
   skin: /\.skin$/i,
   morphs: /\.morph$/i,

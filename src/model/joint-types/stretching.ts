@@ -13,7 +13,7 @@ const SX_SY_SZ = dofList('sx', 'sy', 'sz');
 const SHEARS = dofList('hxy', 'hxz', 'hyz');
 
 /** The other modes only store the axis. */
-export function scalesAlongAxis({ mode }: ScaleMotion): boolean {
+function scalesAlongAxis({ mode }: ScaleMotion): boolean {
   return mode === 'axis' || mode === 'volume';
 }
 

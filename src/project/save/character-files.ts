@@ -16,7 +16,7 @@ import { dofsOf } from '../../model/joint-types.ts';
 import type { Skeleton } from '../../model/skeleton.ts';
 
 /** For clips without a frame rate of their own. */
-export const DEFAULT_FRAMES_PER_SECOND = 30;
+const DEFAULT_FRAMES_PER_SECOND = 30;
 
 /** The character's skeleton as `.skel` can hold it, in its current pose as set. Undefined without a skeleton. */
 export function skelOf({ skeleton, pose }: Pick<Character, 'skeleton' | 'pose'>): Skeleton | undefined {

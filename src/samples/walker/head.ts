@@ -47,7 +47,7 @@ export function headPoint(angle: number, v: number): Vec3 {
 }
 
 /** Depth of the face's surface at a point of the xy plane, by bisection. */
-export function faceDepth(x: number, y: number): number {
+function faceDepth(x: number, y: number): number {
   let inside = HEAD_CENTRE[2];
   let outside = HEAD_CENTRE[2] + 0.8;
   for (let i = 0; i < 40; i++) {
@@ -66,9 +66,9 @@ export function squareToDisc(x: number, y: number): readonly [number, number] {
   return [x * Math.sqrt(1 - (y * y) / 2), y * Math.sqrt(1 - (x * x) / 2)];
 }
 
-export const EYE = { x: 0.175, y: 1.555, width: 0.066, height: 0.092 } as const;
-export const NOSE = { y: 1.49, width: 0.052, height: 0.036 } as const;
-export const MOUTH = { y: 1.405, width: 0.075, thickness: 0.011 } as const;
+const EYE = { x: 0.175, y: 1.555, width: 0.066, height: 0.092 } as const;
+const NOSE = { y: 1.49, width: 0.052, height: 0.036 } as const;
+const MOUTH = { y: 1.405, width: 0.075, thickness: 0.011 } as const;
 
 /** An eye: a low dome. `closed` 0 … 1 presses it into a line that bows down, as a cartoon's closed eye is drawn. */
 export function eyePoint(side: number, s: number, t: number, closed: number, squint: number): Vec3 {

@@ -24,7 +24,7 @@ export const HEEL_CONTACT: Vec3 = [0, -ANKLE_HEIGHT, -0.095];
 export const UPPER_ARM = 0.2;
 export const FOREARM = 0.19;
 /** How far the arms are lowered in the file pose, in which the skin is bound. */
-export const ARM_DROOP = 0.8;
+const ARM_DROOP = 0.8;
 
 const STIFF: readonly [number, number] = [0, 0];
 

@@ -124,7 +124,7 @@ function whatIsUnsaved(wb: Uses<'actions' | 'settings' | 'files'>): HTMLElement 
 }
 
 /** `wasp_walk.anim`; `wasp.skel and 2 more`. */
-export function unsavedNames(parts: readonly { readonly name: string }[]): string {
+function unsavedNames(parts: readonly { readonly name: string }[]): string {
   const [first, ...others] = parts;
   if (!first) return '';
   return `${first.name}${others.length ? ` and ${others.length} more` : ''}`;
@@ -157,7 +157,7 @@ function whatIsLoaded(wb: Uses<'store' | 'loading'>): HTMLElement {
 }
 
 /** `wasp · 31 joints · 1,042 vertices · wasp_walk`. */
-export function loadedText(document: Document): string {
+function loadedText(document: Document): string {
   const { characters } = document;
   if (!characters.length) return 'Nothing is open';
   const joints = characters.reduce((sum, c) => sum + (c.skeleton?.joints.length ?? 0), 0);

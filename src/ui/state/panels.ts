@@ -10,7 +10,7 @@ export type PanelName = 'outliner' | 'inspector' | 'timeline';
 /** Where panels are drawers. */
 export const NARROW = '(max-width: 1023px), (max-height: 479px)';
 
-export function isNarrow(): boolean {
+function isNarrow(): boolean {
   return globalThis.matchMedia?.(NARROW).matches ?? false;
 }
 

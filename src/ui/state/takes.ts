@@ -9,7 +9,7 @@ import { twinOf } from '../../model/drawn-id.ts';
 import { perObject } from '../../model/per-object.ts';
 import { type Observable, observable } from '../kit/observable.ts';
 
-export const TAKE_COLUMNS = ['name', 'character', 'duration', 'frames', 'rate', 'start', 'x', 'z', 'file'] as const;
+const TAKE_COLUMNS = ['name', 'character', 'duration', 'frames', 'rate', 'start', 'x', 'z', 'file'] as const;
 export type TakeColumn = (typeof TAKE_COLUMNS)[number];
 
 export interface TakeOrder {

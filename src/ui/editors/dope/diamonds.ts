@@ -12,7 +12,7 @@ export interface DiamondColours {
 }
 
 /** Half the diagonal, CSS pixels. */
-export const DIAMOND_SIZES = { summary: 5.5, group: 4.5, channel: 3.5 } as const;
+const DIAMOND_SIZES = { summary: 5.5, group: 4.5, channel: 3.5 } as const;
 export type DiamondSize = keyof typeof DIAMOND_SIZES;
 
 /** Margin for the outline. */

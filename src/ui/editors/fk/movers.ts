@@ -59,7 +59,7 @@ export interface FkGrip {
 const BONE_TURN = Math.PI / 360;
 const BONE_FACTOR = 0.01;
 
-export const wantsOf = ({ shiftKey, ctrlKey, metaKey }: CanvasPointer): HandWants => ({
+const wantsOf = ({ shiftKey, ctrlKey, metaKey }: CanvasPointer): HandWants => ({
   fine: shiftKey,
   snap: ctrlKey || metaKey,
 });

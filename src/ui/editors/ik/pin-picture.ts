@@ -135,7 +135,7 @@ function sideOf(wb: Uses<'viewport'>, { skeleton, world, toWorld }: SeenSkeleton
 }
 
 /** `foot_l · tip, orientation, weight 2`. */
-export function pinText(character: Character, pin: Pin): string {
+function pinText(character: Character, pin: Pin): string {
   const parts = [pointName(character, pin)];
   if (pin.holdsOrientation) parts.push('orientation');
   if (pin.weight !== 1) parts.push(`weight ${shown(pin.weight)}`);

@@ -21,7 +21,7 @@ import { channelsOfJoint } from '../timeline/channels.ts';
 import { clipTime } from '../timeline/in-hand.ts';
 
 /** Options for new keys. */
-export function keyOptions(wb: Uses<'transport' | 'timeline' | 'settings'>): KeyOptions {
+function keyOptions(wb: Uses<'transport' | 'timeline' | 'settings'>): KeyOptions {
   const outsideCycle = wb.timeline.outsideCycle.get();
   return {
     tangents: wb.settings.get().newKeyTangents,

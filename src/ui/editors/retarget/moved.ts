@@ -15,7 +15,7 @@ export interface MovedChoice {
 }
 
 /** What can be done with a retargeted character. */
-export function movedChoices(wb: Uses<'store' | 'messages' | 'dialog'>, characterId: string): readonly MovedChoice[] {
+function movedChoices(wb: Uses<'store' | 'messages' | 'dialog'>, characterId: string): readonly MovedChoice[] {
   return [
     {
       label: 'Bake',

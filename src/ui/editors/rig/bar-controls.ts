@@ -56,7 +56,7 @@ export function rigControls(wb: Uses<'store' | 'actions' | 'posing' | 'settings'
 }
 
 /** One sentence: what to do next. */
-export function rigHintText(wb: Uses<'store' | 'posing'>): string {
+function rigHintText(wb: Uses<'store' | 'posing'>): string {
   const { document, selection } = wb.store;
   const isAny = document.characters.some((c) => c.skeleton);
   const hasJoint = selection.joint !== undefined;

@@ -131,7 +131,7 @@ function coupleIt(
 }
 
 /** The parent's DOF of that name or unit, else the nearest ancestor's, else any that doesn't follow this one. */
-export function firstToFollow(
+function firstToFollow(
   skeleton: Skeleton,
   joint: number,
   dof: Dof,

@@ -95,11 +95,7 @@ export function idleText(skeleton: Skeleton, idle: readonly number[]): string {
 }
 
 /** `2,019 vertices follow 27 joints, 2.3 of them each. 4 lie apart from all bones: by distance alone.` */
-export function weightsText({
-  skin,
-  moving,
-  byDistance,
-}: Pick<AutoWeighted, 'skin' | 'moving' | 'byDistance'>): string {
+function weightsText({ skin, moving, byDistance }: Pick<AutoWeighted, 'skin' | 'moving' | 'byDistance'>): string {
   const each = moving > 1 ? `, ${shown(meanInfluences(skin), 1)} per vertex on average` : '';
   const apart = byDistance
     ? ` ${plural(byDistance, 'vertex', 'vertices')} see${byDistance === 1 ? 's' : ''} no bone; weighted by distance.`

@@ -225,7 +225,7 @@ function opacityOf({ kind }: ChartLine): number {
   return kind === 'most' ? 0.6 : kind === 'hovered' ? 0.75 : 1;
 }
 
-export function xAt({ window, width }: TimeView, seconds: number): number {
+function xAt({ window, width }: TimeView, seconds: number): number {
   return ((seconds - window.from) / (window.to - window.from)) * width;
 }
 

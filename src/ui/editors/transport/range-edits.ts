@@ -9,7 +9,7 @@ import { attempt } from '../../state/attempt.ts';
 import type { Uses } from '../../state/workbench.ts';
 
 /** The only character that plays a take. */
-export function onlyTake(wb: Uses<'store'>): Character | undefined {
+function onlyTake(wb: Uses<'store'>): Character | undefined {
   const playing = playingCharacters(wb.store.document);
   return playing.length === 1 ? playing[0] : undefined;
 }

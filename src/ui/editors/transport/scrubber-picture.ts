@@ -33,7 +33,7 @@ export interface ScrubberPicture {
 }
 
 /** Heights in CSS pixels. */
-export const RULER_HEIGHT = 20;
+const RULER_HEIGHT = 20;
 const LABEL_SPACING = 64;
 /** Half a diamond; keys closer than this are merged. */
 const DIAMOND = 4;
