@@ -270,3 +270,43 @@ it('a key outside the cycle is given up by escape, set inside the cycle, or leng
     },
     { walking: true },
   ));
+
+it('a key acts in the panel under the mouse, which is marked, and never on keys that nobody points at', () =>
+  withPage(
+    async ({ page }) => {
+      await openWalker(page);
+      const plot = page.locator('.curve-plot');
+      const timeline = page.getByRole('region', { name: 'Timeline' });
+      const viewport = page.locator('.stage');
+      await plot.focus();
+      await page.keyboard.press('Control+a');
+      const before = await keys(page, ARM.rz);
+
+      const stage = (await viewport.boundingBox()) ?? { x: 0, y: 0, width: 0, height: 0 };
+      await page.mouse.move(stage.x + 0.8 * stage.width, stage.y + 0.8 * stage.height);
+      await expect.poll(() => viewport.getAttribute('data-active')).toBe('');
+      expect(await timeline.getAttribute('data-active')).toBeNull();
+      await page.keyboard.press('Delete');
+      await page.getByText('Delete keys: point at the timeline to use this key.').first().waitFor();
+      expect(await keys(page, ARM.rz)).toEqual(before);
+
+      // Back in the timeline it is the timeline's again.
+      const box = (await plot.boundingBox()) ?? { x: 0, y: 0, width: 0, height: 0 };
+      await page.mouse.move(box.x + 0.6 * box.width, box.y + 0.3 * box.height);
+      await expect.poll(() => timeline.getAttribute('data-active')).toBe('');
+      expect(await viewport.getAttribute('data-active')).toBeNull();
+      await page.keyboard.press('2');
+      expect(await keys(page, ARM.rz)).not.toEqual(before);
+      await page.keyboard.press('Control+z');
+      expect(await keys(page, ARM.rz)).toEqual(before);
+      // The mouse goes away, and the focus comes back by keyboard: it has the keys again.
+      await page.mouse.move(stage.x + 0.8 * stage.width, stage.y + 0.8 * stage.height);
+      await expect.poll(() => viewport.getAttribute('data-active')).toBe('');
+      await page.keyboard.press('Tab');
+      await page.keyboard.press('Shift+Tab');
+      await expect.poll(() => timeline.getAttribute('data-active')).toBe('');
+      await page.keyboard.press('Delete');
+      expect(await keys(page, ARM.rz)).toEqual([]);
+    },
+    { walking: true },
+  ));

@@ -1,13 +1,15 @@
 /** Keyboard listener of the page; `shortcuts.ts` decides what keys mean. */
 import { isTextField, isTypedIn, letGoOfClicked, watchTyping } from '../kit/focus.ts';
 import { isMac } from '../kit/keyboard.ts';
-import { actionsOf, tryAction } from './action.ts';
+import { actionLabel, actionsOf, isEnabled, tryAction } from './action.ts';
+import { activePanel, panelOf, watchActivePanel } from './active-panel.ts';
 import { actionFor, type FocusKind, shortcutsOf, swallows } from './shortcuts.ts';
-import type { Uses } from './workbench.ts';
+import type { Action, Uses } from './workbench.ts';
 
 /** Listens until aborted. */
 export function listenToKeys(wb: Uses<'actions' | 'settings' | 'dialog'>, signal: AbortSignal): void {
   watchTyping(signal);
+  watchActivePanel(signal);
   letGoOfClicked(signal);
   window.addEventListener('keydown', (event) => handleKey(wb, event), { signal });
 }
@@ -18,9 +20,17 @@ export function handleKey(wb: Uses<'actions' | 'settings' | 'dialog'>, event: Ke
   const target = event.target instanceof Element ? event.target : document.body;
   if (target.closest('[role=menu],dialog')) return;
   if (swallows(focusKind(target), event, isMac)) return;
-  const panel = target.closest<HTMLElement>('[data-panel]')?.dataset.panel;
+  const focused = panelOf(target)?.dataset.panel;
+  const panel = activePanel(target)?.dataset.panel;
   const pressed = shortcutsOf(event, isMac);
-  const action = actionFor(pressed, actionsOf(wb), panel, wb.settings.get());
+  const meant = (by: string | undefined) => actionFor(pressed, actionsOf(wb), by, wb.settings.get());
+  const action = meant(panel);
+  const left = focused === panel ? undefined : meant(focused);
+  if (left && left !== action && isEnabled(wb, left) && !(action && isEnabled(wb, action))) {
+    event.preventDefault();
+    tellElsewhere(wb, left);
+    return;
+  }
   if (!action) {
     // The browser would select the whole page; allowed only in text meant to be copied.
     if (pressed.includes('Ctrl+A') && !isInCopiedText(target)) event.preventDefault();
@@ -30,6 +40,12 @@ export function handleKey(wb: Uses<'actions' | 'settings' | 'dialog'>, event: Ke
   event.preventDefault();
   if (event.repeat && !action.repeats) return;
   tryAction(wb, action);
+}
+
+/** A key of the panel that was left with the mouse does nothing there unseen. */
+function tellElsewhere(wb: Uses<'actions'>, action: Action): void {
+  const name = action.panel === 'viewport' ? 'viewport' : action.panel === 'outliner' ? 'outliner' : 'timeline';
+  wb.actions.page.messages.note(`${actionLabel(wb, action)}: point at the ${name} to use this key.`);
 }
 
 /** Whether the focus is in text meant to be copied, or some of it is selected. */
