@@ -199,7 +199,7 @@ function drawRow(wb: Uses<'store' | 'files'>, row: OutlineRow): Node[] {
   const unnamed = row.kind === 'joint' ? `joint ${row.detail}` : 'unnamed';
   const label = row.label === '' ? element('i', { class: 'label' }, unnamed) : element('span', { class: 'label' });
   if (row.label) {
-    label.textContent = row.label;
+    label.append(...cutInTheMiddle(row.label));
     setTooltip(label, row.label);
   }
   const isTold = row.kind === 'joint' && row.label === '';
@@ -215,6 +215,14 @@ function drawRow(wb: Uses<'store' | 'files'>, row: OutlineRow): Node[] {
   else if (row.kind !== 'group') nodes.unshift(icon(ICONS[row.kind]));
   if (row.kind === 'character') nodes.push(eyeOf(wb, row));
   return nodes;
+}
+
+/** Of a long name both ends stay readable: what it is on the left, and its side or number on the right. */
+const TAIL = 7;
+
+function cutInTheMiddle(name: string): Node[] {
+  if (name.length <= 2 * TAIL) return [document.createTextNode(name)];
+  return [element('span', { class: 'label-head' }, name.slice(0, -TAIL)), element('span', {}, name.slice(-TAIL))];
 }
 
 /** For the mouse; by keyboard the row's menu does the same. Children of rows are no tab stops. */

@@ -18,26 +18,33 @@ export interface TreeEvents {
 }
 
 const MEANT = 'Nothing is selected; channels and keys are those of this character';
-/** Indentation per level down to this depth: less for deeper levels, and none below the last. */
-const INDENTS: readonly (readonly [depth: number, pixels: number])[] = [
-  [3, 12],
-  [5, 6],
-  [14, 4],
-  [30, 2],
-];
+/** Indentation per level. */
+const INDENT_PIXELS = 12;
+/** Width of a row beyond its indentation: deep levels are scrolled to, never squeezed. */
+const NAME_PIXELS = 132;
+/** Letters typed within this time of each other belong together. */
+const TYPING_MS = 1000;
+
+/** Indentation of a row in pixels. */
+export function indentOf(depth: number): number {
+  return INDENT_PIXELS * depth;
+}
 
 /**
- * Indentation of a row in pixels: a few per level suffice, and the eighth joint of a chain must still be readable. Even
- * a chain of a thousand stays in the panel.
+ * The row that typing goes to: the next one whose name begins with what was typed, from the one in focus on. One letter
+ * again and again goes from match to match.
+ *
+ * @returns an index, or −1
  */
-export function indentOf(depth: number): number {
-  let pixels = 0;
-  let above = 0;
-  for (const [until, step] of INDENTS) {
-    pixels += step * Math.max(0, Math.min(depth, until) - above);
-    above = until;
+export function rowTyped(rows: readonly Pick<OutlineRow, 'label'>[], focused: number, typed: string): number {
+  const again = [...typed].every((letter) => letter === typed[0]);
+  const needle = (again ? typed[0] : typed).toLowerCase();
+  const first = focused + (again ? 1 : 0);
+  for (let i = 0; i < rows.length; i++) {
+    const at = (first + i) % rows.length;
+    if (rows[at].label.toLowerCase().startsWith(needle)) return at;
   }
-  return pixels;
+  return -1;
 }
 
 export class Tree {
@@ -49,6 +56,10 @@ export class Tree {
   private selectedKey: string | undefined;
   private focusedKey: string | undefined;
   private meantKey: string | undefined;
+  /** Letters go to rows while the focus came by keyboard; after a click they are the page's shortcuts. */
+  private takesLetters = false;
+  private isPressed = false;
+  private typed = { text: '', at: 0 };
 
   constructor(
     label: string,
@@ -60,6 +71,17 @@ export class Tree {
     this.element.addEventListener('click', (event) => this.onClick(event));
     this.element.addEventListener('dblclick', (event) => this.onDoubleClick(event));
     this.element.addEventListener('contextmenu', (event) => this.onContextMenu(event));
+    // The press comes before the focus that it gives.
+    this.element.addEventListener('pointerdown', () => {
+      this.takesLetters = false;
+      this.isPressed = true;
+    });
+    this.element.addEventListener('focus', () => {
+      this.takesLetters = !this.isPressed;
+    });
+    this.element.addEventListener('click', () => {
+      this.isPressed = false;
+    });
     this.list = new WindowedList({
       scroller: this.element,
       space: this.space,
@@ -72,6 +94,8 @@ export class Tree {
   show(rows: readonly OutlineRow[]): void {
     this.rows = rows;
     this.places = new Map(rows.map((row, i) => [row.key, i]));
+    const deepest = rows.reduce((depth, row) => Math.max(depth, row.depth), 0);
+    this.space.style.minWidth = `${indentOf(deepest) + NAME_PIXELS}px`;
     this.drawAnew();
   }
 
@@ -80,7 +104,7 @@ export class Tree {
     this.selectedKey = key;
     if (key !== undefined) {
       this.focusedKey = key;
-      this.list.reveal(this.placeOf(key));
+      this.reveal(key);
     }
     this.mark();
   }
@@ -177,8 +201,28 @@ export class Tree {
     this.events.select(row);
     // Last, since the selection may be another row: the character of a skin.
     this.focusedKey = row.key;
-    this.list.reveal(this.placeOf(row.key));
+    this.reveal(row.key);
     this.mark();
+  }
+
+  /** Scrolls to a row, and sideways to where its name begins. */
+  private reveal(key: string): void {
+    const place = this.placeOf(key);
+    this.list.reveal(place);
+    const row = this.rows[place];
+    if (!row) return;
+    const { element: scroller } = this;
+    const left = indentOf(row.depth);
+    const shows = left >= scroller.scrollLeft && left + NAME_PIXELS <= scroller.scrollLeft + scroller.clientWidth;
+    if (!shows) scroller.scrollLeft = left + NAME_PIXELS - scroller.clientWidth;
+  }
+
+  /** Goes to a row by its name. */
+  private type(letter: string, index: number, now: number): void {
+    const text = now - this.typed.at > TYPING_MS ? letter : this.typed.text + letter;
+    this.typed = { text, at: now };
+    const to = rowTyped(this.rows, index, text);
+    if (to >= 0) this.moveTo(this.rows[to]);
   }
 
   private onKey(event: KeyboardEvent): void {
@@ -189,6 +233,11 @@ export class Tree {
     const to = rowAfterKey(event.key, index, this.rows.length, this.list.page);
     if (to !== undefined) {
       this.moveTo(this.rows[to]);
+      event.preventDefault();
+      return;
+    }
+    if (this.takesLetters && /^[\p{L}\p{N}_]$/u.test(event.key)) {
+      this.type(event.key, index, event.timeStamp);
       event.preventDefault();
       return;
     }

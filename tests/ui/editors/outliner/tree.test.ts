@@ -1,9 +1,26 @@
 import { expect, it } from 'vitest';
-import { indentOf } from '../../../../src/ui/editors/outliner/tree.ts';
+import { indentOf, rowTyped } from '../../../../src/ui/editors/outliner/tree.ts';
 
-it('a row of the tree is indented more than its parent, and never leaves the panel', () => {
-  for (let depth = 1; depth <= 30; depth++) expect(indentOf(depth)).toBeGreaterThan(indentOf(depth - 1));
-  expect(indentOf(0)).toBe(0);
-  expect(indentOf(10)).toBeLessThan(90);
-  expect(indentOf(5000)).toBeLessThan(140);
+const rows = ['root', 'hips', 'leg_l', 'leg_r', 'spine', 'Head', ''].map((label) => ({ label }));
+
+it('a row of the tree is indented by the same step at every depth', () => {
+  for (let depth = 1; depth <= 1000; depth++) expect(indentOf(depth) - indentOf(depth - 1)).toBe(12);
+});
+
+it('typed letters go to the next row whose name begins with them', () => {
+  expect(rowTyped(rows, 0, 'l')).toBe(2);
+  expect(rowTyped(rows, 0, 'h')).toBe(1);
+  expect(rowTyped(rows, 1, 'hea')).toBe(5);
+  expect(rowTyped(rows, 2, 'leg_')).toBe(2);
+  expect(rowTyped(rows, 2, 'leg_r')).toBe(3);
+});
+
+it('the same letter again goes on to the next match, and round', () => {
+  expect(rowTyped(rows, 2, 'll')).toBe(3);
+  expect(rowTyped(rows, 3, 'lll')).toBe(2);
+});
+
+it('letters that no name begins with go nowhere', () => {
+  expect(rowTyped(rows, 2, 'x')).toBe(-1);
+  expect(rowTyped([], 0, 'x')).toBe(-1);
 });
