@@ -9,27 +9,29 @@ export interface PointerDrag {
 }
 
 /**
- * Captures the pointer that has just been pressed.
+ * Captures the pointer that has just been pressed. Other pointers, such as a second finger, are not followed.
  *
  * @returns ends the capture before the release; `over` is then not called
  */
 export function followPointer(target: HTMLElement, press: PointerEvent, drag: PointerDrag): () => void {
   const listening = new AbortController();
+  const isFollowed = (event: PointerEvent) => event.pointerId === press.pointerId;
   const { signal } = listening;
   let release: PointerEvent | undefined;
   target.setPointerCapture(press.pointerId);
-  if (drag.move) target.addEventListener('pointermove', (event) => drag.move?.(event), { signal });
+  if (drag.move) target.addEventListener('pointermove', (event) => isFollowed(event) && drag.move?.(event), { signal });
   if (drag.key) window.addEventListener('keydown', (event) => drag.key?.(event), { signal, capture: true });
   target.addEventListener(
     'pointerup',
     (event) => {
-      release = event;
+      if (isFollowed(event)) release = event;
     },
     { signal },
   );
   target.addEventListener(
     'lostpointercapture',
     (event) => {
+      if (!isFollowed(event)) return;
       listening.abort();
       drag.over(event, release);
     },
