@@ -35,8 +35,9 @@ export function largestDifference(a: KeyedChannel, b: KeyedChannel): Difference 
     while (a.times[i + 1] <= start) i++;
     while (b.times[j + 1] <= start) j++;
     const end = Math.min(a.times[i + 1], b.times[j + 1], to);
-    shifted(one, 4 * i, start - a.times[i], 1);
-    shifted(other, 4 * j, start - b.times[j], -1);
+    writeShifted(one, 4 * i, start - a.times[i], shiftedA);
+    writeShifted(other, 4 * j, start - b.times[j], shiftedB);
+    for (let k = 0; k < 4; k++) difference[k] = shiftedA[k] - shiftedB[k];
     const h = end - start;
     const worst = placeOfLargest(difference[0], difference[1], difference[2], difference[3], h);
     const error = Math.abs(((difference[3] * worst + difference[2]) * worst + difference[1]) * worst + difference[0]);
@@ -49,19 +50,20 @@ export function largestDifference(a: KeyedChannel, b: KeyedChannel): Difference 
   return { largestError, atSeconds };
 }
 
-/** Scratch: the cubic of the difference, in the time since the span's start. */
+/** Scratch: both cubics and their difference, in the time since the span's start. */
+const shiftedA = new Float64Array(4);
+const shiftedB = new Float64Array(4);
 const difference = new Float64Array(4);
 
-/** The cubic at `cubics[o]`, starting `by` seconds after its key: written for sign 1, subtracted for sign −1. */
-function shifted(cubics: Float64Array, o: number, by: number, sign: 1 | -1): void {
-  const keep = sign === 1 ? 0 : 1;
+/** The cubic at `cubics[o]`, from `by` seconds after its key on. */
+function writeShifted(cubics: Float64Array, o: number, by: number, out: Float64Array): void {
   const b = cubics[o + 1];
   const c = cubics[o + 2];
   const d = cubics[o + 3];
-  difference[0] = keep * difference[0] + sign * (((d * by + c) * by + b) * by + cubics[o]);
-  difference[1] = keep * difference[1] + sign * ((3 * d * by + 2 * c) * by + b);
-  difference[2] = keep * difference[2] + sign * (3 * d * by + c);
-  difference[3] = keep * difference[3] + sign * d;
+  out[0] = ((d * by + c) * by + b) * by + cubics[o];
+  out[1] = (3 * d * by + 2 * c) * by + b;
+  out[2] = 3 * d * by + c;
+  out[3] = d;
 }
 
 /** τ in 0 … h at which |a + bτ + cτ² + dτ³| is largest. */

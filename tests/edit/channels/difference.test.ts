@@ -38,6 +38,16 @@ describe('the difference of two curves', () => {
     expect(largestDifference(channelOf([[7, 1]]), one).largestError).toBe(0);
   });
 
+  it('the difference of two curves is found after one that overflowed', () => {
+    const level = (value: number) =>
+      channelOf([
+        [0, value, 'flat'],
+        [1, value, 'flat'],
+      ]);
+    largestDifference(level(1.7e308), level(-1.7e308));
+    expect(largestDifference(level(1), level(3))).toEqual({ largestError: 2, atSeconds: 0 });
+  });
+
   it('the difference of two curves is what dense sampling nearly finds, and never less', () => {
     fc.assert(
       fc.property(channels(2, { steps: true }), channels(2, { steps: true }), (a, b) => {
