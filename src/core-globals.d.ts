@@ -1,6 +1,6 @@
 /**
- * The few names that a page, a worker and Node all have, but that the language's own library does not declare.
- * Only `tsconfig.core.json` reads this file: it is what keeps the core free of the DOM and of Node.
+ * The few globals that pages, workers and Node share, but that the library of ECMAScript does not declare. Only
+ * `tsconfig.core.json` includes this file: with it the core compiles without the types of the DOM and Node.
  */
 declare class TextDecoder {
   constructor(label?: string, options?: { fatal?: boolean; ignoreBOM?: boolean });

@@ -34,7 +34,7 @@ export function clipOf(document: Document, characterId: string): ChannelClip {
 
 /**
  * The document with other channels in a character's shown clip; the same object if none changed. Refuses changes
- * without effect: of joints that a retargeted take drives.
+ * to joints that a retargeted take drives, since they would have no effect.
  */
 export function withClipChannels(document: Document, characterId: string, channels: readonly Channel[]): Document {
   return changeCharacter(document, characterId, (character) => {
@@ -134,8 +134,8 @@ export function keyable(clip: ChannelClip, channels: readonly number[]): readonl
   return left;
 }
 
-/** Refuses if any channel is sampled, since changing only the others is not what was meant. */
-export function allKeyable(clip: ChannelClip, channels: readonly number[]): void {
+/** Refuses if any channel is sampled, rather than change only the others. */
+export function requireKeyable(clip: ChannelClip, channels: readonly number[]): void {
   const count = channels.filter((channel) => clip.channels[channel]?.kind === 'samples').length;
   if (count > 0) throw new CommandError(followsSamples(count));
 }

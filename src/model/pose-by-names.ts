@@ -3,7 +3,7 @@ import type { Vec3 } from '../math/vec3.ts';
 
 export interface PoseByNames {
   readonly name: string;
-  /** Root translation beside its joint's own DOFs; absent if the root moves by itself. */
+  /** Root translation, apart from the root joint's own DOFs; absent if those include its translation. */
   readonly root?: Vec3 | undefined;
   /** In the order of its skeleton; names may repeat or be empty. */
   readonly joints: readonly PosedJoint[];

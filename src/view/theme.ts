@@ -1,15 +1,15 @@
 /**
- * The colours of everything drawn in the viewport, for both themes. Everything that is read or followed by eye (axes,
- * labels, selection) has a contrast of at least 4.5:1 with both ends of the background; tests measure it.
+ * The colours of everything drawn in the viewport, for both themes. Whatever must be read or followed (axes, labels,
+ * selection) has a contrast of at least 4.5:1 with both ends of the background; tests measure it.
  *
- * Colours are sRGB as CSS has them. Lines, labels and background are drawn unchanged; lit surfaces go through
+ * Colours are sRGB, as in CSS. Lines, labels and background are drawn unchanged; lit surfaces go through
  * three.js's colour management and tone mapping.
  */
 export type ThemeName = 'light' | 'dark';
 
-/** What two characters that are compared are told apart by. */
+/** The colours that tell two compared characters apart. */
 export type Tint = 'comparedFirst' | 'comparedSecond';
-/** By the characters' ids. */
+/** By character id. */
 export type Tints = ReadonlyMap<string, Tint>;
 export const NO_TINTS: Tints = new Map();
 
@@ -52,7 +52,7 @@ export interface StageTheme {
   readonly comparedSecond: string;
   readonly shadow: string;
   readonly shadowOpacity: number;
-  /** Strength of all lights: light surroundings need a little more. */
+  /** Tone mapping exposure: a light background needs a little more. */
   readonly exposure: number;
 }
 

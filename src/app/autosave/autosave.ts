@@ -132,8 +132,8 @@ export class Autosave {
   }
 
   /** A mouse button or finger went down or up. */
-  hand(isDown: boolean): void {
-    this.rhythm.hand(isDown);
+  setPointerDown(isDown: boolean): void {
+    this.rhythm.setPointerDown(isDown);
   }
 
   /** Saves without waiting, since the page may be closing. */

@@ -5,8 +5,8 @@
  *     a typed array              is a place in the store's pieces
  *     everything else            is itself
  *
- * so that a skin of 100 MB takes a dozen words. A value shared in the session is one node, and structured cloning
- * preserves that: decoded, it is shared again.
+ * so that a skin of 100 MB read from a file takes a few bytes. A value shared in the session is one node, and structured
+ * cloning preserves that: decoded, it is shared again.
  */
 import type { OriginFile, Origins, PathKey } from './origins.ts';
 
@@ -58,6 +58,7 @@ export interface EncodedSession {
   readonly arrays: ReadonlyMap<StorableNumbers, StoredNumbers>;
 }
 
+/** Arrays aren't placed yet: the store's pieces are planned from `arrays` (`pieces.ts`). */
 export function encode(session: unknown, origins: Origins): EncodedSession {
   const encoder = new Encoder(origins);
   return { tree: encoder.encode(session), files: encoder.files, arrays: encoder.arrays };

@@ -11,7 +11,7 @@ const PATIENCE_MS = 30_000;
 export class Rhythm {
   private timer: ReturnType<typeof setTimeout> | undefined;
   private firstMs: number | undefined;
-  private handIsDown = false;
+  private pointerIsDown = false;
   /** Due, but postponed by a drag. */
   private isHeldUp = false;
 
@@ -35,8 +35,8 @@ export class Rhythm {
     this.wait(milliseconds);
   }
 
-  hand(isDown: boolean): void {
-    this.handIsDown = isDown;
+  setPointerDown(isDown: boolean): void {
+    this.pointerIsDown = isDown;
     if (!isDown && this.isHeldUp) this.wait(0);
   }
 
@@ -55,7 +55,7 @@ export class Rhythm {
   private over(): void {
     if (this.firstMs === undefined) return;
     const held = performance.now() - this.firstMs;
-    if (this.handIsDown && held < PATIENCE_MS) {
+    if (this.pointerIsDown && held < PATIENCE_MS) {
       this.isHeldUp = true;
       this.wait(PATIENCE_MS - held);
       return;

@@ -15,10 +15,10 @@ export function startAutosave(
   });
   const options = { capture: true, passive: true };
   const up = () => {
-    autosave.hand(false);
+    autosave.setPointerDown(false);
     autosave.touched();
   };
-  page.addEventListener('pointerdown', () => autosave.hand(true), options);
+  page.addEventListener('pointerdown', () => autosave.setPointerDown(true), options);
   page.addEventListener('pointerup', up, options);
   page.addEventListener('pointercancel', up, options);
   // A drag and drop (a row of a list, a file) ends without a pointer event.

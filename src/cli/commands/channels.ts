@@ -1,6 +1,7 @@
 /** `marrow channels`: values of an animation's channels at given times, without skeleton or limits. */
 import { compileClip } from '../../evaluate/compiled-clip.ts';
 import { evaluateChannel } from '../../evaluate/curves.ts';
+import type { ChannelClip } from '../../model/clip.ts';
 import { hasErrors } from '../../model/diagnostic.ts';
 import { numbersOf, parseArguments, UsageError } from '../arguments.ts';
 import type { CliCommand } from '../io.ts';
@@ -27,7 +28,7 @@ export const channels: CliCommand = {
   },
 };
 
-function valuesAt(clip: Parameters<typeof compileClip>[0], times: readonly number[]): number[][] {
+function valuesAt(clip: ChannelClip, times: readonly number[]): number[][] {
   const compiled = compileClip(clip);
   return clip.channels.map((_, c) => times.map((time) => evaluateChannel(compiled, c, time)));
 }

@@ -97,7 +97,6 @@ async function toFile(given: Arguments, io: CommandIo): Promise<ExitCode> {
     const known = WRITABLE_EXTENSIONS.map((extension) => `.${extension}`).join(' ');
     throw new UsageError(`The format of "${out}" is not known; its name must end in one of ${known}.`);
   }
-
   const options = readOptions(given);
   const name = basename(out);
   const { files, diagnostics: read } = loadFiles(ins, io.folder);

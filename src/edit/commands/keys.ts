@@ -5,7 +5,6 @@ import { followingSamples, TANGENT_KINDS, type TangentKind } from '../../model/c
 import type { ChannelKeys } from '../../model/session.ts';
 import { finiteNumber, indexIn, listOf, oneOf } from '../arguments.ts';
 import {
-  allKeyable,
   changeKeys,
   checkedChannels,
   checkedKeys,
@@ -14,6 +13,7 @@ import {
   keyCountText,
   type OfChannels,
   type OfKeys,
+  requireKeyable,
   withClipChannels,
 } from '../channel-edits.ts';
 import { checkPlacing } from '../check-placing.ts';
@@ -76,7 +76,7 @@ export const addKey: Command<AddKey, Edit> = {
   run(document, { characterId, channel: index, timeSeconds, value, tangents = 'smooth', ...placing }) {
     const clip = clipOf(document, characterId);
     indexIn(index, 0, clip.channels.length, 'channel');
-    allKeyable(clip, [index]);
+    requireKeyable(clip, [index]);
     checkPlacing(placing);
     const put = putKeyAt(
       clip.channels[index],

@@ -1,6 +1,6 @@
 /** Pastes copied keys (`keys/clipboard.ts`) and selects them. Refused if one would land in samples. */
 import { finiteNumber, listOf, oneOf } from '../arguments.ts';
-import { allKeyable, clipOf, withClipChannels } from '../channel-edits.ts';
+import { clipOf, requireKeyable, withClipChannels } from '../channel-edits.ts';
 import { checkPlacing } from '../check-placing.ts';
 import { type CopiedKeys, PASTE_MODES, type Paste, withKeysPasted } from '../keys/clipboard.ts';
 import { type Command, CommandError, type Edit } from '../store.ts';
@@ -30,7 +30,7 @@ export const pasteKeys: Command<PasteKeys, Edit> = {
       outsideCycle,
       bakedRange,
     });
-    allKeyable(
+    requireKeyable(
       clip,
       keys.map((k) => k.channel),
     );

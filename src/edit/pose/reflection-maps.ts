@@ -30,7 +30,7 @@ const [ACROSS_X, ACROSS_Y, ACROSS_Z] = ([0, 1, 2] as const).map((k) =>
   reflectionMatrix([k === 0 ? 1 : 0, k === 1 ? 1 : 0, k === 2 ? 1 : 0]),
 );
 /** All axes reversed. */
-const AGAINST = Float64Array.of(-1, 0, 0, 0, -1, 0, 0, 0, -1);
+const REVERSED = Float64Array.of(-1, 0, 0, 0, -1, 0, 0, 0, -1);
 
 /** K of each joint with a counterpart: its parent's, rotated by the two joints' rotations in the reference pose. */
 export function mapsOf(
@@ -40,30 +40,32 @@ export function mapsOf(
 ): Float64Array {
   const { jointCount, parent, firstDof, motions } = compiled;
   const maps = new Float64Array(9 * jointCount);
-  const turns = new Float64Array(9 * jointCount);
+  const rotations = new Float64Array(9 * jointCount);
   const local = new Float64Array(16);
   for (let j = 0; j < jointCount; j++) {
     motions[j].write(reference, firstDof[j], local, 0);
     writeRotationPart(local, 0, local, 0, 4);
-    for (let c = 0; c < 3; c++) for (let r = 0; r < 3; r++) turns[9 * j + 3 * c + r] = local[4 * c + r];
+    for (let c = 0; c < 3; c++) for (let r = 0; r < 3; r++) rotations[9 * j + 3 * c + r] = local[4 * c + r];
   }
-  const turned = new Float64Array(9);
+  const rotated = new Float64Array(9);
   const own = new Float64Array(9);
   for (let j = 0; j < jointCount; j++) {
     const other = partner[j];
     if (other < 0) continue;
     const above = parent[j];
     const isKnown = above >= 0 && partner[above] >= 0;
-    multiply3(isKnown ? maps : matrix, isKnown ? 9 * above : 0, turns, 9 * j, turned, 0);
-    backMultiply3(turns, 9 * other, turned, 0, own, 0);
+    multiply3(isKnown ? maps : matrix, isKnown ? 9 * above : 0, rotations, 9 * j, rotated, 0);
+    backMultiply3(rotations, 9 * other, rotated, 0, own, 0);
     maps.set(fittingMap(skeleton, partner, j, own), 9 * j);
   }
   return maps;
 }
 
-/** Relative error of a map on the offsets that is accepted; another map must be better by this factor. */
-const MISSED = 0.15;
-const MUCH_LESS = 0.25;
+/** Accepted error of a map on the offsets, relative to their length. */
+const ACCEPTED_ERROR = 0.15;
+/** Another map replaces it if its error is smaller by this factor; a later candidate must be clearly better still. */
+const MUCH_BETTER = 0.25;
+const CLEARLY_BETTER = 0.9;
 
 /**
  * The map itself if it takes the offsets of the joint's children to those of their counterparts; else the one that
@@ -84,22 +86,22 @@ export function fittingMap({ joints }: Skeleton, partner: Int32Array, j: number,
   joints[j].endSites?.forEach((end, i) => {
     if (ends.length === joints[j].endSites?.length) add(end, ends[i]);
   });
-  const missed = (m: Float64Array) => {
+  const errorOf = (m: Float64Array) => {
     let sum = 0;
     for (const [[x, y, z], to] of pairs) {
       sum += Math.hypot(...[0, 1, 2].map((k) => m[k] * x + m[3 + k] * y + m[6 + k] * z - to[k]));
     }
     return sum;
   };
-  const own = missed(map);
-  if (own <= MISSED * length) return map;
+  const own = errorOf(map);
+  if (own <= ACCEPTED_ERROR * length) return map;
   let best = map;
-  let least = MUCH_LESS * own;
-  for (const candidate of other === j ? [ACROSS_X, ACROSS_Z, ACROSS_Y] : [AGAINST, ACROSS_X, ACROSS_Y, ACROSS_Z]) {
-    const its = missed(candidate);
-    if (its >= least) continue;
+  let least = MUCH_BETTER * own;
+  for (const candidate of other === j ? [ACROSS_X, ACROSS_Z, ACROSS_Y] : [REVERSED, ACROSS_X, ACROSS_Y, ACROSS_Z]) {
+    const error = errorOf(candidate);
+    if (error >= least) continue;
     best = candidate;
-    least = 0.9 * its;
+    least = CLEARLY_BETTER * error;
   }
   return best;
 }

@@ -16,7 +16,7 @@ export function radiansOf(degrees: number): number {
 /** The number with the shortest decimal that `radiansOf` maps to these radians, or if there is none, the nearest. */
 export function degreesOf(radians: number): number {
   const about = radians / RADIANS_PER_DEGREE;
-  if (about === 0 || about - about !== 0) return about;
+  if (about === 0 || !Number.isFinite(about)) return about;
   const near = neighbours(about);
   const off = (degrees: number) => Math.abs(radiansOf(degrees) - radians);
   const nearest = near.reduce((best, degrees) => (off(degrees) < off(best) ? degrees : best));

@@ -34,18 +34,18 @@ it('saves every few seconds during continuous changes', () => {
 
 it('waits for the end of a drag', () => {
   const { due, rhythm } = counted();
-  rhythm.hand(true);
+  rhythm.setPointerDown(true);
   rhythm.changed();
   vi.advanceTimersByTime(10_000);
   expect(due).not.toHaveBeenCalled();
-  rhythm.hand(false);
+  rhythm.setPointerDown(false);
   vi.advanceTimersByTime(1);
   expect(due).toHaveBeenCalledTimes(1);
 });
 
 it('does not wait for a drag that never ends', () => {
   const { due, rhythm } = counted();
-  rhythm.hand(true);
+  rhythm.setPointerDown(true);
   rhythm.changed();
   vi.advanceTimersByTime(31_000);
   expect(due).toHaveBeenCalledTimes(1);

@@ -29,7 +29,7 @@ export function ikControls(wb: Uses<'store' | 'actions' | 'posing' | 'settings'>
   setActionTooltip(wb, hold, 'ik.holdPins', 'Hold pins over a range of the take');
   const hint = element('span', { class: 'ik-hint', role: 'note' });
   const tools = element('div', { class: 'ik-tools tools' }, root, all, hold);
-  const inHand = wb.posing.ik;
+  const { hasDragged, wantsRoot } = wb.posing.ik;
   const show = () => {
     const character = currentCharacter(wb);
     const setup = character?.skeleton && ikOf(character);
@@ -37,9 +37,9 @@ export function ikControls(wb: Uses<'store' | 'actions' | 'posing' | 'settings'>
     all.disabled = hold.disabled = !setup?.pins.length;
     setAttribute(root, 'aria-pressed', String(setup?.rootIsFree ?? false));
     setText(root, setup?.rootIsFree === false ? 'Root fixed' : 'Root moves');
-    root.classList.toggle('asked', setup?.rootIsFree === false && inHand.wantsRoot.get());
+    root.classList.toggle('asked', setup?.rootIsFree === false && wantsRoot.get());
     setText(hint, ikHintText(setup?.pins.length ?? 0));
-    hint.hidden = inHand.hasDragged.get() || setup === undefined;
+    hint.hidden = hasDragged.get() || setup === undefined;
   };
   const showSoon = oncePerFrame(show);
   const controls = element('div', { class: 'ik-controls' }, tools, hint);
@@ -49,8 +49,8 @@ export function ikControls(wb: Uses<'store' | 'actions' | 'posing' | 'settings'>
       wb.store.subscribe((now, before) => {
         if (now.document.characters !== before.document.characters || now.selection !== before.selection) showSoon();
       }),
-      inHand.hasDragged.subscribe(show),
-      inHand.wantsRoot.subscribe(showSoon),
+      hasDragged.subscribe(show),
+      wantsRoot.subscribe(showSoon),
     ];
   });
   return controls;

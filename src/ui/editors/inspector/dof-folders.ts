@@ -45,7 +45,7 @@ export class DofFolders {
     this.endObserver.observe(this.end);
   }
 
-  /** Rebuilds the rows: another character, joint, unit, or other limits. */
+  /** Rebuilds the rows, after the character, joint, angle unit or limits have changed. */
   rebuild(character: Character | undefined, joint: number | undefined): void {
     for (const folder of [this.joint, this.root, this.morphs, this.all]) {
       for (const controller of folder.controllers) this.context.live.remove(controller.domElement);
@@ -101,6 +101,7 @@ export class DofFolders {
     this.fill(this.joint, character, dofs, first, dofsOf(joint.motion).length);
   }
 
+  /** The first of them; the list of all has the rest. */
   private fillMorphs(character: Character, dofs: readonly CharacterDof[]): void {
     const count = character.morphs.length;
     this.morphs.show(count > 0);
@@ -124,7 +125,7 @@ export class DofFolders {
       const prefix = isRoot ? 'root' : joint ? jointName(character.skeleton, dof.joint) : 'morph';
       addDofRow(this.context, this.all, character, listed.next, dof, prefix);
     }
-    // Keeps the end mark last; moving it makes the observer check again.
+    // The end element stays last; moving it makes the observer check again.
     this.end.remove();
     if (listed.next < dofs.length) this.all.$children.append(this.end);
   }

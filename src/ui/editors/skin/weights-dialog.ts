@@ -94,7 +94,7 @@ export function idleText(skeleton: Skeleton, idle: readonly number[]): string {
   return `${idle.length} of ${plural(length, 'joint')} ${move} outside the skin, or others are nearer (${names}).`;
 }
 
-/** `2,019 vertices follow 27 joints, 2.3 of them each. 4 lie apart from all bones: by distance alone.` */
+/** `2,019 vertices follow 27 joints, 2.3 per vertex on average. 4 vertices see no bone; weighted by distance.` */
 function weightsText({ skin, moving, byDistance }: Pick<AutoWeighted, 'skin' | 'moving' | 'byDistance'>): string {
   const each = moving > 1 ? `, ${shown(meanInfluences(skin), 1)} per vertex on average` : '';
   const apart = byDistance
