@@ -32,6 +32,7 @@ import type { Morph } from '../model/morph.ts';
 import type { Display } from '../model/session.ts';
 import { type Skin, vertexCount } from '../model/skin.ts';
 import { Bones } from './bones.ts';
+import { HoveredPart } from './hovered-part.ts';
 import { PosePlayer } from './pose-track.ts';
 import { BUILT_AT_ONCE, ShownSkin } from './shown-skin.ts';
 import { skinTexture } from './skin-texture.ts';
@@ -62,6 +63,8 @@ export class CharacterView {
   readonly object = new Group();
   /** Bounds of the posed character in its own space, for three.js's culling and sorting. */
   readonly localBox = new Box3();
+  /** Which part of the skin is highlighted. */
+  readonly hoveredPart = new HoveredPart();
   private readonly localSphere = new Sphere();
   private shown: Character | undefined;
   private display: Display | undefined;
@@ -121,6 +124,7 @@ export class CharacterView {
 
   setTheme(theme: ThemeName): void {
     this.theme = theme;
+    this.hoveredPart.hoveredColour.value.set(STAGE_THEMES[theme].hovered);
     this.skin?.setTheme(SKIN_THEMES[theme]);
     this.skin?.setTint(this.tint && STAGE_THEMES[theme][this.tint]);
   }
@@ -307,7 +311,8 @@ export class CharacterView {
     this.dropSkin();
     if (!model) return;
     const theme = SKIN_THEMES[this.theme];
-    const skin = new ShownSkin(model, character.morphs, this.boneSet, theme, this.localSphere, this.localBox);
+    const { boneSet, localSphere, localBox, hoveredPart } = this;
+    const skin = new ShownSkin(model, character.morphs, boneSet, theme, localSphere, localBox, hoveredPart);
     skin.setTint(this.tint && STAGE_THEMES[this.theme][this.tint]);
     skin.onLater = () => this.events.redraw?.();
     skin.setTexture(this.texture);

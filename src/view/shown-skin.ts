@@ -10,6 +10,7 @@ import type { Morph } from '../model/morph.ts';
 import type { Display, SkinStyle } from '../model/session.ts';
 import { type Skin, vertexCount } from '../model/skin.ts';
 import type { Bones } from './bones.ts';
+import type { HoveredPart } from './hovered-part.ts';
 import { type Morphing, morphing } from './morphs.ts';
 import { edgesOf, influenceOf, normalsGeometry, packSkin, wireGeometry } from './skin-geometry.ts';
 import { SkinMaterials } from './skin-materials.ts';
@@ -69,6 +70,7 @@ export class ShownSkin {
     private theme: SkinTheme,
     private readonly sphere: Sphere,
     private readonly box: Box3,
+    private readonly hovered: HoveredPart,
   ) {
     this.bounds = skinBounds(skin, morphs);
     this.compiled = compileSkin(skin);
@@ -83,7 +85,7 @@ export class ShownSkin {
     const packed = yield* packSkin(skin, compiled.normals, skeleton.identityIndex, isPosed);
     const gpu = { skin, skeleton, isPosed, ...packed };
     const made = yield* morphing(gpu.geometry, skin.positions, compiled.normals, this.morphs);
-    const materials = new SkinMaterials(gpu, this.theme);
+    const materials = new SkinMaterials(gpu, this.theme, this.hovered);
     materials.setTexture(this.texture);
     materials.setTint(this.tint);
     this.built = { gpu, materials, morphing: made };

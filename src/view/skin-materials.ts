@@ -18,6 +18,7 @@ import {
   type Texture,
 } from 'three';
 import { heatRamp } from './heat.ts';
+import { type HoveredPart, withHoveredPart } from './hovered-part.ts';
 import type { SkinTheme } from './skin-theme.ts';
 import { type SkinGpu, withExactSkinning } from './skinning.ts';
 
@@ -30,6 +31,7 @@ export class SkinMaterials {
   constructor(
     private readonly skin: Pick<SkinGpu, 'attachmentTexture'>,
     private theme: SkinTheme,
+    private readonly hovered: HoveredPart,
   ) {}
 
   setTheme(theme: SkinTheme): void {
@@ -98,7 +100,9 @@ export class SkinMaterials {
   private get(name: string, make: () => Material): Material {
     let material = this.made.get(name);
     if (!material) {
-      material = withExactSkinning(make(), this.skin);
+      material = make();
+      if (LIGHTS_UP.has(name)) withHoveredPart(material, this.hovered, this.skin.attachmentTexture !== undefined);
+      withExactSkinning(material, this.skin);
       material.name = `skin ${name}`;
       this.made.set(name, material);
       this.paint(name, material);
@@ -127,6 +131,9 @@ export class SkinMaterials {
     if (material instanceof ShaderMaterial && name === 'normals') material.uniforms.colour.value.set(theme.normals);
   }
 }
+
+/** Materials that highlight the hovered joint's part; in the others colours mean something else. */
+const LIGHTS_UP = new Set(['solid', 'textured', 'xray', 'wire']);
 
 /** Share of the tint in a skin's colour, so that shape and texture stay visible. */
 const TINT_PART = 0.6;
@@ -206,7 +213,9 @@ void main() {
 	#include <normal_fragment_begin>
 	vec3 toViewer = isOrthographic ? vec3( 0.0, 0.0, 1.0 ) : normalize( vViewPosition );
 	float rim = pow( 1.0 - abs( dot( normal, toViewer ) ), 2.5 );
-	gl_FragColor = vec4( colour, mix( facing, edge, rim ) );
+	vec4 diffuseColor = vec4( colour, mix( facing, edge, rim ) );
+	#include <color_fragment>
+	gl_FragColor = diffuseColor;
 	#include <colorspace_fragment>
 }`,
   });

@@ -218,7 +218,7 @@ vec2 getAttachment( const in uint i ) {
 `;
 
 /** Runs `body` for each attachment past the fourth. */
-const forEachMore = (body: string) => /* glsl */ `
+export const forEachMore = (body: string) => /* glsl */ `
 	for ( uint a = attachmentRange.x; a < attachmentRange.y; a ++ ) {
 		vec2 attachment = getAttachment( a );
 		${body}

@@ -19,6 +19,7 @@ import { Eye } from './eye.ts';
 import { Framer } from './framer.ts';
 import { Ghosts } from './ghosts.ts';
 import { Grid } from './grid.ts';
+import { Hovering } from './hovering.ts';
 import { JointFollower } from './joint-follower.ts';
 import { Labels } from './labels.ts';
 import { Orientation } from './orientation.ts';
@@ -62,8 +63,6 @@ export interface FrameStats {
 }
 
 const MAX_PIXELS_PER_PIXEL = 2;
-/** Above this many triangles hover picking would be slow: joints inside skins are then picked on click only. */
-const HOVER_TRIANGLES = 300_000;
 
 export class Viewport {
   readonly canvas: HTMLCanvasElement;
@@ -102,11 +101,9 @@ export class Viewport {
   private disposed = false;
   /** Poses or the set of characters have changed since the last frame. */
   private posesChanged = true;
-  private hovered: JointRef | undefined;
-  private isPointerTaken = false;
+  private readonly hovering = new Hovering();
   /** Number of drags that pause following. */
   private holds = 0;
-  private pointer: { x: number; y: number } | undefined;
   private readonly box = new Box3();
   private readonly point = new Vector3();
 
@@ -202,15 +199,23 @@ export class Viewport {
 
   /** Highlights a joint as if under the pointer, for rows of lists; undefined for none. */
   hover(joint: JointRef | undefined): void {
-    if (!this.skeletons.hover(joint)) return;
-    this.hovered = joint;
-    this.labels.show(this.skeletons.drawn, this.display, this.selection, joint);
-    this.requestRender();
+    if (this.highlight(joint)) this.requestRender();
+  }
+
+  /** The highlighted joint, by the document's ids. */
+  get hovered(): JointRef | undefined {
+    const { joint } = this.hovering;
+    return joint && { ...joint, characterId: characterIdOf(joint.characterId) };
+  }
+
+  /** Calls back when `hovered` changes. Returns an unsubscribe function. */
+  onHover(listener: () => void): () => void {
+    return this.hovering.subscribe(listener);
   }
 
   /** Whether a tool has captured the pointer: no joint is highlighted meanwhile. */
   takePointer(isTaken: boolean): void {
-    this.isPointerTaken = isTaken;
+    this.hovering.isTaken = isTaken;
     if (isTaken) this.hover(undefined);
   }
 
@@ -412,15 +417,16 @@ export class Viewport {
     canvas.addEventListener(
       'pointermove',
       ({ buttons, pointerType, offsetX, offsetY }) => {
-        this.pointer = buttons === 0 && pointerType === 'mouse' ? { x: offsetX, y: offsetY } : undefined;
-        if (this.pointer && this.canHover) this.requestRender();
+        const { hovering } = this;
+        hovering.pointer = buttons === 0 && pointerType === 'mouse' ? { x: offsetX, y: offsetY } : undefined;
+        if (hovering.pointer && this.canHover) this.requestRender();
       },
       { signal },
     );
     canvas.addEventListener(
       'pointerleave',
       () => {
-        this.pointer = undefined;
+        this.hovering.pointer = undefined;
         this.hover(undefined);
       },
       { signal },
@@ -444,17 +450,17 @@ export class Viewport {
   }
 
   private showSkeletons(): void {
-    const { skeletons, display, selection, hovered } = this;
+    const { skeletons, display, selection, hovering } = this;
+    const hovered = hovering.joint;
     const posed = this.characters.posedSkeletons(this.tints);
     const ofHovered = (all: readonly PosedSkeleton[]) =>
       all.find(({ characterId }) => characterId === hovered?.characterId)?.skeleton;
     // Its index would highlight another joint.
     if (hovered && !haveSameJoints(ofHovered(skeletons.drawn), ofHovered(posed))) {
-      this.hovered = undefined;
-      skeletons.hover(undefined);
+      this.highlight(undefined);
     }
     skeletons.show(posed, display, selection, STAGE_THEMES[this.themeName]);
-    this.labels.show(skeletons.drawn, display, selection, this.hovered);
+    this.labels.show(skeletons.drawn, display, selection, hovering.joint);
     this.posesChanged = true;
   }
 
@@ -528,22 +534,30 @@ export class Viewport {
   }
 
   private get canHover(): boolean {
-    return this.display.boxes !== 'hidden' || this.display.bones;
+    const { boxes, bones, skin } = this.display;
+    return boxes !== 'hidden' || bones || skin !== 'hidden';
   }
 
   /** Highlights the joint under the pointer, once per frame. */
   private hoverPointer(): void {
-    const { pointer } = this;
-    this.pointer = undefined;
-    if (!pointer || this.isPointerTaken || this.rig.handling || !this.canHover) return;
+    const { hovering, picker } = this;
+    const { pointer } = hovering;
+    hovering.pointer = undefined;
+    if (!pointer || hovering.isTaken || this.rig.handling || !this.canHover) return;
     const scene = this.pickScene();
-    if (!scene) return;
-    const triangles = scene.skins.reduce((sum, { mesh }) => sum + mesh.gpu.skin.triangles.length / 3, 0);
-    if (scene.skinsAreOpaque && triangles > HOVER_TRIANGLES) return;
-    const { skeletons, labels } = this;
-    const joint = this.picker.pickJoint(scene, pointer.x, pointer.y);
-    if (!skeletons.hover(joint)) return;
-    this.hovered = joint;
+    if (scene) this.highlight(hovering.jointAt(picker, scene, pointer.x, pointer.y));
+  }
+
+  /** Returns whether that changed anything. */
+  private highlight(joint: JointRef | undefined): boolean {
+    const { skeletons, hovering, labels, characters } = this;
+    if (!skeletons.hover(joint)) return false;
+    hovering.joint = joint;
     labels.show(skeletons.drawn, this.display, this.selection, joint);
+    for (const { view, character } of characters.all) {
+      view.hoveredPart.hoveredJoint.value = character.id === joint?.characterId ? joint.joint : -1;
+    }
+    hovering.changed();
+    return true;
   }
 }

@@ -94,7 +94,7 @@ it('turns a DOF by its ring, stops at its limit and says so, in one step', () =>
     expect([-0.5, 0.75]).toContain(after[6]);
     expect(after.filter((v, i) => v !== before[i])).toHaveLength(1);
     expect(await readout(page)).toBe('');
-    expect(await undo(page)).toBe('Set rx of elbow');
+    expect(await undo(page)).toBe('Rotate elbow');
     await page.keyboard.press('Control+z');
     expect(await dofs(page)).toEqual(before);
   }));
@@ -113,7 +113,7 @@ it('goes past a limit while the character’s switch is off', () =>
     expect(Math.abs((await dofs(page))[6])).toBeGreaterThan(0.8);
   }));
 
-it('turns the active DOF by dragging the bone up and down, and gives it up at Escape', () =>
+it('turns the active DOF by dragging the bone up and down, and cancels at Escape', () =>
   withPage(async ({ page }) => {
     await openArm(page);
     await page.getByRole('radio', { name: 'rz', exact: true }).click();
@@ -131,7 +131,7 @@ it('turns the active DOF by dragging the bone up and down, and gives it up at Es
     await pressAndGo(page, bone, [{ x: bone.x, y: bone.y + 40 }]);
     await page.mouse.up();
     expect((await dofs(page))[8]).toBeCloseTo(-Math.PI / 9, 9);
-    expect(await undo(page)).toBe('Set rz of elbow');
+    expect(await undo(page)).toBe('Rotate elbow');
   }));
 
 it('leaves what it has no use for to the camera', () =>
@@ -166,17 +166,100 @@ it('turns the view by the arrows while nothing plays, and switches modes by Spac
     await page.waitForFunction(() => document.querySelector('.joint-gizmo'));
   }));
 
-it('leaves the bones of what is not selected to the camera: what is keyed is what is turned', () =>
+/** Waits until the inspector shows a joint. */
+const showsJoint = (page: Page, name: string) =>
+  page.waitForFunction(
+    (expected) => document.querySelector('.title-note')?.previousSibling?.textContent === expected,
+    name,
+    { timeout: 5000 },
+  );
+
+it('selects and rotates another joint in one drag, which Escape takes back with the selection', () =>
   withPage(async ({ page }) => {
     await openArm(page, 'shoulder');
     const before = await dofs(page);
     const place = await page.evaluate(() => window.marrow.pointOnPage([0, 1.8, 0]));
     if (!place) throw new Error('The arm is not shown.');
     await pressAndGo(page, place, [{ x: place.x + 5, y: place.y - 40 }]);
+    await showsJoint(page, 'elbow');
+    expect((await dofs(page))[6]).toBeCloseTo(Math.PI / 9, 5);
+    await page.keyboard.press('Escape');
     await page.mouse.up();
     expect(await dofs(page)).toEqual(before);
+    await showsJoint(page, 'shoulder');
     expect(await undo(page)).toMatch(/^Open/);
+
+    await pressAndGo(page, place, [{ x: place.x + 5, y: place.y - 40 }]);
+    await page.mouse.up();
+    expect(await undo(page)).toBe('Rotate elbow');
+    await showsJoint(page, 'elbow');
+    await page.keyboard.press('Control+z');
+    expect(await dofs(page)).toEqual(before);
+    expect(await undo(page)).toMatch(/^Open/);
+
+    // Without movement it only selects.
+    const other = await page.evaluate(() => window.marrow.pointOnPage([0, 0.3, 0]));
+    if (!other) throw new Error('The arm is not shown.');
+    await page.mouse.click(other.x, other.y);
+    await showsJoint(page, 'shoulder');
+    expect(await dofs(page)).toEqual(before);
+    // With Alt it is the camera's.
+    const view = await turnOfView(page);
+    await page.keyboard.down('Alt');
+    await pressAndGo(page, place, [{ x: place.x + 40, y: place.y }]);
+    await page.mouse.up();
+    await page.keyboard.up('Alt');
+    expect(await turnOfView(page)).not.toBeCloseTo(view, 0);
+    expect(await dofs(page)).toEqual(before);
   }));
+
+/** The middle between two joints of the first character, on the page. */
+async function pointBetween(page: Page, from: string, to: string): Promise<Point> {
+  const place = await page.evaluate(
+    (names) => {
+      const { joints } = window.marrow.characters()[0];
+      const world = window.marrow.worldMatrices();
+      const [a, b] = names.map((name) => world[joints.findIndex((joint) => joint.name === name)].slice(12, 15));
+      return window.marrow.pointOnPage([(a[0] + b[0]) / 2, (a[1] + b[1]) / 2, (a[2] + b[2]) / 2]);
+    },
+    [from, to] as const,
+  );
+  if (!place) throw new Error(`${from} is not visible.`);
+  return place;
+}
+
+it('with the head of the walker selected, drags on nine other parts of the body select and rotate those', () =>
+  withPage(
+    async ({ page }) => {
+      await page.evaluate(() => {
+        window.marrow.pause();
+        window.marrow.seek(0.3);
+      });
+      await page.getByRole('treeitem', { name: /^head/ }).first().click();
+      await page.evaluate(() => window.marrow.run('view.front'));
+      await page.waitForFunction(() => document.querySelector<HTMLElement>('.joint-gizmo')?.hidden === false);
+      const parts = [
+        ['forearm_l', 'hand_l'],
+        ['forearm_r', 'hand_r'],
+        ['chest', 'chest'],
+        ['thigh_l', 'shin_l'],
+        ['thigh_r', 'shin_r'],
+        ['shin_l', 'foot_l'],
+        ['shin_r', 'foot_r'],
+        ['toe_r', 'toe_r'],
+        ['spine', 'chest'],
+      ] as const;
+      for (const [joint, child] of parts) {
+        const place = await pointBetween(page, joint, child);
+        await pressAndGo(page, place, [{ x: place.x, y: place.y - 10 }]);
+        await showsJoint(page, joint);
+        await page.keyboard.press('Escape');
+        await page.mouse.up();
+        await showsJoint(page, 'head');
+      }
+    },
+    { walking: true },
+  ));
 
 it('blends to a pose once where its picture is double-clicked, and again at a click', () =>
   withPage(async ({ page }) => {

@@ -58,12 +58,13 @@ export const MOUSE_GESTURES: readonly MouseGestures[] = [
     ],
   },
   {
-    where: 'Mouse in FK, on the selected joint',
+    where: 'Mouse in FK',
     lines: [
+      ['Select a joint and change its active DOF', 'drag its bone or skin up or down'],
       ['Rotate or move a DOF', 'drag its ring or arrow'],
-      ['Change the active DOF', 'drag the bone up or down'],
       ['Rotate about the view axis', 'drag the outer ring'],
-      ['Rotate freely', 'drag inside the rings'],
+      ['Rotate freely', 'drag inside the rings, beside the character'],
+      ['Orbit from a character', 'Alt+drag'],
       ['Fine adjustment', 'Shift while dragging'],
       ['In steps of 5°', 'Ctrl while dragging'],
       ['Cancel drag', 'Esc'],

@@ -3,7 +3,7 @@ import { type Character, findCharacter } from '../../model/document.ts';
 import type { Skeleton } from '../../model/skeleton.ts';
 import type { Uses } from './workbench.ts';
 
-/** A selected joint that exists. */
+/** A joint that exists. */
 export interface ResolvedJoint {
   readonly character: Character;
   readonly skeleton: Skeleton;
@@ -11,11 +11,19 @@ export interface ResolvedJoint {
   readonly joint: number;
 }
 
-export function selectedJoint({ store }: Uses<'store'>): ResolvedJoint | undefined {
-  const { document, selection } = store;
-  const character = findCharacter(document, selection.characterId);
+export function selectedJoint(wb: Uses<'store'>): ResolvedJoint | undefined {
+  const { characterId, joint } = wb.store.selection;
+  return resolvedJoint(wb, characterId, joint);
+}
+
+/** A joint by ids; undefined if there is none (any more). */
+export function resolvedJoint(
+  { store }: Uses<'store'>,
+  characterId: string | undefined,
+  joint: number | undefined,
+): ResolvedJoint | undefined {
+  const character = findCharacter(store.document, characterId);
   const skeleton = character?.skeleton;
-  const { joint } = selection;
   if (!character || !skeleton || joint === undefined || !skeleton.joints[joint]) return undefined;
   return { character, skeleton, joint };
 }

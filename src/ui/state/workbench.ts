@@ -32,6 +32,8 @@ export type WorkbenchStage = Pick<
   | 'setTheme'
   | 'character'
   | 'hover'
+  | 'hovered'
+  | 'onHover'
   | 'takePointer'
   | 'requestRender'
   | 'addOverlay'

@@ -3,16 +3,28 @@
  * it were solid, are not.
  */
 import type { HandleId } from '../../evaluate/handles/joint-handles.ts';
-import { BALL_PART, type Layout, type Shape } from './shapes.ts';
+import { BALL_PART, hasArc, isAllowed, type Layout, type Shape } from './shapes.ts';
 
 /** Hit tolerance, CSS pixels. */
 const REACH = 7;
-/** A point this close to a line is on it: where several lines cross, the one in front is hit. CSS pixels. */
+/**
+ * A point this close to a line is on it: where several lines cross, the one in front is hit. Farther away is the line's
+ * margin. CSS pixels.
+ */
 const ON_LINE = 3;
 /** Half the size of a handle's head, CSS pixels. */
 const HEAD = 6;
 /** Arrows aren't hit near the pivot, where they all meet. CSS pixels. */
 const MIDDLE = 16;
+
+export interface HandleHit {
+  readonly id: HandleId;
+  /**
+   * Other joints under the pointer come first: it is a handle of free rotation, the margin of a line, or a part of a ring
+   * beyond the DOF's limits, which is drawn faintly.
+   */
+  readonly yields: boolean;
+}
 
 /** Distance from a piece in CSS pixels, and the depth of its nearest point. */
 interface Nearest {
@@ -25,8 +37,8 @@ interface Nearest {
  *
  * @param slack extra tolerance, for touch; CSS pixels
  */
-export function handleAt(layout: Layout, x: number, y: number, slack = 0): HandleId | undefined {
-  let found: HandleId | undefined;
+export function handleAt(layout: Layout, x: number, y: number, slack = 0): HandleHit | undefined {
+  let found: HandleHit | undefined;
   let bestOff = Infinity;
   let bestDepth = -Infinity;
   const nearest: Nearest = { distance: 0, depth: 0 };
@@ -40,13 +52,17 @@ export function handleAt(layout: Layout, x: number, y: number, slack = 0): Handl
       if (off > bestOff || (off === bestOff && nearest.depth <= bestDepth)) continue;
       bestOff = off;
       bestDepth = nearest.depth;
-      found = shape.id;
+      found = { id: shape.id, yields: off > 0 || shape.id.kind === 'view' || isBeyondLimits(shape, i) };
     }
   }
   if (found) return found;
   const ball = layout.shapes.find(({ form }) => form === 'disc');
   const [px, py] = layout.pivot;
-  return ball && Math.hypot(x - px, y - py) <= BALL_PART * layout.radius ? ball.id : undefined;
+  return ball && Math.hypot(x - px, y - py) <= BALL_PART * layout.radius ? { id: ball.id, yields: true } : undefined;
+}
+
+function isBeyondLimits({ form, range, step }: Shape, i: number): boolean {
+  return form === 'ring' && hasArc(range) && !isAllowed(range, (i + 0.5) * step);
 }
 
 function toPiece({ form, points, depths }: Shape, i: number, x: number, y: number, out: Nearest): void {

@@ -11,13 +11,13 @@
  * pictures of the scene. The canvas is only as large as the gizmo.
  */
 import { Group, type OrthographicCamera, type PerspectiveCamera } from 'three';
-import type { HandleId, JointHandles } from '../../evaluate/handles/joint-handles.ts';
+import type { JointHandles } from '../../evaluate/handles/joint-handles.ts';
 import { CameraProjection } from '../camera-projection.ts';
 import type { Overlay } from '../overlay.ts';
 import type { StageTheme } from '../theme.ts';
 import type { GizmoState } from './gizmo-look.ts';
 import { GizmoPen } from './gizmo-pen.ts';
-import { handleAt } from './handle-at.ts';
+import { type HandleHit, handleAt } from './handle-at.ts';
 import { type Layout, layOut, ringRadius } from './shapes.ts';
 
 /** Side of the canvas as a part of the rings' radius. */
@@ -50,6 +50,8 @@ export class JointGizmo implements Overlay {
   private ratio = 0;
   /** CSS pixels. */
   private side = 0;
+  /** Of the rings. */
+  private radius = 1;
 
   /** @param container the element that contains the viewport */
   constructor(
@@ -75,7 +77,9 @@ export class JointGizmo implements Overlay {
     if (isAnotherView || handles !== this.handles || scale !== this.scale) {
       this.handles = handles;
       this.scale = scale;
-      this.layout = handles && layOut(handles, this.projection, this.radiusOf(handles, state));
+      // Constant during a drag, which may scale the joint or move it in depth.
+      if (handles && !state.dragged) this.radius = this.radiusOf(handles);
+      this.layout = handles && layOut(handles, this.projection, this.radius);
     }
     const { layout } = this;
     if (canvas.hidden !== (layout === undefined)) canvas.hidden = layout === undefined;
@@ -90,15 +94,15 @@ export class JointGizmo implements Overlay {
   }
 
   /** The handle under a point of the page, as last drawn. */
-  at(clientX: number, clientY: number, slack = 0): HandleId | undefined {
+  at(clientX: number, clientY: number, slack = 0): HandleHit | undefined {
     if (!this.layout) return undefined;
     const { left, top } = this.container.getBoundingClientRect();
     return handleAt(this.layout, clientX - left, clientY - top, slack);
   }
 
-  /** Radius of the rings as last drawn, CSS pixels. */
-  get radius(): number {
-    return this.layout?.radius ?? 1;
+  /** Radius of a joint's rings, CSS pixels. */
+  radiusOf(handles: JointHandles): number {
+    return ringRadius(handles, this.projection, this.source.scale());
   }
 
   setTheme(theme: StageTheme): void {
@@ -107,11 +111,6 @@ export class JointGizmo implements Overlay {
 
   dispose(): void {
     this.canvas.remove();
-  }
-
-  /** Constant during a drag, which may scale the joint or move it in depth. */
-  private radiusOf(handles: JointHandles, { dragged }: GizmoState): number {
-    return dragged && this.layout ? this.layout.radius : ringRadius(handles, this.projection, this.scale);
   }
 
   private resize(radius: number): void {

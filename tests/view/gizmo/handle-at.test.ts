@@ -1,9 +1,11 @@
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
 import type { Vec3 } from '../../../src/math/vec3.ts';
-import { handleAt } from '../../../src/view/gizmo/handle-at.ts';
+import { handleAt as hitAt } from '../../../src/view/gizmo/handle-at.ts';
 import { BALL_PART } from '../../../src/view/gizmo/shapes.ts';
 import { facing, handle, laid, onEdge } from './on-screen.ts';
+
+const handleAt = (...args: Parameters<typeof hitAt>) => hitAt(...args)?.id;
 
 /** A ring that leans away from the viewer by some radians, about the screen's x. */
 const leaning = (dof: number, angle: number) => handle(dof, 'turn', [0, Math.sin(angle), Math.cos(angle)], [1, 0, 0]);
@@ -80,5 +82,17 @@ describe('a handle of a gizmo under the pointer', () => {
     const x = 400 + 90 - 20;
     expect(handleAt(laid([ring, toward]), x, 300)).toEqual({ kind: 'dof', dof: 5 });
     expect(handleAt(laid([ring, away]), x, 300)).toEqual({ kind: 'dof', dof: 1 });
+  });
+
+  it('free rotation, the margin of a line and the part of a ring beyond limits yield to joints under the pointer', () => {
+    const limited = { ...facing, range: { value: 0, min: -1, max: 1 } };
+    const layout = laid([limited], true);
+    // The ring begins on the right, and turns counterclockwise.
+    expect(hitAt(layout, 490, 300)).toEqual({ id: { kind: 'dof', dof: 1 }, yields: false });
+    expect(hitAt(layout, 310, 300)).toEqual({ id: { kind: 'dof', dof: 1 }, yields: true });
+    expect(hitAt(laid([facing]), 310, 300)?.yields).toBe(false);
+    expect(hitAt(layout, 430, 300)).toEqual({ id: { kind: 'ball' }, yields: true });
+    expect(hitAt(layout, 292, 300)).toEqual({ id: { kind: 'view' }, yields: true });
+    expect(hitAt(layout, 494, 300)).toEqual({ id: { kind: 'dof', dof: 1 }, yields: true });
   });
 });

@@ -1,26 +1,30 @@
 /**
  * The FK tool. What a press grabs, in this order:
  *
- *     a handle of the gizmo            its DOF, which becomes active
- *     the bone of the selected joint   dragged up and down: the active DOF
- *     the ball within the rings        rotates it freely
- *     anything else                    the camera
+ *     a handle of the gizmo       its DOF, which becomes active
+ *     a bone, or skin around it   its joint, which is selected; dragged up and down: the active DOF
+ *     the ball within the rings   rotates the selected joint freely
+ *     anything else               the camera
  */
 import { type HandleId, type JointHandles, sameHandle } from '../../../evaluate/handles/joint-handles.ts';
+import { findCharacter } from '../../../model/document.ts';
 import { characterDofs } from '../../../model/dofs.ts';
+import type { Selection } from '../../../model/session.ts';
 import type { DraggedHandle } from '../../../view/gizmo/gizmo-look.ts';
+import type { HandleHit } from '../../../view/gizmo/handle-at.ts';
 import { JointGizmo } from '../../../view/gizmo/joint-gizmo.ts';
 import type { Hit } from '../../../view/viewport.ts';
 import { Readout } from '../../kit/readout.ts';
-import { type ResolvedJoint, selectedJoint } from '../../state/selected-joint.ts';
+import { type ResolvedJoint, resolvedJoint, selectedJoint } from '../../state/selected-joint.ts';
 import type { Workbench } from '../../state/workbench.ts';
 import { activeDof, chooseDof, shownDofs } from '../posing/active-dof.ts';
 import { type CanvasDrag, type CanvasPointer, CLICK_PIXELS } from '../viewport/canvas-tools.ts';
 import type { ModeTool } from '../viewport/mode-tool.ts';
 import { dofButtons } from './dof-buttons.ts';
-import { handDrag } from './hand-drag.ts';
+import { grabOf, type UnderPointer } from './grab.ts';
+import { type DraggedJoint, handDrag } from './hand-drag.ts';
 import { KnownHandles } from './known-handles.ts';
-import { boneMover, type DragResult, type FkGrip, handleMover, type Mover } from './movers.ts';
+import { boneMover, type DragResult, type FkGrip, handleMover, handlesOf, type Mover } from './movers.ts';
 import { dofValueText, limitNote } from './readout-text.ts';
 
 /** Extra hit tolerance for touch; CSS pixels. */
@@ -39,6 +43,8 @@ class FkTool implements ModeTool {
   private readout: Readout | undefined;
   private listening: AbortController | undefined;
   private hovered: HandleId | undefined;
+  /** Where the pointer was last seen. */
+  private over: CanvasPointer | undefined;
   private dragged: DraggedHandle | undefined;
 
   constructor(private readonly wb: Workbench) {}
@@ -55,12 +61,17 @@ class FkTool implements ModeTool {
     this.listening = new AbortController();
     const { signal } = this.listening;
     const stops = [
+      wb.viewport.onHover(() => {
+        if (this.over && !this.dragged) wb.viewport.canvas.style.cursor = this.light() ?? '';
+      }),
       wb.posing.chosenDof.subscribe(() => wb.viewport.requestRender()),
       wb.settings.subscribe((now, before) => {
         if (now.gizmoScale !== before.gizmoScale) wb.viewport.requestRender();
       }),
       wb.store.subscribe((now, before) => {
-        if (now.selection !== before.selection) this.light(undefined);
+        if (now.selection === before.selection) return;
+        this.over = undefined;
+        this.light();
       }),
     ];
     signal.addEventListener('abort', () => {
@@ -86,61 +97,76 @@ class FkTool implements ModeTool {
     this.removeGizmo?.();
     this.readout?.remove();
     this.gizmo = this.removeGizmo = this.readout = this.listening = undefined;
-    this.hovered = this.dragged = undefined;
+    this.hovered = this.dragged = this.over = undefined;
   }
 
   press(at: CanvasPointer): CanvasDrag | undefined {
-    const { wb, gizmo } = this;
+    const { wb } = this;
+    if (at.button !== 0 || at.altKey) return undefined;
     const selected = selectedJoint(wb);
-    if (at.button !== 0 || at.altKey || !gizmo || !selected) return undefined;
-    const id = this.handleAt(at);
-    if (id && id.kind !== 'ball') return this.dragHandle(id, selected, at);
-    // Shift pans unless a handle is grabbed: on the bone, it only makes a running drag finer.
-    if (at.shiftKey) return undefined;
-    const hit = wb.viewport.pick(at.clientX, at.clientY);
-    const isOwn = hit?.joint === selected.joint && hit.characterId === selected.character.id;
-    if (hit && isOwn) return this.dragBone(hit, selected, at);
-    return id && this.dragBall(hit, selected, at);
+    const handle = selected && this.handleAt(at);
+    let hit: Hit | undefined;
+    const under = () => {
+      hit = wb.viewport.pick(at.clientX, at.clientY);
+      return this.whose(hit);
+    };
+    const grab = grabOf(handle, under, at);
+    if (grab === 'bone' && hit) return this.dragBone(hit, at);
+    if (!handle || !selected || !grab) return undefined;
+    return grab === 'ball' ? this.dragBall(hit, selected, at) : this.dragHandle(handle.id, selected, at);
   }
 
   hover(at: CanvasPointer | undefined): string | undefined {
-    const id = at && this.handleAt(at);
-    this.light(id);
-    if (!at || !id) return undefined;
-    if (id.kind === 'dof') this.showValue(id.dof, at);
-    return 'grab';
+    this.over = at;
+    return this.light();
   }
 
-  private dragHandle(id: HandleId, selected: ResolvedJoint, at: CanvasPointer): CanvasDrag {
+  /** Whose joint was hit. */
+  private whose(hit: Pick<Hit, 'characterId' | 'joint'> | undefined): UnderPointer {
+    const joint = hit && resolvedJoint(this.wb, hit.characterId, hit.joint);
+    if (!joint) return undefined;
+    const selected = selectedJoint(this.wb);
+    return joint.joint === selected?.joint && joint.character === selected.character ? 'selected' : 'other';
+  }
+
+  private dragHandle(id: HandleId, { character, joint }: ResolvedJoint, at: CanvasPointer): CanvasDrag {
     if (id.kind === 'dof') chooseDof(this.wb, id.dof);
-    return this.drag(selected, at, HANDLE_THRESHOLD, (grip) => handleMover(id, grip));
+    return this.drag({ characterId: character.id, joint }, at, HANDLE_THRESHOLD, (grip) => handleMover(id, grip));
   }
 
-  private dragBone(hit: Hit, selected: ResolvedJoint, at: CanvasPointer): CanvasDrag {
-    const { store, viewport } = this.wb;
-    const { placement } = hit;
-    if (placement !== viewport.pickedCopy(selected.character)) store.select({ ...store.selection, placement });
-    const dof = activeDof(this.wb);
-    return this.drag(selected, at, CLICK_PIXELS, (grip) => boneMover(dof, grip), hit);
+  /** Selects the joint that was hit when the drag begins. */
+  private dragBone(hit: Hit, at: CanvasPointer): CanvasDrag | undefined {
+    const { wb } = this;
+    const { characterId, placement, joint } = hit;
+    if (joint === undefined) return undefined;
+    const make = (grip: FkGrip) => boneMover(activeDof(wb), grip);
+    return this.drag({ characterId, placement, joint }, at, CLICK_PIXELS, make, hit);
   }
 
-  private dragBall(hit: Hit | undefined, selected: ResolvedJoint, at: CanvasPointer): CanvasDrag {
-    return this.drag(selected, at, CLICK_PIXELS, (grip) => handleMover({ kind: 'ball' }, grip), hit ?? 'nothing');
+  private dragBall(hit: Hit | undefined, { character, joint }: ResolvedJoint, at: CanvasPointer): CanvasDrag {
+    const make = (grip: FkGrip) => handleMover({ kind: 'ball' }, grip);
+    return this.drag({ characterId: character.id, joint }, at, CLICK_PIXELS, make, hit ?? 'nothing');
   }
 
-  /** @param under what a click there would have picked, in case the press turns out to be one */
+  /**
+   * @param joint the one to drag, at the placement that was hit
+   * @param under what a click there would have picked, in case the press turns out to be one
+   */
   private drag(
-    selected: ResolvedJoint,
+    joint: DraggedJoint & { readonly placement?: number },
     at: CanvasPointer,
     threshold: number,
     make: (grip: FkGrip) => Mover | undefined,
     under?: Hit | 'nothing',
   ): CanvasDrag {
     const { wb } = this;
-    const { id } = selected.character;
+    const { characterId } = joint;
+    /** The selection that the drag has replaced. */
+    let before: Selection | undefined;
     wb.viewport.canvas.style.cursor = 'grabbing';
-    return handDrag(wb, id, at, threshold, {
+    return handDrag(wb, joint, at, threshold, {
       begin: () => {
+        before = this.selectDragged(joint);
         const grip = this.gripAt(at);
         return grip && make(grip);
       },
@@ -150,27 +176,48 @@ class FkTool implements ModeTool {
         this.readout?.hide();
         wb.viewport.canvas.style.cursor = '';
         wb.viewport.requestRender();
-        if (!now || !wentNowhere || !under) return;
-        wb.store.select(under === 'nothing' ? { characterId: id } : under);
+        if (!now && before) this.reselect(before);
+        if (now && wentNowhere && under) wb.store.select(under === 'nothing' ? { characterId } : under);
       },
     });
   }
 
+  /** Selects the joint and the placement that are dragged; returns the selection before if that was another. */
+  private selectDragged({
+    characterId,
+    placement,
+    joint,
+  }: DraggedJoint & { readonly placement?: number }): Selection | undefined {
+    const { store, viewport } = this.wb;
+    const { selection } = store;
+    if (selection.characterId !== characterId || selection.joint !== joint) {
+      store.select({ characterId, joint, ...(placement !== undefined && { placement }) });
+      return selection;
+    }
+    const character = findCharacter(store.document, characterId);
+    const isOther = character && placement !== undefined && placement !== viewport.pickedCopy(character);
+    if (!isOther) return undefined;
+    store.select({ ...selection, placement });
+    return selection;
+  }
+
+  /** Restores a selection, as far as it still exists. */
+  private reselect(before: Selection): void {
+    const { store } = this.wb;
+    const { characterId } = before;
+    if (characterId === undefined || findCharacter(store.document, characterId)) store.select(before);
+  }
+
   /** The current pose when a drag begins. */
   private gripAt(at: CanvasPointer): FkGrip | undefined {
-    const { wb } = this;
+    const { wb, gizmo } = this;
     const selected = selectedJoint(wb);
-    const placement = selected && this.placementOf(selected);
-    if (!selected || !placement) return undefined;
+    const placed = selected && this.placementOf(selected);
+    if (!selected || !placed || !gizmo) return undefined;
     const dofs = shownDofs(wb, selected.character);
-    return {
-      selected,
-      dofs,
-      placement: placement.slice(),
-      sight: wb.viewport.eye,
-      radius: this.gizmo?.radius ?? 1,
-      at,
-    };
+    const placement = placed.slice();
+    const radius = gizmo.radiusOf(handlesOf({ selected, dofs, placement }));
+    return { selected, dofs, placement, sight: wb.viewport.eye, radius, at };
   }
 
   private show(moved: DragResult, at: CanvasPointer): void {
@@ -205,15 +252,28 @@ class FkTool implements ModeTool {
     this.readout?.show(at.clientX, at.clientY, text);
   }
 
-  private handleAt(at: CanvasPointer): HandleId | undefined {
+  private handleAt(at: CanvasPointer): HandleHit | undefined {
     return this.gizmo?.at(at.clientX, at.clientY, at.pointerType === 'touch' ? FINGER : 0);
   }
 
-  private light(id: HandleId | undefined): void {
-    if (id?.kind !== 'dof' && !this.dragged) this.readout?.hide();
-    if (sameHandle(id, this.hovered)) return;
-    this.hovered = id;
-    this.wb.viewport.requestRender();
+  /**
+   * Lights up the handle that a press would grab, and returns the cursor. Joints are lit by the viewport, so it is
+   * called again when that has found another one.
+   */
+  private light(): string | undefined {
+    const { wb, over } = this;
+    const handle = over && selectedJoint(wb) ? this.handleAt(over) : undefined;
+    const grab = over && grabOf(handle, () => this.whose(wb.viewport.hovered), over);
+    const id = grab === 'handle' || grab === 'ball' ? handle?.id : undefined;
+    if (over && id?.kind === 'dof') this.showValue(id.dof, over);
+    else if (!this.dragged) this.readout?.hide();
+    if (!sameHandle(id, this.hovered)) {
+      this.hovered = id;
+      wb.viewport.requestRender();
+    }
+    // "grab" claims the pointer: a handle that yields must leave the viewport looking for joints.
+    if (id) return handle?.yields ? 'move' : 'grab';
+    return grab === 'bone' ? 'pointer' : undefined;
   }
 
   private state() {

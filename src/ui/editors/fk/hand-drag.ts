@@ -4,6 +4,7 @@
  */
 import { setDofs } from '../../../edit/commands/pose.ts';
 import { findCharacter } from '../../../model/document.ts';
+import { jointName } from '../../../model/joint-name.ts';
 import { addKeyed } from '../../state/add-keys.ts';
 import { HandEdit } from '../../state/hand-edit.ts';
 import { standStill } from '../../state/stand-still.ts';
@@ -12,6 +13,12 @@ import { autoKey } from '../posing/pose-edits.ts';
 import { tellFollows } from '../posing/tell-follows.ts';
 import type { CanvasDrag, CanvasPointer } from '../viewport/canvas-tools.ts';
 import type { DragResult, Mover } from './movers.ts';
+
+export interface DraggedJoint {
+  readonly characterId: string;
+  /** Index. */
+  readonly joint: number;
+}
 
 export interface HandDragEvents {
   /** Creates the mover for the current pose. Undefined: nothing can be dragged after all. */
@@ -24,7 +31,7 @@ export interface HandDragEvents {
 
 export function handDrag(
   wb: Workbench,
-  characterId: string,
+  { characterId, joint }: DraggedJoint,
   from: CanvasPointer,
   threshold: number,
   events: HandDragEvents,
@@ -46,8 +53,10 @@ export function handDrag(
       if (!mover) return;
       const moved = mover(at);
       const { timeSeconds } = wb.transport.get();
+      const label = () => `${moved.verb} ${jointName(findCharacter(wb.store.document, characterId)?.skeleton, joint)}`;
+      const command = { ...setDofs, label };
       const args = { characterId, dofs: moved.dofs, timeSeconds, key: autoKey(wb) };
-      edit.preview(setDofs, args, () => addKeyed(wb, setDofs, args));
+      edit.preview(command, args, () => addKeyed(wb, command, args));
       // After the edit has begun, since messages are cleared by a new step.
       const character = findCharacter(wb.store.document, characterId);
       if (character)

@@ -31,6 +31,8 @@ import type { CanvasPointer } from '../viewport/canvas-tools.ts';
 
 /** The result of a drag so far. */
 export interface DragResult {
+  /** What it does to the joint, for the name of its undo step. */
+  readonly verb: 'Rotate' | 'Move' | 'Scale' | 'Shear';
   readonly dofs: readonly DofValue[];
   /** For the gizmo. */
   readonly handle: DraggedHandle;
@@ -58,6 +60,13 @@ export interface FkGrip {
 /** Radians per pixel that the bone is dragged up. */
 const BONE_TURN = Math.PI / 360;
 const BONE_FACTOR = 0.01;
+const VERBS: Readonly<Record<Handle['kind'], DragResult['verb']>> = {
+  turn: 'Rotate',
+  slide: 'Move',
+  stretch: 'Scale',
+  grow: 'Scale',
+  shear: 'Shear',
+};
 
 const wantsOf = ({ shiftKey, ctrlKey, metaKey }: CanvasPointer): HandWants => ({
   fine: shiftKey,
@@ -87,7 +96,12 @@ export function boneMover(dof: number | undefined, grip: FkGrip): Mover | undefi
   return handle && dofMover(handle, grip, boneMeasure(handle, grip), false);
 }
 
-function handlesOf({ selected: { skeleton, joint }, dofs, placement }: FkGrip): JointHandles {
+/** The handles in the pose of the grip. */
+export function handlesOf({
+  selected: { skeleton, joint },
+  dofs,
+  placement,
+}: Pick<FkGrip, 'selected' | 'dofs' | 'placement'>): JointHandles {
   const world = worldOf(skeleton, dofs);
   return jointHandles(skeleton, joint, dofs, world, placement);
 }
@@ -137,7 +151,8 @@ function boneMeasure({ kind, centre, reach, range }: Handle, { sight, at }: FkGr
 
 function dofMover(handle: Handle, { selected, dofs }: FkGrip, measure: Measure, sticks: boolean): Mover {
   const { character, skeleton } = selected;
-  const { dof, range, id } = handle;
+  const { dof, range, id, kind } = handle;
+  const verb = VERBS[kind];
   const from = dofs[dof];
   const step = snapStep(characterDofs(skeleton, [])[dof], skeleton);
   const limits = { min: range.min, max: range.max, hold: character.clampsToLimits };
@@ -145,7 +160,7 @@ function dofMover(handle: Handle, { selected, dofs }: FkGrip, measure: Measure, 
   return (at) => {
     const { value, stop } = dragged.by(measure(at.clientX, at.clientY), wantsOf(at));
     const stops = stop ? [{ dof, limit: range[stop] }] : [];
-    return { dofs: [{ index: dof, value }], handle: { id, from, stop }, stops };
+    return { verb, dofs: [{ index: dof, value }], handle: { id, from, stop }, stops };
   };
 }
 
@@ -189,5 +204,5 @@ function freeResult(id: HandleId, turning: Turning | undefined, { selected: { sk
     if (min > max || (value > min && value < max)) return [];
     return [{ dof: index, limit: value <= min ? min : max }];
   });
-  return { dofs, handle: { id, from: 0, stop: undefined }, stops };
+  return { verb: 'Rotate', dofs, handle: { id, from: 0, stop: undefined }, stops };
 }
