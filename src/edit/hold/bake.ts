@@ -17,7 +17,7 @@ import { simplifyChannel } from '../channels/simplify.ts';
 import { replacingColumns } from '../samples/columns.ts';
 import { firstFrameFrom } from '../samples/frames.ts';
 import type { HeldFrames } from './frames.ts';
-import { distances, withHalves } from './measure.ts';
+import { armOf, distances, withHalves } from './measure.ts';
 import { replaceStretch } from './replace-curve.ts';
 import type { HoldWindow } from './window.ts';
 
@@ -99,9 +99,13 @@ function firstTolerance(isLength: boolean, reach: number, tolerance: number): nu
 }
 
 /** By joint, the farthest that any descendant joint or pin can be: the total bone length to it. */
-function reachBelow({ joints }: Skeleton, pins: readonly Pin[]): Float64Array {
+function reachBelow(skeleton: Skeleton, pins: readonly Pin[]): Float64Array {
+  const { joints } = skeleton;
   const reach = new Float64Array(joints.length);
-  for (const { joint, point } of pins) reach[joint] = Math.max(reach[joint], Math.hypot(...point));
+  const arm = armOf(skeleton);
+  for (const { joint, point, holdsOrientation } of pins) {
+    reach[joint] = Math.max(reach[joint], Math.hypot(...point) + (holdsOrientation ? arm : 0));
+  }
   for (let j = joints.length - 1; j > 0; j--) {
     const { parent, offset } = joints[j];
     reach[parent] = Math.max(reach[parent], reach[j] + Math.hypot(...offset));

@@ -21,6 +21,7 @@ import { cornerTimes } from './corners.ts';
 import type { HeldFrames } from './frames.ts';
 import { type Holding, holdingFrames } from './held-frames.ts';
 import { slides, withHalves } from './measure.ts';
+import { pruning } from './prune.ts';
 import { type HoldWindow, keyedWindow, sampledWindow } from './window.ts';
 
 export interface HoldOptions {
@@ -96,14 +97,19 @@ export function* holding(
     if (samples || finer === FINEST || !(slideBetween(job, solved) > SHARE * tolerance)) break;
   }
   const { window, frames, changed, dense } = solved;
-  const thin = yield* within(thinning(character, skeleton, pins, dense, window, changed, SHARE * tolerance), 0.8, 1);
+  const thin = yield* within(thinning(character, skeleton, pins, dense, window, changed, SHARE * tolerance), 0.8, 0.9);
+  const takes = { original: clip, dense, thin };
+  const pruned = yield* within(pruning(job, takes, window, changed, 2 * SHARE * tolerance), 0.9, 1);
+  const channels = changed.filter(
+    (channel) => dense.channels[channel].kind === 'samples' || pruned.channels[channel] !== clip.channels[channel],
+  );
   const held = withHalves(window.times.subarray(window.firstHeld, window.lastHeld + 1));
   const before = slides(character, skeleton, pins, targets, held);
-  const after = slides(showing(character, thin), skeleton, pins, targets, held);
+  const after = slides(showing(character, pruned), skeleton, pins, targets, held);
   return {
-    clip: changed.length > 0 ? thin : clip,
+    clip: channels.length > 0 ? pruned : clip,
     window,
-    channels: changed,
+    channels,
     pins: pins.map(({ id }, p) => ({ pin: id, slideBefore: before[p], slideAfter: after[p] })),
     unreached: frames.isReached.reduce((count, is) => count + (is ? 0 : 1), 0),
   };

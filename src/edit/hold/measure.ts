@@ -1,8 +1,8 @@
 /** Measures joints and pins during a hold, to judge its result. */
-import { type PinTarget, pointAt } from '../../evaluate/ik/set-up.ts';
+import { type PinTarget, pointAt, reachOfSkeleton } from '../../evaluate/ik/set-up.ts';
 import { compileSkeleton, worldMatrices } from '../../evaluate/kinematics.ts';
 import { dofCountOf, poseAt } from '../../evaluate/pose.ts';
-import type { Vec3 } from '../../math/vec3.ts';
+import { type Vec3, ZERO } from '../../math/vec3.ts';
 import type { ChannelClip } from '../../model/clip.ts';
 import type { Character } from '../../model/document.ts';
 import type { Pin } from '../../model/ik.ts';
@@ -55,7 +55,43 @@ export function slides(
   return worst;
 }
 
-/** By joint, the distance between its positions in two takes of a character, its pinned points included. */
+/** A point that a hold must not move without need. */
+export interface MeasuredPoint {
+  readonly joint: number;
+  /** In the joint's space. */
+  readonly point: Vec3;
+  /** Index of the pin whose point it is, if any. */
+  readonly pin?: number;
+}
+
+/**
+ * Length of the arms that show a held orientation; fraction of the reach. With the default tolerance it is kept within a
+ * quarter of a degree.
+ */
+const ARM = 0.25;
+
+/** The origin of each joint, the point of each pin, and three more around it if the pin holds the orientation. */
+export function measuredPoints(skeleton: Skeleton, pins: readonly Pin[]): readonly MeasuredPoint[] {
+  const arm = armOf(skeleton);
+  return [
+    ...skeleton.joints.map((_, joint) => ({ joint, point: ZERO })),
+    ...pins.map(({ joint, point }, pin) => ({ joint, point, pin })),
+    ...pins.flatMap(({ joint, point: [x, y, z], holdsOrientation }) => {
+      const ends: readonly Vec3[] = [
+        [x + arm, y, z],
+        [x, y + arm, z],
+        [x, y, z + arm],
+      ];
+      return holdsOrientation ? ends.map((point) => ({ joint, point })) : [];
+    }),
+  ];
+}
+
+export function armOf(skeleton: Skeleton): number {
+  return ARM * reachOfSkeleton(skeleton);
+}
+
+/** By joint, the distance between its positions in two takes of a character, its measured points included. */
 export function distances(
   character: Character,
   skeleton: Skeleton,
@@ -63,17 +99,16 @@ export function distances(
   [a, b]: readonly [ChannelClip, ChannelClip],
   times: Float64Array,
 ): Float64Array {
-  const points: (readonly [number, Vec3])[] = skeleton.joints.map((_, j) => [j, [0, 0, 0]]);
-  for (const { joint, point } of pins) points.push([joint, point]);
+  const points = measuredPoints(skeleton, pins);
   const seen = new Float64Array(3 * points.length * times.length);
   const worst = new Float64Array(skeleton.joints.length);
   eachPose(withTake(character, character.shownClip, a), skeleton, times, (world, f) => {
-    points.forEach(([joint, point], i) => {
+    points.forEach(({ joint, point }, i) => {
       seen.set(pointAt(world, joint, point), 3 * (f * points.length + i));
     });
   });
   eachPose(withTake(character, character.shownClip, b), skeleton, times, (world, f) => {
-    points.forEach(([joint, point], i) => {
+    points.forEach(({ joint, point }, i) => {
       const o = 3 * (f * points.length + i);
       const [x, y, z] = pointAt(world, joint, point);
       worst[joint] = Math.max(worst[joint], Math.hypot(x - seen[o], y - seen[o + 1], z - seen[o + 2]));

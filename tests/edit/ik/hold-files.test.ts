@@ -88,6 +88,28 @@ describeShared('takes of others', () => {
     expectHeld(wasp(), { joints: feet, range: [0.5, 1], tolerance: OF_KEYS });
   });
 
+  it('needs no key that could be removed and the feet still hold', () => {
+    const own = wasp();
+    const { skeleton } = own;
+    if (!skeleton) throw new Error('no skeleton');
+    const store = new Store(documentOf(own));
+    for (const name of feet) {
+      const joint = skeleton.joints.findIndex((j) => j.name === name);
+      store.apply(pinPoint, {
+        characterId: own.id,
+        joint,
+        point: defaultPinPoint(skeleton, joint, shownSkin(own)).point,
+      });
+    }
+    const pins = feet.map((_, p) => p + 1);
+    const args = { characterId: own.id, pins, range: [0.2, 0.7], atSeconds: 0.2, framesPerSecond: 30 } as const;
+    const { edit } = runToEnd(holdSteps(store.document, args));
+    const keyed = edit.keys?.reduce((sum, { indices }) => sum + indices.length, 0);
+    // With a key on every frame 3570, and 499 where each curve is thinned by itself.
+    expect(keyed).toBeGreaterThan(200);
+    expect(keyed).toBeLessThan(400);
+  });
+
   it('a captured walk keeps a foot in place, frame by frame', () => {
     expectHeld(opened('bvh/cmu-01_01.bvh'), { joints: ['LeftFoot'], range: [6.88, 7.88], tolerance: OF_SAMPLES });
   });

@@ -150,6 +150,44 @@ describe('holding a pin over a range of time', () => {
       expect([...times].filter((t) => t >= 0.4 && t <= 1.1).length).toBeLessThan(16);
   });
 
+  it('changes no channel and no key without which nothing would slide', () => {
+    const s = store();
+    const before = clipOf(s);
+    const { report, edit } = runToEnd(holdSteps(s.document, HOLD));
+    const own = edit.document.characters[0];
+    const target = footAt(shown(s), 0.5);
+    const worstWith = (c: number, channel: Channel) => {
+      const clip = own.clips[0];
+      const channels = clip.channels.map((was, i) => (i === c ? channel : was));
+      return slide({ ...own, clips: [{ ...clip, channels }] }, target, 0.5, 1);
+    };
+    expect(report.channels.length).toBeGreaterThan(1);
+    for (const c of report.channels) expect(worstWith(c, before.channels[c])).toBeGreaterThan(0.5 * TOLERANCE);
+  });
+
+  it('changes nothing where the point slides by less than the tolerance', () => {
+    const all = walk().channels.map((channel, c) => (c === 12 ? channel : restChannel(c === 6 ? 0.9 : 0)));
+    all[0] = swing(0.3 * TOLERANCE, 0);
+    const s = store({ clips: [{ ...walk(), channels: all }] });
+    const { document } = s;
+    expect(slide(shown(s), footAt(shown(s), 0.5), 0.5, 1)).toBeGreaterThan(0.1 * TOLERANCE);
+    s.apply(holdPins, HOLD);
+    expect(s.document).toBe(document);
+  });
+
+  it('keeps the orientation of a joint that is pinned at its origin', () => {
+    const s = store();
+    s.apply(pinPoint, { characterId: 'c1', joint: FOOT, point: [0, 0, 0.01], holdsOrientation: true });
+    const toe = (c: Character, t: number) => {
+      const [a, b] = [footAt(c, t), footAt(c, t, FOOT, [0, 0, 1])];
+      return [b[0] - a[0], b[1] - a[1], b[2] - a[2]] as const;
+    };
+    const from = toe(shown(s), 0.5);
+    expect(apart(toe(shown(s), 0.9), from)).toBeGreaterThan(0.05);
+    s.apply(holdPins, { ...HOLD, pins: [2] });
+    for (let t = 0.5; t <= 1; t += 0.01) expect(apart(toe(shown(s), t), from)).toBeLessThan(5e-3);
+  });
+
   it('selects the keys that it has made', () => {
     const s = store();
     s.select({ characterId: 'c1' });
