@@ -6,10 +6,11 @@ import { type Playback, play } from '../edit/playback.ts';
 import type { Store } from '../edit/store.ts';
 import { adoptSkinFacts } from '../evaluate/bounds.ts';
 import type { GivenFile } from '../io/given.ts';
-import { type Diagnostic, withoutPlace } from '../model/diagnostic.ts';
+import { type Diagnostic, hasErrors, withoutPlace } from '../model/diagnostic.ts';
 import { type Character, type Document, findCharacter, shownClip } from '../model/document.ts';
 import type { ParsedFile } from '../model/files.ts';
 import { openFiles } from '../project/open/open-files.ts';
+import { unseenChanges } from '../project/open/unseen-changes.ts';
 import type { Observable } from '../ui/kit/observable.ts';
 import type { Messages } from '../ui/state/messages.ts';
 import type { Loading, WorkbenchStage } from '../ui/state/workbench.ts';
@@ -41,6 +42,9 @@ export interface OpenOptions {
   /** The character whose files are reloaded: it keeps showing the same alternatives, and the files are for it. */
   readonly reloads?: string;
 }
+
+/** Diagnostics of files that have no errors but were not opened. */
+const LEFT_ASIDE: ReadonlySet<string> = new Set(['held-back', 'file-unused']);
 
 export class Opener {
   private readonly parts: OpeningParts;
@@ -96,7 +100,8 @@ export class Opener {
       const meant = reloads ?? store.selection.characterId;
       const result = openFiles(store.document, output.files, output.broken, meant);
       const diagnostics = [...output.diagnostics, ...result.diagnostics];
-      const isChange = result.document !== store.document;
+      const before = store.document;
+      const isChange = result.document !== before;
       const wasOpen = filesOf(store.document);
       const next = reloads === undefined ? result.document : showingTheSame(store.document, result.document);
       const label = reloads === undefined ? result.label : result.label.replace(/^Open/, 'Reload');
@@ -106,8 +111,14 @@ export class Opener {
       messages.report(
         diagnostics,
         output.files.map((f) => f.source.name),
-        (name) => (wasOpen.has(name) ? 'not opened; the previous version is kept' : 'not opened'),
+        (name, found) => {
+          if (hasErrors(found)) return wasOpen.has(name) ? 'not opened; the previous version is kept' : 'not opened';
+          return found.some(({ code }) => LEFT_ASIDE.has(code)) ? undefined : 'opened';
+        },
       );
+      const unseen = reloads === undefined ? unseenChanges(before, result.document, output.files) : undefined;
+      // Errors stay in the line instead: they say themselves what became of their files.
+      if (unseen !== undefined && !hasErrors(diagnostics)) messages.note(unseen);
       return diagnostics;
     } catch (error) {
       if (abort.signal.aborted) {

@@ -312,7 +312,6 @@ function bySkinName(source: SourceFile, characters: readonly Character[]): Chara
   return best;
 }
 
-/** The only character with skins, for a morph without any other hint. */
 /** Whether the character has a file of that name from the same folder; a file without a folder matches any. */
 function hasSource(character: Character, source: SourceFile): boolean {
   return character.sources.some((own) => {

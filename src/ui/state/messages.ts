@@ -12,7 +12,7 @@ export interface Message {
   readonly text: string;
   /** In the files' order; empty for a plain notice. */
   readonly diagnostics: readonly Diagnostic[];
-  /** What happened to a file with errors: `not opened`. */
+  /** What happened to the file: `not opened`. */
   readonly fate?: string;
   /** Still shown in the line over the viewport. */
   readonly unread: boolean;
@@ -71,9 +71,13 @@ export class Messages {
    * opening; the list keeps them.
    *
    * @param files names of all opened files: those without problems lose their messages too
-   * @param fateOf what happened to a file with errors, in a few words: `not opened`
+   * @param fateOf what happened to a file with errors or warnings, in a few words: `not opened`
    */
-  report(diagnostics: readonly Diagnostic[], files: readonly string[] = [], fateOf?: (file: string) => string): void {
+  report(
+    diagnostics: readonly Diagnostic[],
+    files: readonly string[] = [],
+    fateOf?: (file: string, found: readonly Diagnostic[]) => string | undefined,
+  ): void {
     this.given++;
     const well = new Set(files);
     this.keep((m) => m.diagnostics.length === 0 || !well.has(m.diagnostics[0].file));
@@ -81,7 +85,7 @@ export class Messages {
     groups.sort((a, b) => RISING.indexOf(a.severity) - RISING.indexOf(b.severity));
     if (groups.some((g) => g.severity !== 'info')) this.markAllRead();
     for (const { file, found, severity } of groups) {
-      const fate = severity === 'error' && file !== '' ? fateOf?.(file) : undefined;
+      const fate = severity !== 'info' && file !== '' ? fateOf?.(file, found) : undefined;
       const message = { text: summary(file, found, fate), severity, diagnostics: found, ...(fate && { fate }) };
       this.add(message, severity !== 'info');
     }

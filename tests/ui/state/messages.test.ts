@@ -83,12 +83,12 @@ describe('Messages', () => {
 });
 
 describe('an opening', () => {
-  it('says what has become of a file that has errors, and of no other', () => {
+  it('says what happened to a file that has errors or warnings', () => {
     const messages = new Messages();
     const two = [diagnostic({ file: 'b.skin', severity: 'warning', message: 'Odd.' }), diagnostic()];
-    messages.report(two, [], () => 'not opened');
+    messages.report(two, [], (file) => (file === 'a.skel' ? 'not opened' : 'opened'));
     expect(messages.list.get().map((m) => [m.text, m.fate])).toEqual([
-      ['b.skin: Odd.', undefined],
+      ['b.skin: opened. Odd.', 'opened'],
       ['a.skel: not opened. Expected a number, found "x".', 'not opened'],
     ]);
     messages.report([diagnostic(), diagnostic()], [], () => 'not opened');
