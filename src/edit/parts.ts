@@ -109,6 +109,7 @@ function holdsTheSame(a: Named & Partial<ChannelClip>, b: Named & Partial<Channe
   if (!a.samples || !b.samples || a.name !== b.name || a.channels !== b.channels) return false;
   const { interpolation: _a, ...before } = a.samples;
   const { interpolation: _b, ...after } = b.samples;
+  // TypeScript types keys as strings.
   const keys = Object.keys({ ...before, ...after }) as (keyof typeof before)[];
   return keys.every((key) => before[key] === after[key]);
 }

@@ -1,10 +1,10 @@
 /** Any content as a whole file. */
 import type { WriteResult } from '../../src/formats/reader.ts';
 import type { FileContent } from '../../src/model/files.ts';
-import { outputOf, textOf } from '../../src/project/save/output.ts';
+import { outputOf, savedFileOf } from '../../src/project/save/output.ts';
 
 /** In the format of its name, as the page and the command write it. Throws an `Error` if there is none. */
 export function writeFile(content: FileContent, name: string): WriteResult {
-  const { text, diagnostics } = textOf(outputOf({ name, content: () => content }));
+  const { text, diagnostics } = savedFileOf(outputOf({ name, content: () => content }));
   return { text, diagnostics };
 }

@@ -15,6 +15,7 @@ export function inPresentForm(value: Readonly<Record<string, unknown>>): object 
 /** What earlier versions had at a path into a channel without keys: its empty columns. */
 export function formerColumn(value: object, key: string | number): unknown {
   const isWithoutKeys = 'extrapolateIn' in value && 'kind' in value && value.kind !== 'keys';
+  // Any other key is a path that earlier versions didn't have either: undefined.
   return isWithoutKeys ? NO_KEYS[key as keyof typeof NO_KEYS] : undefined;
 }
 

@@ -54,6 +54,7 @@ export async function readSession(
   });
   const arrays = await readArrays(id, store, head);
   options.signal.throwIfAborted();
+  // `Keeper` wrote it; other versions are converted below.
   const kept = decode(head.tree, files, arrays) as KeptState;
   const { knownSkins = [], ...state } = head.version === undefined ? fromVersion1(kept) : kept;
   if (state.document.characters.some(({ driver }) => driver)) await import('../../evaluate/retarget/driving.ts');

@@ -181,6 +181,7 @@ function requireDriver({ name, driver }: Character): Driver {
 }
 
 function checkedPairs(pairs: readonly JointPair[], target: Skeleton, source: Skeleton): readonly JointPair[] {
+  // Scripts may pass anything; both fields are checked.
   const checked = (listOf(pairs, '"pairs"') as readonly (Partial<JointPair> | undefined)[]).map((pair) => ({
     target: indexIn(pair?.target, 0, target.joints.length, `joint of ${target.name}`),
     source: indexIn(pair?.source, 0, source.joints.length, `joint of ${source.name}`),

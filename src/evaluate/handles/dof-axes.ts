@@ -124,8 +124,8 @@ export function frameOf(
   const frame = placement.slice(0, 16);
   if (parent[joint] >= 0) multiplyAffine(placement, 0, world, 16 * parent[joint], frame, 0);
   const moves = parent[joint] < 0 && hasRootTranslation;
-  const at: Vec3 = [0, 1, 2].map((k) => offsets[3 * joint + k] + (moves ? dofs[k] : 0)) as [number, number, number];
-  const origin = transformPoint(frame, at);
+  const along = (k: number) => offsets[3 * joint + k] + (moves ? dofs[k] : 0);
+  const origin = transformPoint(frame, [along(0), along(1), along(2)]);
   frame.set(origin, 12);
   return frame;
 }

@@ -137,7 +137,7 @@ function boneDirection(
   const ends = toChildren(skeleton, joint, world);
   if (!ends.length) {
     const tip: Vec3 | undefined = length !== undefined ? [0, length, 0] : endSites?.[0];
-    const middle: Vec3 = [0, 1, 2].map((k) => (box.min[k] + box.max[k]) / 2) as [number, number, number];
+    const middle = scaled(add(box.min, box.max), 0.5);
     ends.push(transformVector(world, tip ?? middle, 16 * joint));
   }
   const sum = ends.reduce<Vec3>((all, end) => add(all, end), [0, 0, 0]);

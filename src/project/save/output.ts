@@ -44,7 +44,7 @@ export function outputOf({ name, content, diagnostics = [] }: Copy): Output {
 }
 
 /** The whole file as one text. */
-export function textOf(output: Output): SavedFile {
+export function savedFileOf(output: Output): SavedFile {
   const decoder = new TextDecoder();
   let text = '';
   for (const piece of output.pieces()) {

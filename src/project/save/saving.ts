@@ -14,7 +14,7 @@ import { WRITERS, type Writer } from '../codecs.ts';
 import { KINDS, type SavedKind } from '../kinds.ts';
 import { bvhOf, hasOwnRate, inPose } from './character-files.ts';
 import { bvhCopy } from './copies.ts';
-import { type Output, outputOf, type SavedFile, textOf } from './output.ts';
+import { type Output, outputOf, type SavedFile, savedFileOf } from './output.ts';
 import { jointPose, posesByNames } from './saved-poses.ts';
 
 export interface SavingOptions {
@@ -28,10 +28,10 @@ export function saveCharacter(
   kind: SavedKind,
   options: SavingOptions = {},
 ): readonly SavedFile[] {
-  if (isCopy(character, kind)) return copiesOf(character, kind, options).map(textOf);
+  if (isCopy(character, kind)) return copiesOf(character, kind, options).map(savedFileOf);
   const pose = jointPose(character);
   return partsOfKind(character, kind).map((part) =>
-    textOf(writeParts(newFileName(part), [{ character, part, pose }], options)),
+    savedFileOf(writeParts(newFileName(part), [{ character, part, pose }], options)),
   );
 }
 

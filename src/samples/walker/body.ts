@@ -6,10 +6,22 @@ import { apply, mixVec, normalise, smoothstep } from '../shape/vectors.ts';
 import { chainWeights, mixWeights, placeAlong } from '../shape/weights.ts';
 import { GEAR } from './gear.ts';
 import { eyePoint, headPoint, mouthPoint, nosePoint } from './head.ts';
-import { ATLAS_SIZE, at, bend, bentTube, frames, joint, level, only, RECTS, rowsOf, type Shape } from './parts.ts';
+import {
+  ATLAS_SIZE,
+  at,
+  bend,
+  bentTube,
+  frames,
+  joint,
+  level,
+  only,
+  RECTS,
+  rowsOf,
+  type WalkerShape,
+} from './parts.ts';
 import { FOREARM, UPPER_ARM } from './skeleton.ts';
 
-const head: Shape = {
+const head: WalkerShape = {
   name: 'head',
   point: headPoint,
   angles: around(26, 0.3),
@@ -36,7 +48,7 @@ const torsoSections = [
   level(1.215, 0.001, 0.001),
 ];
 
-const torso: Shape = {
+const torso: WalkerShape = {
   name: 'torso',
   point: loft(torsoSections),
   angles: around(18),
@@ -57,7 +69,7 @@ const torso: Shape = {
 };
 
 /** Both arms, mirrored: sections along the arm's axis in the binding pose. */
-function armShape(suffix: '_l' | '_r', side: number): Shape {
+function armShape(suffix: '_l' | '_r', side: number): WalkerShape {
   const { turn, at: shoulder } = frames[joint(`upper_arm${suffix}`)];
   const axis = apply(turn, [side, 0, 0]);
   const up = apply(turn, [0, 1, 0]);
@@ -97,7 +109,7 @@ function armShape(suffix: '_l' | '_r', side: number): Shape {
   };
 }
 
-function thumbShape(suffix: '_l' | '_r', side: number): Shape {
+function thumbShape(suffix: '_l' | '_r', side: number): WalkerShape {
   const { turn, at: shoulder } = frames[joint(`upper_arm${suffix}`)];
   const axis = apply(turn, [side, 0, 0]);
   const up = apply(turn, [0, 1, 0]);
@@ -120,7 +132,7 @@ function thumbShape(suffix: '_l' | '_r', side: number): Shape {
   };
 }
 
-function legShape(suffix: '_l' | '_r', side: number): Shape {
+function legShape(suffix: '_l' | '_r', side: number): WalkerShape {
   const x = at(`thigh${suffix}`)[0];
   const section = (y: number, r: number, z = 0): Section => ({ ...level(y, r * side, r * 1.05), at: [x, y, z] });
   const sections = [
@@ -156,7 +168,7 @@ function legShape(suffix: '_l' | '_r', side: number): Shape {
 /** Rows of vertices follow both edges of the sole, so that its painted edge is straight. */
 const FOOT_ANGLES = [-1, ...[-0.8, -0.65, -0.53, -0.38, -0.2], 0, 0.2, 0.38, 0.53, 0.65, 0.8].map((a) => a * Math.PI);
 
-function footShape(suffix: '_l' | '_r', side: number): Shape {
+function footShape(suffix: '_l' | '_r', side: number): WalkerShape {
   const x = at(`foot${suffix}`)[0];
   /** Half width and height at z; the toes bend inwards slightly, to tell left from right. */
   const section = (z: number, wide: number, high: number): Section => ({
@@ -212,7 +224,7 @@ const tailSections = bentTube(
   tailPoints,
   tailSizes.map((r) => [r, r] as const),
 );
-const tail: Shape = {
+const tail: WalkerShape = {
   name: 'tail',
   point: loft(tailSections),
   angles: around(12),
@@ -230,7 +242,7 @@ const tail: Shape = {
   },
 };
 
-function earShape(suffix: '_l' | '_r', side: number): Shape {
+function earShape(suffix: '_l' | '_r', side: number): WalkerShape {
   const base = at(`ear${suffix}`);
   const lean = normalise([0.36 * side, 1, -0.02]);
   const across = normalise(cross(lean, [0, 0, 1]));
@@ -265,11 +277,12 @@ function earShape(suffix: '_l' | '_r', side: number): Shape {
 }
 
 /** Three locks on the crown. */
-const tufts: readonly Shape[] = [
-  { lean: [-0.35, 0.75, 0.42] as Vec3, foot: [-0.04, 1.925, 0.03] as Vec3, tall: 0.13 },
-  { lean: [0.1, 0.8, 0.55] as Vec3, foot: [0.0, 1.93, 0.05] as Vec3, tall: 0.17 },
-  { lean: [0.5, 0.7, 0.2] as Vec3, foot: [0.045, 1.925, 0.0] as Vec3, tall: 0.12 },
-].map(({ lean, foot, tall }) => {
+const TUFTS: readonly { readonly lean: Vec3; readonly foot: Vec3; readonly tall: number }[] = [
+  { lean: [-0.35, 0.75, 0.42], foot: [-0.04, 1.925, 0.03], tall: 0.13 },
+  { lean: [0.1, 0.8, 0.55], foot: [0.0, 1.93, 0.05], tall: 0.17 },
+  { lean: [0.5, 0.7, 0.2], foot: [0.045, 1.925, 0.0], tall: 0.12 },
+];
+const tufts = TUFTS.map(({ lean, foot, tall }): WalkerShape => {
   const up = normalise(lean);
   const across = normalise(cross(up, [0, 0, 1]));
   const front = cross(across, up);
@@ -280,7 +293,7 @@ const tufts: readonly Shape[] = [
   });
   const sections = [section(-0.2, 0.055), section(0.35, 0.042), section(0.78, 0.024), section(1, 0.001)];
   return {
-    name: 'tuft' as const,
+    name: 'tuft',
     point: loft(sections),
     angles: around(7),
     rows: rowsOf(sections),
@@ -291,7 +304,7 @@ const tufts: readonly Shape[] = [
 });
 
 /** One shape per rectangle to be painted; right limbs share the left ones'. */
-export const SHAPES: readonly Shape[] = [
+export const SHAPES: readonly WalkerShape[] = [
   head,
   torso,
   armShape('_l', 1),

@@ -1,10 +1,10 @@
 /** What the walker wears and carries: a scarf, a pack and a bedroll. */
 import { along, around, loft, type Section } from '../shape/mesh.ts';
 import { chainWeights, mixWeights } from '../shape/weights.ts';
-import { at, bend, bentTube, joint, level, only, rowsOf, type Shape } from './parts.ts';
+import { at, bend, bentTube, joint, level, only, rowsOf, type WalkerShape } from './parts.ts';
 
 /** A ring about the neck; its tube is the loft, closed on itself through a fold at the back. */
-const scarf: Shape = {
+const scarf: WalkerShape = {
   name: 'scarf',
   point: (angle, v) => {
     // Here `angle` runs about the neck and v over and under the roll: 0 and 1 are both on its inside.
@@ -45,7 +45,7 @@ const scarfTailSections = bentTube(
     [0.05, 0.002],
   ],
 );
-const scarfTail: Shape = {
+const scarfTail: WalkerShape = {
   name: 'scarfTail',
   point: loft(scarfTailSections),
   angles: around(8),
@@ -66,7 +66,7 @@ const packSections = [
   level(1.075, 0.12, 0.065, -0.258, 3),
   level(1.078, 0.001, 0.001, -0.258),
 ];
-const pack: Shape = {
+const pack: WalkerShape = {
   name: 'pack',
   point: loft(packSections),
   angles: around(14),
@@ -81,7 +81,7 @@ const bedrollSections = [-0.2, -0.199, -0.1, 0.1, 0.199, 0.2].map((x, i): Sectio
   const r = i === 0 || i === 5 ? 0.001 : 0.066;
   return { at: [x, 1.115, -0.285], side: [0, r, 0], front: [0, 0, -r] };
 });
-const bedroll: Shape = {
+const bedroll: WalkerShape = {
   name: 'bedroll',
   point: loft(bedrollSections),
   angles: around(10),
@@ -91,4 +91,4 @@ const bedroll: Shape = {
   weights: () => only('pack'),
 };
 
-export const GEAR: readonly Shape[] = [scarf, scarfTail, pack, bedroll];
+export const GEAR: readonly WalkerShape[] = [scarf, scarfTail, pack, bedroll];

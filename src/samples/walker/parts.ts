@@ -47,7 +47,7 @@ export const level = (y: number, side: number, front: number, z = 0, squareness 
 /** Rows at a loft's sections, each halved `finer` times. */
 export const rowsOf = (sections: readonly Section[], finer = 1) => along((sections.length - 1) * finer);
 
-export type Shape = Omit<MeshPart, 'rect'> & { readonly name: PartName };
+export type WalkerShape = Omit<MeshPart, 'rect'> & { readonly name: PartName };
 
 /** A tube along a curve in a plane x = constant, `front` up or back in that plane. */
 export function bentTube(points: readonly Vec3[], sizes: readonly (readonly [number, number])[]): Section[] {

@@ -1,6 +1,6 @@
 /** Placement of tooltips. CSS pixels from the window's upper left corner. */
 
-export interface Box {
+export interface PageRect {
   readonly left: number;
   readonly top: number;
   readonly width: number;
@@ -21,7 +21,7 @@ export const MARGIN = 4;
  * Below the element and centred, or above if there is no room below; always inside the window. Under an element wider
  * than the tooltip, it is left-aligned with it.
  */
-export function placeTooltip(anchor: Box, size: Size, room: Size): { readonly left: number; readonly top: number } {
+export function placeTooltip(anchor: PageRect, size: Size, room: Size): { readonly left: number; readonly top: number } {
   const bottom = Math.min(room.height, anchor.top + anchor.height);
   const top = Math.max(0, anchor.top);
   const below = bottom + GAP;
@@ -36,7 +36,7 @@ export function placeTooltip(anchor: Box, size: Size, room: Size): { readonly le
 }
 
 /** Whether a point is on the tooltip, or in the gap before it. */
-export function isOnTooltip(x: number, y: number, tooltip: Box): boolean {
+export function isOnTooltip(x: number, y: number, tooltip: PageRect): boolean {
   return (
     x >= tooltip.left &&
     x <= tooltip.left + tooltip.width &&

@@ -23,7 +23,7 @@ import { vertexFacts } from './vertex-facts.ts';
 
 const FOLLOW_EVERY_MS = 100;
 
-export interface Facts {
+export interface JointFacts {
   readonly element: HTMLElement;
   /** Call after an edit or a change of selection. */
   show(): void;
@@ -31,7 +31,7 @@ export interface Facts {
   follow(): void;
 }
 
-export function jointFacts(wb: Uses<'store' | 'viewport' | 'settings'>): Facts {
+export function jointFacts(wb: Uses<'store' | 'viewport' | 'settings'>): JointFacts {
   const holder = element('div', { class: 'facts-holder' });
   let view: FactView | undefined;
   let key: readonly unknown[] = [];
