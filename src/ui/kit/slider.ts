@@ -199,7 +199,7 @@ export function refusalOf(label: string, text: string, options: SliderOptions): 
   return `${label} ${where}; you entered ${inUnit(typed)}.${remedy ? ` ${remedy}` : ''}`;
 }
 
-/** Removes every controller of a folder. */
-export function emptyFolder(folder: GUI): void {
-  for (const controller of [...folder.controllers]) controller.destroy();
+/** Removes every controller of a section. */
+export function removeControllers(gui: GUI): void {
+  for (const controller of [...gui.controllers]) controller.destroy();
 }

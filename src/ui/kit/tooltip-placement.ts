@@ -21,7 +21,11 @@ export const MARGIN = 4;
  * Below the element and centred, or above if there is no room below; always inside the window. Under an element wider
  * than the tooltip, it is left-aligned with it.
  */
-export function placeTooltip(anchor: PageRect, size: Size, room: Size): { readonly left: number; readonly top: number } {
+export function placeTooltip(
+  anchor: PageRect,
+  size: Size,
+  room: Size,
+): { readonly left: number; readonly top: number } {
   const bottom = Math.min(room.height, anchor.top + anchor.height);
   const top = Math.max(0, anchor.top);
   const below = bottom + GAP;

@@ -33,7 +33,7 @@ export interface DofRowContext {
 /** @param prefix before the DOF's name in lists of several joints */
 export function addDofRow(
   { wb, edit, live }: DofRowContext,
-  folder: GUI,
+  section: GUI,
   character: Character,
   index: number,
   dof: CharacterDof,
@@ -46,7 +46,7 @@ export function addDofRow(
     // After Escape, the typed text is discarded without a message.
     if (!edit.cancelled) wb.messages.note(reason, 'warning');
   };
-  const slider = new Slider(folder, spoken, 0, sliderOptions(dof, character, angles), refuse);
+  const slider = new Slider(section, spoken, 0, sliderOptions(dof, character, angles), refuse);
   const { id } = character;
   const mark = new DofMark(wb, slider.domElement, id, index, spoken);
   const name = element(

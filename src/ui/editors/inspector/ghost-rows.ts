@@ -9,16 +9,16 @@ import { setDisplay } from '../viewport/actions.ts';
 const USUAL_STEP: Readonly<Record<GhostUnit, number>> = { frames: 5, seconds: 0.2 };
 
 /** Adds the rows to the display section. Returns a function that updates them from the settings. */
-export function addGhostRows(wb: Uses<'settings' | 'messages'>, folder: GUI): (display: Display) => void {
+export function addGhostRows(wb: Uses<'settings' | 'messages'>, section: GUI): (display: Display) => void {
   const { display } = wb.settings.get();
   const refuse = (reason: string) => wb.messages.note(reason, 'warning');
   const counts = { span: [0, 10], bounds: [0, MAX_GHOSTS], step: 1, decimals: 0 } as const;
-  const before = new Slider(folder, 'Ghosts before', display.ghostsBefore, counts, refuse);
-  const after = new Slider(folder, 'Ghosts after', display.ghostsAfter, counts, refuse);
+  const before = new Slider(section, 'Ghosts before', display.ghostsBefore, counts, refuse);
+  const after = new Slider(section, 'Ghosts after', display.ghostsAfter, counts, refuse);
   before.onChange((count: number) => setDisplay(wb, { ghostsBefore: Math.round(count) }));
   after.onChange((count: number) => setDisplay(wb, { ghostsAfter: Math.round(count) }));
   const step = new Slider(
-    folder,
+    section,
     'Ghost step',
     display.ghostStep,
     { bounds: [0.001, 1000], step: 0.01, decimals: 3 },
@@ -28,7 +28,7 @@ export function addGhostRows(wb: Uses<'settings' | 'messages'>, folder: GUI): (d
     if (ghostStep > 0) setDisplay(wb, { ghostStep });
   });
   const binding = { unit: display.ghostStepIn };
-  const unit = folder.add(binding, 'unit', [...GHOST_UNITS]).name('Ghost step unit');
+  const unit = section.add(binding, 'unit', [...GHOST_UNITS]).name('Ghost step unit');
   unit.onChange((ghostStepIn: GhostUnit) => setDisplay(wb, { ghostStepIn, ghostStep: USUAL_STEP[ghostStepIn] }));
   const rows = [before, after, step, unit];
   const show = (now: Display) => {

@@ -12,14 +12,14 @@ import { handleKey } from '../../state/keys.ts';
 import { onDemand } from '../../state/on-demand.ts';
 import type { PosingMode } from '../../state/posing.ts';
 import type { Uses, Workbench } from '../../state/workbench.ts';
-import { IkFolder } from '../ik/ik-folder.ts';
-import type { RigFolder } from '../rig/rig-folder.ts';
-import { CharacterFolder } from './character-folder.ts';
-import { DofFolders } from './dof-folders.ts';
+import { IkSection } from '../ik/ik-section.ts';
+import type { RigSection } from '../rig/rig-section.ts';
+import { CharacterSection } from './character-section.ts';
+import { DofSections } from './dof-sections.ts';
 import { flashDropped } from './dropped-rows.ts';
 import { jointFacts } from './joint-facts.ts';
 import { LiveRows } from './live-rows.ts';
-import { displayFolder, playbackFolder } from './page-folders.ts';
+import { displaySection, playbackSection } from './page-sections.ts';
 
 /** @param panel empty, already in the page (`inspector-panel.ts`) */
 export function fillInspector(wb: Workbench, panel: HTMLElement): void {
@@ -27,21 +27,21 @@ export function fillInspector(wb: Workbench, panel: HTMLElement): void {
   const empty = element('p', { class: 'empty' }, 'Open a character to see its DOFs, morphs and details.');
   gui.$children.prepend(empty);
 
-  const folder = (id: string, title: string, open: boolean): GUI => rememberedFolder(wb, gui, id, title, open);
+  const section = (id: string, title: string, open: boolean): GUI => rememberedSection(wb, gui, id, title, open);
   const edit = new HandEdit(wb.store, wb.messages);
   const live = new LiveRows(gui.$children);
-  const rig = rigFolder(wb, edit, folder('rig', 'Rig', true));
-  const dofs = new DofFolders({ wb, edit, live }, gui, folder);
-  const ik = new IkFolder(wb, folder('ik', 'IK', true));
+  const rig = rigSection(wb, edit, section('rig', 'Rig', true));
+  const dofs = new DofSections({ wb, edit, live }, gui, section);
+  const ik = new IkSection(wb, section('ik', 'IK', true));
   const facts = jointFacts(wb);
-  const factsFolder = folder('facts', 'Details', true);
-  factsFolder.$children.append(facts.element);
-  const character = new CharacterFolder(wb, edit, folder('character', 'Character', false));
-  const display = folder('display', 'Display', false);
-  const playback = folder('playback', 'Playback and units', false);
+  const factsSection = section('facts', 'Details', true);
+  factsSection.$children.append(facts.element);
+  const character = new CharacterSection(wb, edit, section('character', 'Character', false));
+  const display = section('display', 'Display', false);
+  const playback = section('playback', 'Playback and units', false);
   for (const wide of [display, playback]) wide.domElement.classList.add('wide-names');
-  displayFolder(wb, display);
-  playbackFolder(wb, playback);
+  displaySection(wb, display);
+  playbackSection(wb, playback);
 
   let shown: Shown | undefined;
   const show = () => {
@@ -52,7 +52,7 @@ export function fillInspector(wb: Workbench, panel: HTMLElement): void {
     if (!shown || !sameDofs(shown, next)) dofs.rebuild(target, next.joint);
     if (!shown || !sameCharacterRows(shown, next)) character.rebuild(target);
     empty.hidden = target !== undefined;
-    factsFolder.show(target !== undefined);
+    factsSection.show(target !== undefined);
     shown = next;
     character.update(target);
     dofs.showUnkeyed(target);
@@ -88,15 +88,15 @@ export function fillInspector(wb: Workbench, panel: HTMLElement): void {
 }
 
 /** Shown in rig mode, and loaded with it. */
-function rigFolder(wb: Workbench, edit: HandEdit, folder: GUI) {
-  let rows: RigFolder | undefined;
+function rigSection(wb: Workbench, edit: HandEdit, section: GUI) {
+  let rows: RigSection | undefined;
   let shown: readonly [Character | undefined, number | undefined] = [undefined, undefined];
   const show = async (mode: PosingMode) => {
-    folder.show(mode === 'rig');
+    section.show(mode === 'rig');
     if (mode !== 'rig') return;
     if (rows) return rows.show(...shown);
-    const module = await onDemand(wb.messages, 'The Rig section', () => import('../rig/rig-folder.ts'));
-    rows ??= module && new module.RigFolder(wb, edit, folder);
+    const module = await onDemand(wb.messages, 'The Rig section', () => import('../rig/rig-section.ts'));
+    rows ??= module && new module.RigSection(wb, edit, section);
     rows?.show(...shown);
   };
   wb.posing.mode.subscribe((mode) => void show(mode));
@@ -168,10 +168,10 @@ function placeIn(scroller: HTMLElement): () => void {
   const { scrollTop } = scroller;
   const focused = document.activeElement;
   const row = focused?.closest<HTMLElement>('[data-dof]');
-  const folder = row?.closest('.lil-gui');
+  const section = row?.closest('.lil-gui');
   return () => {
     if (row && !row.isConnected && document.activeElement === document.body) {
-      const again = folder?.querySelector<HTMLElement>(`[data-dof="${row.dataset.dof}"]`);
+      const again = section?.querySelector<HTMLElement>(`[data-dof="${row.dataset.dof}"]`);
       again?.querySelector<HTMLElement>('input')?.focus({ preventScroll: true });
     }
     if (scroller.scrollTop !== scrollTop) scroller.scrollTop = scrollTop;
@@ -179,13 +179,13 @@ function placeIn(scroller: HTMLElement): () => void {
 }
 
 /** A section whose open state is remembered. */
-function rememberedFolder(wb: Uses<'settings'>, gui: GUI, id: string, title: string, open: boolean): GUI {
+function rememberedSection(wb: Uses<'settings'>, gui: GUI, id: string, title: string, open: boolean): GUI {
   const key = `inspector/${id}`;
-  const folder = gui.addFolder(title);
-  folder.open(wb.settings.get().folds[key] ?? open);
-  folder.onOpenClose((changed) => {
-    if (changed !== folder) return;
-    wb.settings.update((s) => ({ ...s, folds: { ...s.folds, [key]: !folder._closed } }));
+  const section = gui.addFolder(title);
+  section.open(wb.settings.get().folds[key] ?? open);
+  section.onOpenClose((changed) => {
+    if (changed !== section) return;
+    wb.settings.update((s) => ({ ...s, folds: { ...s.folds, [key]: !section._closed } }));
   });
-  return folder;
+  return section;
 }

@@ -40,7 +40,7 @@ const POSITIONS: Readonly<Record<string, Positions>> = { 'Replace the offset': '
 export function addSpaceRows(
   wb: Uses<'store' | 'viewport' | 'messages'>,
   edit: HandEdit,
-  folder: GUI,
+  section: GUI,
   { id }: Character,
 ): () => void {
   const now = () => findCharacter(wb.store.document, id);
@@ -56,10 +56,10 @@ export function addSpaceRows(
     unit: spaceNow().unit,
     positions: 'replace',
   };
-  const up = folder.add(binding, 'up', UPS).name('Up axis');
+  const up = section.add(binding, 'up', UPS).name('Up axis');
   up.onChange((axis: Space['up']) => put(grounded(now(), { ...spaceNow(), up: axis })));
 
-  const unit = folder.add(binding, 'unit', Object.fromEntries(UNITS)).name('Unit');
+  const unit = section.add(binding, 'unit', Object.fromEntries(UNITS)).name('Unit');
   unit.onChange((chosen: LengthUnit | 'automatic') => {
     const character = now();
     const { up } = spaceNow();
@@ -74,7 +74,7 @@ export function addSpaceRows(
   const refuse = (reason: string) => {
     if (!edit.cancelled) wb.messages.note(reason, 'warning');
   };
-  const lift = new Slider(folder, 'Lift', spaceNow().lift, { step: 0.001, decimals: 3, suffix: ' m' }, refuse);
+  const lift = new Slider(section, 'Lift', spaceNow().lift, { step: 0.001, decimals: 3, suffix: ' m' }, refuse);
   lift.onChange((value: number) => edit.preview(setSpace, { characterId: id, space: { ...spaceNow(), lift: value } }));
   lift.onTakenBack(() => edit.cancel());
   lift.onFinishChange(() => {
@@ -85,10 +85,10 @@ export function addSpaceRows(
   const character = now();
   if (character?.skeleton) {
     const ground = () => put(onGround(now(), spaceNow()));
-    folder.add({ ground }, 'ground').name('Feet on the ground');
+    section.add({ ground }, 'ground').name('Feet on the ground');
   }
   const taken = character?.skeleton && positionsTaken(character.skeleton);
-  const positions = taken && folder.add(binding, 'positions', POSITIONS).name('Positions');
+  const positions = taken && section.add(binding, 'positions', POSITIONS).name('Positions');
   positions?.onChange((meaning: Positions) => {
     attempt(wb.messages, () => wb.store.apply(setPositionChannels, { characterId: id, positions: meaning }));
   });

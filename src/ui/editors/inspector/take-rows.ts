@@ -21,7 +21,7 @@ const INTERPOLATION_NAMES: Readonly<Record<string, Interpolation>> = {
 /** Adds the rows to an empty section. Returns functions that update their values and remove the rest. */
 export function addTakeRows(
   wb: Uses<'store' | 'transport' | 'settings' | 'messages'>,
-  folder: GUI,
+  section: GUI,
   character: Character,
   take: ChannelClip,
 ): { readonly update: () => void; readonly line: HTMLElement } {
@@ -31,7 +31,7 @@ export function addTakeRows(
     return found && shownClip(found);
   };
   const binding = { name: take.name };
-  const name = folder.add(binding, 'name').name('Take');
+  const name = section.add(binding, 'name').name('Take');
   name.domElement.classList.add('take-name');
   name.onFinishChange((typed: string) => {
     if (!typed.trim()) wb.messages.note('A take needs a name. Its file is named after it.', 'warning');
@@ -64,10 +64,11 @@ export function addTakeRows(
     to.element,
     unit,
   );
-  folder.$children.append(line);
+  section.$children.append(line);
 
   const between = { interpolation: take.samples?.interpolation ?? 'linear' };
-  const interpolation = take.samples && folder.add(between, 'interpolation', INTERPOLATION_NAMES).name('Interpolation');
+  const interpolation =
+    take.samples && section.add(between, 'interpolation', INTERPOLATION_NAMES).name('Interpolation');
   interpolation?.onChange((chosen: Interpolation) => {
     if (now()) attempt(wb.messages, () => wb.store.apply(setInterpolation, { characterId: id, interpolation: chosen }));
   });
@@ -93,10 +94,10 @@ export function addTakeRows(
 }
 
 /** Opens everything around the field of the take's name, and focuses it. */
-export function askForTakeName(wb: Uses<'settings'>, folder: GUI): void {
+export function askForTakeName(wb: Uses<'settings'>, section: GUI): void {
   openPanel(wb, 'inspector', true);
-  folder.open();
-  const field = folder.domElement.querySelector<HTMLInputElement>('.take-name input');
+  section.open();
+  const field = section.domElement.querySelector<HTMLInputElement>('.take-name input');
   field?.scrollIntoView({ block: 'nearest' });
   field?.focus();
   field?.select();

@@ -12,8 +12,8 @@ import { shownPerUnit, typedUnits, unitText, withoutNoise } from '../../state/an
 import { attempt } from '../../state/attempt.ts';
 import { standStill } from '../../state/stand-still.ts';
 import type { Uses } from '../../state/workbench.ts';
-import type { FolderRow } from './folder-rows.ts';
 import { rigging } from './rigging-args.ts';
+import type { SectionRow } from './section-rows.ts';
 
 /** @param skeleton the rows are rebuilt when its joints or links change */
 export function coupleRow(
@@ -22,7 +22,7 @@ export function coupleRow(
   skeleton: Skeleton,
   joint: number,
   dof: Dof,
-): FolderRow & { readonly line: HTMLElement } {
+): SectionRow & { readonly line: HTMLElement } {
   const { joints } = skeleton;
   const now = (): Couple | undefined =>
     findCharacter(wb.store.document, characterId)?.skeleton?.joints[joint]?.couples?.find((c) => c.dof === dof.name);

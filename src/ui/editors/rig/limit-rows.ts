@@ -9,9 +9,9 @@ import { shownPerUnit, unitText, withoutNoise } from '../../state/angles.ts';
 import { attempt } from '../../state/attempt.ts';
 import { standStill } from '../../state/stand-still.ts';
 import type { Uses } from '../../state/workbench.ts';
-import type { FolderRow } from './folder-rows.ts';
 import { typedLimit } from './limit-editor.ts';
 import { rigging } from './rigging-args.ts';
+import type { SectionRow } from './section-rows.ts';
 
 /** @param index of the DOF among its joint's */
 export function limitRow(
@@ -20,7 +20,7 @@ export function limitRow(
   joint: number,
   index: number,
   { name, unit }: Dof,
-): FolderRow & { readonly line: HTMLElement } {
+): SectionRow & { readonly line: HTMLElement } {
   const perUnit = () => shownPerUnit(unit, wb.settings.get().angles);
   const dofNow = () => {
     const character = findCharacter(wb.store.document, characterId);

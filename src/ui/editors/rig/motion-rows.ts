@@ -14,7 +14,7 @@ import {
 } from '../../../model/joint-types.ts';
 import type { Motion } from '../../../model/skeleton.ts';
 import { button, element } from '../../kit/dom.ts';
-import { choiceRow, type FolderContext, type FolderRow, numberRow, textRow, vectorRow } from './folder-rows.ts';
+import { choiceRow, numberRow, type SectionContext, type SectionRow, textRow, vectorRow } from './section-rows.ts';
 import { typedList } from './typed-list.ts';
 
 /** What the rows depend on: the type, its DOFs and whether it uses an axis. */
@@ -38,11 +38,11 @@ const PRESETS: readonly (readonly [string, Vec3])[] = [
 
 /** @param made what the rows are for; `now` is the same with current numbers */
 export function motionRows(
-  context: FolderContext,
+  context: SectionContext,
   made: Motion,
   now: () => Motion | undefined,
   edits: MotionEdits,
-): FolderRow[] {
+): SectionRow[] {
   const rows = parametersOf(made).flatMap(([name, parameter]) =>
     parameter.type === 'axis' && !axisOf(made) ? [] : parameterRows(context, name, parameter, now, edits),
   );
@@ -50,12 +50,12 @@ export function motionRows(
 }
 
 function parameterRows(
-  context: FolderContext,
+  context: SectionContext,
   name: string,
   parameter: Parameter,
   now: () => Motion | undefined,
   { set, preview }: MotionEdits,
-): FolderRow[] {
+): SectionRow[] {
   const { label } = parameter;
   if (label === undefined) return [];
   const value = <T extends Parameter['type']>(type: T) => {
@@ -98,18 +98,18 @@ function noDirection(axis: Vec3): string | undefined {
     : undefined;
 }
 
-function presetRow({ folder }: FolderContext, set: (axis: Vec3) => void): FolderRow {
+function presetRow({ section }: SectionContext, set: (axis: Vec3) => void): SectionRow {
   const presets = PRESETS.map(([letter, axis]) =>
     button(`Axis along ${letter}`, { class: 'plain' }, element('span', { class: `axis-${letter}` }, letter), () =>
       set(axis),
     ),
   );
   const line = element('div', { class: 'rig-row is-second' }, ...presets);
-  folder.$children.append(line);
+  section.$children.append(line);
   return { line, update() {} };
 }
 
-function kindRow(made: Motion, now: () => Motion | undefined, set: (motion: Motion) => void): FolderRow {
+function kindRow(made: Motion, now: () => Motion | undefined, set: (motion: Motion) => void): SectionRow {
   // BVH's own type is only offered to joints that have it.
   const kinds = MOTION_KINDS.filter((kind) => !isOfBvh(JOINT_TYPES[kind].initial) || isOfBvh(made));
   return choiceRow(

@@ -26,14 +26,14 @@ const SWITCHES: readonly (readonly [Switch, string])[] = [
   ['inPlace', 'In place'],
 ];
 
-export function displayFolder(wb: Uses<'store' | 'settings' | 'messages'>, folder: GUI): void {
+export function displaySection(wb: Uses<'store' | 'settings' | 'messages'>, section: GUI): void {
   const binding = { ...wb.settings.get().display };
   const option = <K extends 'skin' | 'boxes'>(
     key: K,
     label: string,
     styles: readonly (readonly [Display[K], string])[],
   ) =>
-    folder
+    section
       .add(binding, key, Object.fromEntries(styles.map(([value, name]) => [name, value])))
       .name(label)
       .onChange((value: Display[K]) => setDisplay(wb, { [key]: value }));
@@ -50,26 +50,26 @@ export function displayFolder(wb: Uses<'store' | 'settings' | 'messages'>, folde
   option('boxes', 'Boxes', BOX_STYLES);
   let showGhosts: ((display: Display) => void) | undefined;
   for (const [key, label] of SWITCHES) {
-    folder
+    section
       .add(binding, key)
       .name(label)
       .onChange((value: boolean) => setDisplay(wb, { [key]: value }));
-    if (key === 'ghosts') showGhosts = addGhostRows(wb, folder);
+    if (key === 'ghosts') showGhosts = addGhostRows(wb, section);
   }
-  folder.add({ reset: () => setDisplay(wb, DEFAULT_DISPLAY) }, 'reset').name('Reset to default');
+  section.add({ reset: () => setDisplay(wb, DEFAULT_DISPLAY) }, 'reset').name('Reset to default');
   wb.settings.subscribe((now, before) => {
     if (now.display === before.display) return;
     Object.assign(binding, now.display);
-    for (const controller of folder.controllers) controller.updateDisplay();
+    for (const controller of section.controllers) controller.updateDisplay();
     showGhosts?.(now.display);
   });
 }
 
-export function playbackFolder(wb: Uses<'transport' | 'settings' | 'messages'>, folder: GUI): void {
+export function playbackSection(wb: Uses<'transport' | 'settings' | 'messages'>, section: GUI): void {
   const { transport, settings } = wb;
   const refuse = (reason: string) => wb.messages.note(reason, 'warning');
   const rates: SliderOptions = { span: [-4, 4], bounds: [-4, 4], step: 0.05, decimals: 3, suffix: '×' };
-  const rate = new Slider(folder, 'Speed', transport.get().rate, rates, refuse);
+  const rate = new Slider(section, 'Speed', transport.get().rate, rates, refuse);
   rate.onChange((value: number) => transport.update((p) => ({ ...p, rate: value })));
   const binding = {
     loop: transport.get().loop,
@@ -77,16 +77,16 @@ export function playbackFolder(wb: Uses<'transport' | 'settings' | 'messages'>, 
     time: settings.get().timeDisplay,
   };
   const loops = Object.fromEntries(LOOP_MODES.map((mode) => [LOOP_LABELS[mode], mode]));
-  const loop = folder.add(binding, 'loop', loops).name('Loop');
+  const loop = section.add(binding, 'loop', loops).name('Loop');
   loop.onChange((mode: (typeof LOOP_MODES)[number]) => transport.update((p) => ({ ...p, loop: mode })));
   const frameRates: SliderOptions = { bounds: [1, 1000], step: 1, decimals: 3 };
-  const fps = new Slider(folder, 'Frames per second', transport.get().framesPerSecond, frameRates, refuse);
+  const fps = new Slider(section, 'Frames per second', transport.get().framesPerSecond, frameRates, refuse);
   fps.onChange((framesPerSecond: number) => {
     if (framesPerSecond >= 1) transport.update((p) => ({ ...p, framesPerSecond }));
   });
-  const time = folder.add(binding, 'time', [...TIME_DISPLAYS]).name('Time unit');
+  const time = section.add(binding, 'time', [...TIME_DISPLAYS]).name('Time unit');
   time.onChange((timeDisplay: (typeof TIME_DISPLAYS)[number]) => settings.update((s) => ({ ...s, timeDisplay })));
-  const angles = folder.add(binding, 'angles', [...ANGLES]).name('Angle unit');
+  const angles = section.add(binding, 'angles', [...ANGLES]).name('Angle unit');
   angles.onChange((unit: (typeof ANGLES)[number]) => settings.update((s) => ({ ...s, angles: unit })));
 
   transport.subscribe((now, before) => {

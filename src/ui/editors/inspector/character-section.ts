@@ -14,7 +14,7 @@ import { lengthStep } from '../../../model/reach.ts';
 import type { Units } from '../../kit/arithmetic.ts';
 import { button, element, setText } from '../../kit/dom.ts';
 import { exact } from '../../kit/number-text.ts';
-import { emptyFolder, Slider } from '../../kit/slider.ts';
+import { removeControllers, Slider } from '../../kit/slider.ts';
 import { setTooltip } from '../../kit/tooltip.ts';
 import { runAction } from '../../state/action.ts';
 import { shownPerUnit, typedUnits, withoutNoise } from '../../state/angles.ts';
@@ -28,7 +28,7 @@ import { addTakeRows, askForTakeName } from './take-rows.ts';
 type Axis = 0 | 1 | 2;
 const AXES: readonly Axis[] = [0, 1, 2];
 
-export class CharacterFolder {
+export class CharacterSection {
   private character: Character | undefined;
   private copy = 0;
   private rows: (() => void)[] = [];
@@ -39,23 +39,23 @@ export class CharacterFolder {
   constructor(
     private readonly wb: Workbench,
     private readonly edit: HandEdit,
-    private readonly folder: GUI,
+    private readonly section: GUI,
   ) {
     this.buttons.append(
       button('Add an instance beside it', { class: 'plain' }, 'Add instance', () => runAction(wb, 'character.copy')),
       button('Remove this instance', { class: 'plain remove-copy' }, 'Remove instance', () => this.removeShownCopy()),
     );
-    wb.timeline.takeRenameAsked.subscribe(() => askForTakeName(wb, folder));
+    wb.timeline.takeRenameAsked.subscribe(() => askForTakeName(wb, section));
   }
 
   /** Rebuilds the rows. */
   rebuild(character: Character | undefined): void {
-    emptyFolder(this.folder);
+    removeControllers(this.section);
     this.buttons.remove();
     for (const line of this.lines) line.remove();
     this.lines = [];
     this.rows = [];
-    this.folder.show(character !== undefined);
+    this.section.show(character !== undefined);
     if (this.character?.id !== character?.id) this.copy = 0;
     this.character = character;
     if (!character) return;
@@ -65,8 +65,8 @@ export class CharacterFolder {
     this.addLimits(character);
     this.addStart(character);
     this.addPlacement(character);
-    this.rows.push(addSpaceRows(this.wb, this.edit, this.folder, character));
-    this.folder.$children.append(this.buttons);
+    this.rows.push(addSpaceRows(this.wb, this.edit, this.section, character));
+    this.section.$children.append(this.buttons);
     this.buttons.classList.toggle('single', character.placements.length === 1);
   }
 
@@ -91,7 +91,7 @@ export class CharacterFolder {
 
   private addName(character: Character): void {
     const binding = { name: character.name };
-    const row = this.folder.add(binding, 'name').name('Name');
+    const row = this.section.add(binding, 'name').name('Name');
     row.onFinishChange((name: string) => {
       const trimmed = name.trim();
       if (!trimmed) this.refuse('A character needs a name.');
@@ -113,7 +113,7 @@ export class CharacterFolder {
     }
     const take = shownClip(character);
     if (!take) return;
-    const { line, update } = addTakeRows(this.wb, this.folder, character, take);
+    const { line, update } = addTakeRows(this.wb, this.section, character, take);
     this.lines.push(line);
     this.rows.push(update);
   }
@@ -127,7 +127,7 @@ export class CharacterFolder {
       text,
       movedButtons(this.wb, () => this.character?.id),
     );
-    this.folder.$children.append(line);
+    this.section.$children.append(line);
     this.lines.push(line);
     this.rows.push(() => {
       const follows = this.character ? followsText(this.character) : '';
@@ -137,7 +137,7 @@ export class CharacterFolder {
 
   private addLimits(character: Character): void {
     const binding = { clamps: character.clampsToLimits };
-    const row = this.folder.add(binding, 'clamps').name('Enforce limits');
+    const row = this.section.add(binding, 'clamps').name('Enforce limits');
     row.onChange((clamps: boolean) => this.wb.store.apply(setClamping, { characterId: this.id, clamps }));
     this.rows.push(() => {
       binding.clamps = this.character?.clampsToLimits ?? true;
@@ -148,7 +148,7 @@ export class CharacterFolder {
   /** Not the stored offset: it is added to the transport's time, so that 1.5 starts 1.5 s earlier. */
   private addStart(character: Character): void {
     const options = { step: 0.01, decimals: 3, suffix: ' s' };
-    const row = new Slider(this.folder, 'Start time', startSeconds(character), options, this.refuse);
+    const row = new Slider(this.section, 'Start time', startSeconds(character), options, this.refuse);
     setTooltip(row.domElement, 'When its take starts on the timeline, in seconds');
     row.onChange((atSeconds: number) => {
       const { character: now } = this;
@@ -167,7 +167,7 @@ export class CharacterFolder {
       const names = Object.fromEntries(
         character.placements.map((_, i) => [`${i + 1} of ${character.placements.length}`, i]),
       );
-      const row = this.folder.add(binding, 'copy', names).name('Instance');
+      const row = this.section.add(binding, 'copy', names).name('Instance');
       row.onChange((copy: number) => {
         this.copy = copy;
         this.update(this.character);
@@ -195,7 +195,7 @@ export class CharacterFolder {
       typedUnits('angle', angles),
     );
     const scale = new Slider(
-      this.folder,
+      this.section,
       'Scale',
       this.placement.scale,
       { step: 0.01, decimals: 3, suffix: '×' },
@@ -231,7 +231,7 @@ export class CharacterFolder {
       const letter = 'xyz'[axis];
       const start = read(this.placement)[axis] * factor;
       const options = { step, decimals, suffix, ...(units && { units }) };
-      const row = new Slider(this.folder, `${label} ${letter}`, start, options, this.refuse);
+      const row = new Slider(this.section, `${label} ${letter}`, start, options, this.refuse);
       row.$name.replaceChildren(element('span', { class: `dof-name axis-${letter}` }, letter));
       // The letter alone wouldn't identify the row.
       row.$input.removeAttribute('aria-labelledby');
@@ -245,7 +245,7 @@ export class CharacterFolder {
       row.onTakenBack(() => this.edit.cancel()).onFinishChange(() => this.finish());
       this.rows.push(() => row.showValue(withoutNoise(read(this.placement)[axis] * factor)));
     }
-    this.folder.$children.append(line);
+    this.section.$children.append(line);
     this.lines.push(line);
   }
 

@@ -6,14 +6,14 @@ import { jointName } from '../../../model/joint-name.ts';
 import { dofsOf, motionHeading, motionText } from '../../../model/joint-types.ts';
 import { element, setText } from '../../kit/dom.ts';
 import { plural, shown } from '../../kit/number-text.ts';
-import { emptyFolder } from '../../kit/slider.ts';
+import { removeControllers } from '../../kit/slider.ts';
 import { keyNameOf } from '../posing/unkeyed-values.ts';
 import { addDofRow, type DofRowContext } from './dof-rows.ts';
 
 /** Rows of the long list are created in chunks of this size as it is scrolled. */
 const CHUNK = 48;
 
-export class DofFolders {
+export class DofSections {
   private readonly joint: GUI;
   private readonly root: GUI;
   private readonly morphs: GUI;
@@ -27,12 +27,12 @@ export class DofFolders {
   constructor(
     private readonly context: DofRowContext,
     gui: GUI,
-    makeFolder: (id: string, title: string, open: boolean) => GUI,
+    makeSection: (id: string, title: string, open: boolean) => GUI,
   ) {
-    this.joint = makeFolder('joint', 'Joint', true);
-    this.root = makeFolder('root', 'Root translation', true);
-    this.morphs = makeFolder('morphs', 'Morphs', true);
-    this.all = makeFolder('all', 'All DOFs', false);
+    this.joint = makeSection('joint', 'Joint', true);
+    this.root = makeSection('root', 'Root translation', true);
+    this.morphs = makeSection('morphs', 'Morphs', true);
+    this.all = makeSection('all', 'All DOFs', false);
     this.all.domElement.classList.add('long-names');
     // At the bottom: inserting a line above would move the slider away from the pointer.
     gui.domElement.append(this.note);
@@ -47,10 +47,10 @@ export class DofFolders {
 
   /** Rebuilds the rows, after the character, joint, angle unit or limits have changed. */
   rebuild(character: Character | undefined, joint: number | undefined): void {
-    for (const folder of [this.joint, this.root, this.morphs, this.all]) {
-      for (const controller of folder.controllers) this.context.live.remove(controller.domElement);
-      emptyFolder(folder);
-      folder.show(character !== undefined);
+    for (const section of [this.joint, this.root, this.morphs, this.all]) {
+      for (const controller of section.controllers) this.context.live.remove(controller.domElement);
+      removeControllers(section);
+      section.show(character !== undefined);
     }
     const { listed } = this;
     this.listed = undefined;
@@ -108,8 +108,8 @@ export class DofFolders {
     this.fill(this.morphs, character, dofs, dofs.length - count, Math.min(count, 2 * CHUNK));
   }
 
-  private fill(folder: GUI, character: Character, dofs: readonly CharacterDof[], first: number, count: number): void {
-    for (let i = first; i < first + count; i++) addDofRow(this.context, folder, character, i, dofs[i]);
+  private fill(section: GUI, character: Character, dofs: readonly CharacterDof[], first: number, count: number): void {
+    for (let i = first; i < first + count; i++) addDofRow(this.context, section, character, i, dofs[i]);
   }
 
   private listMore(): void {

@@ -22,32 +22,32 @@ import { dofsOf, isSameType, takesLimits } from '../../../model/joint-types.ts';
 import { lengthStep } from '../../../model/reach.ts';
 import type { Joint, Motion, Skeleton } from '../../../model/skeleton.ts';
 import { button, element } from '../../kit/dom.ts';
-import { emptyFolder } from '../../kit/slider.ts';
+import { removeControllers } from '../../kit/slider.ts';
 import { attempt } from '../../state/attempt.ts';
 import type { HandEdit } from '../../state/hand-edit.ts';
 import { standStill } from '../../state/stand-still.ts';
 import type { Uses, Workbench } from '../../state/workbench.ts';
 import { whyNoCorner } from './box-order.ts';
 import { addCoupleRow, coupleRow } from './couple-rows.ts';
-import {
-  choiceRow,
-  type FolderContext,
-  type FolderRow,
-  heading,
-  numberRow,
-  textRow,
-  vectorRow,
-} from './folder-rows.ts';
 import { nameNote } from './joint-names.ts';
 import { limitRow } from './limit-rows.ts';
 import { motionRows, motionShape } from './motion-rows.ts';
 import { rigging } from './rigging-args.ts';
+import {
+  choiceRow,
+  heading,
+  numberRow,
+  type SectionContext,
+  type SectionRow,
+  textRow,
+  vectorRow,
+} from './section-rows.ts';
 
 type Joints = Skeleton['joints'];
 
-export class RigFolder {
-  private readonly context: FolderContext;
-  private rows: FolderRow[] = [];
+export class RigSection {
+  private readonly context: SectionContext;
+  private rows: SectionRow[] = [];
   private lines: HTMLElement[] = [];
   private made = '';
   private of: { readonly characterId: string; readonly joint: number } | undefined;
@@ -55,10 +55,10 @@ export class RigFolder {
   constructor(
     private readonly wb: Workbench,
     private readonly edit: HandEdit,
-    private readonly folder: GUI,
+    private readonly section: GUI,
   ) {
-    this.context = { wb, edit, folder };
-    folder.$children.dataset.empty = 'Select a joint in the viewport or outliner to edit it.';
+    this.context = { wb, edit, section };
+    section.$children.dataset.empty = 'Select a joint in the viewport or outliner to edit it.';
   }
 
   /** Call after an edit or a change of selection. */
@@ -70,14 +70,14 @@ export class RigFolder {
 
   private rebuild(character: Character | undefined, joint: number | undefined, made: string): void {
     this.made = made;
-    emptyFolder(this.folder);
+    removeControllers(this.section);
     for (const line of this.lines) line.remove();
     this.rows = [];
     this.lines = [];
     this.of = undefined;
     const own = joint === undefined ? undefined : character?.skeleton?.joints[joint];
-    this.folder.title(own && joint !== undefined ? `Rig: ${jointName(character?.skeleton, joint)}` : 'Rig');
-    this.folder.domElement.classList.toggle('is-selected', own !== undefined);
+    this.section.title(own && joint !== undefined ? `Rig: ${jointName(character?.skeleton, joint)}` : 'Rig');
+    this.section.domElement.classList.toggle('is-selected', own !== undefined);
     if (!character?.skeleton || !own || joint === undefined) return;
     this.of = { characterId: character.id, joint };
     this.addPlace(character, own, joint);
@@ -111,7 +111,7 @@ export class RigFolder {
     this.edit.preview(command, args);
   }
 
-  private put(row: FolderRow): void {
+  private put(row: SectionRow): void {
     this.rows.push(row);
     if (row.line) this.append(row.line);
   }
@@ -119,7 +119,7 @@ export class RigFolder {
   private append(line: HTMLElement): void {
     this.lines.push(line);
     // lil-gui's own are already there: move them behind the others.
-    this.folder.$children.append(line);
+    this.section.$children.append(line);
   }
 
   private addPlace(character: Character, own: Joint, joint: number): void {
@@ -186,7 +186,7 @@ export class RigFolder {
     const step = lengthStep(character.skeleton);
     this.append(heading('Bone and box'));
     const has = { bone: own.length !== undefined };
-    const row = this.folder.add(has, 'bone').name('Bone along y');
+    const row = this.section.add(has, 'bone').name('Bone along y');
     row.domElement.title =
       'Gives the joint its own bone along its y axis, of the length you set. Without it, bones lead to its children.';
     row.onChange((bone: boolean) => this.apply(setLength, { ...this.args(), length: bone ? usualLength(own) : null }));

@@ -35,7 +35,7 @@ interface Row {
   show(pin: Pin, character: Character): void;
 }
 
-export class IkFolder {
+export class IkSection {
   private readonly root = element('input', { type: 'checkbox', id: 'ik-root' });
   private readonly joint = element('span', { class: 'ik-joint' });
   private readonly bending = element(
@@ -62,7 +62,7 @@ export class IkFolder {
 
   constructor(
     private readonly wb: Uses<'store' | 'actions' | 'posing' | 'messages'>,
-    private readonly folder: GUI,
+    private readonly section: GUI,
   ) {
     this.stiffness = new NumberField({
       label: 'Stiffness (1 default, 4 moves half as far)',
@@ -78,8 +78,8 @@ export class IkFolder {
     );
     this.hold.textContent = 'Hold pins over range…';
     const rootRow = element('label', { class: 'ik-row', for: 'ik-root' }, this.root, 'Allow root to move');
-    folder.$children.append(
-      element('div', { class: 'ik-folder' }, rootRow, this.jointRow, this.list, this.empty, this.note, this.hold),
+    section.$children.append(
+      element('div', { class: 'ik-section' }, rootRow, this.jointRow, this.list, this.empty, this.note, this.hold),
     );
     this.root.addEventListener('change', () => {
       if (this.characterId) freeRoot(wb, this.characterId, this.root.checked);
@@ -97,7 +97,7 @@ export class IkFolder {
   update(): void {
     const character = currentCharacter(this.wb);
     const setup = character?.skeleton && ikOf(character);
-    this.folder.show(setup !== undefined && (this.wb.posing.mode.get() === 'ik' || setup.pins.length > 0));
+    this.section.show(setup !== undefined && (this.wb.posing.mode.get() === 'ik' || setup.pins.length > 0));
     if (character?.id !== this.characterId) this.clear();
     this.characterId = character?.id;
     if (!character || !setup) {

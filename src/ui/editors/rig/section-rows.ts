@@ -8,14 +8,14 @@ import { withoutNoise } from '../../state/angles.ts';
 import type { HandEdit } from '../../state/hand-edit.ts';
 import type { Uses } from '../../state/workbench.ts';
 
-export interface FolderContext {
+export interface SectionContext {
   readonly wb: Uses<'messages'>;
   readonly edit: HandEdit;
-  readonly folder: GUI;
+  readonly section: GUI;
 }
 
 /** A row with its update and removal. */
-export interface FolderRow {
+export interface SectionRow {
   update(): void;
   readonly line?: HTMLElement;
 }
@@ -28,13 +28,13 @@ const AXES = [0, 1, 2] as const;
  * @param whyNot why three numbers are invalid, reported on release: typing may pass through invalid ones
  */
 export function vectorRow(
-  { wb, edit, folder }: FolderContext,
+  { wb, edit, section }: SectionContext,
   label: string,
   step: number,
   read: () => Vec3 | undefined,
   write: (value: Vec3) => void,
   whyNot: (value: Vec3) => string | undefined = () => undefined,
-): FolderRow {
+): SectionRow {
   let refusal: string | undefined;
   const line = element('div', { class: 'vector-row' }, element('span', { class: 'vector-name' }, label));
   const decimals = Math.max(2, -Math.floor(Math.log10(step)));
@@ -47,7 +47,7 @@ export function vectorRow(
   };
   const sliders = AXES.map((axis) => {
     const letter = 'xyz'[axis];
-    const slider = new Slider(folder, `${label} ${letter}`, read()?.[axis] ?? 0, { step, decimals }, refuse);
+    const slider = new Slider(section, `${label} ${letter}`, read()?.[axis] ?? 0, { step, decimals }, refuse);
     slider.$name.replaceChildren(element('span', { class: `dof-name axis-${letter}` }, letter));
     // The letter alone wouldn't identify the row.
     slider.$input.removeAttribute('aria-labelledby');
@@ -78,24 +78,24 @@ export function vectorRow(
     });
     return slider;
   });
-  folder.$children.append(line);
+  section.$children.append(line);
   return { update, line };
 }
 
 /** One number. */
 export function numberRow(
-  { wb, edit, folder }: FolderContext,
+  { wb, edit, section }: SectionContext,
   label: string,
   step: number,
   read: () => number | undefined,
   write: (value: number) => void,
   bounds?: readonly [number, number],
-): FolderRow {
+): SectionRow {
   const refuse = (reason: string) => {
     if (!edit.cancelled) wb.messages.note(reason, 'warning');
   };
   const decimals = Math.max(2, -Math.floor(Math.log10(step)));
-  const slider = new Slider(folder, label, read() ?? 0, { step, decimals, ...(bounds && { bounds }) }, refuse);
+  const slider = new Slider(section, label, read() ?? 0, { step, decimals, ...(bounds && { bounds }) }, refuse);
   const update = () => {
     const now = read();
     if (now !== undefined) slider.showValue(withoutNoise(now));
@@ -123,7 +123,7 @@ export function choiceRow<T extends string | number>(
   read: () => T | undefined,
   write: (value: T) => void,
   tipOf: (value: T) => string = () => '',
-): FolderRow & { readonly line: HTMLElement } {
+): SectionRow & { readonly line: HTMLElement } {
   const select = element('select', { 'aria-label': label });
   options.forEach(([, text], i) => {
     select.append(element('option', { value: String(i) }, text));
@@ -156,7 +156,7 @@ export function textRow(
   write: (text: string) => void,
   tooltip = '',
   noteOf: () => string = () => '',
-): FolderRow & { readonly line: HTMLElement; readonly field: HTMLInputElement } {
+): SectionRow & { readonly line: HTMLElement; readonly field: HTMLInputElement } {
   const field = element('input', {
     type: 'text',
     spellcheck: 'false',
