@@ -161,7 +161,7 @@ it('turns the view by the arrows while nothing plays, and switches modes by Spac
     await page.keyboard.press('Space');
     expect(await checked.textContent()).toBe('IK');
     await page.waitForFunction(() => !document.querySelector('.joint-gizmo'));
-    await page.keyboard.press('Escape');
+    await page.keyboard.press('e');
     expect(await checked.textContent()).toBe('FK');
     await page.waitForFunction(() => document.querySelector('.joint-gizmo'));
   }));
@@ -261,6 +261,27 @@ it('with the head of the walker selected, drags on nine other parts of the body 
     { walking: true },
   ));
 
+it('has a select tool without a gizmo: clicks pick, drags orbit, and a button leads back', () =>
+  withPage(async ({ page }) => {
+    await openArm(page, 'shoulder');
+    const before = await dofs(page);
+    await page.locator('canvas[role=img]').focus();
+    await page.keyboard.press('q');
+    await page.waitForFunction(() => !document.querySelector('.joint-gizmo'));
+    expect(await page.getByRole('radio', { name: 'Select' }).getAttribute('aria-checked')).toBe('true');
+    const place = await page.evaluate(() => window.marrow.pointOnPage([0, 1.8, 0]));
+    if (!place) throw new Error('The arm is not shown.');
+    await page.mouse.click(place.x, place.y);
+    await showsJoint(page, 'elbow');
+    const view = await turnOfView(page);
+    await pressAndGo(page, place, [{ x: place.x + 40, y: place.y + 5 }]);
+    await page.mouse.up();
+    expect(await turnOfView(page)).not.toBeCloseTo(view, 0);
+    expect(await dofs(page)).toEqual(before);
+    await page.getByRole('button', { name: 'Back to FK' }).click();
+    await page.waitForFunction(() => document.querySelector<HTMLElement>('.joint-gizmo')?.hidden === false);
+  }));
+
 it('blends to a pose once where its picture is double-clicked, and again at a click', () =>
   withPage(async ({ page }) => {
     await openArm(page);
@@ -288,6 +309,7 @@ describeShared('the dragon', () => {
       const bytes = sharedBytes('data/cse169/dragon.skel');
       await dropFiles(page, [{ name: 'dragon.skel', bytes }]);
       await page.waitForFunction(() => window.marrow.characters()[0]?.name === 'dragon');
+      await page.getByPlaceholder('Search').fill('shoulder_right_1');
       await page
         .getByRole('treeitem', { name: /^shoulder_right_1/ })
         .first()

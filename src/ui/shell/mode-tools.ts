@@ -11,6 +11,8 @@ import type { Workbench } from '../state/workbench.ts';
 
 async function fetchTool(wb: Workbench, mode: PosingMode): Promise<ModeTool> {
   switch (mode) {
+    case 'select':
+      return (await import('../editors/viewport/select-tool.ts')).selectTool(wb);
     case 'fk':
       return (await import('../editors/fk/fk-tool.ts')).fkTool(wb);
     case 'ik':
@@ -20,7 +22,12 @@ async function fetchTool(wb: Workbench, mode: PosingMode): Promise<ModeTool> {
   }
 }
 
-const NAMES: Readonly<Record<PosingMode, string>> = { fk: 'Posing', ik: 'Inverse kinematics', rig: 'Rigging' };
+const NAMES: Readonly<Record<PosingMode, string>> = {
+  select: 'Selection',
+  fk: 'Posing',
+  ik: 'Inverse kinematics',
+  rig: 'Rigging',
+};
 
 /**
  * The mode's tool; undefined until loaded.

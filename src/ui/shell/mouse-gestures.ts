@@ -18,6 +18,7 @@ export const MOUSE_GESTURES: readonly MouseGestures[] = [
       ['Pan', 'right drag or Shift+drag'],
       ['Dolly', 'wheel'],
       ['Pick a joint or vertex', 'click'],
+      ['Only select and orbit', 'Q: the select tool'],
       ['Zoom the time ruler', 'wheel'],
       ['Pan the time ruler', 'Shift+wheel'],
       ['Fit the time ruler', 'double-click'],

@@ -1,5 +1,8 @@
-/** In FK mode pins don't hold, but stay visible, dimmed. What draws them is loaded with the first pin. */
+/** In FK mode and with the select tool pins don't hold, but stay visible, dimmed. What draws them is loaded with the first pin. */
+import type { PosingMode } from '../state/posing.ts';
 import type { Workbench } from '../state/workbench.ts';
+
+const SHOWN_IN: readonly PosingMode[] = ['select', 'fk'];
 
 /** The overlay that draws dimmed pins. */
 async function fetchOverlay(wb: Workbench) {
@@ -16,7 +19,7 @@ export function pinsInFk(wb: Workbench, signal: AbortSignal, load = fetchOverlay
   let isLoading = false;
   const isDue = () =>
     !signal.aborted &&
-    wb.posing.mode.get() === 'fk' &&
+    SHOWN_IN.includes(wb.posing.mode.get()) &&
     wb.store.document.characters.some(({ ik, isHidden }) => !isHidden && (ik?.pins.length ?? 0) > 0);
   const show = async () => {
     if (!isDue()) {

@@ -12,8 +12,9 @@ import { RigHand } from './rig-hand.ts';
 /**
  * `fk`: joints are rotated one by one. `ik`: points are pinned and dragged, and joints follow. `rig`: the skeleton
  * itself is edited.
+ * `select`: clicks only select.
  */
-export const POSING_MODES = ['fk', 'ik', 'rig'] as const;
+export const POSING_MODES = ['select', 'fk', 'ik', 'rig'] as const;
 export type PosingMode = (typeof POSING_MODES)[number];
 
 /** What the skin does when the skeleton is edited: it stays in place, or follows as if posed. */
@@ -46,6 +47,8 @@ export interface CopiedPose {
 
 export class Posing {
   readonly mode: Observable<PosingMode> = observable<PosingMode>('fk');
+  /** The mode that the select tool leads back to. */
+  private before: Exclude<PosingMode, 'select'> = 'fk';
   /** Controls of the mode's tool beside the mode switch (`mode-bar.ts`); the tool removes them when it leaves. */
   readonly controls: Observable<HTMLElement | undefined> = observable<HTMLElement | undefined>(undefined);
   /** For FK; see `active-dof.ts`. */
@@ -61,4 +64,14 @@ export class Posing {
   readonly copied: Observable<CopiedPose | undefined> = observable<CopiedPose | undefined>(undefined);
   /** Retargeted characters that were posed, each with its source: the message is shown once. */
   readonly toldToFollow = new Set<string>();
+
+  constructor() {
+    this.mode.subscribe((_now, before) => {
+      if (before !== 'select') this.before = before;
+    });
+  }
+
+  get modeBeforeSelect(): Exclude<PosingMode, 'select'> {
+    return this.before;
+  }
 }

@@ -15,6 +15,7 @@ const GIZMO_STEP = 2 ** (1 / 3);
 const NO_GIZMO = 'Only FK mode has a gizmo.';
 
 export const POSING_ACTIONS: readonly Action[] = [
+  mode('select', 'Select (no gizmo)'),
   mode('fk', 'Forward kinematics (FK)'),
   mode('ik', 'Inverse kinematics (IK)'),
   mode('rig', 'Rig', ['Shift+E']),
@@ -29,8 +30,18 @@ export const POSING_ACTIONS: readonly Action[] = [
     run: switchKinematics,
   },
   {
+    id: 'posing.selectTool',
+    name: 'Select tool (no gizmo), and back',
+    label: (wb) => (wb.posing.mode.get() === 'select' ? 'Leave select tool' : 'Select tool (no gizmo)'),
+    group: 'Pose',
+    menu: 'Edit/Mode',
+    section: 1,
+    shortcuts: ['Q'],
+    run: switchSelect,
+  },
+  {
     id: 'posing.leave',
-    label: 'Leave rig mode, or deselect all',
+    label: 'Leave rig mode or the select tool, or deselect all',
     group: 'Pose',
     shortcuts: ['Escape'],
     quiet: true,
@@ -38,6 +49,7 @@ export const POSING_ACTIONS: readonly Action[] = [
     // must not end IK.
     run(wb) {
       if (wb.posing.mode.get() === 'rig') wb.posing.mode.set('fk');
+      else if (wb.posing.mode.get() === 'select') switchSelect(wb);
       else if (wb.store.selection.characterId !== undefined) wb.store.select(NOTHING_SELECTED);
     },
   },
@@ -54,6 +66,11 @@ export const POSING_ACTIONS: readonly Action[] = [
 /** From FK to IK; from any other mode to FK. */
 export function switchKinematics(wb: Uses<'posing'>): void {
   wb.posing.mode.update((now) => (now === 'fk' ? 'ik' : 'fk'));
+}
+
+/** To the select tool, and back to the mode before. */
+function switchSelect({ posing }: Uses<'posing'>): void {
+  posing.mode.update((now) => (now === 'select' ? posing.modeBeforeSelect : 'select'));
 }
 
 function mode(to: PosingMode, label: string, shortcuts?: readonly string[]): Action {

@@ -9,9 +9,17 @@ import { POSING_MODES, type PosingMode } from '../../state/posing.ts';
 import { setActionTooltip } from '../../state/tooltips.ts';
 import type { Uses } from '../../state/workbench.ts';
 
-const TEXT: Readonly<Record<PosingMode, string>> = { fk: 'FK', ik: 'IK', rig: 'Rig' };
+const TEXT: Readonly<Record<PosingMode, string>> = { select: 'Select', fk: 'FK', ik: 'IK', rig: 'Rig' };
+/** Actions whose shortcuts lead to the modes. */
+const KEY_OF: Readonly<Record<PosingMode, string>> = {
+  select: 'posing.selectTool',
+  fk: 'posing.toggle',
+  ik: 'posing.toggle',
+  rig: 'posing.rig',
+};
 const MODE_LABELS: Readonly<Record<PosingMode, string>> = {
   fk: 'Forward kinematics: rotate joints one at a time with their rings or by dragging a bone up and down',
+  select: 'Select: click joints without a gizmo in the way; every drag moves the camera',
   ik: 'Inverse kinematics: click to pin a point, drag to move any point while pins hold',
   rig: 'Rig: drag a joint, its arrows or a face of its box; Ctrl+click to add a child',
 };
@@ -32,10 +40,11 @@ function modeSwitch(wb: Uses<'actions' | 'posing' | 'settings'>): HTMLElement {
   const group = element('div', { class: 'mode-switch tools', role: 'radiogroup', 'aria-label': 'Mode' });
   const made = POSING_MODES.map((mode) => {
     const one = keepsFocusElsewhere(
-      button(TEXT[mode], { class: 'tool', role: 'radio' }, TEXT[mode], () => runAction(wb, `posing.${mode}`)),
+      button(TEXT[mode], { class: 'tool', role: 'radio' }, mode === 'select' ? icon('select') : TEXT[mode], () =>
+        runAction(wb, `posing.${mode}`),
+      ),
     );
-    // E toggles two modes: its tooltip is on the one it switches to.
-    setActionTooltip(wb, one, mode === 'rig' ? 'posing.rig' : 'posing.toggle', MODE_LABELS[mode]);
+    setActionTooltip(wb, one, KEY_OF[mode], MODE_LABELS[mode]);
     return { mode, one };
   });
   group.append(...made.map(({ one }) => one));

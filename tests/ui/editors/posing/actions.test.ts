@@ -49,6 +49,20 @@ describe('the keys of posing', () => {
     }
   });
 
+  it('Q takes the select tool, and Q, Escape or E leave it', () => {
+    const { wb, press } = posing();
+    wb.store.select({ characterId: 'c1', joint: 1 });
+    const after = (key: string) => {
+      press(key, 'viewport');
+      return wb.posing.mode.get();
+    };
+    expect(['Q', 'Q'].map(after)).toEqual(['select', 'fk']);
+    wb.posing.mode.set('ik');
+    expect(['Q', 'Q', 'Q', 'Escape'].map(after)).toEqual(['select', 'ik', 'select', 'ik']);
+    expect(['Q', 'E'].map(after)).toEqual(['select', 'fk']);
+    expect(wb.store.selection.joint).toBe(1);
+  });
+
   it('the keys [ and ] change the size of the gizmo within bounds, and say where they end', () => {
     const { wb, press } = posing();
     const size = () => wb.settings.get().gizmoScale;
@@ -70,7 +84,7 @@ describe('the keys of posing', () => {
   it('Escape has one line on the page of shortcuts', () => {
     const { wb } = posing();
     const lines = actionsOf(wb).filter(({ shortcuts, panel }) => shortcuts?.includes('Escape') && !panel);
-    expect(lines.map((action) => action.label)).toEqual(['Leave rig mode, or deselect all']);
+    expect(lines.map((action) => action.label)).toEqual(['Leave rig mode or the select tool, or deselect all']);
   });
 
   it('Space switches modes if there is nothing to play, and plays otherwise', () => {

@@ -1,0 +1,33 @@
+/** The select tool: clicks pick, and every drag is the camera's. There is no gizmo. */
+import { element, keepsFocusElsewhere } from '../../kit/dom.ts';
+import { runAction } from '../../state/action.ts';
+import { setActionTooltip } from '../../state/tooltips.ts';
+import type { Workbench } from '../../state/workbench.ts';
+import type { ModeTool } from './mode-tool.ts';
+
+const BACK = { fk: 'Back to FK', ik: 'Back to IK', rig: 'Back to rig' } as const;
+
+export function selectTool(wb: Workbench): ModeTool {
+  const back = keepsFocusElsewhere(element('button', { type: 'button', class: 'tool text-tool' }));
+  back.addEventListener('click', () => runAction(wb, 'posing.selectTool'));
+  setActionTooltip(wb, back, 'posing.selectTool', 'Leave the select tool');
+  const group = element('div', { class: 'tools' }, back);
+  const cursor = () => (wb.viewport.hovered ? 'pointer' : undefined);
+  let stop = () => {};
+  return {
+    enter() {
+      back.textContent = BACK[wb.posing.modeBeforeSelect];
+      wb.posing.controls.set(group);
+      stop = wb.viewport.onHover(() => {
+        wb.viewport.canvas.style.cursor = cursor() ?? '';
+      });
+    },
+    leave() {
+      stop();
+      wb.posing.controls.set(undefined);
+      wb.viewport.canvas.style.cursor = '';
+    },
+    press: () => undefined,
+    hover: (at) => at && cursor(),
+  };
+}
