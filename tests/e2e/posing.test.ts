@@ -311,7 +311,7 @@ describeShared('the dragon', () => {
       await page.waitForFunction(() => window.marrow.characters()[0]?.name === 'dragon');
       await page.getByPlaceholder('Search').fill('shoulder_right_1');
       await page
-        .getByRole('treeitem', { name: /^shoulder_right_1/ })
+        .getByRole('treeitem', { name: /^shoulder_\s?right_1/ })
         .first()
         .click();
       await page.waitForFunction(() => document.querySelector<HTMLElement>('.joint-gizmo')?.hidden === false);

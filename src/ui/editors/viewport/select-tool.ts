@@ -11,7 +11,7 @@ export function selectTool(wb: Workbench): ModeTool {
   const back = keepsFocusElsewhere(element('button', { type: 'button', class: 'tool text-tool' }));
   back.addEventListener('click', () => runAction(wb, 'posing.selectTool'));
   setActionTooltip(wb, back, 'posing.selectTool', 'Leave the select tool');
-  const group = element('div', { class: 'tools' }, back);
+  const group = element('div', { class: 'leave-select tools' }, back);
   const cursor = () => (wb.viewport.hovered ? 'pointer' : undefined);
   let stop = () => {};
   return {
