@@ -2,7 +2,7 @@
  * From files to the document: read in the worker, assembled, added as one step, shown. Files are opened one batch at a
  * time, in the order in which they were dropped.
  */
-import { type Playback, play } from '../edit/playback.ts';
+import { type Playback, pause, play } from '../edit/playback.ts';
 import type { Store } from '../edit/store.ts';
 import { adoptSkinFacts } from '../evaluate/bounds.ts';
 import type { GivenFile } from '../io/given.ts';
@@ -23,6 +23,8 @@ export interface OpeningParts {
   readonly loading: Observable<Loading | undefined>;
   readonly viewport: Pick<WorkbenchStage, 'frameAll'>;
   readonly worker: WorkerClient;
+  /** Whether the user wants less motion: then new takes don't start to play. */
+  reducesMotion(): boolean;
 }
 
 /** What one opening added to the document. */
@@ -146,9 +148,12 @@ export class Opener {
     } else store.replace(label, { document, ...(selected && { selected }) });
     // A replaced part keeps time and camera: someone is editing a file on disk. New content may be of another size.
     if (opened.some((id) => hasGrown(findCharacter(before, id), findCharacter(document, id)))) viewport.frameAll();
-    // The range already follows the clips (`follow-range.ts`); new ones play from the start.
+    // The range already follows the clips (`follow-range.ts`); new ones play from the start, if motion is welcome.
     if (opened.some((id) => hasNewClip(before, document, id))) {
-      transport.update((now) => play({ ...now, timeSeconds: now.range[0], rate: Math.abs(now.rate) || 1 }));
+      transport.update((now) => {
+        const atStart = { ...now, timeSeconds: now.range[0], rate: Math.abs(now.rate) || 1 };
+        return this.parts.reducesMotion() ? pause(atStart, false) : play(atStart);
+      });
     }
   }
 }

@@ -9,6 +9,10 @@ import type { ViewDirection } from './camera.ts';
 import type { StageTheme } from './theme.ts';
 
 const SIZE = 76;
+/** Diameter of the area that can be pressed, larger than what is drawn. */
+const TARGET = 24;
+/** Radii in pixels: of a positive end, a negative one, and the latter's hole. */
+const [BALL, RING, HOLE] = [8.5, 5.5, 4];
 /** From the centre to a button's centre. */
 const ARM = 27;
 const SVG = 'http://www.w3.org/2000/svg';
@@ -58,10 +62,9 @@ export class Orientation {
       button.type = 'button';
       button.setAttribute('aria-label', label);
       button.textContent = sign > 0 ? 'xyz'[axis] : '';
-      const size = sign > 0 ? 17 : 11;
       button.style.cssText =
-        `position:absolute;left:50%;top:50%;width:${size}px;height:${size}px;margin:${-size / 2}px;padding:0;` +
-        'border-radius:50%;border:1.5px solid;box-sizing:border-box;font:600 10px/1 system-ui,sans-serif;' +
+        `position:absolute;left:50%;top:50%;width:${TARGET}px;height:${TARGET}px;margin:${-TARGET / 2}px;padding:0;` +
+        'border-radius:50%;border:0;font:600 10px/1 system-ui,sans-serif;forced-color-adjust:none;' +
         'display:grid;place-items:center;cursor:pointer;pointer-events:auto;user-select:none';
       button.addEventListener('click', () => lookFrom(side));
       element.append(button);
@@ -73,8 +76,12 @@ export class Orientation {
     this.colors = [theme.axisX, theme.axisY, theme.axisZ];
     ARMS.forEach(({ axis, sign }, i) => {
       const { style } = this.buttons[i];
-      style.borderColor = this.colors[axis];
-      style.background = sign > 0 ? this.colors[axis] : theme.labelHalo;
+      const color = this.colors[axis];
+      const drawn =
+        sign > 0
+          ? `${color} ${BALL - 0.5}px, transparent ${BALL + 0.5}px`
+          : `${theme.labelHalo} ${HOLE - 0.5}px, ${color} ${HOLE + 0.5}px ${RING - 0.5}px, transparent ${RING + 0.5}px`;
+      style.background = `radial-gradient(circle, ${drawn})`;
       style.color = theme.labelHalo;
     });
     this.lines.forEach((line, i) => {

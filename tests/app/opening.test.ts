@@ -10,14 +10,15 @@ import type { Loading } from '../../src/ui/state/workbench.ts';
 import { character, clip } from '../helpers/builders.ts';
 import { InThisThread } from './in-this-thread.ts';
 
-function openerOf(store: Store): Opener {
+function openerOf(store: Store, { transport = observable(DEFAULT_PLAYBACK), reducesMotion = false } = {}): Opener {
   return new Opener({
     store,
-    transport: observable(DEFAULT_PLAYBACK),
+    transport,
     messages: new Messages(),
     loading: observable<Loading | undefined>(undefined),
     viewport: { frameAll: () => undefined },
     worker: new InThisThread(),
+    reducesMotion: () => reducesMotion,
   });
 }
 const sample = () => [{ path: 'walker.skel', blob: new Blob([saveCharacter(character(), 'skel')[0].text]) }];
@@ -58,4 +59,13 @@ it('opening selects a new character, keeps the selection for a part of the selec
   expect(store.selection).toEqual({ characterId: 'c2' });
   store.undo();
   expect(store.selection).toEqual(joint);
+});
+
+it.each([false, true])('a new take starts to play unless motion is to be reduced: %s', async (reducesMotion) => {
+  const transport = observable({ ...DEFAULT_PLAYBACK, timeSeconds: 1.5 });
+  const opener = openerOf(new Store(), { transport, reducesMotion });
+  const walk = saveCharacter(character({ clips: [clip('walker_walk', [1])] }), 'anim')[0].text;
+  await opener.open(() => [...sample(), { path: 'walker_walk.anim', blob: new Blob([walk]) }]);
+  expect(transport.get().playing).toBe(!reducesMotion);
+  expect(transport.get().timeSeconds).toBe(transport.get().range[0]);
 });

@@ -29,6 +29,7 @@ async function page(texts: Readonly<Record<string, string>> = HERO) {
     loading: observable<Loading | undefined>(undefined),
     viewport: { frameAll: () => void framed++ },
     worker: new InThisThread(),
+    reducesMotion: () => false,
   });
   opener.subscribe(({ given, files }) => {
     handles.note(given);

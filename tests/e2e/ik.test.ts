@@ -45,7 +45,7 @@ async function standing(page: Page): Promise<void> {
 
 async function intoIk(page: Page): Promise<void> {
   await page.evaluate(() => window.marrow.run('posing.ik'));
-  await page.getByRole('button', { name: 'Remove all pins' }).waitFor();
+  await page.getByRole('button', { name: 'Unpin all' }).waitFor();
 }
 
 const jointPlace = (page: Page, name: string): Promise<Point> =>

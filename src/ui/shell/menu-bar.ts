@@ -3,7 +3,7 @@ import { type Document, shownClip, shownSkin } from '../../model/document.ts';
 import { vertexCount } from '../../model/skin.ts';
 import { button, element, keepsFocusElsewhere, setText } from '../kit/dom.ts';
 import { icon } from '../kit/icons.ts';
-import { type Menu, openMenu } from '../kit/menu.ts';
+import { type Menu, menuButton, openMenu } from '../kit/menu.ts';
 import { bytes, plural } from '../kit/number-text.ts';
 import { setTooltip } from '../kit/tooltip.ts';
 import { runAction } from '../state/action.ts';
@@ -29,6 +29,7 @@ export function menuBar(wb: Uses<'store' | 'actions' | 'settings' | 'loading' | 
     panelButton(wb, 'page.outliner', 'Outliner', 'outliner'),
     element('span', { class: 'brand', 'aria-hidden': 'true' }, icon('bones'), 'Marrow'),
     bar,
+    allMenus(wb),
     element('div', { class: 'menu-end' }, whatIsUnsaved(wb), whatIsLoaded(wb)),
     panelButton(wb, 'page.inspector', 'Inspector', 'inspector'),
   );
@@ -79,6 +80,16 @@ function letMenusDrop(wb: Uses<'actions' | 'settings'>, bar: HTMLElement, titles
     });
   });
   keepsFocusElsewhere(bar);
+}
+
+/** On a page too narrow for the titles: all menus, below one button. */
+function allMenus(wb: Uses<'actions' | 'settings'>): HTMLElement {
+  const made = button('Menu', { class: 'tool text-tool all-menus' }, icon('menu'), () => {});
+  made.append('Menu');
+  menuButton(made, 'Menu', () =>
+    MENUS.map((label) => ({ kind: 'menu', label, entries: () => menuEntries(wb, label) })),
+  );
+  return keepsFocusElsewhere(made);
 }
 
 function panelButton(

@@ -43,7 +43,7 @@ export function messageLine(wb: Uses<'messages'>): HTMLElement {
     region.replaceChildren(
       icon(first.severity),
       element('span', { class: 'message-text', tooltip: first.text }, first.text),
-      listed ? button('Show all messages', { class: 'link' }, more, showAll) : '',
+      listed ? button(more, { class: 'link', tooltip: 'Show all messages' }, more, showAll) : '',
       button('Dismiss', { class: 'tool small' }, icon('close'), () => messages.markAllRead()),
     );
   };

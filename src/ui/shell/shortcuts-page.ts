@@ -33,10 +33,15 @@ function switches(wb: Uses<'settings'>, said: HTMLElement, refresh: Refresh): HT
     wb.settings.update((s) => ({ ...s, singleKeys: box.checked }));
     refresh();
   });
-  const reset = button('Reset all shortcuts to default', { class: 'link' }, 'Reset all to default', () => {
-    wb.settings.update((s) => ({ ...s, keys: {}, singleKeys: true }));
-    refresh();
-  });
+  const reset = button(
+    'Reset all to default',
+    { class: 'link', tooltip: 'Reset all shortcuts to default' },
+    'Reset all to default',
+    () => {
+      wb.settings.update((s) => ({ ...s, keys: {}, singleKeys: true }));
+      refresh();
+    },
+  );
   reset.disabled = Object.keys(wb.settings.get().keys).length === 0 && wb.settings.get().singleKeys;
   const hint = 'Click a single key below and press a new one. Delete removes it.';
   return element(

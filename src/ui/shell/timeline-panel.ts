@@ -7,7 +7,7 @@ import { button, element, keepsFocusElsewhere, setText } from '../kit/dom.ts';
 import { focusPanel } from '../kit/focus.ts';
 import { icon } from '../kit/icons.ts';
 import { onDemand, whenIdle } from '../state/on-demand.ts';
-import { isPanelOpen, NARROW } from '../state/panels.ts';
+import { isPanelOpen, NARROW, openPanel } from '../state/panels.ts';
 import { splitter } from '../state/splitter.ts';
 import { TIMELINE_TABS, type TimelineTab, type TimelineTabName } from '../state/timeline.ts';
 import type { Uses } from '../state/workbench.ts';
@@ -74,9 +74,7 @@ export function timelinePanel(
     places.find((p) => p.name === other)?.title.focus();
   });
   const fold = keepsFocusElsewhere(
-    button('Collapse timeline', { class: 'tool timeline-fold' }, icon('close'), () =>
-      wb.settings.update((s) => ({ ...s, panels: { ...s.panels, timelineOpen: false } })),
-    ),
+    button('Collapse timeline', { class: 'tool timeline-fold' }, icon('close'), () => openPanel(wb, 'timeline', false)),
   );
   const panel = element(
     'section',

@@ -101,7 +101,7 @@ function displayStrip(wb: Uses<'store' | 'actions' | 'settings'>): HTMLElement {
     const hasSkin = isSkinVisible(wb);
     const short = !hasSkin ? 'No skin' : display.skin === 'heat' ? 'Weights' : label;
     skin.replaceChildren(icon('skin'), element('span', {}, short), icon('fold'));
-    skin.setAttribute('aria-label', hasSkin ? `Skin: ${label}` : 'Skin: none');
+    skin.setAttribute('aria-label', hasSkin ? `Skin: ${short}` : short);
     skin.disabled = !hasSkin;
     // *Unless skinned* counts as off: pressed, it would suggest boxes where none are drawn.
     const hasBoxes = areBoxesVisible(wb);

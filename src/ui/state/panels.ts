@@ -1,6 +1,6 @@
 /**
- * The side panels: beside the viewport if there is room, and remembered so; on a narrow page drawers over it, at most
- * one open, initially none.
+ * The panels: around the viewport if there is room, and remembered so. On a narrow page, side panels are drawers over it,
+ * at most one open, and the timeline a drawer below it; initially all are closed.
  */
 import type { Settings } from './settings.ts';
 import type { Uses } from './workbench.ts';
@@ -15,8 +15,7 @@ function isNarrow(): boolean {
 }
 
 export function isPanelOpen({ panels }: Settings, panel: PanelName): boolean {
-  // Narrow pages have no room for it.
-  if (panel === 'timeline') return panels.timelineOpen && !isNarrow();
+  if (panel === 'timeline') return isNarrow() ? panels.timelineDrawer : panels.timelineOpen;
   if (isNarrow()) return panels.drawer === panel;
   return panel === 'outliner' ? panels.outlinerOpen : panels.inspectorOpen;
 }
@@ -24,7 +23,10 @@ export function isPanelOpen({ panels }: Settings, panel: PanelName): boolean {
 export function openPanel(wb: Uses<'settings'>, panel: PanelName, open: boolean): void {
   const now = wb.settings.get();
   if (isPanelOpen(now, panel) === open) return;
-  const beside = { [`${panel}Open`]: open };
-  const change = isNarrow() && panel !== 'timeline' ? { drawer: open ? panel : ('none' as const) } : beside;
+  const change = !isNarrow()
+    ? { [`${panel}Open`]: open }
+    : panel === 'timeline'
+      ? { timelineDrawer: open }
+      : { drawer: open ? panel : ('none' as const) };
   wb.settings.set({ ...now, panels: { ...now.panels, ...change } });
 }

@@ -42,8 +42,10 @@ export interface Panels {
   readonly outlinerOpen: boolean;
   readonly inspectorOpen: boolean;
   readonly timelineOpen: boolean;
-  /** The open drawer on a narrow page; not remembered. */
+  /** The open side drawer on a narrow page; not remembered. */
   readonly drawer: 'none' | 'outliner' | 'inspector';
+  /** Whether the timeline is open on a narrow page; not remembered. */
+  readonly timelineDrawer: boolean;
 }
 
 export const DEFAULT_SETTINGS: Settings = {
@@ -60,6 +62,7 @@ export const DEFAULT_SETTINGS: Settings = {
     inspectorOpen: true,
     timelineOpen: true,
     drawer: 'none',
+    timelineDrawer: false,
   },
   newKeyTangents: 'smooth',
   gizmoScale: 1,
@@ -107,7 +110,7 @@ export function parseSettings(text: string | null): Settings {
     theme: oneOf(THEMES, kept.theme, d.theme),
     angles: oneOf(ANGLES, kept.angles, d.angles),
     timeDisplay: oneOf(TIME_DISPLAYS, kept.timeDisplay, d.timeDisplay),
-    panels: { ...sameTypes(d.panels, asRecord(kept.panels)), drawer: d.panels.drawer },
+    panels: { ...sameTypes(d.panels, asRecord(kept.panels)), drawer: d.panels.drawer, timelineDrawer: false },
     newKeyTangents: oneOf(NEW_KEY_TANGENTS, kept.newKeyTangents, d.newKeyTangents),
     gizmoScale: within(GIZMO_SCALES, kept.gizmoScale, d.gizmoScale),
     folds: Object.fromEntries(Object.entries(asRecord(kept.folds)).filter(isFold)),

@@ -45,9 +45,12 @@ describe('parseSettings', () => {
   });
 
   it('never begins with a camera that follows, or a drawer over the viewport', () => {
-    const settings = parseSettings(JSON.stringify({ display: { follow: true }, panels: { drawer: 'outliner' } }));
+    const settings = parseSettings(
+      JSON.stringify({ display: { follow: true }, panels: { drawer: 'outliner', timelineDrawer: true } }),
+    );
     expect(settings.display.follow).toBe(false);
     expect(settings.panels.drawer).toBe('none');
+    expect(settings.panels.timelineDrawer).toBe(false);
   });
 });
 

@@ -302,7 +302,8 @@ function makeRow(): Row {
   const swatch = element('span', { class: 'channel-swatch' });
   const joint = element('span', { class: 'channel-joint' });
   const dof = element('span', { class: 'channel-dof' });
-  const follows = element('span', { class: 'channel-follows' });
+  // The cell's label says it too.
+  const follows = element('span', { class: 'channel-follows', 'aria-hidden': 'true' });
   const cell = (name: Cell, ...content: Node[]) => {
     const made = element('button', { type: 'button', role: 'gridcell', tabindex: -1, class: `channel-${name}` });
     made.dataset.cell = name;
@@ -313,7 +314,7 @@ function makeRow(): Row {
   };
   const cells = {
     eye: cell('eye', icon('eye')),
-    name: cell('name', swatch, joint, dof, follows),
+    name: cell('name', swatch, joint, new Text(' '), dof, follows),
     in: cell('in'),
     out: cell('out'),
     pin: cell('pin', icon('pin')),

@@ -20,7 +20,7 @@ export function ikControls(wb: Uses<'store' | 'actions' | 'posing' | 'settings'>
       : `${character.name}’s root is fixed; only joints bend`;
   });
   const all = keepsFocusElsewhere(
-    button('Remove all pins', { class: 'tool' }, 'Unpin all', () => runAction(wb, 'ik.letAllGo')),
+    button('Unpin all', { class: 'tool' }, 'Unpin all', () => runAction(wb, 'ik.letAllGo')),
   );
   setActionTooltip(wb, all, 'ik.letAllGo', 'Remove all pins of the character');
   const hold = keepsFocusElsewhere(

@@ -14,7 +14,7 @@ export class FactList {
   private readonly parts: (() => string)[] = [];
 
   constructor(title: string) {
-    const copyAll = button('Copy all values', { class: 'link copy-all' }, 'Copy all', () => {
+    const copyAll = button('Copy all', { class: 'link copy-all', tooltip: 'Copy all values' }, 'Copy all', () => {
       void copyText(this.text()).then((done) => {
         copyAll.textContent = done ? 'Copied' : 'Blocked';
         setTimeout(() => {

@@ -107,7 +107,7 @@ function caretsInView(): { watch(excerpts: Iterable<HTMLElement>): void } {
 /** The line and its caret, as text: content of files is never markup. */
 function excerpt(text: string, caret: number): HTMLElement {
   const line = text.slice(0, EXCERPT_CHARACTERS);
-  const block = element('pre', { class: 'excerpt' });
+  const block = element('pre', { class: 'excerpt', tabindex: 0 });
   block.append(`${line}\n${caretPad(line, Math.min(caret, line.length))}`, element('span', { class: 'caret' }, '^'));
   return block;
 }

@@ -3,6 +3,7 @@
 import { jointName } from '../../../model/joint-name.ts';
 import { currentCharacter } from '../../state/action.ts';
 import { NO_CHARACTER, NO_SKELETON, needs } from '../../state/needs.ts';
+import { openPanel } from '../../state/panels.ts';
 import { selectedJoint } from '../../state/selected-joint.ts';
 import type { Action, Uses } from '../../state/workbench.ts';
 
@@ -95,7 +96,7 @@ export const POSE_ACTIONS: readonly Action[] = [
     menu: MENU,
     section: 3,
     run(wb) {
-      wb.settings.update((s) => ({ ...s, panels: { ...s.panels, timelineOpen: true } }));
+      openPanel(wb, 'timeline', true);
       wb.timeline.change({ tab: 'poses' });
     },
   },

@@ -29,7 +29,7 @@ export function poseTools(
   const buttons = BUTTONS.map(([id, text, label]) => {
     const action = findAction(wb, id);
     const made = keepsFocusElsewhere(
-      button(label, { class: 'tool text-tool' }, text, () => action && tryAction(wb, action)),
+      button(text, { class: 'tool text-tool' }, text, () => action && tryAction(wb, action)),
     );
     setActionTooltip(wb, made, id, label);
     refreshing.push(() => {
@@ -56,7 +56,7 @@ export function poseTools(
   );
   const branch = keepsFocusElsewhere(
     button(
-      'Only the selected joint and its descendants',
+      'Hierarchy only',
       {
         class: 'tool text-tool',
         'aria-pressed': 'false',

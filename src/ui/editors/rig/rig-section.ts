@@ -235,7 +235,7 @@ export class RigSection {
   private addPose(joint: number): void {
     this.append(heading('File pose'));
     const take = (label: string, text: string, from: 'shown' | 'rest', of?: number) =>
-      button(label, { class: 'plain' }, text, () => {
+      button(text, { class: 'plain', tooltip: label }, text, () => {
         const { skin, timeSeconds, characterId } = this.args();
         this.apply(setFilePose, { characterId, skin, timeSeconds, from, joint: of });
       });

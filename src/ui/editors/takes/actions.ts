@@ -2,6 +2,7 @@
 
 import type { Arrangement } from '../../../edit/commands/takes.ts';
 import { needs } from '../../state/needs.ts';
+import { openPanel } from '../../state/panels.ts';
 import type { Action, Uses } from '../../state/workbench.ts';
 import { compareTakes, endComparison } from './compare.ts';
 import {
@@ -57,7 +58,7 @@ export const TAKE_ACTIONS: readonly Action[] = [
     menu: MENU,
     section: 4,
     run(wb) {
-      wb.settings.update((s) => ({ ...s, panels: { ...s.panels, timelineOpen: true } }));
+      openPanel(wb, 'timeline', true);
       wb.timeline.change({ tab: 'takes' });
     },
   },

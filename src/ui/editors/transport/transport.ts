@@ -9,6 +9,7 @@ import { aligned, shown } from '../../kit/number-text.ts';
 import { setTooltip } from '../../kit/tooltip.ts';
 import { actionsOf, findAction, runAction, tryAction } from '../../state/action.ts';
 import { itemOf } from '../../state/menu-entries.ts';
+import { isPanelOpen, NARROW } from '../../state/panels.ts';
 import { keyOf, setActionTooltip } from '../../state/tooltips.ts';
 import type { Uses } from '../../state/workbench.ts';
 import { LOOP_LABELS, RATES, rateText } from './actions.ts';
@@ -32,6 +33,7 @@ export function transport(
       loopModes(wb),
       rate(wb),
       keying(wb),
+      timelineButton(wb),
       ...times(wb),
       ...range(wb),
     ),
@@ -57,7 +59,7 @@ function buttons(wb: Uses<'actions' | 'transport' | 'settings'>): HTMLElement {
   showPlaying(wb.transport.get().playing);
   return element(
     'div',
-    { class: 'tools', role: 'group', 'aria-label': 'Playback' },
+    { class: 'tools playback', role: 'group', 'aria-label': 'Playback' },
     make('play.toStart', 'Go to range start', 'start'),
     make('play.previousKey', 'Go to previous key', 'previousKey'),
     make('play.stepBack', 'Step back one frame', 'back'),
@@ -146,6 +148,20 @@ function keying(wb: Uses<'actions' | 'timeline' | 'settings'>): HTMLElement {
   wb.timeline.autoKey.subscribe(show);
   show();
   return element('div', { class: 'tools', role: 'group', 'aria-label': 'Keying' }, key, auto);
+}
+
+/** Opens and closes the timeline on a narrow page, where it is a drawer. */
+function timelineButton(wb: Uses<'actions' | 'settings'>): HTMLElement {
+  const label = 'Timeline panel';
+  const made = keepsFocusElsewhere(
+    button(label, { class: 'tool timeline-button' }, icon('clip'), () => runAction(wb, 'page.timeline')),
+  );
+  setActionTooltip(wb, made, 'page.timeline', label);
+  const show = () => made.setAttribute('aria-pressed', String(isPanelOpen(wb.settings.get(), 'timeline')));
+  wb.settings.subscribe(show);
+  window.matchMedia(NARROW).addEventListener('change', show);
+  show();
+  return made;
 }
 
 function times(wb: Uses<'transport' | 'settings' | 'messages'>): HTMLElement[] {

@@ -1,0 +1,149 @@
+/**
+ * WCAG 2.2 AA by axe-core, in the built page. One page goes through the states; each state is checked at every size, in
+ * alternating themes, so that it is also seen in both.
+ */
+import { readFileSync } from 'node:fs';
+import { createRequire } from 'node:module';
+import type { AxeResults, RunOptions } from 'axe-core';
+import type { Locator, Page } from 'playwright-core';
+import { expect, it } from 'vitest';
+import { dropFiles, withPage } from '../helpers/page.ts';
+
+declare global {
+  interface Window {
+    readonly axe: { run(options: RunOptions): Promise<AxeResults> };
+  }
+}
+
+const AXE = readFileSync(createRequire(import.meta.url).resolve('axe-core/axe.min.js'), 'utf8');
+
+const OPTIONS: RunOptions = {
+  runOnly: ['wcag2a', 'wcag2aa', 'wcag21a', 'wcag21aa', 'wcag22aa'],
+  resultTypes: ['violations'],
+};
+
+/** These can be over each other; the keys 1, 3, 7 and the View menu do the same, as 2.5.8 allows. */
+const AXIS_BUTTON = 'aria-label="Look from';
+
+const SIZES = [
+  { width: 1440, height: 900 },
+  { width: 768, height: 1024 },
+  { width: 390, height: 780 },
+];
+
+/** An arm of two joints, with limits, and one keyed channel. */
+const SKEL = `balljoint shoulder {
+  boxmin -0.1 0 -0.1 boxmax 0.1 0.8 0.1
+  balljoint elbow {
+    offset 0 0.8 0 boxmin -0.1 0 -0.1 boxmax 0.1 0.8 0.1
+    rotxlimit -1 1
+  }
+}
+`;
+const ANIM = `animation {
+  range 0 2
+  numchannels 9
+  ${'channel { extrapolate constant constant keys 1 { 0 0 flat flat } }\n'.repeat(6)}
+  channel { extrapolate cycle cycle keys 3 { 0 0 smooth smooth 1 1 smooth smooth 2 0 smooth smooth } }
+  ${'channel { extrapolate constant constant keys 1 { 0 0 flat flat } }\n'.repeat(2)}
+}
+`;
+/** Has an error, for the message line and the list of messages. */
+const BROKEN = 'balljoint broken { offset 0 one 0 }';
+
+/** Also what is in a closed drawer. */
+const click = async (target: Locator, ifAny = false) => {
+  if (!ifAny || (await target.count()) > 0) await target.evaluate((e: HTMLElement) => e.click());
+};
+const run = (page: Page, id: string) => page.evaluate((command) => void window.marrow.run(command), id);
+/** Panels are drawers on a small page, and closed. */
+const open = (page: Page, panel: string) => click(page.locator(`.${panel}-button[aria-pressed=false]`), true);
+const tab = (page: Page, name: string) => click(page.locator(`#timeline-tab-${name}`));
+
+/** Each continues from the one before, and the first from the last. */
+const STATES: readonly (readonly [name: string, enter: (page: Page) => Promise<unknown>])[] = [
+  [
+    'a take is open',
+    async (page) => {
+      await page.keyboard.press('Escape');
+      await run(page, 'posing.fk');
+      await run(page, 'posing.leave');
+      await tab(page, 'curves');
+    },
+  ],
+  [
+    'a joint is selected, its curves are shown',
+    async (page) => {
+      await click(page.locator('[role=treeitem]', { hasText: 'elbow' }).first());
+      await open(page, 'timeline');
+      await page.locator('.curve-plot').waitFor();
+    },
+  ],
+  [
+    'the dope sheet is shown',
+    async (page) => {
+      await open(page, 'inspector');
+      await tab(page, 'dope');
+    },
+  ],
+  ['takes are shown', (page) => tab(page, 'takes')],
+  [
+    'poses are shown',
+    async (page) => {
+      await run(page, 'pose.keep');
+      await tab(page, 'poses');
+    },
+  ],
+  ['IK mode', (page) => run(page, 'posing.ik')],
+  ['Rig mode', (page) => run(page, 'posing.rig')],
+  [
+    'messages are shown',
+    async (page) => {
+      await open(page, 'outliner');
+      await dropFiles(page, [{ name: 'broken.skel', bytes: BROKEN }]);
+      await page.locator('.message-line').waitFor();
+    },
+  ],
+  ['a menu is open', (page) => click(page.locator('.all-menus:visible, .menu-titles:visible [role=menuitem]').first())],
+  [
+    'a dialog is open',
+    async (page) => {
+      await page.keyboard.press('Escape');
+      await run(page, 'help.shortcuts');
+      await page.getByRole('dialog').waitFor();
+    },
+  ],
+];
+
+it('the page meets WCAG 2.2 AA in every state, theme and size', () =>
+  withPage(async ({ page }) => {
+    const session = await page.context().newCDPSession(page);
+    // The page's own security policy lets no foreign script in.
+    await session.send('Runtime.evaluate', { expression: AXE });
+    await dropFiles(page, [
+      { name: 'arm.skel', bytes: SKEL },
+      { name: 'arm.anim', bytes: ANIM },
+    ]);
+    await page.locator('[role=treeitem]', { hasText: 'elbow' }).first().waitFor({ state: 'attached' });
+    const found: string[] = [];
+    for (const [i, size] of SIZES.entries()) {
+      await page.setViewportSize(size);
+      for (const [s, [state, enter]] of STATES.entries()) {
+        // Every state with both themes, and both themes at every size, with few changes.
+        const colorScheme = s < STATES.length / 2 === (i === 1) ? 'dark' : 'light';
+        await enter(page);
+        await page.emulateMedia({ colorScheme });
+        await page.evaluate(() => new Promise(requestAnimationFrame));
+        const { violations } = await page.evaluate((options) => window.axe.run(options), OPTIONS);
+        for (const { id, nodes } of violations) {
+          for (const { html, failureSummary } of nodes) {
+            if (id === 'target-size' && html.includes(AXIS_BUTTON)) continue;
+            found.push(
+              `${state}, ${size.width} × ${size.height}, ${colorScheme}: ${id}\n  ${html}\n  ${failureSummary}`,
+            );
+          }
+        }
+      }
+    }
+    expect(found).toEqual([]);
+  }));
