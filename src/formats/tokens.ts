@@ -4,6 +4,8 @@
  *
  *     separators   blank, tab, CR, LF        braces are tokens also when glued to a word        a UTF-8 BOM is skipped
  *
+ * There are no comments: a format that has them skips their line itself (`restOfLine`, which stops before a `{`).
+ *
  * The grammar works on one piece of bytes at a time, cut between tokens by `pieces.ts`. Methods that may run out of
  * bytes are generators and suspend there; after that, offsets into the previous piece are invalid.
  */

@@ -183,7 +183,10 @@ export interface PartOpening<C> {
   readonly unused?: string;
 }
 
-/** A list of other files; poses for a library; an image for a skin: opened by rules of their own. */
+/**
+ * A list of other files; poses for a library; an image for a skin: opened by rules of their own. One more goes into
+ * `open/grouping.ts` and `open/open-files.ts`, which the compiler doesn't name.
+ */
 export interface OtherOpening {
   readonly as: 'rig' | 'poses' | 'texture';
 }

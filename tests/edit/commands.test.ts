@@ -5,6 +5,7 @@ import { COMMANDS_AT_HAND, FETCHED_IDS } from '../../src/edit/commands/at-hand.t
 import { CommandError, Store } from '../../src/edit/store.ts';
 import { character, documentOf } from '../helpers/builders.ts';
 import { expectEdit } from '../helpers/expect-edit.ts';
+import { COMMANDS_HERE } from './any-command.ts';
 import { CASES } from './every-command.ts';
 
 /** Commands that need no more than a character. */
@@ -32,7 +33,7 @@ describe('commands called from the console', () => {
 const FOLDER = new URL('../../src/edit/commands/', import.meta.url);
 
 /** What the files of commands export that is one. */
-async function exportedCommands(): Promise<unknown[]> {
+async function exportedCommands(): Promise<{ readonly id: string }[]> {
   const files = readdirSync(FOLDER).filter((file) => file !== 'all.ts' && file !== 'at-hand.ts');
   const modules: object[] = await Promise.all(files.map((file) => import(new URL(file, FOLDER).href)));
   return modules.flatMap((module) => Object.values(module)).filter((made) => typeof made?.run === 'function');
@@ -40,9 +41,9 @@ async function exportedCommands(): Promise<unknown[]> {
 
 describe('the list of commands', () => {
   it('holds every command that a file exports, each under its own id', async () => {
-    const listed = [...COMMANDS_BY_ID.values()];
-    expect(new Set(listed)).toEqual(new Set(await exportedCommands()));
-    expect(listed.map(({ id }) => id)).toEqual([...COMMANDS_BY_ID.keys()]);
+    const exported = await exportedCommands();
+    expect([...COMMANDS_BY_ID.keys()].sort()).toEqual(exported.map(({ id }) => id).sort());
+    for (const command of exported) expect(COMMANDS_BY_ID.get(command.id)).toBe(command);
   });
 
   it('the list of commands is known to the page, which loads the others on demand, by exactly its ids', () => {
@@ -54,6 +55,10 @@ describe('the list of commands', () => {
 describe('every command', () => {
   it('every command has a case', () => {
     expect(Object.keys(CASES).sort()).toEqual([...COMMANDS_BY_ID.keys()].sort());
+  });
+
+  it('every command has random arguments', () => {
+    expect([...COMMANDS_HERE].sort()).toEqual([...COMMANDS_BY_ID.keys()].sort());
   });
 
   const all = [...COMMANDS_BY_ID].flatMap(([id, command]) => (CASES[id] ? [{ id, command, given: CASES[id] }] : []));

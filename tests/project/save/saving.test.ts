@@ -1,6 +1,7 @@
 import { describe, expect, it } from 'vitest';
 import { zipCharacter } from '../../../src/app/zip-character.ts';
 import { EMPTY_DOCUMENT } from '../../../src/model/document.ts';
+import { KINDS, SAVED_KINDS } from '../../../src/project/kinds.ts';
 import { openFiles } from '../../../src/project/open/open-files.ts';
 import { saveCharacter } from '../../../src/project/save/saving.ts';
 import { parse } from '../../../src/worker/parse.ts';
@@ -25,6 +26,11 @@ describe('saving a character', () => {
       'hero.rig',
     ]);
   });
+
+  it.each(SAVED_KINDS.filter((kind) => KINDS[kind].save.has(hero)))(
+    'a character that has something for files of kind %s is saved in at least one',
+    (kind) => expect(saveCharacter(hero, kind)).not.toEqual([]),
+  );
 
   it('writes the pose as it is now', () => {
     const posed = { ...hero, pose: hero.pose.map((v, i) => (i === 4 ? 0.25 : v)) };
