@@ -148,7 +148,7 @@ function* patchesOf(triangles: Uint32Array, vertices: number): Steps<Patches> {
   const patches = new Patches(all / 3);
   const start = new Uint32Array(vertices + 1);
   for (let i = 0; i < all; i++) {
-    start[Math.min(triangles[i], triangles[next(i)]) + 1]++;
+    start[Math.min(triangles[i], triangles[afterInTriangle(i)]) + 1]++;
     if (i % STRIDE === STRIDE - 1) yield (0.15 * i) / all;
   }
   for (let v = 0; v < vertices; v++) start[v + 1] += start[v];
@@ -156,7 +156,7 @@ function* patchesOf(triangles: Uint32Array, vertices: number): Steps<Patches> {
   const corner = new Uint32Array(all);
   const filled = start.slice(0, vertices);
   for (let i = 0; i < all; i++) {
-    corner[filled[Math.min(triangles[i], triangles[next(i)])]++] = i;
+    corner[filled[Math.min(triangles[i], triangles[afterInTriangle(i)])]++] = i;
     if (i % STRIDE === STRIDE - 1) yield 0.15 + (0.15 * i) / all;
   }
   // Per upper vertex, for edges of the current lower vertex: owner mark, count, and the last two edges.
@@ -167,7 +167,7 @@ function* patchesOf(triangles: Uint32Array, vertices: number): Steps<Patches> {
   for (let v = 0; v < vertices; v++) {
     for (let e = start[v]; e < start[v + 1]; e++) {
       const i = corner[e];
-      const u = Math.max(triangles[i], triangles[next(i)]);
+      const u = Math.max(triangles[i], triangles[afterInTriangle(i)]);
       if (mark[u] !== v + 1) {
         mark[u] = v + 1;
         times[u] = 0;
@@ -178,13 +178,13 @@ function* patchesOf(triangles: Uint32Array, vertices: number): Steps<Patches> {
     }
     for (let e = start[v]; e < start[v + 1]; e++) {
       const i = corner[e];
-      const u = Math.max(triangles[i], triangles[next(i)]);
+      const u = Math.max(triangles[i], triangles[afterInTriangle(i)]);
       // Edges of three triangles are ambiguous; those of degenerate triangles mean nothing.
       if (times[u] !== 2 || one[u] !== i || u === v) continue;
       const j = other[u];
       // Neighbours run along their edge in opposite directions. The two sides of a sheet share place and normals, so
       // they have to face the same way instead.
-      const isSheet = triangles[next(next(i))] === triangles[next(next(j))];
+      const isSheet = triangles[afterInTriangle(afterInTriangle(i))] === triangles[afterInTriangle(afterInTriangle(j))];
       patches.join(Math.floor(i / 3), Math.floor(j / 3), (triangles[i] === triangles[j]) !== isSheet);
     }
     if (v % STRIDE === STRIDE - 1) yield 0.3 + (0.4 * v) / vertices;
@@ -194,6 +194,6 @@ function* patchesOf(triangles: Uint32Array, vertices: number): Steps<Patches> {
 }
 
 /** The next of three consecutive indices that are a triangle. */
-function next(i: number): number {
+export function afterInTriangle(i: number): number {
   return i % 3 === 2 ? i - 2 : i + 1;
 }

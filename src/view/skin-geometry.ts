@@ -21,7 +21,7 @@ import {
 } from 'three';
 import type { Steps } from '../evaluate/steps.ts';
 import { type Skin, vertexCount } from '../model/skin.ts';
-import { facingOf } from './facing.ts';
+import { afterInTriangle, facingOf } from './facing.ts';
 
 /** Attachments that the attributes hold. */
 const IN_ATTRIBUTES = 4;
@@ -157,11 +157,6 @@ export function* edgesOf(triangles: Uint32Array, vertices: number): Steps<Uint32
     if (v % STRIDE === STRIDE - 1) yield 0.65 + (0.35 * v) / vertices;
   }
   return pairs.slice(0, count);
-}
-
-/** The next of three consecutive indices that are a triangle. */
-function afterInTriangle(i: number): number {
-  return i % 3 === 2 ? i - 2 : i + 1;
 }
 
 /** A geometry over the same vertices, drawn as lines. Dispose of both together: they share buffers. */

@@ -2,13 +2,15 @@
  * Creating and editing skeletons: adding, reparenting, removing and mirroring joints. Everything that refers to joints
  * and DOFs is updated (`rig/remap.ts`), and the skin stays or follows as requested (`rig/rigging.ts`).
  */
+
 import type { Document } from '../../model/document.ts';
 import { EMPTY_DOCUMENT } from '../../model/document.ts';
+import { jointName } from '../../model/joint-name.ts';
 import { indexIn, oneOf, text } from '../arguments.ts';
 import { changeCharacter, requireCharacter } from '../characters.ts';
 import { newCharacter, withSkeleton } from '../new-character.ts';
 import { placeBeside } from '../place-beside.ts';
-import { called, calledIn, findJoint, rigged, secondsOf } from '../rig/apply.ts';
+import { calledIn, findJoint, rigged, secondsOf } from '../rig/apply.ts';
 import { withTakenUp } from '../rig/bind.ts';
 import { checkedName, vector } from '../rig/checks.ts';
 import { changedTree } from '../rig/joint-map.ts';
@@ -103,17 +105,17 @@ export const reparentJoint: Command<ReparentJoint, Document | Edit> = {
     const { character, skeleton, joint } = findJoint(document, characterId, index);
     const { joints } = skeleton;
     indexIn(parent, 0, joints.length, 'joint');
-    if (index === 0) throw new CommandError(`${called(skeleton, 0)} is the root, which can’t have a parent.`);
+    if (index === 0) throw new CommandError(`${jointName(skeleton, 0)} is the root, which can’t have a parent.`);
     for (let above = parent; above >= 0; above = joints[above].parent) {
       if (above !== index) continue;
       throw new CommandError(
-        `${called(skeleton, index)} can’t be parented to its descendant ${called(skeleton, parent)}.`,
+        `${jointName(skeleton, index)} can’t be parented to its descendant ${jointName(skeleton, parent)}.`,
       );
     }
     if (before !== undefined) {
       indexIn(before, 0, joints.length, 'joint');
       if (joints[before].parent !== parent) {
-        throw new CommandError(`${called(skeleton, before)} is not a child of ${called(skeleton, parent)}.`);
+        throw new CommandError(`${jointName(skeleton, before)} is not a child of ${jointName(skeleton, parent)}.`);
       }
       if (before === index) return document;
     }

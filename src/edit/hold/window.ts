@@ -8,6 +8,7 @@
  * Where the range starts or ends with the take there is no ease: nothing beyond is visible. Elsewhere it takes at least
  * one frame, so that nothing jumps.
  */
+import { smoothstep } from '../../math/smoothstep.ts';
 import type { Samples } from '../../model/samples.ts';
 import { sameTime } from '../keys/same-time.ts';
 import { firstFrameFrom, lastFrameTo } from '../samples/frames.ts';
@@ -85,15 +86,11 @@ export function sampledWindow(samples: Samples, range: readonly [number, number]
 function windowOf(times: Float64Array, firstHeld: number, lastHeld: number, corners: ReadonlySet<number>): HoldWindow {
   const last = times.length - 1;
   const weights = times.map((time, f) => {
-    if (f < firstHeld) return smoothstep((time - times[0]) / (times[firstHeld] - times[0]));
-    if (f > lastHeld) return smoothstep((times[last] - time) / (times[last] - times[lastHeld]));
+    if (f < firstHeld) return smoothstep(times[0], times[firstHeld], time);
+    if (f > lastHeld) return smoothstep(times[last], times[lastHeld], time);
     return 1;
   });
   return { times, weights, firstHeld, lastHeld, corners };
-}
-
-function smoothstep(x: number): number {
-  return x * x * (3 - 2 * x);
 }
 
 function outside(played: readonly [number, number]): CommandError {

@@ -82,9 +82,5 @@ export function withJoint(
 
 /** The name of a joint for labels and messages, whether it exists or not. */
 export function calledIn(document: Document, characterId: string, joint: number): string {
-  return called(findCharacter(document, characterId)?.skeleton, joint);
-}
-
-export function called(skeleton: Skeleton | undefined, joint: number): string {
-  return jointName(skeleton, joint);
+  return jointName(findCharacter(document, characterId)?.skeleton, joint);
 }

@@ -7,15 +7,16 @@
  * Counterparts are found as for mirrored poses (`pose/partners.ts`): by name, else by position. A match by position has
  * to be close; otherwise a joint beside a leg could be taken for the other leg.
  */
+
 import { withoutRoundOff } from '../../math/round-off.ts';
 import { reflected, type Vec3 } from '../../math/vec3.ts';
 import { couplesOf } from '../../model/couples.ts';
 import type { Document } from '../../model/document.ts';
+import { jointName } from '../../model/joint-name.ts';
 import type { Joint, Skeleton } from '../../model/skeleton.ts';
 import { partnersAcross } from '../pose/partners.ts';
 import { partnersByName } from '../pose/sides.ts';
 import { CommandError } from '../store.ts';
-import { called } from './apply.ts';
 import { changedJoints, changedTree, type JointMap } from './joint-map.ts';
 import { mirroredCouples } from './mirrored-couples.ts';
 import { mirroredLimit, mirroredMotion, reflectedBox } from './mirrored-motion.ts';
@@ -73,19 +74,19 @@ class Mirroring {
 
   mirror(index: number): MirroredHierarchy {
     const { skeleton, branches } = this;
-    const name = called(skeleton, index);
+    const name = jointName(skeleton, index);
     if (index === 0) throw new CommandError(`${name} is the root, which has no other side.`);
     const { parent } = skeleton.joints[index];
     const above = this.sideOf(parent);
     if (above < 0) {
-      throw new CommandError(`Mirror ${called(skeleton, parent)} first: it has no counterpart yet.`);
+      throw new CommandError(`Mirror ${jointName(skeleton, parent)} first: it has no counterpart yet.`);
     }
     if (this.isInPlane(index)) {
       throw new CommandError(`${name} and its descendants lie in the mirror plane.`);
     }
     const there = this.counterpart(index);
     if (there >= 0 && skeleton.joints[there].parent !== above) {
-      const [own, side] = [called(skeleton, there), called(skeleton, above)];
+      const [own, side] = [jointName(skeleton, there), jointName(skeleton, above)];
       throw new CommandError(`${own} is the counterpart, but its parent is not ${side}. Reparent it first.`);
     }
     const top = this.mirrorBranch(index, branches[above], above);

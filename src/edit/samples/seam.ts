@@ -6,6 +6,7 @@
  *
  * The seam is within the range: nothing changes outside. There is none where the range ends with the take.
  */
+import { smoothstep } from '../../math/smoothstep.ts';
 import { rangeOfSamples, type Samples } from '../../model/samples.ts';
 import { CommandError } from '../store.ts';
 import { firstFrameFrom, lastFrameTo } from './frames.ts';
@@ -38,6 +39,5 @@ export function weightAt({ first, end, frameCount }: FrameRange, reach: number, 
   const seam = Math.min(reach, Math.floor((end - first) / 2));
   const into = first === 0 ? Number.POSITIVE_INFINITY : frame - first;
   const left = end === frameCount ? Number.POSITIVE_INFINITY : end - 1 - frame;
-  const part = Math.min(1, (Math.min(into, left) + 1) / (seam + 1));
-  return part * part * (3 - 2 * part);
+  return smoothstep(0, seam + 1, Math.min(into, left) + 1);
 }

@@ -14,11 +14,11 @@
  * previous contact. It would sink into a flat ground, so it is raised during the contact by its average depth. From
  * 0.17 leg lengths, the height of a stair, it counts as really standing lower.
  */
+import { smoothstep } from '../../math/smoothstep.ts';
 import { worldMatrices } from '../kinematics.ts';
 import { type Bodies, driven } from './align.ts';
 import type { RetargetFigure } from './figure.ts';
 import { legLength } from './leg-length.ts';
-import { smooth } from './limbs.ts';
 import type { FootTrack, RetargetPlan } from './plan.ts';
 import { solveFreely } from './solve.ts';
 import { sourcePose } from './source-pose.ts';
@@ -171,8 +171,8 @@ export function riseAt({ contacts, rises }: FootTrack, seconds: number): number 
     if (contacts[2 * mid] <= seconds) next = mid + 1;
     else high = mid;
   }
-  const past = next > 0 ? 1 - smooth(0, FADE, seconds - contacts[2 * next - 1]) : 0;
-  const coming = next < count ? (1 - past) * (1 - smooth(0, FADE, contacts[2 * next] - seconds)) : 0;
+  const past = next > 0 ? 1 - smoothstep(0, FADE, seconds - contacts[2 * next - 1]) : 0;
+  const coming = next < count ? (1 - past) * (1 - smoothstep(0, FADE, contacts[2 * next] - seconds)) : 0;
   return (next > 0 ? past * rises[next - 1] : 0) + (next < count ? coming * rises[next] : 0);
 }
 
@@ -189,7 +189,7 @@ export function offsetAt({ contacts, offsets }: FootTrack, seconds: number, out:
   }
   const before = Math.max(0, next - 1);
   const after = Math.min(next, Math.max(0, count - 1));
-  const t = before === after ? 0 : smooth(contacts[2 * before + 1], contacts[2 * after], seconds);
+  const t = before === after ? 0 : smoothstep(contacts[2 * before + 1], contacts[2 * after], seconds);
   for (let k = 0; k < 2; k++) out[k] = offsets[2 * before + k] + t * (offsets[2 * after + k] - offsets[2 * before + k]);
 }
 
@@ -207,7 +207,7 @@ export function standing({ contacts }: FootTrack, seconds: number): number {
     if (seconds < from) high = mid;
     else low = mid + 1;
   }
-  return 1 - smooth(0, FADE, nearest);
+  return 1 - smoothstep(0, FADE, nearest);
 }
 
 /** Height of the target's joints above its ground: the scene's, or the level where its feet end. */

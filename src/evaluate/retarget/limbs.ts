@@ -6,7 +6,9 @@
  *
  * Straight limbs define no plane: the roll fades out as they straighten, so that no knee spins.
  */
+
 import { multiply3, turnAbout, turnVector } from '../../math/mat3.ts';
+import { smoothstep } from '../../math/smoothstep.ts';
 import type { CompiledSkeleton } from '../kinematics.ts';
 import { aims, type Bodies, driven } from './align.ts';
 import { type BodySide, LIMB_SIDES } from './roles.ts';
@@ -122,15 +124,10 @@ export function rollLimb(limb: Limb, bones: Float64Array, wanted: Float64Array):
     d1[1] * (axis[2] * nx - axis[0] * nz) +
     d1[2] * (axis[0] * ny - axis[1] * nx);
   // A limb that bends against its hinge, as noise at a straight knee does, is not turned around for it.
-  const share = smooth(STRAIGHT, BENT, sine) * smooth(-0.7, 0, cos);
+  const share = smoothstep(STRAIGHT, BENT, sine) * smoothstep(-0.7, 0, cos);
   if (share === 0) return;
   const angle = share * Math.atan2(sin, cos);
   turnAbout(d1[0], d1[1], d1[2], Math.cos(angle), Math.sin(angle), turn, 0);
   for (let k = 0; k < 9; k++) before[k] = wanted[9 * upper + k];
   multiply3(turn, 0, before, 0, wanted, 9 * upper);
-}
-
-export function smooth(from: number, to: number, x: number): number {
-  const t = Math.min(1, Math.max(0, (x - from) / (to - from)));
-  return t * t * (3 - 2 * t);
 }

@@ -1,5 +1,6 @@
 /** The crawler's mesh and colours: a shell over a round body, a friendly head, six legs, two feelers. */
 
+import { smoothstep } from '../../math/smoothstep.ts';
 import { add, cross, scaled, subtract, type Vec3 } from '../../math/vec3.ts';
 import { Atlas, blend, type Colour, colour } from '../paint/atlas.ts';
 import {
@@ -13,7 +14,7 @@ import {
   type Weights,
 } from '../shape/mesh.ts';
 import { jointIndex, posedFrames } from '../shape/skeletons.ts';
-import { apply, normalise, smoothstep } from '../shape/vectors.ts';
+import { apply, normalise } from '../shape/vectors.ts';
 import { chainWeights, placeAlong } from '../shape/weights.ts';
 import { BODY_HEIGHT, COXA, CRAWLER_SKELETON, FEMUR, LEGS, type LegPlan, TIBIA } from './skeleton.ts';
 

@@ -51,12 +51,6 @@ export function ballAngles(m: Mat3): Vec3 {
 /** R = Rz·Ry·Rx. */
 export const ballRotation = (a: Vec3): Mat3 => rotate(rotationZ(a[2]), rotationY(a[1]), rotationX(a[0]));
 
-/** 0 below `from`, 1 above `to`, an S-curve between (either way round). */
-export function smoothstep(from: number, to: number, x: number): number {
-  const t = Math.max(0, Math.min(1, (x - from) / (to - from)));
-  return t * t * (3 - 2 * t);
-}
-
 export const mix = (a: number, b: number, t: number): number => a + (b - a) * t;
 
 /** Rounded to so many decimals, without a negative zero. */

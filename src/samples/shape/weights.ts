@@ -1,7 +1,7 @@
 /** Weights that change smoothly along a limb, as if painted with one soft brush. */
+import { smoothstep } from '../../math/smoothstep.ts';
 import { add, dot, scaled, subtract, type Vec3 } from '../../math/vec3.ts';
 import type { Weights } from './mesh.ts';
-import { smoothstep } from './vectors.ts';
 
 /** Beyond this position the joint takes over from the previous one, blended over `soft` to either side. */
 export interface Bend {

@@ -1,8 +1,9 @@
 /** The walker's mesh: its parts, their shapes, and the joints they follow. */
 
+import { smoothstep } from '../../math/smoothstep.ts';
 import { add, cross, dot, scaled, subtract, type Vec3 } from '../../math/vec3.ts';
 import { along, around, loft, MeshBuilder, type Section, type Span } from '../shape/mesh.ts';
-import { apply, mixVec, normalise, smoothstep } from '../shape/vectors.ts';
+import { apply, mixVec, normalise } from '../shape/vectors.ts';
 import { chainWeights, mixWeights, placeAlong } from '../shape/weights.ts';
 import { GEAR } from './gear.ts';
 import { eyePoint, headPoint, mouthPoint, nosePoint } from './head.ts';

@@ -1,9 +1,10 @@
 /** The walker's clip: the gait as channels, then the face's and the chest's. */
+import { smoothstep } from '../../math/smoothstep.ts';
 import type { Channel, ChannelClip } from '../../model/clip.ts';
 import { roundSeconds } from '../motion/circle.ts';
 import { fitChannel } from '../motion/fit.ts';
 import { gaitChannels } from '../motion/walk.ts';
-import { round, smoothstep } from '../shape/vectors.ts';
+import { round } from '../shape/vectors.ts';
 import { TOE_LEAVES, WALK_CIRCLE, walkPose } from './gait.ts';
 import { WALKER_SKELETON } from './skeleton.ts';
 

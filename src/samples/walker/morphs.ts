@@ -1,9 +1,10 @@
 /** The walker's three morphs: what they move, and by how much. */
 
+import { smoothstep } from '../../math/smoothstep.ts';
 import { add, scaled, subtract, type Vec3 } from '../../math/vec3.ts';
 import type { Morph } from '../../model/morph.ts';
 import { roundVec, type Span } from '../shape/mesh.ts';
-import { length, smoothstep } from '../shape/vectors.ts';
+import { length } from '../shape/vectors.ts';
 import { EYE_GRID, MOUTH_GRID, type WalkerMesh } from './body.ts';
 import { eyePoint, HEAD_CENTRE, mouthPoint } from './head.ts';
 

@@ -1,7 +1,7 @@
 /** The walker's colours: fur, coat, boots, each a function from a point in the binding pose to a colour. */
+import { smoothstep } from '../../math/smoothstep.ts';
 import type { Vec3 } from '../../math/vec3.ts';
 import { Atlas, blend, type Colour, colour } from '../paint/atlas.ts';
-import { smoothstep } from '../shape/vectors.ts';
 import { SHAPES } from './body.ts';
 import { squareToDisc } from './head.ts';
 import { ATLAS_SIZE, type PartName, RECTS } from './parts.ts';

@@ -6,7 +6,7 @@ import { shortcutsFor, shortcutText } from './shortcuts.ts';
 import type { Uses } from './workbench.ts';
 
 /** The first key of an action as text; undefined if it has none. */
-export function keyOf(wb: Uses<'actions' | 'settings'>, actionId: string): string | undefined {
+export function keyNameOf(wb: Uses<'actions' | 'settings'>, actionId: string): string | undefined {
   const action = findAction(wb, actionId);
   const [shortcut] = action ? shortcutsFor(action, wb.settings.get()) : [];
   return shortcut && shortcutText(shortcut, isMac);
@@ -19,5 +19,5 @@ export function setActionTooltip(
   actionId: string,
   text: TooltipText,
 ): void {
-  setTooltip(target, text, () => keyOf(wb, actionId));
+  setTooltip(target, text, () => keyNameOf(wb, actionId));
 }

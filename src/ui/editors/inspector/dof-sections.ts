@@ -7,7 +7,7 @@ import { dofsOf, motionHeading, motionText } from '../../../model/joint-types.ts
 import { element, setText } from '../../kit/dom.ts';
 import { plural, shown } from '../../kit/number-text.ts';
 import { removeControllers } from '../../kit/slider.ts';
-import { keyNameOf } from '../posing/unkeyed-values.ts';
+import { keyNameOf } from '../../state/tooltips.ts';
 import { addDofRow, type DofRowContext } from './dof-rows.ts';
 
 /** Rows of the long list are created in chunks of this size as it is scrolled. */

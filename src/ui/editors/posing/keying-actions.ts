@@ -10,10 +10,10 @@ import { currentCharacter } from '../../state/action.ts';
 import { NO_SKELETON, needs } from '../../state/needs.ts';
 import { selectedJointOf } from '../../state/selected-joint.ts';
 import type { NEW_KEY_TANGENTS } from '../../state/settings.ts';
+import { keyNameOf } from '../../state/tooltips.ts';
 import type { Action, Uses } from '../../state/workbench.ts';
 import { hasTake } from '../timeline/key-actions.ts';
 import { deleteKeysNow, jointDofs, keyNow, keysNow } from './pose-edits.ts';
-import { keyNameOf } from './unkeyed-values.ts';
 
 const TANGENT_LABELS: Readonly<Record<(typeof NEW_KEY_TANGENTS)[number], string>> = {
   smooth: 'Smooth',

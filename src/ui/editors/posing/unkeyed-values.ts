@@ -6,9 +6,7 @@
 import { discardUnkeyed } from '../../../edit/commands/pose.ts';
 import { countUnkeyed } from '../../../edit/unkeyed.ts';
 import { findCharacter } from '../../../model/document.ts';
-import { isMac } from '../../kit/keyboard.ts';
-import { findAction } from '../../state/action.ts';
-import { shortcutsFor, shortcutText } from '../../state/shortcuts.ts';
+import { keyNameOf } from '../../state/tooltips.ts';
 import type { Uses } from '../../state/workbench.ts';
 
 /** Discards changes made at another time, with a message. */
@@ -28,13 +26,6 @@ export function dropStale(wb: Uses<'store' | 'actions' | 'settings' | 'messages'
   const said = hints.filter(Boolean).join(', ');
   const what = count === 1 ? 'Unkeyed change' : `${count} unkeyed changes`;
   messages.note(`${what} discarded${said && `. ${said}`}.`);
-}
-
-/** Shortcut of an action as shown in menus; undefined without one. */
-export function keyNameOf(wb: Uses<'actions' | 'settings'>, actionId: string): string | undefined {
-  const action = findAction(wb, actionId);
-  const [shortcut] = action ? shortcutsFor(action, wb.settings.get()) : [];
-  return shortcut && shortcutText(shortcut, isMac);
 }
 
 /** Sets the time of restored values (by undo, or from a script), where alone they are visible. */

@@ -18,6 +18,7 @@ import {
   TIME_RULER_HEIGHT,
   type TimeColours,
   type TimeView,
+  timeX,
   translucent,
 } from '../timeline/time-ruler.ts';
 import { type DistanceUnit, distanceNumber } from './distance-text.ts';
@@ -98,7 +99,7 @@ export class ChartPicture {
     const { view, height } = scene;
     drawPlayhead(g, view, timeSeconds, height, colours);
     if (!readout) return;
-    const x = xAt(view, readout.timeSeconds);
+    const x = timeX(view, readout.timeSeconds);
     const y = yAt(scene, readout.distance);
     g.fillStyle = colours.text;
     g.beginPath();
@@ -225,10 +226,6 @@ function opacityOf({ kind }: ChartLine): number {
   return kind === 'most' ? 0.6 : kind === 'hovered' ? 0.75 : 1;
 }
 
-function xAt({ window, width }: TimeView, seconds: number): number {
-  return ((seconds - window.from) / (window.to - window.from)) * width;
-}
-
 export function yAt({ height, top }: Pick<ChartScene, 'height' | 'top'>, distance: number): number {
   return height - FOOT - (top > 0 ? distance / top : 0) * (height - HEAD - FOOT);
 }
@@ -247,15 +244,15 @@ function trace(g: CanvasRenderingContext2D, scene: ChartScene, values: Float32Ar
   const perPixel = (view.window.to - view.window.from) / view.width / frameSeconds;
   if (perPixel <= 2) {
     for (let f = first; f < end; f++) {
-      g.lineTo(xAt(view, startSeconds + f * frameSeconds), yAt(scene, values[f]));
+      g.lineTo(timeX(view, startSeconds + f * frameSeconds), yAt(scene, values[f]));
     }
     // A take of one frame is a point.
-    if (end - first === 1) g.arc(xAt(view, startSeconds + first * frameSeconds), yAt(scene, values[first]), 1, 0, 7);
+    if (end - first === 1) g.arc(timeX(view, startSeconds + first * frameSeconds), yAt(scene, values[first]), 1, 0, 7);
     return;
   }
   let f = first;
   while (f < end) {
-    const x = Math.floor(xAt(view, startSeconds + f * frameSeconds));
+    const x = Math.floor(timeX(view, startSeconds + f * frameSeconds));
     const past = Math.min(end, Math.max(f + 1, Math.floor(f + perPixel)));
     let least = values[f];
     let most = least;

@@ -61,7 +61,8 @@ export function translucent(colour: string, opacity: number): string {
     .padStart(2, '0')}`;
 }
 
-function timeX({ window, width }: TimeView, seconds: number): number {
+/** Pixels from the left edge. */
+export function timeX({ window, width }: TimeView, seconds: number): number {
   return ((seconds - window.from) / (window.to - window.from)) * width;
 }
 

@@ -10,7 +10,7 @@ import { setTooltip } from '../../kit/tooltip.ts';
 import { actionsOf, findAction, runAction, tryAction } from '../../state/action.ts';
 import { itemOf } from '../../state/menu-entries.ts';
 import { isPanelOpen, NARROW } from '../../state/panels.ts';
-import { keyOf, setActionTooltip } from '../../state/tooltips.ts';
+import { keyNameOf, setActionTooltip } from '../../state/tooltips.ts';
 import type { Uses } from '../../state/workbench.ts';
 import { LOOP_LABELS, RATES, rateText } from './actions.ts';
 import { typeRange } from './range-edits.ts';
@@ -253,7 +253,7 @@ function range(wb: Uses<'store' | 'actions' | 'transport' | 'settings' | 'messag
       ['play.setOut', 'End here'],
       ['play.wholeRange', 'Whole take'],
     ].map(([id, text]) => {
-      const key = keyOf(wb, id);
+      const key = keyNameOf(wb, id);
       return key ? `${text} (${key})` : text;
     });
     return `Playback range, saved with the take. ${keys.join(', ')}`;
