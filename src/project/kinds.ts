@@ -184,12 +184,15 @@ export interface PartOpening<C> {
 }
 
 /**
- * A list of other files; poses for a library; an image for a skin: opened by rules of their own. One more goes into
- * `open/grouping.ts` and `open/open-files.ts`, which the compiler doesn't name.
+ * A list of other files; poses for a library; an image for a skin: opened by rules of their own. One more gets its rules
+ * in `open/grouping.ts` and `open/open-files.ts`.
  */
 export interface OtherOpening {
   readonly as: 'rig' | 'poses' | 'texture';
 }
+
+/** What a file is in an opening. */
+export type Role = Opening<never>['as'];
 
 const OPENINGS: { readonly [K in FileKind]: Opening<ContentOf<K>> } = {
   skel: {

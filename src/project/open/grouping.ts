@@ -19,7 +19,7 @@ import {
   sameName,
   stemOf,
 } from '../../model/files.ts';
-import { type FormatKind, KINDS, openingOf } from '../kinds.ts';
+import { type FormatKind, KINDS, openingOf, type Role } from '../kinds.ts';
 
 /** A given file, read or broken. */
 export type ReadFile = ParsedFile | (BrokenFile & { readonly broken: true });
@@ -36,11 +36,13 @@ export interface FileGroup {
   readonly rigs: ReadFile[];
 }
 
+/** Files that may belong to a character that is already open. */
+export type LooseRole = Exclude<Role, 'characters' | 'rig'>;
+
 export interface Grouping {
   readonly groups: readonly FileGroup[];
-  /** Skins, morphs and anims without a skeleton among the files, and all poses. */
-  readonly loose: readonly ReadFile[];
-  readonly textures: readonly ReadFile[];
+  /** By role: what belongs to no skeleton among the files. */
+  readonly loose: Readonly<Record<LooseRole, readonly ReadFile[]>>;
   /** Rigs with errors, or none of whose files was given. */
   readonly idleRigs: readonly ReadFile[];
   readonly diagnostics: readonly Diagnostic[];
@@ -97,16 +99,15 @@ export function groupFiles(files: readonly ReadFile[]): Grouping {
     if (isSkeleton(file) && !taken.has(file)) groups.push({ skeleton: file, parts: [], rigs: [] });
   }
 
-  const loose: ReadFile[] = [];
+  // Poses are matched to characters by their joints, images by the names in skins.
+  const loose: Record<LooseRole, ReadFile[]> = { part: [], poses: [], texture: [] };
   for (const file of files) {
     const { as } = openingOf(file.kind);
-    if (taken.has(file) || as === 'characters' || as === 'rig' || as === 'texture') continue;
-    // Poses are matched to characters by their joints.
-    const group = as === 'poses' ? undefined : skeletonFor(file, groups);
-    if (group) group.parts.push(file);
-    else loose.push(file);
+    if (as === 'characters' || as === 'rig' || taken.has(file)) continue;
+    const group = as === 'part' ? skeletonFor(file, groups) : undefined;
+    (group?.parts ?? loose[as]).push(file);
   }
-  return { groups, loose, textures: files.filter((f) => f.kind === 'texture'), idleRigs, diagnostics };
+  return { groups, loose, idleRigs, diagnostics };
 }
 
 /** Whether the file is a `.rig` that names the other as a part. */

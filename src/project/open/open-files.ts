@@ -24,7 +24,7 @@ import {
 } from '../../model/files.ts';
 import { openingOf, type PartOpening } from '../kinds.ts';
 import { checkParts, withSource, withTextures, withWhole } from './assemble.ts';
-import { type FileGroup, groupFiles, isBroken, isRead, namesFile, prefixFit } from './grouping.ts';
+import { type FileGroup, groupFiles, isBroken, isRead, type LooseRole, namesFile, prefixFit } from './grouping.ts';
 import { fittingCharacter, givePoses, type PoseFile } from './poses.ts';
 
 export interface OpenResult {
@@ -86,12 +86,21 @@ class Opening {
     const grouping = groupFiles([...files, ...broken.map((b) => ({ ...b, broken: true as const })), ...called]);
     this.diagnostics.push(...grouping.diagnostics);
     for (const group of grouping.groups) this.openGroup(group);
-    // Morphs last: the skin they modify may be among the files and come later.
-    const loose = grouping.loose.filter(isRead);
-    for (const file of loose) if (file.kind !== 'pose' && !needsCharacter(file)) this.openLoose(file);
-    for (const file of loose) if (needsCharacter(file)) this.openLoose(file);
-    // Poses can apply to all characters opened so far.
-    for (const file of loose) if (file.kind === 'pose') this.openPoses(file);
+    const openLoose: { readonly [R in LooseRole]: (loose: readonly ParsedFile[]) => void } = {
+      part: (loose) => {
+        // Morphs last: the skin they modify may be among the files and come later.
+        for (const file of loose) if (!needsCharacter(file)) this.openLoose(file);
+        for (const file of loose) if (needsCharacter(file)) this.openLoose(file);
+      },
+      // After all characters, each of which they can apply to.
+      poses: (loose) => {
+        for (const file of loose) if (file.kind === 'pose') this.openPoses(file);
+      },
+      // Given to skins at the end, together with those that were waiting.
+      texture: () => undefined,
+    };
+    // In this order. Its keys are the roles, which TypeScript types as strings.
+    for (const role of Object.keys(openLoose) as LooseRole[]) openLoose[role](grouping.loose[role].filter(isRead));
     for (const rig of grouping.idleRigs.filter(isRead)) {
       this.unused.push({ file: rig, why: 'None of the files it names was opened.' });
     }
