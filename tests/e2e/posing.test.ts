@@ -203,6 +203,15 @@ it('selects and rotates another joint in one drag, which Escape takes back with 
     await page.mouse.click(other.x, other.y);
     await showsJoint(page, 'shoulder');
     expect(await dofs(page)).toEqual(before);
+    // The gizmo has the size of the joint that was dragged, where none was selected before.
+    await page.evaluate(() => window.marrow.run('select.nothing'));
+    await page.waitForFunction(() => document.querySelector<HTMLElement>('.joint-gizmo')?.hidden);
+    await pressAndGo(page, place, [{ x: place.x + 5, y: place.y - 40 }]);
+    await page.mouse.up();
+    await page.waitForFunction(() => document.querySelector<HTMLElement>('.joint-gizmo')?.hidden === false);
+    const width = await page.evaluate(() => document.querySelector('.joint-gizmo')?.getBoundingClientRect().width ?? 0);
+    expect(width).toBeGreaterThan(90);
+    await page.keyboard.press('Control+z');
     // With Alt it is the camera's.
     const view = await turnOfView(page);
     await page.keyboard.down('Alt');

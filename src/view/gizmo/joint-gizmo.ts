@@ -52,6 +52,8 @@ export class JointGizmo implements Overlay {
   private side = 0;
   /** Of the rings. */
   private radius = 1;
+  /** Whether a handle was being dragged in the last frame. */
+  private isDragged = false;
 
   /** @param container the element that contains the viewport */
   constructor(
@@ -74,11 +76,13 @@ export class JointGizmo implements Overlay {
     const state = source.state();
     const scale = source.scale();
     const isAnotherView = this.projection.look(camera, heightPx);
-    if (isAnotherView || handles !== this.handles || scale !== this.scale) {
+    const isDragged = state.dragged !== undefined;
+    if (isAnotherView || handles !== this.handles || scale !== this.scale || isDragged !== this.isDragged) {
       this.handles = handles;
       this.scale = scale;
       // Constant during a drag, which may scale the joint or move it in depth.
-      if (handles && !state.dragged) this.radius = this.radiusOf(handles);
+      if (handles && !(isDragged && this.isDragged)) this.radius = this.radiusOf(handles);
+      this.isDragged = isDragged;
       this.layout = handles && layOut(handles, this.projection, this.radius);
     }
     const { layout } = this;
