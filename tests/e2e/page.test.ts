@@ -103,6 +103,15 @@ describe('by hand', () => {
       await page.locator('canvas[role=img]').focus();
       await page.keyboard.press('Control+z');
       expect(await dof(page, 3)).toBe(0);
+      for (const [typed, degrees] of [
+        ['+=10', 10],
+        ['*2', 20],
+        ['-=5', 15],
+      ] as const) {
+        await field.fill(typed);
+        await field.press('Enter');
+        expect(await dof(page, 3)).toBeCloseTo((degrees * Math.PI) / 180, 9);
+      }
     }));
 
   it('a drag through the scrubber moves time, and Space plays', () =>

@@ -91,7 +91,7 @@ export class NumberField {
   }
 
   private parse(text: string): number | undefined {
-    return parseNumber(text, this.options.units?.());
+    return parseNumber(text, this.options.units?.(), this.value);
   }
 
   private onKey(event: KeyboardEvent): void {

@@ -46,11 +46,32 @@ export function duration(lengthSeconds: number): string {
 /**
  * Parses typed input: a decimal number, with a point or a comma, or an expression (`20+5`, `-3/4`, `2*(1-0.5)`), with
  * units if there are any. Undefined if invalid.
+ *
+ * @param from the field's value: `+=5`, `-=5`, `*=2`, `/=2`, and `*2` and `/2` alone, change it. Without it, and if it is
+ *   NaN, these are invalid
  */
-export function parseNumber(text: string, units: Units = NO_UNITS): number | undefined {
-  return workedOut(text, units);
+export function parseNumber(text: string, units: Units = NO_UNITS, from = Number.NaN): number | undefined {
+  const relative = RELATIVE.exec(text);
+  if (!relative) return workedOut(text, units);
+  const [, sign, amount] = relative;
+  const isFactor = !/[+\-−]/.test(sign);
+  const by = workedOut(amount, isFactor ? NO_UNITS : units);
+  if (by === undefined || Number.isNaN(from)) return undefined;
+  const value = OPERATIONS[sign[0]](from, by);
+  // Without the noise of binary fractions: 0.1 and 0.2 make 0.3.
+  return Number.isFinite(value) ? Number(value.toPrecision(12)) : undefined;
 }
 const NO_UNITS: Units = {};
+const RELATIVE = /^\s*([+\-−]=|[*/×÷]=?)\s*(.*)$/;
+const OPERATIONS: Readonly<Record<string, (from: number, by: number) => number>> = {
+  '+': (from, by) => from + by,
+  '-': (from, by) => from - by,
+  '−': (from, by) => from - by,
+  '*': (from, by) => from * by,
+  '×': (from, by) => from * by,
+  '/': (from, by) => from / by,
+  '÷': (from, by) => from / by,
+};
 
 /** Why a field has reverted: `Frame: “ten” is not a number.` */
 export function notANumber(label: string, typed: string): string {

@@ -40,6 +40,8 @@ export class Slider extends NumberController {
   declare readonly object: Binding;
   /** The number when the field got the focus. */
   private before = 0;
+  /** The value that `+=5` changes. */
+  private base = 0;
   private takenBack: (() => void) | undefined;
 
   /** @param refuse told why the input was refused or clamped */
@@ -63,7 +65,7 @@ export class Slider extends NumberController {
       this.$input.disabled ? undefined : `${exact(this.object.value)}${options.suffix ?? ''}`,
     );
     this.$input.addEventListener('focus', () => {
-      this.before = this.object.value;
+      this.before = this.base = this.object.value;
       this.$input.value = exact(this.object.value);
       this.$input.select();
     });
@@ -72,7 +74,7 @@ export class Slider extends NumberController {
       'input',
       (event) => {
         event.stopImmediatePropagation();
-        const typed = parseNumber(this.$input.value, options.units);
+        const typed = parseNumber(this.$input.value, options.units, this.base);
         if (typed === undefined) this.takeBack();
         else this.setValue(this._clamp(typed));
       },
@@ -84,9 +86,19 @@ export class Slider extends NumberController {
         kind,
         (event) => {
           if (event instanceof KeyboardEvent ? !/^Arrow(Up|Down)$/.test(event.code) : !this._inputFocused) return;
-          this.$input.value = exact(parseNumber(this.$input.value, options.units) ?? this.object.value);
+          this.$input.value = exact(parseNumber(this.$input.value, options.units, this.base) ?? this.object.value);
         },
         { capture: true, passive: true },
+      );
+    }
+    for (const kind of ['keydown', 'wheel'] as const) {
+      this.$input.addEventListener(
+        kind,
+        (event) => {
+          // After lil-gui has stepped the value.
+          if (!(event instanceof KeyboardEvent) || /^Arrow(Up|Down)$/.test(event.code)) this.base = this.object.value;
+        },
+        { passive: true },
       );
     }
     // Before lil-gui replaces the text by its number.
@@ -123,7 +135,7 @@ export class Slider extends NumberController {
   private judge(label: string): void {
     const text = this.$input.value;
     if (!isTypedIn(this.$input) || !text.trim() || text === exact(this.object.value)) return;
-    const reason = refusalOf(label, text, this.object.options);
+    const reason = refusalOf(label, text, this.object.options, this.base);
     if (reason) this.refuse(reason);
   }
 
@@ -185,10 +197,10 @@ export class Slider extends NumberController {
   }
 }
 
-/** Why a text is refused or clamped; undefined if it is accepted. */
-export function refusalOf(label: string, text: string, options: SliderOptions): string | undefined {
+/** Why a text is refused or clamped; undefined if it is accepted. @param from the value that `+=5` changes */
+export function refusalOf(label: string, text: string, options: SliderOptions, from?: number): string | undefined {
   const { bounds, suffix = '', remedy, units } = options;
-  const typed = parseNumber(text, units);
+  const typed = parseNumber(text, units, from);
   if (typed === undefined) return notANumber(label, text);
   if (!bounds || (typed >= bounds[0] && typed <= bounds[1])) return undefined;
   const inUnit = (value: number) => `${shown(value)}${suffix}`;

@@ -133,6 +133,39 @@ describe('parseNumber', () => {
   });
 });
 
+describe('a typed change of a number', () => {
+  it.each([
+    ['+=5', 17],
+    ['-=5', 7],
+    ['−= 2+1', 9],
+    ['*2', 24],
+    [' *= 0.5', 6],
+    ['/4', 3],
+    ['÷=3', 4],
+    ['×1,5', 18],
+    ['+5', 5],
+    ['-5', -5],
+  ])('%s of 12 is %s', (text, value) => {
+    expect(parseNumber(text, {}, 12)).toBe(value);
+  });
+
+  it('a typed change has no noise of binary fractions', () => {
+    expect(parseNumber('+=0.2', {}, 0.1)).toBe(0.3);
+  });
+
+  it('a typed change needs a number to change, an amount and a finite result', () => {
+    expect(parseNumber('+=5')).toBeUndefined();
+    expect(parseNumber('*2', {}, Number.NaN)).toBeUndefined();
+    for (const text of ['+=', '*', '/=', '/0', '+=x', '**2', '=5']) expect(parseNumber(text, {}, 1)).toBeUndefined();
+  });
+
+  it('a typed change takes units for what is added, and none for a factor', () => {
+    const units = typedUnits('angle', 'degrees');
+    expect(parseNumber('+=1 rad', units, 0)).toBeCloseTo(180 / Math.PI, 9);
+    expect(parseNumber('*2°', units, 1)).toBeUndefined();
+  });
+});
+
 it('takes no text that is longer than a person types', () => {
   expect(parseNumber('('.repeat(1e6))).toBeUndefined();
 });
