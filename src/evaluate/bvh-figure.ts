@@ -8,6 +8,8 @@
  * `.skel` has no End Sites: there they are leaf `fixedjoint`s of that name (`edit/convert/skel-figure.ts`), which
  * become End Sites again here.
  */
+
+import { RADIANS_PER_DEGREE } from '../math/degrees.ts';
 import { writeRotationPart } from '../math/mat3.ts';
 import { invertAffine, multiplyAffine } from '../math/mat4.ts';
 import type { Vec3 } from '../math/vec3.ts';
@@ -18,7 +20,7 @@ import { type Character, isBvh, shownClip } from '../model/document.ts';
 import { firstDofs, rootDofCount } from '../model/dofs.ts';
 import type { CapturedFigure } from '../model/files.ts';
 import { bvhChannelsOf, dofsOf, isOfBvh, stretches } from '../model/joint-types.ts';
-import { columnOf, RADIANS_PER_DEGREE } from '../model/samples.ts';
+import { columnOf } from '../model/samples.ts';
 import { type BvhChannel, type Joint, type Skeleton, UNLIMITED } from '../model/skeleton.ts';
 import { eachFrame, type Frames, framesOf, ownFrames, playedClip } from './bake.ts';
 import { type JointPlan, MATRIX_CHANNELS, planJoints } from './bvh-joints.ts';

@@ -30,8 +30,6 @@ export interface Samples {
 export const INTERPOLATIONS = ['nearest', 'linear', 'cubic'] as const;
 export type Interpolation = (typeof INTERPOLATIONS)[number];
 
-export const RADIANS_PER_DEGREE: number = Math.PI / 180;
-
 /** The column that drives a channel; -1 if none does. */
 export function columnOf(samples: Samples | undefined, channel: number): number {
   if (!samples) return -1;

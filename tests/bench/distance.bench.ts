@@ -8,8 +8,8 @@ import { matchJoints } from '../../src/evaluate/joint-match.ts';
 import { compileSkeleton, worldMatrices } from '../../src/evaluate/kinematics.ts';
 import { dofCountOf, poseAt } from '../../src/evaluate/pose.ts';
 import { runToEnd } from '../../src/evaluate/steps.ts';
+import { RADIANS_PER_DEGREE } from '../../src/math/degrees.ts';
 import { type ChannelClip, restChannel, SAMPLED } from '../../src/model/clip.ts';
-import { RADIANS_PER_DEGREE } from '../../src/model/samples.ts';
 import { character, joint } from '../helpers/builders.ts';
 
 const JOINTS = 60;

@@ -6,8 +6,9 @@
  */
 import { bench, describe } from 'vitest';
 import { compileSkeleton, worldMatrices } from '../../src/evaluate/kinematics.ts';
+import { RADIANS_PER_DEGREE } from '../../src/math/degrees.ts';
 import { type ChannelClip, SAMPLED } from '../../src/model/clip.ts';
-import { INTERPOLATIONS, type Interpolation, RADIANS_PER_DEGREE } from '../../src/model/samples.ts';
+import { INTERPOLATIONS, type Interpolation } from '../../src/model/samples.ts';
 import type { Joint } from '../../src/model/skeleton.ts';
 import { PosePlayer } from '../../src/view/pose-track.ts';
 import { character, joint } from '../helpers/builders.ts';

@@ -3,10 +3,10 @@ import { describe, expect, it } from 'vitest';
 import { compileSkeleton, worldMatrices } from '../../src/evaluate/kinematics.ts';
 import { poseFrom, poseSource } from '../../src/evaluate/pose.ts';
 import { PoseRotations } from '../../src/evaluate/pose-rotations.ts';
+import { RADIANS_PER_DEGREE } from '../../src/math/degrees.ts';
 import { restChannel, SAMPLED } from '../../src/model/clip.ts';
 import { jointDofCount } from '../../src/model/dofs.ts';
 import { dofsOf } from '../../src/model/joint-types.ts';
-import { RADIANS_PER_DEGREE } from '../../src/model/samples.ts';
 import type { Motion, Skeleton } from '../../src/model/skeleton.ts';
 import { character, joint } from '../helpers/builders.ts';
 

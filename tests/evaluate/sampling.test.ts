@@ -3,8 +3,9 @@ import { describe, expect, it } from 'vitest';
 import { compileClip } from '../../src/evaluate/compiled-clip.ts';
 import { evaluateChannel, evaluateSlope } from '../../src/evaluate/curves.ts';
 import { columnSlope, frameAt, sampleColumn } from '../../src/evaluate/sampling.ts';
+import { RADIANS_PER_DEGREE } from '../../src/math/degrees.ts';
 import { type KeyedChannel, restChannel, SAMPLED } from '../../src/model/clip.ts';
-import { INTERPOLATIONS, type Interpolation, RADIANS_PER_DEGREE, type Samples } from '../../src/model/samples.ts';
+import { INTERPOLATIONS, type Interpolation, type Samples } from '../../src/model/samples.ts';
 import { expectClose, WITHIN } from '../helpers/close.ts';
 
 function column(values: readonly number[], more: Partial<Samples> = {}): Samples {

@@ -1,8 +1,9 @@
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
 import { poseAt } from '../../src/evaluate/pose.ts';
+import { RADIANS_PER_DEGREE } from '../../src/math/degrees.ts';
 import { type Channel, type ChannelClip, type KeyedChannel, restChannel, SAMPLED } from '../../src/model/clip.ts';
-import { type Interpolation, RADIANS_PER_DEGREE } from '../../src/model/samples.ts';
+import type { Interpolation } from '../../src/model/samples.ts';
 import { PosePlayer } from '../../src/view/pose-track.ts';
 import { character, clip, joint, skeleton } from '../helpers/builders.ts';
 

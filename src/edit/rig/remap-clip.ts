@@ -1,8 +1,10 @@
 /** Remaps the channels and samples of a clip to other DOFs. */
+
+import { RADIANS_PER_DEGREE } from '../../math/degrees.ts';
 import { type Channel, type ChannelClip, followingSamples, restChannel, type Tangents } from '../../model/clip.ts';
 import { rootDofs } from '../../model/dofs.ts';
 import { dofsOf } from '../../model/joint-types.ts';
-import { columnOf, RADIANS_PER_DEGREE, type Samples } from '../../model/samples.ts';
+import { columnOf, type Samples } from '../../model/samples.ts';
 import type { DofUnit, Skeleton } from '../../model/skeleton.ts';
 import { type DofSource, valueAfter } from './dof-sources.ts';
 import type { JointMap } from './joint-map.ts';

@@ -10,11 +10,13 @@
  * all of it. (V8 limits strings to 512 MB. Pieces of text take three times as long, for a string per number and joining
  * them.)
  */
+
+import { RADIANS_PER_DEGREE } from '../../math/degrees.ts';
 import type { Diagnostic } from '../../model/diagnostic.ts';
 import { firstDofs } from '../../model/dofs.ts';
 import type { CapturedFigure } from '../../model/files.ts';
 import { bvhChannelsOf, dofsOf, jointTypeOf, positionsOf } from '../../model/joint-types.ts';
-import { columnOf, RADIANS_PER_DEGREE } from '../../model/samples.ts';
+import { columnOf } from '../../model/samples.ts';
 import type { BvhChannel, Joint, Skeleton } from '../../model/skeleton.ts';
 import type { WrittenPieces } from '../reader.ts';
 import { LONGEST_DECIMAL, putDecimal } from '../write-decimal.ts';

@@ -7,7 +7,7 @@
  * were not read from degrees (such as dragged ones) lies between two of them, and is written as the nearer one: off by
  * half a unit in the last place, and stable from then on.
  */
-import { RADIANS_PER_DEGREE } from '../../model/samples.ts';
+import { RADIANS_PER_DEGREE } from '../../math/degrees.ts';
 
 export function radiansOf(degrees: number): number {
   return degrees * RADIANS_PER_DEGREE;

@@ -13,9 +13,9 @@ import { compileSkeleton, worldMatrices } from '../../../src/evaluate/kinematics
 import { dofCountOf, poseAt } from '../../../src/evaluate/pose.ts';
 import { readSkel } from '../../../src/formats/skel/read.ts';
 import { readSkin } from '../../../src/formats/skin/read.ts';
+import { RADIANS_PER_DEGREE } from '../../../src/math/degrees.ts';
 import { followingSamples, keysOf, restChannel, SAMPLED } from '../../../src/model/clip.ts';
 import { type Character, type Document, isBvh } from '../../../src/model/document.ts';
-import { RADIANS_PER_DEGREE } from '../../../src/model/samples.ts';
 import { type Joint, type Motion, type Skeleton, UNLIMITED } from '../../../src/model/skeleton.ts';
 import { saveCharacter } from '../../../src/project/save/saving.ts';
 import { character, clip, documentOf, joint, skeleton, skin } from '../../helpers/builders.ts';

@@ -2,12 +2,13 @@
 import fc from 'fast-check';
 import { COMMANDS_BY_ID } from '../../../src/edit/commands/all.ts';
 import type { Command, Edit } from '../../../src/edit/store.ts';
+import { RADIANS_PER_DEGREE } from '../../../src/math/degrees.ts';
 import type { Vec3 } from '../../../src/math/vec3.ts';
 import { type Channel, type ChannelClip, followingSamples, restChannel } from '../../../src/model/clip.ts';
 import type { Character, Document } from '../../../src/model/document.ts';
 import { filePose, rootDofCount } from '../../../src/model/dofs.ts';
 import { dofsOf } from '../../../src/model/joint-types.ts';
-import { RADIANS_PER_DEGREE, type Samples } from '../../../src/model/samples.ts';
+import type { Samples } from '../../../src/model/samples.ts';
 import {
   AXIS_PAIRS,
   type BvhChannel,

@@ -7,10 +7,10 @@ import { documentIn, Store } from '../../../src/edit/store.ts';
 import { blendMorphs, compileSkin, deform } from '../../../src/evaluate/deform.ts';
 import { compileSkeleton, worldMatrices } from '../../../src/evaluate/kinematics.ts';
 import { dofCountOf, poseAt } from '../../../src/evaluate/pose.ts';
+import { RADIANS_PER_DEGREE } from '../../../src/math/degrees.ts';
 import { invertAffine, multiplyAffine } from '../../../src/math/mat4.ts';
 import { SAMPLED } from '../../../src/model/clip.ts';
 import type { Character } from '../../../src/model/document.ts';
-import { RADIANS_PER_DEGREE } from '../../../src/model/samples.ts';
 import type { Joint, Skeleton } from '../../../src/model/skeleton.ts';
 import { character, clip, documentOf, joint, morph, skin } from '../../helpers/builders.ts';
 

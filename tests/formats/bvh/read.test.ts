@@ -1,8 +1,8 @@
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
 import { bvhReader, readBvh } from '../../../src/formats/bvh/read.ts';
+import { RADIANS_PER_DEGREE } from '../../../src/math/degrees.ts';
 import type { CapturedFigure } from '../../../src/model/files.ts';
-import { RADIANS_PER_DEGREE } from '../../../src/model/samples.ts';
 import { bytesOf, read, readInPieces, told } from '../read-in-pieces.ts';
 
 const END = 'End Site\n{\nOFFSET 0 5 0\n}\n';
