@@ -3,6 +3,7 @@
  * a drag leaves a gap is the target elsewhere, and it is kept as long as the pose is unchanged; once time, a slider or
  * undo changes the pose, pins hold where they are.
  */
+import { sameNumbers } from '../../../math/same-numbers.ts';
 import type { Vec3 } from '../../../math/vec3.ts';
 import type { IkSetup, Pin } from '../../../model/ik.ts';
 import { type PinTarget, pinTarget } from '../set-up.ts';
@@ -86,10 +87,4 @@ function isSamePoint(a: Pin, b: Pin): boolean {
       a.holdsOrientation === b.holdsOrientation &&
       a.point.every((part, k) => part === b.point[k]))
   );
-}
-
-function sameNumbers(a: Float64Array, b: Float64Array): boolean {
-  if (a.length !== b.length) return false;
-  for (let i = 0; i < a.length; i++) if (a[i] !== b[i]) return false;
-  return true;
 }

@@ -2,7 +2,9 @@
  * The handles of the selected joint, requested before every frame and recomputed only if the pose, its placement or the
  * joint has changed: if only the camera or the pointer moved, the same object is returned.
  */
+
 import { type JointHandles, jointHandles } from '../../../evaluate/handles/joint-handles.ts';
+import { sameNumbers } from '../../../math/same-numbers.ts';
 import type { Skeleton } from '../../../model/skeleton.ts';
 
 export class KnownHandles {
@@ -33,12 +35,6 @@ export class KnownHandles {
     this.known = jointHandles(skeleton, joint, dofs, world, placement);
     return this.known;
   }
-}
-
-function sameNumbers(a: Float64Array, b: Float64Array): boolean {
-  if (a.length !== b.length) return false;
-  for (let i = 0; i < a.length; i++) if (a[i] !== b[i]) return false;
-  return true;
 }
 
 /** Reuses the target array if it fits. */
