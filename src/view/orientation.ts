@@ -44,7 +44,7 @@ export class Orientation {
     const { element } = this;
     element.setAttribute('role', 'group');
     element.setAttribute('aria-label', 'Look along an axis');
-    element.style.cssText = `position:absolute;right:12px;top:12px;width:${SIZE}px;height:${SIZE}px;pointer-events:none`;
+    element.style.cssText = `position:absolute;right:12px;top:var(--axis-widget-top,12px);width:${SIZE}px;height:${SIZE}px;pointer-events:none`;
     const svg = document.createElementNS(SVG, 'svg');
     svg.setAttribute('viewBox', `${-SIZE / 2} ${-SIZE / 2} ${SIZE} ${SIZE}`);
     svg.setAttribute('aria-hidden', 'true');

@@ -41,8 +41,8 @@ export function viewportPane(wb: Workbench, signal: AbortSignal): HTMLElement {
   for (const made of viewportElement.querySelectorAll('button')) setTooltip(made, made.ariaLabel ?? undefined);
   handTools(wb, signal);
   pinsInFk(wb, signal);
-  const head = element('div', { class: 'stage-head' }, displayStrip(wb), modeBar(wb));
-  return element(
+  const head = element('div', { class: 'stage-head' }, modeBar(wb), displayStrip(wb));
+  const stage = element(
     'main',
     { class: 'stage', 'aria-label': 'Viewport', 'data-panel': 'viewport' },
     viewportElement,
@@ -50,6 +50,12 @@ export function viewportPane(wb: Workbench, signal: AbortSignal): HTMLElement {
     head,
     element('div', { class: 'stage-foot' }, missingNote(wb), weightsNote(wb), keptSession(wb), messageLine(wb)),
   );
+  const showMode = () => {
+    stage.dataset.mode = wb.posing.mode.get();
+  };
+  wb.posing.mode.subscribe(showMode);
+  showMode();
+  return stage;
 }
 
 /** What the mode's tool doesn't use picks. */
@@ -76,8 +82,18 @@ function displayStrip(wb: Uses<'store' | 'actions' | 'settings'>): HTMLElement {
   const boxes = keepsFocusElsewhere(button('Boxes', { class: 'tool' }, icon('boxes'), () => {}));
   const within = (prefix: string) => actions.filter((a) => a.id.startsWith(prefix));
   menuButton(skin, 'Skin', () => within('draw.skin.').map((a) => itemOf(wb, a)));
-  menuButton(boxes, 'Boxes', () => within('draw.boxes.').map((a) => itemOf(wb, a)));
-  strip.append(skin, boxes);
+  const boxItems = () => within('draw.boxes.').map((a) => itemOf(wb, a));
+  menuButton(boxes, 'Boxes', boxItems);
+  // In little room one menu has all of it.
+  const all = keepsFocusElsewhere(
+    element('button', { type: 'button', class: 'tool text-tool display-menu' }, icon('eye')),
+  );
+  all.append(element('span', {}, 'Display'), icon('fold'));
+  menuButton(all, 'Display', () => [
+    { kind: 'menu', label: 'Boxes', entries: boxItems },
+    ...TOGGLES.flatMap((what) => within(`draw.${what}`).map((a) => itemOf(wb, a))),
+  ]);
+  strip.append(skin, boxes, all);
   const shown: (() => void)[] = [];
   for (const what of TOGGLES) {
     const action = actions.find((a) => a.id === `draw.${what}`);
