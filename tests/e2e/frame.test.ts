@@ -3,7 +3,16 @@ import type { Page } from 'playwright-core';
 import { describe, expect, it } from 'vitest';
 import { withPage } from '../helpers/page.ts';
 
-const PARTS = ['.menu-bar', '.menu-titles', '.outliner', '.stage', '.inspector', '.transport', '.timeline'];
+const PARTS = [
+  '.menu-bar',
+  '.menu-titles',
+  '.outliner',
+  '.stage',
+  '.inspector',
+  '.transport',
+  '.timeline',
+  '.status-bar',
+];
 /** Layout shift of the whole page, including late text; 0.1 is considered good (web.dev/cls). */
 const MAX_SHIFT = 0.0005;
 
@@ -96,4 +105,36 @@ describe('the frame of the page', () => {
       { colorScheme, early: true, expected: /\.js/ },
     ),
   );
+});
+
+describe('what a newcomer is told', () => {
+  it('the first steps go for good when closed, and come back from the Help menu', () =>
+    withPage(
+      async ({ page, url }) => {
+        const steps = page.getByRole('region', { name: 'First steps' });
+        await steps.getByText('Click a joint').waitFor();
+        await steps.getByRole('button', { name: 'Close first steps' }).click();
+        await steps.waitFor({ state: 'hidden' });
+        // Kept a moment after the change.
+        await page.waitForFunction(() => localStorage.getItem('marrow.settings')?.includes('"firstSteps":false'));
+        await page.goto(url);
+        await page.locator('.inspector .lil-gui').first().waitFor();
+        expect(await steps.isVisible()).toBe(false);
+        await page.evaluate(() => window.marrow.run('help.firstSteps'));
+        await steps.waitFor();
+      },
+      { hinting: true },
+    ));
+
+  it('the status bar says what the mouse does where it is', () =>
+    withPage(async ({ page }) => {
+      const bar = page.locator('.status-bar');
+      await page
+        .locator('.stage canvas')
+        .first()
+        .hover({ position: { x: 40, y: 120 } });
+      await bar.getByText('Orbit').waitFor();
+      await page.locator('.tree').hover();
+      await bar.getByText('Frame').waitFor();
+    }));
 });

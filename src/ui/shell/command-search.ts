@@ -83,7 +83,7 @@ const TRAVELS: readonly string[] = ['edit.undo', 'edit.redo'];
 /** With its menu: "Hidden" alone says nothing. */
 function longLabel(wb: Uses<'actions'>, action: Action): string {
   const label = (TRAVELS.includes(action.id) && action.name) || actionLabel(wb, action);
-  return `${action.menu?.replace('/', ' ') ?? action.group} ${label}`;
+  return `${action.menu?.replace('/', ' ') ?? action.group} ${label} ${action.also ?? ''}`;
 }
 
 /**

@@ -19,6 +19,7 @@ export interface Parts {
   readonly inspector: HTMLElement;
   readonly transport: HTMLElement;
   readonly timeline: HTMLElement;
+  readonly status: HTMLElement;
 }
 
 export function layout(wb: Uses<'settings'>, root: HTMLElement, parts: Parts, signal: AbortSignal): void {
@@ -35,7 +36,7 @@ export function layout(wb: Uses<'settings'>, root: HTMLElement, parts: Parts, si
   );
   // Replaces the frame of `index.html`.
   root.className = 'page';
-  root.replaceChildren(parts.menuBar, body, parts.transport, parts.timeline);
+  root.replaceChildren(parts.menuBar, body, parts.transport, parts.timeline, parts.status);
 
   const narrow = window.matchMedia(NARROW);
   const show = () => {

@@ -18,6 +18,7 @@ import { inspectorPanel } from './inspector-panel.ts';
 import { layout } from './layout.ts';
 import { menuBar } from './menu-bar.ts';
 import { leaveRefusalsBehind } from './stale-messages.ts';
+import { statusBar } from './status-bar.ts';
 import { timelinePanel } from './timeline-panel.ts';
 import { TABS } from './timeline-tabs.ts';
 import { viewportPane } from './viewport-pane.ts';
@@ -74,6 +75,7 @@ export function mountWorkbench(
       inspector: inspectorPanel(wb),
       transport: transport(wb, scrubber),
       timeline: timelinePanel(wb, loadTab, signal),
+      status: statusBar(wb, signal),
     },
     signal,
   );

@@ -2,6 +2,7 @@
 import { isPanelOpen, openPanel } from '../state/panels.ts';
 import type { Settings } from '../state/settings.ts';
 import type { Action, Uses } from '../state/workbench.ts';
+import { VERSION } from './version.ts';
 
 const setting = (wb: Uses<'settings'>, change: Partial<Settings>) => wb.settings.update((s) => ({ ...s, ...change }));
 export const PAGE_ACTIONS: readonly Action[] = [
@@ -50,9 +51,9 @@ export const PAGE_ACTIONS: readonly Action[] = [
       openPanel(wb, 'outliner', open);
     },
   },
-  choice('theme', 'system', 'System', 'View/Theme'),
-  choice('theme', 'light', 'Light', 'View/Theme'),
-  choice('theme', 'dark', 'Dark', 'View/Theme'),
+  choice('theme', 'system', 'System', 'View/Theme', 'background colour'),
+  choice('theme', 'light', 'Light', 'View/Theme', 'background colour white bright'),
+  choice('theme', 'dark', 'Dark', 'View/Theme', 'background colour black mode'),
   choice('angles', 'degrees', 'Degrees', 'View/Angles'),
   choice('angles', 'radians', 'Radians', 'View/Angles'),
   choice('timeDisplay', 'seconds', 'Seconds', 'View/Time'),
@@ -63,6 +64,14 @@ export const PAGE_ACTIONS: readonly Action[] = [
     group: 'Page',
     shortcuts: ['D'],
     run: (wb) => setting(wb, { angles: wb.settings.get().angles === 'degrees' ? 'radians' : 'degrees' }),
+  },
+  {
+    id: 'help.firstSteps',
+    label: 'First steps',
+    group: 'Page',
+    menu: 'Help',
+    also: 'tutorial tour getting started introduction hint',
+    run: (wb) => setting(wb, { firstSteps: true }),
   },
   {
     id: 'help.search',
@@ -83,7 +92,7 @@ export const PAGE_ACTIONS: readonly Action[] = [
   },
   {
     id: 'help.about',
-    label: 'About Marrow',
+    label: `About Marrow ${VERSION}`,
     group: 'Page',
     menu: 'Help',
     section: 1,
@@ -96,6 +105,7 @@ function choice<K extends 'theme' | 'angles' | 'timeDisplay'>(
   value: Settings[K],
   label: string,
   menu: NonNullable<Action['menu']>,
+  also?: string,
 ): Action {
   return {
     id: `page.${key}.${value}`,
@@ -103,6 +113,7 @@ function choice<K extends 'theme' | 'angles' | 'timeDisplay'>(
     group: 'Page',
     menu,
     section: 4,
+    ...(also !== undefined && { also }),
     radio: true,
     checked: (wb) => wb.settings.get()[key] === value,
     run: (wb) => wb.settings.update((s) => ({ ...s, [key]: value })),

@@ -22,6 +22,7 @@ import { actionsOf, currentCharacter, isChecked, runAction } from '../state/acti
 import { itemOf } from '../state/menu-entries.ts';
 import { setActionTooltip } from '../state/tooltips.ts';
 import type { Uses, Workbench } from '../state/workbench.ts';
+import { firstSteps } from './first-steps.ts';
 import { keptSession } from './kept-session.ts';
 import { messageLine } from './message-line.ts';
 import { modeTools } from './mode-tools.ts';
@@ -48,7 +49,15 @@ export function viewportPane(wb: Workbench, signal: AbortSignal): HTMLElement {
     viewportElement,
     emptyHint(wb),
     head,
-    element('div', { class: 'stage-foot' }, missingNote(wb), weightsNote(wb), keptSession(wb), messageLine(wb)),
+    element(
+      'div',
+      { class: 'stage-foot' },
+      missingNote(wb),
+      weightsNote(wb),
+      keptSession(wb),
+      firstSteps(wb),
+      messageLine(wb),
+    ),
   );
   const showMode = () => {
     stage.dataset.mode = wb.posing.mode.get();

@@ -27,6 +27,8 @@ export interface Settings {
   readonly folds: Readonly<Record<string, boolean>>;
   /** Whether shortcuts without Ctrl, Cmd or Alt are enabled; speech input and switch devices may conflict with them. */
   readonly singleKeys: boolean;
+  /** The hint for newcomers, until it was followed or closed. */
+  readonly firstSteps: boolean;
   /** Remapped shortcuts by action id; an empty list removes them. */
   readonly keys: Readonly<Record<string, readonly string[]>>;
 }
@@ -68,6 +70,7 @@ export const DEFAULT_SETTINGS: Settings = {
   gizmoScale: 1,
   folds: {},
   singleKeys: true,
+  firstSteps: true,
   keys: {},
 };
 
@@ -115,6 +118,7 @@ export function parseSettings(text: string | null): Settings {
     gizmoScale: within(GIZMO_SCALES, kept.gizmoScale, d.gizmoScale),
     folds: Object.fromEntries(Object.entries(asRecord(kept.folds)).filter(isFold)),
     singleKeys: typeof singleKeys === 'boolean' ? singleKeys : d.singleKeys,
+    firstSteps: typeof kept.firstSteps === 'boolean' ? kept.firstSteps : d.firstSteps,
     keys: Object.fromEntries(Object.entries(asRecord(kept.keys)).filter(isKeys)),
   };
 }

@@ -92,6 +92,8 @@ export interface Action extends Bindable {
   readonly label: string | ((wb: Workbench) => string);
   /** Its name if the label depends on state. */
   readonly name?: string;
+  /** Other words that the command search finds it by. */
+  readonly also?: string;
   /** A second line in the menu. */
   readonly detail?: string;
   readonly group: GroupName;

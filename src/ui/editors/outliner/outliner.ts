@@ -199,7 +199,16 @@ function drawRow(wb: Uses<'store' | 'files'>, row: OutlineRow): Node[] {
   const unnamed = row.kind === 'joint' ? `joint ${row.detail}` : 'unnamed';
   const label = row.label === '' ? element('i', { class: 'label' }, unnamed) : element('span', { class: 'label' });
   if (row.label) {
-    label.append(...cutInTheMiddle(row.label));
+    if (row.label.length <= 2 * TAIL) label.textContent = row.label;
+    else {
+      // Read as one word.
+      label.setAttribute('role', 'img');
+      label.setAttribute('aria-label', row.label);
+      label.append(
+        element('span', { class: 'label-head' }, row.label.slice(0, -TAIL)),
+        element('span', {}, row.label.slice(-TAIL)),
+      );
+    }
     setTooltip(label, row.label);
   }
   const isTold = row.kind === 'joint' && row.label === '';
@@ -219,11 +228,6 @@ function drawRow(wb: Uses<'store' | 'files'>, row: OutlineRow): Node[] {
 
 /** Of a long name both ends stay readable: what it is on the left, and its side or number on the right. */
 const TAIL = 7;
-
-function cutInTheMiddle(name: string): Node[] {
-  if (name.length <= 2 * TAIL) return [document.createTextNode(name)];
-  return [element('span', { class: 'label-head' }, name.slice(0, -TAIL)), element('span', {}, name.slice(-TAIL))];
-}
 
 /** For the mouse; by keyboard the row's menu does the same. Children of rows are no tab stops. */
 function eyeOf(wb: Uses<'store'>, { characterId, label, hidden = false }: OutlineRow): HTMLElement {

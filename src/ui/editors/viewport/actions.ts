@@ -60,6 +60,7 @@ export const VIEW_ACTIONS: readonly Action[] = [
     group: 'Camera',
     menu: 'View',
     shortcuts: ['A'],
+    also: 'zoom fit home everything',
     run: (wb) => wb.viewport.frameAll(),
   },
   look('front', 'Front', '1'),
@@ -68,9 +69,17 @@ export const VIEW_ACTIONS: readonly Action[] = [
   look('left', 'Left', 'Shift+3'),
   look('top', 'Top', '7'),
   look('bottom', 'Bottom', 'Shift+7'),
-  { ...toggle('orthographic', 'Orthographic', 'perspective', ['5'], 'View/Camera', 1), group: 'Camera' },
+  {
+    ...toggle('orthographic', 'Orthographic', 'perspective', ['5'], 'View/Camera', 1),
+    group: 'Camera',
+    also: 'perspective projection parallel',
+  },
   { ...toggle('follow', 'Follow joint', undefined, ['Shift+F'], 'View/Camera', 2), group: 'Camera' },
-  { ...toggle('inPlace', 'In place', undefined, [], 'View/Camera', 2), group: 'Camera' },
+  {
+    ...toggle('inPlace', 'In place', undefined, [], 'View/Camera', 2),
+    group: 'Camera',
+    also: 'root motion treadmill',
+  },
   ...SKIN_STYLES.map(
     ([skin, label]): Action => ({
       id: `draw.skin.${skin}`,
@@ -79,6 +88,7 @@ export const VIEW_ACTIONS: readonly Action[] = [
       menu: 'View/Skin',
       section: 1,
       radio: true,
+      also: 'material shading wireframe texture',
       ...(skin === 'heat' && { shortcuts: ['H'] }),
       enabled: isSkinVisible,
       whyNot: () => NO_SKIN,
@@ -115,15 +125,15 @@ export const VIEW_ACTIONS: readonly Action[] = [
     shortcuts: ['B'],
     run: (wb) => setDisplay(wb, { boxes: following(boxStyles(wb), wb.settings.get().display.boxes) }),
   },
-  toggle('bones', 'Bones', 'bones', ['Shift+B']),
+  { ...toggle('bones', 'Bones', 'bones', ['Shift+B']), also: 'skeleton' },
   toggle('axes', 'Joint axes', 'axes', ['X']),
-  toggle('names', 'Joint names', 'names', ['N']),
+  { ...toggle('names', 'Joint names', 'names', ['N']), also: 'labels' },
   toggle('characterNames', 'Character names', undefined, []),
   toggle('normals', 'Normals', 'normals', ['Shift+N']),
-  toggle('trail', 'Motion path', undefined, []),
-  toggle('ghosts', 'Onion skin', 'ghosts', ['Shift+O']),
-  toggle('grid', 'Grid', 'grid', ['G']),
-  toggle('shadow', 'Shadow', 'shadow', ['Shift+G']),
+  { ...toggle('trail', 'Motion path', undefined, []), also: 'trail trajectory' },
+  { ...toggle('ghosts', 'Onion skin', 'ghosts', ['Shift+O']), also: 'ghosts' },
+  { ...toggle('grid', 'Grid', 'grid', ['G']), also: 'floor ground background' },
+  { ...toggle('shadow', 'Shadow', 'shadow', ['Shift+G']), also: 'light' },
 ];
 
 function look(from: 'front' | 'back' | 'left' | 'right' | 'top' | 'bottom', label: string, key: string): Action {

@@ -1,0 +1,55 @@
+/** Three steps for those who see the page for the first time. They go for good once followed or closed. */
+import type { Document } from '../../model/document.ts';
+import type { Selection } from '../../model/session.ts';
+import { button, element } from '../kit/dom.ts';
+import { icon } from '../kit/icons.ts';
+import type { Uses } from '../state/workbench.ts';
+
+const STEPS = ['Click a joint', 'Drag its ring', 'Press K to key it'] as const;
+
+interface Seen {
+  readonly document: Document;
+  readonly selection: Selection;
+}
+
+export function firstSteps(wb: Uses<'store' | 'settings'>): HTMLElement {
+  let done = 0;
+  const leave = () => wb.settings.update((s) => ({ ...s, firstSteps: false }));
+  const steps = STEPS.map((text, i) => element('li', {}, element('b', { 'aria-hidden': 'true' }, String(i + 1)), text));
+  const close = button('Close first steps', { class: 'tool small' }, icon('close'), leave);
+  const line = element(
+    'section',
+    { class: 'first-steps', 'aria-label': 'First steps' },
+    element('ol', {}, ...steps),
+    close,
+  );
+  const show = () => {
+    line.hidden = !wb.settings.get().firstSteps || wb.store.document.characters.length === 0;
+    steps.forEach((step, i) => {
+      step.classList.toggle('done', i < done);
+      step.classList.toggle('next', i === done);
+    });
+  };
+  wb.store.subscribe((now, before) => {
+    if (!wb.settings.get().firstSteps) return;
+    done = stepsDone(done, now, before);
+    if (done === STEPS.length) leave();
+    else show();
+  });
+  wb.settings.subscribe((now, before) => {
+    if (now.firstSteps === before.firstSteps) return;
+    done = wb.store.selection.joint === undefined ? 0 : 1;
+    show();
+  });
+  show();
+  return line;
+}
+
+/** How many of the steps are done after a change, of which `done` were before. */
+export function stepsDone(done: number, now: Seen, before: Seen): number {
+  if (done === 0) return now.selection.joint === undefined ? 0 : 1;
+  const changed = now.document.characters.filter((c) => !before.document.characters.includes(c));
+  if (changed.length === 0) return done;
+  const clipsBefore = new Set(before.document.characters.map((c) => c.clips));
+  return changed.some((c) => !clipsBefore.has(c.clips)) ? STEPS.length : Math.max(done, 2);
+}

@@ -1,0 +1,186 @@
+/** What the mouse does at a place of the page: the text of the status bar. */
+import type { PosingMode } from '../state/posing.ts';
+
+/** What it does, and how: as in `MOUSE_GESTURES`. */
+export type MouseHint = readonly [what: string, how: string];
+
+/** Where the pointer is. */
+export interface MousePlace {
+  readonly area: MouseArea;
+  /** The CSS cursor there, which says what a press would take. */
+  readonly cursor: string;
+  readonly mode: PosingMode;
+  /** Name of the joint under the pointer in the viewport. */
+  readonly joint?: string;
+  /** Rig mode: clicks add joints. */
+  readonly isAdding?: boolean;
+}
+
+/** Areas of the page that have gestures, by a selector of their element; inner ones first. */
+export const MOUSE_AREAS = {
+  viewport: '.stage .viewport',
+  curves: '.curve-plot',
+  channels: '.channel-rows',
+  dope: '.dope-sheet',
+  scrubber: '.scrubber',
+  tree: '.tree',
+  slider: '.inspector .slider',
+  pose: '.pose-card',
+} as const;
+export type MouseArea = keyof typeof MOUSE_AREAS;
+
+const CAMERA: readonly MouseHint[] = [
+  ['Orbit', 'drag'],
+  ['Pan', 'right drag'],
+  ['Dolly', 'wheel'],
+];
+
+const ELSEWHERE: Readonly<Record<Exclude<MouseArea, 'viewport' | 'curves' | 'dope'>, readonly MouseHint[]>> = {
+  channels: [
+    ['Isolate', 'click'],
+    ['Isolate several', 'Ctrl+click'],
+    ['Select its keys', 'double-click'],
+    ['Menu', 'right click'],
+  ],
+  scrubber: [
+    ['Change the current time', 'drag'],
+    ['Without snapping to frames', 'Shift+drag'],
+    ['Zoom', 'wheel'],
+    ['Fit', 'double-click'],
+  ],
+  tree: [
+    ['Select', 'click'],
+    ['Frame', 'double-click'],
+    ['Menu', 'right click'],
+  ],
+  slider: [
+    ['Change', 'drag'],
+    ['In fine steps', 'Alt+↑ ↓'],
+  ],
+  pose: [
+    ['Apply', 'click'],
+    ['Blend to it', 'Alt+drag sideways'],
+    ['Menu', 'right click'],
+  ],
+};
+
+export function mouseHints(place: MousePlace): readonly MouseHint[] {
+  if (place.area === 'viewport') return inViewport(place);
+  if (place.area === 'curves') return inCurves(place.cursor);
+  if (place.area === 'dope') return inDope(place.cursor);
+  return ELSEWHERE[place.area];
+}
+
+/** A tool's handle is under the pointer. */
+const HANDLE = 'grab';
+
+function inViewport(place: MousePlace): readonly MouseHint[] {
+  const isHandle = place.cursor === HANDLE;
+  return { select: inSelect, fk: inFk, ik: inIk, rig: inRig }[place.mode](place, isHandle);
+}
+
+function inSelect({ joint }: MousePlace): readonly MouseHint[] {
+  if (joint !== undefined) return [[`Select ${joint}`, 'click'], ...CAMERA];
+  return [...CAMERA, ['Select a joint', 'click']];
+}
+
+function inFk(place: MousePlace, isHandle: boolean): readonly MouseHint[] {
+  if (isHandle) {
+    return [
+      ['Rotate or move', 'drag'],
+      ['Fine', 'Shift+drag'],
+      ['In steps', 'Ctrl+drag'],
+      ['Cancel', 'Esc'],
+    ];
+  }
+  return inSelect(place);
+}
+
+function inIk({ joint }: MousePlace, isHandle: boolean): readonly MouseHint[] {
+  if (isHandle) {
+    return [
+      ['Move the pin', 'drag'],
+      ['In depth', 'Alt+drag'],
+      ['Remove it', 'click'],
+      ['Select it', 'Shift+click'],
+    ];
+  }
+  if (joint !== undefined) {
+    return [
+      [`Pin ${joint}`, 'click'],
+      ['Move it while pins hold', 'drag'],
+      ['In depth', 'Alt+drag'],
+      ['Select it', 'Shift+click'],
+    ];
+  }
+  return [...CAMERA, ['Pin a point of the character', 'click']];
+}
+
+function inRig({ joint, isAdding }: MousePlace, isHandle: boolean): readonly MouseHint[] {
+  if (isAdding) {
+    return [
+      ['Add a joint', 'click'],
+      ['Finish', 'Esc'],
+    ];
+  }
+  if (joint !== undefined || isHandle) {
+    return [
+      [joint === undefined ? 'Move' : `Move ${joint}`, 'drag'],
+      ['In depth', 'Alt+drag'],
+      ['Snap', 'Ctrl+drag'],
+      ['Add child', 'Ctrl+click'],
+    ];
+  }
+  return [...CAMERA, ['Edit a joint', 'click']];
+}
+
+function inCurves(cursor: string): readonly MouseHint[] {
+  if (cursor === 'move' || cursor === 'copy') {
+    return [
+      ['Move selected keys', 'drag'],
+      ['Only in time or in value', 'Shift+drag'],
+      ['Snapping inverted', 'Ctrl+drag'],
+      ['Menu', 'right click'],
+    ];
+  }
+  if (cursor === 'pointer' || cursor === 'crosshair') {
+    return [
+      ['Select its keys', 'click'],
+      ['Insert a key', 'double-click'],
+      ['Change a tangent', 'drag its handle'],
+      ['Menu', 'right click'],
+    ];
+  }
+  if (cursor === 'col-resize') return ELSEWHERE.scrubber;
+  return [
+    ['Box select', 'drag'],
+    ['Pan', 'middle drag or Alt+drag'],
+    ['Zoom', 'wheel'],
+    ['Zoom time only', 'Shift+wheel'],
+    ['Menu', 'right click'],
+  ];
+}
+
+function inDope(cursor: string): readonly MouseHint[] {
+  if (cursor === 'col-resize') return ELSEWHERE.scrubber;
+  if (cursor === 'ew-resize') {
+    return [
+      ['Scale in time', 'drag'],
+      ['About the current time', 'Alt+drag'],
+    ];
+  }
+  if (cursor === 'move' || cursor === 'copy' || cursor === 'pointer') {
+    return [
+      ['Select', 'click'],
+      ['Move selected keys', 'drag'],
+      ['Ripple later keys', 'Alt+drag'],
+      ['Drag a copy', 'Ctrl+drag'],
+    ];
+  }
+  return [
+    ['Box select', 'drag'],
+    ['Pan', 'middle drag'],
+    ['Zoom time', 'Ctrl+wheel'],
+    ['Menu', 'right click'],
+  ];
+}

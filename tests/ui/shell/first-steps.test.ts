@@ -1,0 +1,23 @@
+import { expect, it } from 'vitest';
+import { stepsDone } from '../../../src/ui/shell/first-steps.ts';
+import { character, clip, documentOf } from '../builders.ts';
+
+const start = character();
+const posed = { ...start };
+const keyed = { ...posed, clips: [...posed.clips, clip([0, 1])] };
+const at = (of: typeof start, joint?: number) => ({
+  document: documentOf(of),
+  selection: { characterId: of.id, ...(joint !== undefined && { joint }) },
+});
+
+it('first steps are done one after the other: a joint selected, posed, keyed', () => {
+  expect(stepsDone(0, at(start), at(start))).toBe(0);
+  expect(stepsDone(0, at(start, 2), at(start))).toBe(1);
+  expect(stepsDone(1, at(posed, 2), at(start, 2))).toBe(2);
+  expect(stepsDone(2, at(keyed, 2), at(posed, 2))).toBe(3);
+});
+
+it('first steps are not done by what changes nothing', () => {
+  expect(stepsDone(1, at(start), at(start, 2))).toBe(1);
+  expect(stepsDone(2, at(posed, 2), at(posed, 2))).toBe(2);
+});

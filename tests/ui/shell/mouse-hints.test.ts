@@ -1,0 +1,28 @@
+import { expect, it } from 'vitest';
+import { MOUSE_AREAS, type MouseArea, mouseHints } from '../../../src/ui/shell/mouse-hints.ts';
+import { POSING_MODES } from '../../../src/ui/state/posing.ts';
+
+const whats = (...args: Parameters<typeof mouseHints>) => mouseHints(...args).map(([what]) => what);
+
+it('every area says what the mouse does, in every mode', () => {
+  for (const area of Object.keys(MOUSE_AREAS) as MouseArea[]) {
+    for (const mode of POSING_MODES) expect(mouseHints({ area, cursor: '', mode }).length).toBeGreaterThan(1);
+  }
+});
+
+it('over a joint a click does what the mode does', () => {
+  const at = { area: 'viewport', cursor: '', joint: 'knee' } as const;
+  expect(whats({ ...at, mode: 'fk' })).toContain('Select knee');
+  expect(whats({ ...at, mode: 'ik' })).toContain('Pin knee');
+  expect(whats({ ...at, mode: 'rig' })).toContain('Move knee');
+  expect(whats({ ...at, mode: 'rig', isAdding: true })).toEqual(['Add a joint', 'Finish']);
+});
+
+it('a handle of the tool comes before the joint behind it', () => {
+  expect(whats({ area: 'viewport', cursor: 'grab', joint: 'knee', mode: 'fk' })).toContain('Rotate or move');
+});
+
+it('over a key the mouse moves it, beside it selects by a box', () => {
+  expect(whats({ area: 'curves', cursor: 'move', mode: 'fk' })).toContain('Move selected keys');
+  expect(whats({ area: 'curves', cursor: 'default', mode: 'fk' })).toContain('Box select');
+});
