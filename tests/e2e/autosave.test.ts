@@ -123,7 +123,7 @@ describe('work', () => {
       expect(await offer(idle).getByRole('button', { name: /older/ }).count()).toBe(0);
     }));
 
-  it('of two tabs stays apart', () =>
+  it('the sessions of two tabs stay apart', () =>
     withSmallPage(async ({ page, openAnother }) => {
       await openArm(page);
       await setDof(page, 6, 0.5);

@@ -40,7 +40,7 @@ describe('the frame rate', () => {
     expect(rateOf(frameSeconds)).toBe(rate);
   });
 
-  it('of television is not a whole one', () => {
+  it('the frame rate of television is not a whole number', () => {
     expect(rateOf(0.033367)).toBeCloseTo(30 / 1.001, 10);
     expect(rateOf(0.0166834)).toBeCloseTo(60 / 1.001, 10);
   });

@@ -60,7 +60,7 @@ describe('captures that are dropped at once', () => {
     expect(at[2][0]).toBeGreaterThan(at[1][0] + 0.2);
   });
 
-  it('are placed as if they had been dropped one after the other', () => {
+  it('captures dropped at once are placed as if they had been dropped one after the other', () => {
     let document = EMPTY_DOCUMENT;
     for (const file of takes(20)) document = open([file], document);
     expect(standing(document)).toEqual(standing(open(takes(20))));

@@ -93,7 +93,7 @@ describe('takes in space', () => {
   const at = (id: string, x: number, z: number) => take(id, [0, 1], { clips: [clip(id, [x, 0, z])] });
   const spread = documentOf(at('a', 5, 1), at('b', -3, 0), at('c', 0, 0));
 
-  it('are placed side by side in rows, no two in one place', () => {
+  it('takes are placed side by side in rows, no two in one place', () => {
     const next = arrange.run(spread, { characterIds: ids, how: 'grid' });
     const roots = next.characters.map((c, i) => {
       const [x, , z] = c.placements[0].position;
@@ -147,7 +147,7 @@ describe('takes in space', () => {
     expect(next.characters.map((c) => c.space?.lift)).toEqual([0.2, 0.2, 0.4]);
   });
 
-  it('of one character show the first when they are compared', () => {
+  it('comparing takes of one character shows the first on it', () => {
     const document = documentOf(take('a', [0, 1], { clips: [clip('x', [0]), clip('y', [0])] }), take('b'));
     const next = overlayTakes.run(document, {
       first: { characterId: 'a', clip: 1 },

@@ -53,7 +53,7 @@ describe('the slope of a channel', () => {
   const sides = (curve: ReturnType<typeof saw>, time: number) =>
     (['in', 'out'] as const).map((side) => evaluateSlope(curve, 0, time, side));
 
-  it('at the ends is that of what comes before and after', () => {
+  it('the slope at the ends of a channel is that of its extrapolation', () => {
     expect(sides(saw('constant'), 0)).toEqual([0, 1]);
     expect(sides(saw('constant'), 2)).toEqual([3, 0]);
     expect(sides(saw('linear'), 0)).toEqual([5, 1]);
@@ -64,7 +64,7 @@ describe('the slope of a channel', () => {
     expect(sides(saw('bounce'), 2)).toEqual([3, -3]);
   });
 
-  it('at later seams is that of the repetitions that meet there', () => {
+  it('the slope at later seams of a channel is that of the repetitions that meet there', () => {
     expect(sides(saw('cycle'), 6)).toEqual([3, 1]);
     expect(sides(saw('cycle_offset'), -4)).toEqual([3, 1]);
     expect(sides(saw('bounce'), 4)).toEqual([-1, 1]);

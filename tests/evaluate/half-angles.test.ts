@@ -18,7 +18,7 @@ function read(values: readonly number[], factor: number): HalfAngles {
 }
 
 describe('half angles of a row', () => {
-  it('are the numbers in their columns times the factors, with sines and cosines to the last digits', () => {
+  it('half angles of a row are the numbers in their columns times the factors, with sines and cosines to the last digits', () => {
     const degrees = fc.double({ min: -400, max: 400, noNaN: true });
     fc.assert(
       fc.property(fc.array(degrees, { minLength: 1, maxLength: 30 }), (values) => {

@@ -12,7 +12,7 @@ describe('joints of two skeletons', () => {
     expect(isSameSkeleton(match)).toBe(true);
   });
 
-  it('of one name below one parent go together in their order', () => {
+  it('joints of one name below one parent match in their order', () => {
     const twice = skeleton(['hips', -1], ['tail', 0], ['tail', 0]);
     expect(matchJoints(twice, twice)).toMatchObject({ first: [0, 1, 2], second: [0, 1, 2] });
   });
@@ -24,7 +24,7 @@ describe('joints of two skeletons', () => {
     expect(isSameSkeleton(match)).toBe(false);
   });
 
-  it('of figures with other names have nothing in common', () => {
+  it('joints of skeletons with other names don’t match', () => {
     expect(matchJoints(figure, skeleton(['pelvis', -1], ['leg_l', 0])).first).toEqual([]);
   });
 });

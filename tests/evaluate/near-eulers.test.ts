@@ -76,7 +76,7 @@ const step = fc.tuple(...[0, 1, 2].map(() => fc.double({ min: -0.05, max: 0.05, 
 const part = fc.double({ min: 0.01, max: 0.99, noNaN: true });
 
 describe('angles between two frames that are near to each other', () => {
-  it('are those of slerp: the share of the way from the one, the rest of it to the other', () => {
+  it('angles between two near frames are those of slerp: the share of the way from the one, the rest of it to the other', () => {
     fc.assert(
       fc.property(order, angles, step, part, (channels, from, by, share) => {
         const to = from.map((angle, i) => angle + by[i]);
@@ -110,7 +110,7 @@ describe('angles between two frames that are near to each other', () => {
     );
   });
 
-  it('are exactly unchanged if nothing turns', () => {
+  it('angles between two frames are exactly unchanged if nothing rotates', () => {
     fc.assert(
       fc.property(order, angles, part, (channels, given, share) => {
         // As many digits as files have: the smallest numbers there are can't be halved.
@@ -120,7 +120,7 @@ describe('angles between two frames that are near to each other', () => {
     );
   });
 
-  it('are left to others if far apart, at or near gimbal lock, and for non-finite numbers', () => {
+  it('angles are not interpolated as near if far apart, at or near gimbal lock, or not finite', () => {
     const isNear = (from: readonly number[], to: readonly number[]) => between(ORDERS[1], from, to, 0.5).isNear;
     expect(isNear([0, 0, 0], [0.1, 0.1, 0.1])).toBe(true);
     expect(isNear([0, 0, 0], [2, 0, 0])).toBe(false);

@@ -100,7 +100,7 @@ describe('rotations that samples gave', () => {
     );
   });
 
-  it('are those that the matrices are made of, while the joint has the angles they came with', () => {
+  it('rotations given by samples make the matrices while the joint has the angles they came with', () => {
     const rotations = new PoseRotations(chain.joints.length);
     rotations.areGiven = true;
     const dofs = new Float64Array(COUNT).fill(0.5);
@@ -124,7 +124,7 @@ describe('rotations that samples gave', () => {
     );
   });
 
-  it('are those of the last pose alone', () => {
+  it('rotations given by samples are those of the last pose alone', () => {
     // The first joint stays in gimbal lock, whose rotation is not worked out; all others turn.
     const values = Array.from({ length: 2 * WIDTH }, (_, i) =>
       i % WIDTH === 1 ? 90 : i % WIDTH < 3 ? 20 : (3 * i) % 70,

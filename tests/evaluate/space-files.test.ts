@@ -59,7 +59,7 @@ describeShared('captured figures of many sources', () => {
     }
   });
 
-  it('of MakeHuman look as if their positions were meant to be added to OFFSET, no others do', () => {
+  it('positions of MakeHuman’s captures are taken as added to OFFSET, no others’ are', () => {
     for (const [file] of FILES) {
       const { value } = readBvh(sharedBytes(`data/bvh/${file}`), file);
       const meant = value?.map(({ skeleton, clip }) => positionsMeant(skeleton, clip));

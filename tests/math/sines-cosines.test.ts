@@ -40,7 +40,7 @@ describe('sines and cosines of a row of angles', () => {
     expect([...of([0, -0]).sines]).toEqual([0, -0]);
   });
 
-  it('of what is no number are none', () => {
+  it('the sine and cosine of NaN and infinity are NaN', () => {
     const { sines, cosines } = of([Number.NaN, Infinity, -Infinity]);
     for (const value of [...sines, ...cosines]) expect(value).toBeNaN();
   });

@@ -18,7 +18,7 @@ describe('the weights of slerp', () => {
     );
   });
 
-  it('are those of a straight line for rotations that are the same, also where rounding made the cosine more than 1', () => {
+  it('slerp of equal rotations is linear, also if rounding made the cosine more than 1', () => {
     for (const cosine of [1, 1 + 2 ** -52, 1 - 2 ** -53]) expect(slerpWeight(0.3, cosine)).toBeCloseTo(0.3, 15);
   });
 

@@ -58,13 +58,13 @@ describe('instances of skeletons', () => {
     expect(jointAt(drawn, 21)).toBeUndefined();
   });
 
-  it('of End Sites are the joint that they end, and so are the bones to them', () => {
+  it('instances of End Sites and of the bones to them belong to the joint that they end', () => {
     expect(jointAt(drawn, 6)).toEqual({ characterId: 'a', placement: 0, joint: 1 });
     expect(boneOwner(drawn, 6)).toEqual({ characterId: 'a', placement: 0, joint: 1 });
     expect(jointAt(drawn, 9 + 8)).toEqual({ characterId: 'a', placement: 1, joint: 5 });
   });
 
-  it('of bones belong to the joint where they start', () => {
+  it('instances of bones belong to the joint where they start', () => {
     expect(boneOwner(drawn, 3)).toEqual({ characterId: 'a', placement: 0, joint: 2 });
     expect(boneOwner(drawn, 0)).toEqual({ characterId: 'a', placement: 0, joint: 0 });
   });

@@ -29,7 +29,7 @@ describe('the DOFs that a hold has changed', () => {
     expect(changedDofs(ARM, frames({ 4: 0.1 }), 1)).toEqual([4]);
   });
 
-  it('are visible changes, lengths relative to the reach, and no linked DOFs', () => {
+  it('a hold counts visible changes of DOFs, lengths relative to the reach, but no linked DOFs', () => {
     expect(changedDofs(ARM, frames({ 0: 1e-6, 3: 1e-8, 10: 0.5, 11: 0.5 }), 1)).toEqual([0, 11]);
     expect(changedDofs(ARM, frames({ 0: 1e-6 }), 100)).toEqual([]);
   });

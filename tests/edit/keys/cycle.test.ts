@@ -98,7 +98,7 @@ describe('baked repetitions', () => {
     );
   });
 
-  it('are whole ones, and none where the keys reach far enough', () => {
+  it('baked repetitions are whole ones, and none where the keys reach far enough', () => {
     const walk = channelOf(
       [
         [0, 0],

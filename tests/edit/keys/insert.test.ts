@@ -178,7 +178,7 @@ describe('neighbours of an inserted key', () => {
     ]);
   });
 
-  it('at the ends become numbers if linear extrapolation uses the slope of the end segment', () => {
+  it('an inserted key makes tangents at the ends fixed if linear extrapolation uses the slope of the end segment', () => {
     const channel = channelOf(
       [
         [0, 0, 'linear', 5],

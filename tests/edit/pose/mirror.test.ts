@@ -379,7 +379,7 @@ describe('one side’s pose on the other', () => {
 });
 
 describe('joints with axes of their own', () => {
-  it('are mirrored by offsets, along the bone on one side and against it on the other', () => {
+  it('joints with axes of their own are mirrored by offsets, along the bone on one side and against it on the other', () => {
     const bvh: Motion = { kind: 'bvh', channels: ['rz', 'rx', 'ry'], positions: 'replace' };
     const place: Motion = { kind: 'bvh', channels: ['tx', 'ty', 'tz', 'rz', 'rx', 'ry'], positions: 'replace' };
     const none = (motion: Motion) => ({

@@ -178,7 +178,7 @@ const LEG: Skeleton = {
 const leg = () => documentOf(character({ skeleton: LEG, pose: [1, 2, 3, 0, 0, 0, 0.1, 0.2, 0.3, 0, 0, 0] }));
 
 describe('joints of BVH', () => {
-  it('are added in the order of their parents, in place of the End Site, and can still be saved as .bvh', () => {
+  it('joints of BVH are added in the order of their parents, in place of the End Site, and can still be saved as .bvh', () => {
     const made = done(addJoint, leg(), { characterId: 'c1', parent: 2, name: 'foot' });
     expect(isBvh(made)).toBe(true);
     expect(jointsOf(made)[2].endSites).toBeUndefined();

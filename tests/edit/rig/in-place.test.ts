@@ -189,7 +189,7 @@ function pivots({ skeleton }: Character, { world }: Stand): ReadonlyMap<string, 
 }
 
 describe('pivots', () => {
-  it.each(['rig.reparent', 'rig.remove'] as const)('of the joints that are moved by %s stay where they are', (id) => {
+  it.each(['rig.reparent', 'rig.remove'] as const)('pivots of the joints moved by %s stay where they are', (id) => {
     fc.assert(
       fc.property(seeds, seeds, (seed, thrown) => {
         const document = randomDocument(seed);
@@ -214,7 +214,7 @@ describe('pivots', () => {
     );
   });
 
-  it('of children stay when their joint is moved, if requested', () => {
+  it('pivots of children stay when their joint is moved, if requested', () => {
     fc.assert(
       fc.property(seeds, seeds, (seed, thrown) => {
         const document = randomDocument(seed);

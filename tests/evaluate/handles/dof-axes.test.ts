@@ -145,7 +145,7 @@ describe('the axes of a joint’s DOFs', () => {
     expectClose([(a.zero ?? [1, 1, 1]).reduce((sum, v, k) => sum + v * a.axis[k], 0)], [0], BY_DIFFERENCES);
   });
 
-  it('of the root are its translation too, and no parts of a quaternion', () => {
+  it('axes of the root’s DOFs include its translation, and no parts of a quaternion', () => {
     const { skeleton, dofs } = rigOf({ kind: 'quaternion' }, [0, 0, 0.6, 0.8], true);
     const axes = dofAxes(skeleton, 0, dofs, worldOf(skeleton, dofs), placementOf(1));
     expect(axes.map(({ name, kind, hue }) => [name, kind, hue])).toEqual([
@@ -155,7 +155,7 @@ describe('the axes of a joint’s DOFs', () => {
     ]);
   });
 
-  it('are coloured by a main axis that they turn about, and by none if they are oblique', () => {
+  it('axes of DOFs have the colour of the main axis they rotate about, and none if they are oblique', () => {
     const hueAbout = (axis: readonly [number, number, number]) => {
       const { skeleton, dofs, joint: index } = rigOf({ kind: 'hinge', axis }, [0], false);
       return dofAxes(skeleton, index, dofs, worldOf(skeleton, dofs), placementOf(1))[0].hue;

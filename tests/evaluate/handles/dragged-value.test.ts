@@ -20,7 +20,7 @@ describe('a value that is dragged', () => {
     expect(dragged.by(4.5, PLAIN)).toEqual({ value: -0.5, stop: undefined });
   });
 
-  it('on a ring the hand must return to where it met the limit; a bone reverses with it', () => {
+  it('a value dragged on a ring leaves its limit where the hand met it; dragged by the bone, it reverses with the hand', () => {
     const ring = new DraggedValue(0, LIMITS, 0.1, true);
     const bone = new DraggedValue(0, LIMITS, 0.1, false);
     for (const dragged of [ring, bone]) dragged.by(3, PLAIN);

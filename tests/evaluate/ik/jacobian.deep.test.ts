@@ -88,7 +88,7 @@ describe('the Jacobian', () => {
 });
 
 describe('the matrices of the joints that matter', () => {
-  it('are those of forward kinematics wherever they are kept, for joints of all kinds on any tree', () => {
+  it('the solver’s matrices are those of forward kinematics wherever they are kept, for joints of all kinds on any tree', () => {
     fc.assert(
       fc.property(anyProblem(false), ({ skeleton, pins }) => {
         const pose = Float64Array.from(filePose(skeleton, 0));

@@ -84,7 +84,7 @@ describe('a damped step', () => {
     );
   });
 
-  it('of three errors is the same by the short way', () => {
+  it('a damped step of three errors is the same by the shorter formula', () => {
     fc.assert(
       fc.property(
         system.filter(({ blocks, n }) => blocks === 1 && n >= 3),

@@ -24,7 +24,7 @@ describe('the points of a joint that a pin may hold', () => {
     expect(points[3].point).toEqual([0, -0.5, 0]);
   });
 
-  it('are its tip too where it has a length, without a box that nobody set', () => {
+  it('points of a joint with a length include its tip, and no box that nobody set', () => {
     expect(pinPoints(alone({ length: 2 }), 0)).toEqual([
       { kind: 'origin', point: [0, 0, 0], name: 'origin' },
       { kind: 'tip', point: [0, 2, 0], name: 'tip' },

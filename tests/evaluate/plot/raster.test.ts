@@ -85,7 +85,7 @@ describe('painted columns', () => {
     );
   });
 
-  it('are cut off at the edges of the image, and every other square of what is extrapolated is left out', () => {
+  it('painted columns are cut off at the edges of the image, and every other square of extrapolation is left out', () => {
     const at = painted([{ columns: columnsOf(-5000, 5000, DOTTED_COLUMN), colour: '#ffffff' }]);
     const alphas = Array.from({ length: 40 }, (_, y) => at(1, y)[3]);
     expect(alphas.slice(0, 8)).toEqual([255, 255, 0, 0, 255, 255, 0, 0]);

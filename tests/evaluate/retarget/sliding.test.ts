@@ -35,7 +35,7 @@ describeShared('feet of real takes on the walker', () => {
     },
   );
 
-  it('are raised where a take stands lower than before: rokoko-dance ends with a foot 13 cm below where it danced', () => {
+  it('planted feet are raised where a take stands lower than before: rokoko-dance ends with a foot 13 cm below where it danced', () => {
     const planted = sliding('rokoko-dance.bvh', true);
     expect(planted.contacts).toBeGreaterThan(2);
     expect(planted.lowest).toBeGreaterThan(-0.01);
@@ -46,7 +46,7 @@ describeShared('feet of real takes on the walker', () => {
     expect(sliding('mixamo-names.bvh', false).mean).toBeGreaterThan(2 * sliding('mixamo-names.bvh', true).mean);
   });
 
-  it('of a walk on the spot are not seen to stand: nothing is planted that moves all the time', () => {
+  it('feet of a walk on the spot are not planted, since they move all the time', () => {
     expect(sliding('poser-sl-walk.bvh', true).contacts).toBe(0);
   });
 });

@@ -42,7 +42,7 @@ describe('triangles on a small picture', () => {
     }
   });
 
-  it('are lit evenly from corner to corner, and left out where they are no triangles', () => {
+  it('rasterised triangles are lit evenly from corner to corner, and left out if degenerate', () => {
     const pixels = rasterise(
       {
         points: Float64Array.of(0, 0, 0, 10, 0, 0, 0, 10, 0, Number.NaN, 0, 0),

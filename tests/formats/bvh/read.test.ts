@@ -179,11 +179,14 @@ describe('the samples of a .bvh', () => {
     expect(clip?.channels).toHaveLength(6);
   });
 
-  it.each(['Frames:2', 'Frames :2', 'frames: 2', 'Frames 2', 'FRAMES:\t2'])('are found behind %j', (frames) => {
-    const result = bvh(`${THREE}MOTION\n\n${frames}\nFrame Time: 0.1\n1 2 3\n4 5 6\n`);
-    expect(result.diagnostics).toEqual([]);
-    expect(valuesOf(result)).toEqual([1, 2, 3, 4, 5, 6]);
-  });
+  it.each(['Frames:2', 'Frames :2', 'frames: 2', 'Frames 2', 'FRAMES:\t2'])(
+    'the samples of a .bvh are found after %j',
+    (frames) => {
+      const result = bvh(`${THREE}MOTION\n\n${frames}\nFrame Time: 0.1\n1 2 3\n4 5 6\n`);
+      expect(result.diagnostics).toEqual([]);
+      expect(valuesOf(result)).toEqual([1, 2, 3, 4, 5, 6]);
+    },
+  );
 
   it.each(['Frame Time:.5', 'Frame Time :0.5', 'FrameTime: 5e-1', 'frame  time 0.5', 'Frame Time:\t+0.5'])(
     'are spaced by %j',

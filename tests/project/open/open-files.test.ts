@@ -393,7 +393,7 @@ describe('files opened later', () => {
       expect(document.unused).toHaveLength(1);
     });
 
-    it('of poses alone are not the sample’s where others come with them', () => {
+    it('poses opened with a skeleton are not added to the sample', () => {
       const { document } = open([ofJoints(...own), skelFile('other.skel', skeleton(1, 'tail'))], sample);
       expect(only(document).id).not.toBe('c1');
     });

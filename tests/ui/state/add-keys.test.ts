@@ -74,7 +74,7 @@ describe('keys outside a cycle', () => {
     expect(channels()[0]).toBe(walk);
   });
 
-  it('are not asked about inside the cycle, nor of channels that do not repeat', () => {
+  it('keys inside the cycle or on channels that don’t repeat raise no question', () => {
     keyNow(wb, 'c1', [2]);
     expect(wb.timeline.cycleQuestion.get()).toBeUndefined();
     wb.transport.update((p) => ({ ...p, timeSeconds: -0.4 }));
@@ -83,7 +83,7 @@ describe('keys outside a cycle', () => {
     expect(wb.store.undoLabel).toBe('Key tx of hips');
   });
 
-  it('are asked about once for each command that adds some', () => {
+  it('keys outside the cycle raise one question for each command that adds some', () => {
     const ways: Readonly<Record<string, () => void>> = {
       'a key on the curves': () => insertAtPlayhead(wb, [0, 1]),
       'pasted keys': () => paste(wb, 'merge', undefined, copyKeys(dancer.clips[0], [{ channel: 1, indices: [1] }])),
@@ -111,7 +111,7 @@ describe('keys outside a cycle', () => {
     expect(keysOf(channels()[0]).times).toHaveLength(4);
   });
 
-  it('of a drag with auto-key are asked about at its release, and escape leaves nothing of it', () => {
+  it('a drag with auto-key outside the cycle asks at its release, and Escape reverts it', () => {
     const edit = new HandEdit(wb.store, wb.messages);
     const drag = (value: number) => {
       const args = { characterId: 'c1', dofs: [{ index: 0, value }], timeSeconds: 2, key: {} };

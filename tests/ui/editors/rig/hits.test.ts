@@ -64,7 +64,7 @@ describe('what is under the pointer', () => {
     expect(adding(150, 100)).toBeUndefined();
   });
 
-  it('of coincident joints hits the selected one, else the last', () => {
+  it('a click on coincident joints hits the selected one, else the last', () => {
     const nodes = Float64Array.of(100, 100, 100, 100, 100, 100, 100, 100);
     expect(partAt(screen({ nodes }), 100, 100)).toEqual({ kind: 'joint', joint: 1 });
     expect(partAt(screen({ nodes, selected: undefined }), 100, 100)).toEqual({ kind: 'joint', joint: 3 });

@@ -41,7 +41,7 @@ function bench(...more: Character[]) {
 }
 
 describe('the next take', () => {
-  it('of the list plays alone, over its own range from its start', () => {
+  it('the next take of the list plays alone, over its own range from its start', () => {
     const { wb, seen, revealed } = bench();
     wb.transport.update((p) => ({ ...p, timeSeconds: 3, playing: true }));
     runAction(wb, 'take.next');

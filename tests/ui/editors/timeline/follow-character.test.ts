@@ -47,7 +47,7 @@ describe('what is picked out in the timeline', () => {
     expect(wb.timeline.view.get()).toMatchObject({ list: 'all', snapsToFrames: false });
   });
 
-  it('are dropped with a skeleton of other DOFs, shown or not, and kept if only limits change', () => {
+  it('pinned, hidden and isolated channels are dropped with a skeleton of other DOFs, shown or not, and kept if only limits change', () => {
     const before = picked();
     wb.store.apply(setLimit, { characterId: 'c1', dof: 4, min: -1, max: 1 });
     expect(picked()).toEqual(before);
@@ -61,7 +61,7 @@ describe('what is picked out in the timeline', () => {
     expect(picked()).toEqual(NOTHING);
   });
 
-  it('are restored with a character that was removed', () => {
+  it('pinned, hidden and isolated channels are restored with a character that was removed', () => {
     const before = picked();
     wb.store.apply(removeCharacter, { characterId: 'c1' });
     expect(picked()).toEqual(NOTHING);
