@@ -201,6 +201,59 @@ it('keeps a pinned point where it is while a slider moves what is above it, in o
     expect((await jointPlace(page, 'foot_l'))[1]).toBeCloseTo(foot[1] + 0.1, 2);
   }));
 
+it('turns a joint by a ring while a pin below holds, as one undo step, and back at Escape', () =>
+  withPage(async ({ page }) => {
+    await dropFiles(page, [{ name: 'leg.skel', bytes: LEG }]);
+    await page.waitForFunction(() => window.marrow.characters()[0]?.name === 'leg');
+    await intoIk(page);
+    await page.evaluate(() => window.marrow.run('ik.pin', { joint: 2, point: [0, 0, 0] }));
+    await page.evaluate(() => window.marrow.run('view.front'));
+    await standing(page);
+    const hip = await jointPlace(page, 'hip');
+    const foot = await jointPlace(page, 'foot_l');
+    const rotation = () => page.evaluate(() => window.marrow.characters()[0].dofs.slice(3, 6));
+    await page.getByRole('treeitem', { name: /^hip/ }).first().click();
+    await drawn(page);
+    // The ring about z faces the viewer: it is where a drag to the side turns rz only.
+    const { x, y } = await onPage(page, hip);
+    const canvas = page.locator('canvas.joint-gizmo');
+    const before = await rotation();
+    let radius = 0;
+    for (let r = 92; r > 24 && radius === 0; r--) {
+      await page.mouse.move(x + 0.8 * r, y - 0.6 * r);
+      const text = await page.locator('.hand-readout:visible').allTextContents();
+      if (text.some((one) => one.startsWith('rz'))) radius = r;
+    }
+    expect(await canvas.isVisible()).toBe(true);
+    expect(radius).toBeGreaterThan(24);
+    const turn = async () => {
+      await page.mouse.down();
+      await page.mouse.move(x + 0.6 * radius, y - 0.8 * radius, { steps: 6 });
+      await drawn(page);
+      const now = await rotation();
+      expect(now[2] - before[2]).toBeCloseTo(Math.atan2(0.8, 0.6) - Math.atan2(0.6, 0.8), 1);
+      expect(apart(now.slice(0, 2), before.slice(0, 2))).toBeLessThan(1e-9);
+      expect(apart(await jointPlace(page, 'foot_l'), foot)).toBeLessThan(2e-3);
+    };
+    await turn();
+    await page.keyboard.press('Escape');
+    await page.mouse.up();
+    await drawn(page);
+    expect(await rotation()).toEqual(before);
+    expect(await undoLabel(page)).toBe('Pin foot_l');
+    // Nothing is dragged any more: Escape deselects, and stays in IK.
+    await page.keyboard.press('Escape');
+    expect(await page.getByRole('button', { name: 'Remove all pins' }).isVisible()).toBe(true);
+    await page.getByRole('treeitem', { name: /^hip/ }).first().click();
+    await drawn(page);
+    await page.mouse.move(x + 0.8 * radius, y - 0.6 * radius);
+    await turn();
+    await page.mouse.up();
+    expect(await undoLabel(page)).toBe('Rotate hip');
+    await page.evaluate(() => window.marrow.undo());
+    expect(await rotation()).toEqual(before);
+  }));
+
 describeShared('the wasp of data/cse169', () => {
   it('moves the wasp’s body by hand while its six feet stay', () =>
     withPage(async ({ page }) => {

@@ -30,10 +30,10 @@ export interface ChosenDof {
   readonly name: string;
 }
 
-/** Other changes of a character that go with editing one DOF, from its first change to the release. */
-export interface BesideDof {
-  /** The DOF at a value with all that changes with it, for `setDofs`. */
-  at(value: number): readonly DofValue[];
+/** Other changes of a character that go with editing DOFs of a joint, from the first change to the release. */
+export interface BesideDofs {
+  /** The DOFs at their values with all that changes with them, for `setDofs`. */
+  at(values: readonly DofValue[]): readonly DofValue[];
   /** Call when the document has the last result of `at`. */
   shown(): void;
 }
@@ -53,8 +53,8 @@ export class Posing {
   readonly controls: Observable<HTMLElement | undefined> = observable<HTMLElement | undefined>(undefined);
   /** For FK; see `active-dof.ts`. */
   readonly chosenDof: Observable<ChosenDof | undefined> = observable<ChosenDof | undefined>(undefined);
-  /** While pins hold: how they adapt to a change of that DOF; undefined if they aren't affected. */
-  beside: ((characterId: string, dof: number) => BesideDof | undefined) | undefined;
+  /** While pins hold: how they adapt to a change of DOFs of one joint; undefined if they aren't affected. */
+  beside: ((characterId: string, dofs: readonly number[]) => BesideDofs | undefined) | undefined;
   /** Characters as they came in, by id: what differs from it was set by hand. */
   readonly opened = new Map<string, Character>();
   readonly rigSkin: Observable<RigSkin> = observable<RigSkin>('stays');

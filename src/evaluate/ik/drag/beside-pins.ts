@@ -11,9 +11,9 @@ import { handStiffness, IS_THERE } from './hand-problem.ts';
 import type { Hindrance } from './hindrance.ts';
 
 /**
- * Sets a DOF by its slider or number field while pins hold: the DOF takes the value, and the others adapt to keep the
- * pins, as in a drag, close to the pose at the start of the change. Pins that can't be kept slip, and hold again as
- * soon as they can.
+ * Sets DOFs of a joint while pins hold, by slider, number field or gizmo: they take their values, and the others adapt to
+ * keep the pins, as in a drag, close to the pose at the start of the change. Pins that can't be kept slip, and hold
+ * again as soon as they can.
  */
 export class BesidePins {
   private readonly home: Float64Array;
@@ -22,14 +22,14 @@ export class BesidePins {
   private problem: IkProblem | undefined;
 
   /**
-   * @param dof index into the character's DOFs, of a joint or the root
+   * @param changed indices into the character's DOFs, all of one joint or the root
    * @param shown the character's DOFs at the start of the change; copied
    * @param held targets of its pins, by id
    */
   constructor(
     private readonly character: Character,
     private readonly skeleton: Skeleton,
-    private readonly dof: number,
+    private readonly changed: readonly number[],
     shown: Float64Array,
     private readonly held: ReadonlyMap<number, PinTarget>,
   ) {
@@ -37,15 +37,15 @@ export class BesidePins {
     this.home = shown.slice(0, firstDof[jointCount]);
     this.dofs = this.home.slice();
     // Root translation comes before the first joint's DOFs and belongs to the root.
-    const joint = firstDof.findLastIndex((first) => first <= dof);
+    const joint = firstDof.findLastIndex((first) => first <= changed[0]);
     this.stiffness = handStiffness(character, skeleton, Math.max(0, joint));
-    this.stiffness[dof] = Infinity;
+    for (const dof of changed) this.stiffness[dof] = Infinity;
   }
 
-  /** The DOF at a value, with those that adapt to it. */
-  at(value: number): readonly DofValue[] {
-    const { character, skeleton, dof, dofs, home } = this;
-    dofs[dof] = home[dof] = value;
+  /** The changed DOFs at their values, with those that adapt to them. */
+  at(values: readonly DofValue[]): readonly DofValue[] {
+    const { character, skeleton, changed, dofs, home } = this;
+    for (const { index, value } of values) dofs[index] = home[index] = value;
     const fromHome = home.slice();
     // Recomputed for each value: sliding or scaling DOFs change the length of bones, and so the reach of pins.
     const problem = ikProblem(skeleton, ikPinsOf(ikOf(character), this.held), dofs, {
@@ -58,7 +58,7 @@ export class BesidePins {
     const worst = (from: Float64Array) => Math.max(...solve(problem, from, 'drag').residuals);
     const gap = worst(fromHome);
     if (gap <= IS_THERE * problem.reach || gap <= worst(dofs)) dofs.set(fromHome);
-    return [{ index: dof, value }, ...changedValues(skeleton, home, dofs).filter(({ index }) => index !== dof)];
+    return [...values, ...changedValues(skeleton, home, dofs).filter(({ index }) => !changed.includes(index))];
   }
 
   /** Why pins can't hold at the last value; undefined before the first. */

@@ -4,11 +4,13 @@
  */
 import { setDofs } from '../../../edit/commands/pose.ts';
 import { findCharacter } from '../../../model/document.ts';
+import { characterDofs } from '../../../model/dofs.ts';
 import { jointName } from '../../../model/joint-name.ts';
 import { addKeyed } from '../../state/add-keys.ts';
 import { HandEdit } from '../../state/hand-edit.ts';
+import type { BesideDofs } from '../../state/posing.ts';
 import { standStill } from '../../state/stand-still.ts';
-import type { Workbench } from '../../state/workbench.ts';
+import type { Uses, Workbench } from '../../state/workbench.ts';
 import { autoKey } from '../posing/pose-edits.ts';
 import { tellFollows } from '../posing/tell-follows.ts';
 import type { CanvasDrag, CanvasPointer } from '../viewport/canvas-tools.ts';
@@ -38,6 +40,8 @@ export function handDrag(
 ): CanvasDrag {
   const edit = new HandEdit(wb.store, wb.messages);
   let mover: Mover | undefined;
+  /** While pins hold. */
+  let beside: BesideDofs | undefined;
   let hasBegun = false;
   /** Resumes following and *in place*, which the drag has paused. */
   let rest = () => {};
@@ -52,18 +56,21 @@ export function handDrag(
       }
       if (!mover) return;
       const moved = mover(at);
+      beside ??= wb.posing.beside?.(characterId, constrainedDofs(wb, { characterId, joint }, moved));
+      const dofs = beside?.at(moved.dofs) ?? moved.dofs;
       const { timeSeconds } = wb.transport.get();
       const label = () => `${moved.verb} ${jointName(findCharacter(wb.store.document, characterId)?.skeleton, joint)}`;
       const command = { ...setDofs, label };
-      const args = { characterId, dofs: moved.dofs, timeSeconds, key: autoKey(wb) };
+      const args = { characterId, dofs, timeSeconds, key: autoKey(wb) };
       edit.preview(command, args, () => addKeyed(wb, command, args));
+      beside?.shown();
       // After the edit has begun, since messages are cleared by a new step.
       const character = findCharacter(wb.store.document, characterId);
       if (character)
         tellFollows(
           wb,
           character,
-          moved.dofs.map(({ index }) => index),
+          dofs.map(({ index }) => index),
         );
       events.moved(moved, at);
     },
@@ -78,4 +85,19 @@ export function handDrag(
       events.ended(undefined, false);
     },
   };
+}
+
+/** What the drag sets, while pins adapt the rest: a rotation as a whole, or the joint would tilt about its other axes. */
+function constrainedDofs(
+  { store }: Uses<'store'>,
+  { characterId, joint }: DraggedJoint,
+  { verb, dofs }: DragResult,
+): readonly number[] {
+  const own = dofs.map(({ index }) => index);
+  const skeleton = findCharacter(store.document, characterId)?.skeleton;
+  if (verb !== 'Rotate' || !skeleton) return own;
+  const angles = characterDofs(skeleton, []).flatMap((dof, index) =>
+    dof.joint === joint && dof.unit === 'angle' ? [index] : [],
+  );
+  return [...new Set([...own, ...angles])];
 }

@@ -6,14 +6,20 @@
  *     drag           a pin or any other point; other pins hold
  *     Alt, right     in depth; the right button only on a pin, as it pans elsewhere
  *     long press     on touch: as Shift+click; a second finger drags in depth
+ *     a ring         of the selected joint: rotates it while the pins hold
  */
+import type { HandleId, JointHandles } from '../../../evaluate/handles/joint-handles.ts';
 import { defaultPinPoint } from '../../../evaluate/ik/pin-points.ts';
 import { ikOf } from '../../../evaluate/ik/set-up.ts';
 import { type Character, findCharacter, shownSkin } from '../../../model/document.ts';
+import { perObject } from '../../../model/per-object.ts';
+import type { HandleHit } from '../../../view/gizmo/handle-at.ts';
 import { PinOverlay } from '../../../view/pins/pin-overlay.ts';
 import { Readout } from '../../kit/readout.ts';
+import { type ResolvedJoint, selectedJoint } from '../../state/selected-joint.ts';
 import type { Workbench } from '../../state/workbench.ts';
-import type { CanvasPointer } from '../viewport/canvas-tools.ts';
+import { SelectedGizmo } from '../fk/selected-gizmo.ts';
+import type { CanvasDrag, CanvasPointer } from '../viewport/canvas-tools.ts';
 import type { ModeTool } from '../viewport/mode-tool.ts';
 import { depthText } from './depth-text.ts';
 import type { IkGrip } from './hand-pull.ts';
@@ -37,6 +43,7 @@ export function ikTool(wb: Workbench): ModeTool {
 class IkTool implements ModeTool {
   private drag: PinDrag | undefined;
   private readonly nudge: PinNudge;
+  private readonly rings: SelectedGizmo;
   private hoveredPin: SeenPin | undefined;
   private hoveredPoint: SeenPoint | undefined;
   /** Pointer position to be looked up in the next frame. */
@@ -49,6 +56,7 @@ class IkTool implements ModeTool {
 
   constructor(private readonly wb: Workbench) {
     this.nudge = new PinNudge(wb);
+    this.rings = new SelectedGizmo(wb, { only: ringsOnly });
     this.labels = new IkLabels(wb);
   }
 
@@ -60,10 +68,11 @@ class IkTool implements ModeTool {
     });
     const { selected, pointedAt, targets } = wb.posing.ik;
     labels.enter();
+    this.rings.enter();
     this.readout = new Readout(wb.viewportElement);
     this.controls ??= ikControls(wb);
     wb.posing.controls.set(this.controls);
-    wb.posing.beside = (id, dof) => besidePins(wb, id, dof);
+    wb.posing.beside = (id, dofs) => besidePins(wb, id, dofs);
     // Another joint may have been selected in another mode.
     keepInHand(wb, true);
     const redraw = () => wb.viewport.requestRender();
@@ -93,14 +102,19 @@ class IkTool implements ModeTool {
     for (const stop of this.stops) stop();
     this.stops = [];
     labels.leave();
+    this.rings.leave();
     this.readout?.remove();
     this.readout = undefined;
     wb.posing.controls.set(undefined);
     wb.posing.beside = undefined;
   }
 
-  press(at: CanvasPointer): PinDrag | undefined {
+  press(at: CanvasPointer): CanvasDrag | undefined {
     this.nudge.finish();
+    const { viewport } = this.wb;
+    const ring = this.ringUnder(at, () => viewport.pick(at.clientX, at.clientY)?.joint !== undefined);
+    const selected = selectedJoint(this.wb);
+    if (ring && selected) return this.turn(ring.id, selected, at);
     // Shift selects, and pans.
     if (at.shiftKey) return undefined;
     const pin = pinUnder(this.wb, at);
@@ -133,10 +147,34 @@ class IkTool implements ModeTool {
   hover(at: CanvasPointer | undefined): string | undefined {
     this.looking = undefined;
     const pin = at && pinUnder(this.wb, at);
+    const ring = at && this.ringUnder(at, () => this.wb.viewport.hovered?.joint !== undefined);
+    this.rings.light(ring?.id, at);
+    if (ring) {
+      this.show(undefined, undefined);
+      // "grab" claims the pointer: a ring that yields must leave the viewport looking for joints.
+      return ring.yields ? 'move' : 'grab';
+    }
     this.show(pin, pin || !at ? undefined : this.hoveredPoint);
     if (pin) return 'grab';
     if (at && at.pointerType !== 'touch') this.lookSoon(at);
     return this.hoveredPoint ? 'pointer' : undefined;
+  }
+
+  /**
+   * The ring that a press would grab: pins come first, and joints where the ring is only near.
+   * @param isOnJoint asked only if needed
+   */
+  private ringUnder(at: CanvasPointer, isOnJoint: () => boolean): HandleHit | undefined {
+    if (at.button > 0 || at.altKey) return undefined;
+    const ring = this.rings.at(at);
+    return ring && !pinUnder(this.wb, at) && !(ring.yields && isOnJoint()) ? ring : undefined;
+  }
+
+  private turn(ring: HandleId, selected: ResolvedJoint, at: CanvasPointer): CanvasDrag {
+    this.show(undefined, undefined);
+    this.looking = undefined;
+    this.wb.posing.ik.hasDragged.set(true);
+    return this.rings.dragHandle(ring, selected, at);
   }
 
   private begin(grip: IkGrip, at: CanvasPointer, click: () => void): PinDrag {
@@ -233,6 +271,11 @@ class IkTool implements ModeTool {
     return { pull: this.drag?.state ?? this.nudge.state, hoveredPin, hoveredPoint };
   }
 }
+
+/** IK drags points: of the gizmo only the rings are left, without the ball, which would cover the joint. */
+const ringsOnly = perObject((handles: JointHandles): JointHandles => {
+  return { ...handles, handles: handles.handles.filter(({ kind }) => kind === 'turn'), freeTurn: undefined };
+});
 
 /** The pin at that point, if any. */
 function pinnedAt(character: Character, joint: number, point: readonly number[]): number | undefined {

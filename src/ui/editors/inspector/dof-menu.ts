@@ -52,9 +52,9 @@ function entries(
   const isOwn = coupleOf(character.skeleton, index) === undefined;
   const set = (value: number) => {
     const own = { index, value };
-    const beside = wb.posing.beside?.(id, index);
+    const beside = wb.posing.beside?.(id, [index]);
     const { timeSeconds } = wb.transport.get();
-    const dofs = beside?.at(value) ?? [own];
+    const dofs = beside?.at([own]) ?? [own];
     addKeyed(wb, setOne(own), { characterId: id, dofs, timeSeconds, key: autoKey(wb) });
     beside?.shown();
   };

@@ -14,7 +14,7 @@ import { setTooltip } from '../../kit/tooltip.ts';
 import { addKeyed } from '../../state/add-keys.ts';
 import { shownPerUnit, typedUnits, unitText, withoutNoise } from '../../state/angles.ts';
 import type { HandEdit } from '../../state/hand-edit.ts';
-import type { BesideDof } from '../../state/posing.ts';
+import type { BesideDofs } from '../../state/posing.ts';
 import type { Settings } from '../../state/settings.ts';
 import { standStill } from '../../state/stand-still.ts';
 import type { Workbench } from '../../state/workbench.ts';
@@ -80,16 +80,16 @@ export function addDofRow(
     mark.show(now);
   };
   // From the first change to the release, while pins hold.
-  let beside: BesideDof | undefined;
+  let beside: BesideDofs | undefined;
   slider.onChange((value: number) => {
     const now = findCharacter(wb.store.document, id);
     // Playback would overwrite the value with the next frame.
     const key = autoKey(wb);
     if (now && (key || isDriven(now, index))) standStill(wb);
-    beside ??= wb.posing.beside?.(id, index);
+    beside ??= wb.posing.beside?.(id, [index]);
     const own = { index, value: value / factor };
     const { timeSeconds } = wb.transport.get();
-    const dofs = beside?.at(own.value) ?? [own];
+    const dofs = beside?.at([own]) ?? [own];
     const args = { characterId: id, dofs, timeSeconds, key };
     edit.preview(setOne(own), args, () => addKeyed(wb, setOne(own), args));
     beside?.shown();

@@ -12,7 +12,8 @@ import { activeDof, chooseNextDof, nudgeDof } from './active-dof.ts';
 const TURN = Math.PI / 36;
 /** Factor of the gizmo's size for one key press: three double it. */
 const GIZMO_STEP = 2 ** (1 / 3);
-const NO_GIZMO = 'Only FK mode has a gizmo.';
+const NO_GIZMO = 'Only FK and IK modes have a gizmo.';
+const hasGizmo = ({ posing }: Uses<'posing'>) => posing.mode.get() === 'fk' || posing.mode.get() === 'ik';
 
 export const POSING_ACTIONS: readonly Action[] = [
   mode('select', 'Select (no gizmo)'),
@@ -106,10 +107,8 @@ function gizmoSize(what: 'larger' | 'smaller', label: string, key: string, facto
     section: 3,
     shortcuts: [key],
     repeats: true,
-    enabled: (wb) =>
-      wb.posing.mode.get() === 'fk' && next(wb.settings.get().gizmoScale) !== wb.settings.get().gizmoScale,
-    whyNot: (wb) =>
-      wb.posing.mode.get() === 'fk' ? `The gizmo is as ${what === 'larger' ? 'large' : 'small'} as it gets.` : NO_GIZMO,
+    enabled: (wb) => hasGizmo(wb) && next(wb.settings.get().gizmoScale) !== wb.settings.get().gizmoScale,
+    whyNot: (wb) => (hasGizmo(wb) ? `The gizmo is as ${what === 'larger' ? 'large' : 'small'} as it gets.` : NO_GIZMO),
     run: (wb) => wb.settings.update((s) => ({ ...s, gizmoScale: next(s.gizmoScale) })),
   };
 }

@@ -17,10 +17,10 @@ afterEach(() => page.stop());
 /** Like the slider of a DOF: successive values in one gesture. */
 function slide(dof: number, values: readonly number[]): void {
   const { wb } = page;
-  const beside = besidePins(wb, 'c1', dof);
+  const beside = besidePins(wb, 'c1', [dof]);
   const gesture = wb.store.begin('Slide');
   for (const value of values) {
-    const dofs = beside?.at(value) ?? [{ index: dof, value }];
+    const dofs = beside?.at([{ index: dof, value }]) ?? [{ index: dof, value }];
     gesture.preview(setDofs.run(gesture.base, { characterId: 'c1', dofs, timeSeconds: 0 }));
     beside?.shown();
   }
@@ -69,10 +69,10 @@ describe('a DOF set while pins hold', () => {
 
   it('pins affect no DOF if there are none, or if it belongs to no joint', () => {
     const count = page.pose().length;
-    expect(besidePins(page.wb, 'c1', count)).toBeUndefined();
-    expect(besidePins(page.wb, 'nobody', 0)).toBeUndefined();
+    expect(besidePins(page.wb, 'c1', [count])).toBeUndefined();
+    expect(besidePins(page.wb, 'nobody', [0])).toBeUndefined();
     page.stop();
     page = ikPage(documentOf(body({ ik: { pins: [], stiff: [{ joint: FORE_L }], rootIsFree: true } })));
-    expect(besidePins(page.wb, 'c1', 0)).toBeUndefined();
+    expect(besidePins(page.wb, 'c1', [0])).toBeUndefined();
   });
 });
