@@ -36,6 +36,8 @@ export const MOUSE_GESTURES: readonly MouseGestures[] = [
       ['… in depth on a touchscreen', 'drag with two fingers'],
       ['Move any other point while pins hold', 'drag it'],
       ['… in depth (right drag pans there)', 'Alt+drag'],
+      ['Rotate the selected joint while pins hold', 'drag a ring'],
+      ['… in fine steps, snapping', 'Shift+drag, Ctrl+drag'],
       ['Move the selected pin', '← → ↑ ↓, Shift for larger steps'],
       ['… in depth with the keyboard', 'Alt+↑ ↓'],
       ['Remove the selected pin', 'Delete'],

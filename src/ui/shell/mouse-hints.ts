@@ -99,9 +99,9 @@ function inFk(place: MousePlace, isHandle: boolean): readonly MouseHint[] {
 function inIk({ joint }: MousePlace, isHandle: boolean): readonly MouseHint[] {
   if (isHandle) {
     return [
-      ['Move the pin', 'drag'],
-      ['In depth', 'Alt+drag'],
-      ['Remove it', 'click'],
+      ['Move the pin or turn the ring', 'drag'],
+      ['Pin in depth', 'Alt+drag'],
+      ['Remove the pin', 'click'],
       ['Select it', 'Shift+click'],
     ];
   }

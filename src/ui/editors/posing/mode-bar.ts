@@ -20,7 +20,7 @@ const KEY_OF: Readonly<Record<PosingMode, string>> = {
 const MODE_LABELS: Readonly<Record<PosingMode, string>> = {
   fk: 'Forward kinematics: rotate joints one at a time with their rings or by dragging a bone up and down',
   select: 'Select: click joints without a gizmo in the way; every drag moves the camera',
-  ik: 'Inverse kinematics: click to pin a point, drag to move any point while pins hold',
+  ik: 'Inverse kinematics: click to pin a point, drag to move any point or turn a ring while pins hold',
   rig: 'Rig: drag a joint, its arrows or a face of its box; Ctrl+click to add a child',
 };
 
