@@ -38,6 +38,8 @@ export interface Display {
   readonly boxes: BoxStyle;
   /** Spheres at joints and cylinders between them. */
   readonly bones: boolean;
+  /** A factor of the width of bones, 0.25 to 4. However thin, they stay a few pixels wide. */
+  readonly boneThickness: number;
   readonly axes: boolean;
   /** Joint names. */
   readonly names: boolean;
@@ -67,6 +69,7 @@ export const DEFAULT_DISPLAY: Display = {
   skin: 'textured',
   boxes: 'bare',
   bones: false,
+  boneThickness: 1,
   axes: false,
   names: false,
   characterNames: true,

@@ -6,16 +6,21 @@
  *     instance: position (x y z), offset of the glyph in CSS pixels (x y), glyph index, colour r g b a
  */
 import {
+  AddEquation,
   BufferAttribute,
   CanvasTexture,
   type Color,
+  CustomBlending,
   DynamicDrawUsage,
   InstancedBufferAttribute,
   InstancedBufferGeometry,
   LinearFilter,
   Mesh,
   NoColorSpace,
+  OneFactor,
+  OneMinusSrcAlphaFactor,
   ShaderMaterial,
+  SrcAlphaFactor,
   Vector2,
 } from 'three';
 import { LINE_RESOLUTION, rawColor } from './thick-lines.ts';
@@ -135,6 +140,13 @@ export class Glyphs {
 function glyphMaterial(): ShaderMaterial {
   return new ShaderMaterial({
     transparent: true,
+    // Custom, so that it blends in the opaque list too.
+    blending: CustomBlending,
+    blendEquation: AddEquation,
+    blendSrc: SrcAlphaFactor,
+    blendDst: OneMinusSrcAlphaFactor,
+    blendSrcAlpha: OneFactor,
+    blendDstAlpha: OneMinusSrcAlphaFactor,
     depthWrite: false,
     toneMapped: false,
     uniforms: {

@@ -131,6 +131,10 @@ export class Grid {
     // Drawn before everything else, so in the opaque list; it still blends.
     this.quad.material.transparent = !upright;
     this.quad.renderOrder = upright ? -900 : -20;
+    // Its numbers too: they are in the plane that a model stands in.
+    this.glyphs.object.material.depthTest = !upright;
+    this.glyphs.object.material.transparent = !upright;
+    this.glyphs.object.renderOrder = upright ? -890 : -10;
 
     const m = this.quad.matrix.identity().elements;
     m.fill(0, 0, 12);

@@ -1,7 +1,7 @@
 /**
  * Names of joints and characters, on a 2D canvas over the scene: crisp at any scale, in any script, without an element
- * per name. A name that would overlap one already drawn is left out. The selected and the hovered joint's names are
- * always drawn; then those of characters, the selected one first and the others in a fixed order, so that dancers who
+ * per name. A name that would overlap one already drawn is left out. The hovered joint's name comes first, then
+ * the selected one's; then those of characters, the selected one first and the others in a fixed order, so that dancers who
  * pass each other don't make names flicker; then joints, nearest first.
  */
 import { type Camera, Matrix4 } from 'three';
@@ -93,7 +93,7 @@ export class Labels {
     this.selected = display.names ? instanceOf(drawn, selection.characterId, 0, selection.joint) : -1;
     this.hovered = hovered ? instanceOf(drawn, hovered.characterId, hovered.placement, hovered.joint) : -1;
     this.hoveredName = hovered && this.nameUnderPointer(hovered);
-    this.always = [this.selected, this.hovered].filter((i) => i >= 0);
+    this.always = [...new Set([this.hovered, this.selected])].filter((i) => i >= 0);
     const isNamed = display.characterNames && drawn.length > 1;
     this.characterNames = isNamed ? drawn.map(({ name }) => this.measure(name ?? '')) : [];
     this.selectedCharacter = drawn.findIndex((d) => d.characterId === selection.characterId);
@@ -136,13 +136,7 @@ export class Labels {
       }
       if (best < 0) break;
       this.screen[3 * best + 2] = Infinity;
-      this.write(
-        this.names[this.order[best]],
-        this.screen[3 * best] + BESIDE,
-        this.screen[3 * best + 1],
-        theme.label,
-        false,
-      );
+      this.write(this.names[this.order[best]], this.screen[3 * best] + BESIDE, this.screen[3 * best + 1], theme.label);
     }
   }
 
@@ -163,7 +157,7 @@ export class Labels {
     const name = this.characterNames[c];
     // Above a name that is already there.
     for (let line = 0; line < NAME_LINES; line++) {
-      if (this.write(name, place[0] - name.width / 2, place[1] - line * LINE_HEIGHT, color, false)) return;
+      if (this.write(name, place[0] - name.width / 2, place[1] - line * LINE_HEIGHT, color)) return;
     }
   }
 
@@ -172,7 +166,7 @@ export class Labels {
     if (!name || !this.project(positions, instance, CANDIDATES - 1)) return;
     const color = instance === this.selected ? theme.selectedLabel : theme.label;
     const o = 3 * (CANDIDATES - 1);
-    this.write(name, this.screen[o] + BESIDE, this.screen[o + 1], color, true);
+    this.write(name, this.screen[o] + BESIDE, this.screen[o + 1], color);
   }
 
   /** Writes an instance's screen position to slot `to`; false if it is out of view. */
@@ -193,13 +187,13 @@ export class Labels {
   }
 
   /** Returns whether there was room. @param x of the first letter @param y of the middle of the line */
-  private write(name: Name, x: number, y: number, color: string, overOthers: boolean): boolean {
+  private write(name: Name, x: number, y: number, color: string): boolean {
     const { text, width } = name;
     if (text === '' || this.written >= LIMIT) return false;
     const left = Math.round(x);
     const top = Math.round(y) - LINE_HEIGHT / 2;
     const { boxes } = this;
-    for (let b = 0; b < this.written && !overOthers; b++) {
+    for (let b = 0; b < this.written; b++) {
       const o = 4 * b;
       const apart =
         left > boxes[o + 2] || left + width < boxes[o] || top > boxes[o + 3] || top + LINE_HEIGHT < boxes[o + 1];

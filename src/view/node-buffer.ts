@@ -17,8 +17,10 @@ import {
   type Material,
   type Matrix4,
   MeshDepthMaterial,
+  type Vector2,
 } from 'three';
 import { boneMatrix, sphereMatrix } from '../evaluate/shapes/joint-shapes.ts';
+import { LINE_RESOLUTION } from './thick-lines.ts';
 
 export type NodeShape = 'ball' | 'bone';
 
@@ -96,13 +98,13 @@ export class NodeMesh extends InstancedMesh {
 /** `sphereMatrix` and `boneMatrix` of `joint-shapes.ts`. */
 const MATRICES: Readonly<Record<NodeShape, string>> = {
   ball: /* glsl */ `
-    float r = nodeEnd.w;
+    float r = nodeRadius(nodeEnd, 1.0);
     nodeMatrix = mat4(r, 0.0, 0.0, 0.0, 0.0, r, 0.0, 0.0, 0.0, 0.0, r, 0.0, nodeEnd.xyz, 1.0);
   `,
   bone: /* glsl */ `
     vec3 way = nodeEnd.xyz - nodeStart.xyz;
     float span = length(way);
-    float r = nodeStart.w;
+    float r = nodeRadius(nodeStart, 0.75);
     nodeMatrix = mat4(vec4(0.0), vec4(0.0), vec4(0.0), vec4(nodeStart.xyz, 1.0));
     if (span > 0.0) {
       vec3 d = way / span;
@@ -116,13 +118,43 @@ const MATRICES: Readonly<Record<NodeShape, string>> = {
   `,
 };
 
-/** Adapts the material for a `NodeMesh` of this shape. */
-export function drawnByNodes<M extends Material>(material: M, shape: NodeShape): M {
+/** Uniforms of all materials of balls and bones: a factor of their radius, and the least radius of a ball in pixels. */
+const NODE_THICKNESS = { value: 1 };
+const MIN_PIXELS = { value: 2.6 };
+/** Shadows are not on the screen. */
+const NO_MIN_PIXELS = { value: 0 };
+
+/** Sets how thick bones are drawn; 1 follows from the skeleton's size. */
+export function setNodeThickness(thickness: number): void {
+  NODE_THICKNESS.value = thickness;
+}
+
+/**
+ * Adapts the material for a `NodeMesh` of this shape.
+ *
+ * @param resolution of what it is drawn on, in the pixels that the least width is counted in
+ */
+export function drawnByNodes<M extends Material>(
+  material: M,
+  shape: NodeShape,
+  resolution: { readonly value: Vector2 } = LINE_RESOLUTION,
+): M {
+  const minPixels = material instanceof MeshDepthMaterial ? NO_MIN_PIXELS : MIN_PIXELS;
   material.onBeforeCompile = (shader) => {
+    Object.assign(shader.uniforms, { nodeThickness: NODE_THICKNESS, nodeMinPixels: minPixels, nodeOn: resolution });
     shader.vertexShader = /* glsl */ `
       attribute vec4 nodeEnd;
       attribute vec4 nodeStart;
+      uniform float nodeThickness;
+      uniform float nodeMinPixels;
+      uniform vec2 nodeOn;
       mat4 nodeMatrix;
+      // Its radius, but not less than so many pixels; 0 is not drawn.
+      float nodeRadius(vec4 node, float part) {
+        float w = (projectionMatrix * (modelViewMatrix * vec4(node.xyz, 1.0))).w;
+        float pixel = 2.0 * abs(w) / (projectionMatrix[1][1] * nodeOn.y);
+        return node.w > 0.0 ? max(node.w * nodeThickness, part * nodeMinPixels * pixel) : 0.0;
+      }
       #define instanceMatrix nodeMatrix
       ${shader.vertexShader.replace('void main() {', `void main() { {${MATRICES[shape]}}`)}
     `;

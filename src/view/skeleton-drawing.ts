@@ -14,6 +14,7 @@ import {
   Group,
   MeshStandardMaterial,
   SphereGeometry,
+  Vector2,
   type Vector3,
 } from 'three';
 import { axesMatrix, boxMatrix } from '../evaluate/shapes/joint-shapes.ts';
@@ -32,7 +33,7 @@ import {
 } from './drawn-skeletons.ts';
 import { InstancedKind, meshIdMaterial } from './instanced-kind.ts';
 import { JointMarkers, paintAxes } from './joint-markers.ts';
-import { drawnByNodes, NODE_STRIDE, NodeBuffer, type NodeShape } from './node-buffer.ts';
+import { drawnByNodes, NODE_STRIDE, NodeBuffer, type NodeShape, setNodeThickness } from './node-buffer.ts';
 import { fillNodes, placementScale, placeNodes, placePositions } from './node-matrices.ts';
 import type { StageTheme } from './theme.ts';
 import { lineIdMaterial, lineMaterial, rawColor, segmentsGeometry } from './thick-lines.ts';
@@ -79,6 +80,7 @@ export class SkeletonDrawing {
   instanceCount = 0;
 
   private readonly kinds: Readonly<Record<KindName, InstancedKind>>;
+  private readonly idResolution = { value: new Vector2(1, 1) };
   /** Of balls and bones. */
   private readonly nodes = new NodeBuffer();
   private readonly markers: JointMarkers;
@@ -109,7 +111,7 @@ export class SkeletonDrawing {
     const axesThrough = lineMaterial({ ...axisLines, opacity: COVERED_OPACITY }, behind);
     const ids = meshIdMaterial;
     const ofNodes = (shape: NodeShape, geometry: BufferGeometry, lighter: BufferGeometry) => {
-      const idMaterial = drawnByNodes(ids(), shape);
+      const idMaterial = drawnByNodes(ids(), shape, this.idResolution);
       return new InstancedKind(geometry, lit(shape), idMaterial, false, object, through(shape), lighter, shape);
     };
     this.kinds = {
@@ -131,6 +133,7 @@ export class SkeletonDrawing {
     if (this.scratch.length < 16 * most) this.scratch = new Float64Array(16 * most);
     this.selection = selection;
     this.display = display;
+    setNodeThickness(display.boneThickness);
     if (theme !== this.theme) this.setTheme(theme);
 
     const { edges, faces, balls, bones, axes } = this.kinds;
@@ -272,6 +275,7 @@ export class SkeletonDrawing {
   /** Sets the resolution by which lines of the ID image compute their width, in pixels. */
   setIdResolution(width: number, height: number): void {
     this.kinds.edges.idMaterial?.uniforms.resolution.value.set(width, height);
+    this.idResolution.value.set(width, height);
   }
 
   dispose(): void {

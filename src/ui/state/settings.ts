@@ -132,6 +132,7 @@ function parseDisplay(kept: Record<string, unknown>): Display {
     ...display,
     skin: oneOf(SKINS, kept.skin, DEFAULT_DISPLAY.skin),
     boxes: oneOf(BOXES, kept.boxes, DEFAULT_DISPLAY.boxes),
+    boneThickness: Math.min(4, Math.max(0.25, display.boneThickness)),
     ghostsBefore: count(kept.ghostsBefore, DEFAULT_DISPLAY.ghostsBefore),
     ghostsAfter: count(kept.ghostsAfter, DEFAULT_DISPLAY.ghostsAfter),
     ghostStepIn: oneOf(GHOST_UNITS, kept.ghostStepIn, DEFAULT_DISPLAY.ghostStepIn),

@@ -99,3 +99,11 @@ describe('rememberedSettings', () => {
     expect(settings.get().theme).toBe('dark');
   });
 });
+
+it('bones are never thinner than a quarter of their width, nor thicker than four times, whatever was kept', () => {
+  const kept = (boneThickness: unknown) => parseSettings(JSON.stringify({ display: { boneThickness } })).display;
+  expect(kept(0).boneThickness).toBe(0.25);
+  expect(kept(2.5).boneThickness).toBe(2.5);
+  expect(kept(100).boneThickness).toBe(4);
+  expect(kept('thick').boneThickness).toBe(1);
+});

@@ -48,12 +48,14 @@ export function displaySection(wb: Uses<'store' | 'settings' | 'messages'>, sect
   });
   showSkin();
   option('boxes', 'Boxes', BOX_STYLES);
+  let showThickness: ((display: Display) => void) | undefined;
   let showGhosts: ((display: Display) => void) | undefined;
   for (const [key, label] of SWITCHES) {
     section
       .add(binding, key)
       .name(label)
       .onChange((value: boolean) => setDisplay(wb, { [key]: value }));
+    if (key === 'bones') showThickness = addThickness(wb, section);
     if (key === 'ghosts') showGhosts = addGhostRows(wb, section);
   }
   section.add({ reset: () => setDisplay(wb, DEFAULT_DISPLAY) }, 'reset').name('Reset to default');
@@ -62,7 +64,18 @@ export function displaySection(wb: Uses<'store' | 'settings' | 'messages'>, sect
     Object.assign(binding, now.display);
     for (const controller of section.controllers) controller.updateDisplay();
     showGhosts?.(now.display);
+    showThickness?.(now.display);
   });
+}
+
+/** How thick bones are drawn. */
+function addThickness(wb: Uses<'settings' | 'messages'>, section: GUI): (display: Display) => void {
+  const { display } = wb.settings.get();
+  const refuse = (reason: string) => wb.messages.note(reason, 'warning');
+  const options = { span: [0.25, 4], bounds: [0.25, 4], step: 0.05, decimals: 2 } as const;
+  const row = new Slider(section, 'Bone thickness', display.boneThickness, options, refuse);
+  row.onChange((boneThickness: number) => setDisplay(wb, { boneThickness }));
+  return (now) => row.showValue(now.boneThickness);
 }
 
 export function playbackSection(wb: Uses<'transport' | 'settings' | 'messages'>, section: GUI): void {
