@@ -240,27 +240,42 @@ async function pointBetween(page: Page, from: string, to: string): Promise<Point
 it('with the head of the walker selected, drags on nine other parts of the body select and rotate those', () =>
   withPage(
     async ({ page }) => {
-      await page.evaluate(() => {
+      await page.evaluate(async () => {
         window.marrow.pause();
         window.marrow.seek(0.3);
+        await window.marrow.run('view.front');
+        await window.marrow.run('posing.select');
       });
-      await page.getByRole('treeitem', { name: /^head/ }).first().click();
-      await page.evaluate(() => window.marrow.run('view.front'));
-      await page.waitForFunction(() => document.querySelector<HTMLElement>('.joint-gizmo')?.hidden === false);
       const parts = [
         ['forearm_l', 'hand_l'],
         ['forearm_r', 'hand_r'],
+        ['upper_arm_r', 'forearm_r'],
         ['chest', 'chest'],
+        ['spine', 'chest'],
         ['thigh_l', 'shin_l'],
-        ['thigh_r', 'shin_r'],
         ['shin_l', 'foot_l'],
         ['shin_r', 'foot_r'],
         ['toe_r', 'toe_r'],
-        ['spine', 'chest'],
       ] as const;
-      for (const [joint, child] of parts) {
-        const place = await pointBetween(page, joint, child);
-        await pressAndGo(page, place, [{ x: place.x, y: place.y - 10 }]);
+      const shownJoint = () => page.evaluate(() => document.querySelector('.title-note')?.previousSibling?.textContent);
+      const places: { readonly at: Point; readonly joint: string }[] = [];
+      for (const [from, to] of parts) {
+        const at = await pointBetween(page, from, to);
+        await page.evaluate(() => window.marrow.run('select.nothing'));
+        await page.waitForFunction(() => !document.querySelector('.title-note'));
+        // Without the gizmo it is seen what is there: in this pose parts cover each other.
+        await page.mouse.click(at.x, at.y);
+        await page.waitForFunction(() => document.querySelector('.title-note'));
+        places.push({ at, joint: (await shownJoint()) ?? '' });
+      }
+      expect(places.map(({ joint }) => joint)).not.toContain('head');
+
+      await page.keyboard.press('q');
+      await page.getByPlaceholder('Search').fill('head');
+      await page.getByRole('treeitem', { name: /^head/ }).first().click();
+      await page.waitForFunction(() => document.querySelector<HTMLElement>('.joint-gizmo')?.hidden === false);
+      for (const { at, joint } of places) {
+        await pressAndGo(page, at, [{ x: at.x, y: at.y - 10 }]);
         await showsJoint(page, joint);
         await page.keyboard.press('Escape');
         await page.mouse.up();

@@ -73,6 +73,8 @@ export function mouseHints(place: MousePlace): readonly MouseHint[] {
 
 /** A tool's handle is under the pointer. */
 const HANDLE = 'grab';
+/** In FK: a handle that yields to joints under the pointer, and there is none. */
+const YIELDING_HANDLE = 'move';
 
 function inViewport(place: MousePlace): readonly MouseHint[] {
   const isHandle = place.cursor === HANDLE;
@@ -85,7 +87,7 @@ function inSelect({ joint }: MousePlace): readonly MouseHint[] {
 }
 
 function inFk(place: MousePlace, isHandle: boolean): readonly MouseHint[] {
-  if (isHandle) {
+  if (isHandle || place.cursor === YIELDING_HANDLE) {
     return [
       ['Rotate or move', 'drag'],
       ['Fine', 'Shift+drag'],
@@ -93,7 +95,14 @@ function inFk(place: MousePlace, isHandle: boolean): readonly MouseHint[] {
       ['Cancel', 'Esc'],
     ];
   }
-  return inSelect(place);
+  const { joint } = place;
+  if (joint === undefined) return inSelect(place);
+  return [
+    [`Rotate or move ${joint}`, 'drag'],
+    [`Select ${joint}`, 'click'],
+    ['Orbit', 'Alt+drag'],
+    ['Pan', 'right drag'],
+  ];
 }
 
 function inIk({ joint }: MousePlace, isHandle: boolean): readonly MouseHint[] {

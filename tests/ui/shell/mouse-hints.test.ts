@@ -12,7 +12,8 @@ it('every area says what the mouse does, in every mode', () => {
 
 it('over a joint a click does what the mode does', () => {
   const at = { area: 'viewport', cursor: '', joint: 'knee' } as const;
-  expect(whats({ ...at, mode: 'fk' })).toContain('Select knee');
+  expect(whats({ ...at, mode: 'fk' })).toEqual(['Rotate or move knee', 'Select knee', 'Orbit', 'Pan']);
+  expect(whats({ ...at, mode: 'select' })).toContain('Select knee');
   expect(whats({ ...at, mode: 'ik' })).toContain('Pin knee');
   expect(whats({ ...at, mode: 'rig' })).toContain('Move knee');
   expect(whats({ ...at, mode: 'rig', isAdding: true })).toEqual(['Add a joint', 'Finish']);
@@ -20,6 +21,7 @@ it('over a joint a click does what the mode does', () => {
 
 it('a handle of the tool comes before the joint behind it', () => {
   expect(whats({ area: 'viewport', cursor: 'grab', joint: 'knee', mode: 'fk' })).toContain('Rotate or move');
+  expect(whats({ area: 'viewport', cursor: 'move', mode: 'fk' })).toContain('Rotate or move');
 });
 
 it('over a key the mouse moves it, beside it selects by a box', () => {
