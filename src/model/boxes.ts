@@ -5,6 +5,7 @@
  */
 import { hasOwnBox } from './axis-angle.ts';
 import { isOfBvh } from './joint-types.ts';
+import { perObject } from './per-object.ts';
 import type { Joint, Skeleton } from './skeleton.ts';
 
 export function hasBox(joint: Joint): boolean {
@@ -24,6 +25,29 @@ export function hasAllBoxes({ joints }: Skeleton): boolean {
 export function areBoxesPlain({ joints }: Skeleton): boolean {
   const plain = joints.filter((joint) => !hasOwnBox(joint)).length;
   return joints.length > 1 && 2 * plain > joints.length;
+}
+
+/** Boxes this many times as long as the bones hide the skeleton: those of some exports are ten times. */
+const FAR_LARGER = 5;
+/** With fewer joints their boxes are looked at one by one. */
+const MANY_JOINTS = 12;
+
+/**
+ * Whether most boxes are far larger than the bones between the joints, as in exports that give every joint the same
+ * box, whatever the unit. They overlap all over the character, and say nothing about it.
+ */
+export const areBoxesOversized = perObject(({ joints }: Skeleton): boolean => {
+  if (joints.length < MANY_JOINTS) return false;
+  const boxes = joints
+    .filter(hasBox)
+    .map(({ box: { min, max } }) => Math.max(...max.map((m, k) => Math.abs(m - min[k]))));
+  const bones = joints.flatMap(({ parent, offset }) => (parent >= 0 ? [Math.hypot(...offset)] : []));
+  return middleOf(boxes) > FAR_LARGER * middleOf(bones.filter((length) => length > 0));
+});
+
+/** The median; infinite of nothing. */
+function middleOf(lengths: readonly number[]): number {
+  return lengths.length ? [...lengths].sort((a, b) => a - b)[Math.floor(lengths.length / 2)] : Number.POSITIVE_INFINITY;
 }
 
 export function hasBoxes({ joints }: Skeleton): boolean {

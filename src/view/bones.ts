@@ -12,7 +12,7 @@ import { type CompiledSkeleton, compileSkeleton, localMatrices, worldMatrices } 
 import type { PoseRotations } from '../evaluate/pose-rotations.ts';
 import { setIdentity } from '../math/mat4.ts';
 import type { Vec3 } from '../math/vec3.ts';
-import { hasBox } from '../model/boxes.ts';
+import { areBoxesOversized, hasBox } from '../model/boxes.ts';
 import type { Skeleton } from '../model/skeleton.ts';
 
 /**
@@ -28,7 +28,8 @@ interface Reaches {
   readonly halves: Float64Array;
 }
 
-function reachesOf({ joints }: Skeleton): Reaches {
+function reachesOf(skeleton: Skeleton): Reaches {
+  const { joints } = skeleton;
   const all: { joint: number; min: Vec3; max: Vec3 }[] = [];
   joints.forEach(({ endSites = [], length }, j) => {
     for (const end of endSites) all.push({ joint: j, min: end, max: end });
@@ -36,8 +37,9 @@ function reachesOf({ joints }: Skeleton): Reaches {
     if (length !== undefined) all.push({ joint: j, min: tip, max: tip });
   });
   const endCount = all.length;
+  const tooLarge = areBoxesOversized(skeleton);
   joints.forEach((joint, j) => {
-    if (hasBox(joint)) all.push({ joint: j, ...joint.box });
+    if (hasBox(joint) && !tooLarge) all.push({ joint: j, ...joint.box });
   });
   return {
     joints: Int32Array.from(all, ({ joint }) => joint),

@@ -18,7 +18,7 @@ import {
   type Vector3,
 } from 'three';
 import { axesMatrix, boxMatrix } from '../evaluate/shapes/joint-shapes.ts';
-import { areBoxesPlain, hasAllBoxes, hasBox, hasBoxes } from '../model/boxes.ts';
+import { areBoxesOversized, areBoxesPlain, hasAllBoxes, hasBox, hasBoxes } from '../model/boxes.ts';
 import { DEFAULT_DISPLAY, type Display, type Selection, type SkinStyle } from '../model/session.ts';
 import {
   assignInstances,
@@ -289,14 +289,20 @@ export class SkeletonDrawing {
   }
 
   private drawsBoxes(drawn: PosedSkeleton): boolean {
-    return this.asksForBoxes(drawn) && hasBoxes(drawn.skeleton);
+    return this.asksForBoxes(drawn) && hasBoxes(drawn.skeleton) && !this.prefersBones(drawn);
+  }
+
+  /** Unless boxes were asked for, those that hide the skeleton aren't drawn. */
+  private prefersBones({ skeleton }: PosedSkeleton): boolean {
+    return this.display.boxes === 'bare' && areBoxesOversized(skeleton);
   }
 
   /** With boxes on, bones are still drawn if a joint has no box, or most boxes are default cubes. */
   private drawsBones(drawn: PosedSkeleton): boolean {
     if (this.display.bones) return true;
     const { skeleton } = drawn;
-    return this.asksForBoxes(drawn) && (!hasAllBoxes(skeleton) || (!drawn.hasSkin && areBoxesPlain(skeleton)));
+    if (!this.asksForBoxes(drawn)) return false;
+    return this.prefersBones(drawn) || !hasAllBoxes(skeleton) || (!drawn.hasSkin && areBoxesPlain(skeleton));
   }
 
   /** Whether a skin hides joints. */

@@ -4,6 +4,7 @@ import { compileSkeleton, worldMatrices } from '../../src/evaluate/kinematics.ts
 import { filePose } from '../../src/model/dofs.ts';
 import { DEFAULT_DISPLAY, type Display } from '../../src/model/session.ts';
 import type { Skeleton } from '../../src/model/skeleton.ts';
+import { Bones } from '../../src/view/bones.ts';
 import type { PosedSkeleton } from '../../src/view/drawn-skeletons.ts';
 import { SkeletonDrawing } from '../../src/view/skeleton-drawing.ts';
 import { STAGE_THEMES } from '../../src/view/theme.ts';
@@ -171,6 +172,23 @@ describe('a skeleton whose boxes nobody made', () => {
     const asBoxes = kindsOf(boxed);
     expect(kindsOf(cubes)).toBe(asBoxes + 2);
     expect(kindsOf({ ...cubes, joints: cubes.joints.map((j, i) => (i > 1 ? { ...j, box } : j)) })).toBe(asBoxes + 2);
+  });
+
+  it('a skeleton is drawn as bones instead where its boxes would hide it, unless they are asked for', () => {
+    const huge = { min: [-5, -5, -5], max: [5, 5, 5] } as const;
+    const exported: Skeleton = {
+      name: 'exported',
+      joints: Array.from({ length: 20 }, (_, i) => joint(i - 1, { box: huge })),
+    };
+    const bones = kindsOf(exported, {}, { boxes: 'hidden', bones: true });
+    expect(kindsOf(exported)).toBe(bones);
+    expect(kindsOf(exported, {}, { boxes: 'wire' })).toBeLessThan(bones);
+    // Framed by the bones, not by the boxes.
+    const reach = new Float64Array(6);
+    const posedBones = new Bones(exported);
+    posedBones.pose(Float64Array.from(filePose(exported, 0)));
+    posedBones.bounds(reach);
+    expect(reach[3] - reach[0]).toBe(0);
   });
 
   it('a skeleton with default boxes gets no bones under a skin, or where boxes are hidden', () => {
