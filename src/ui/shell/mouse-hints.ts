@@ -71,13 +71,11 @@ export function mouseHints(place: MousePlace): readonly MouseHint[] {
   return ELSEWHERE[place.area];
 }
 
-/** A tool's handle is under the pointer. */
-const HANDLE = 'grab';
-/** In FK: a handle that yields to joints under the pointer, and there is none. */
-const YIELDING_HANDLE = 'move';
+/** Cursors over a tool's handle; the second over one that yields to joints under the pointer, and there is none. */
+const HANDLES: readonly string[] = ['grab', 'move'];
 
 function inViewport(place: MousePlace): readonly MouseHint[] {
-  const isHandle = place.cursor === HANDLE;
+  const isHandle = HANDLES.includes(place.cursor);
   return { select: inSelect, fk: inFk, ik: inIk, rig: inRig }[place.mode](place, isHandle);
 }
 
@@ -87,7 +85,7 @@ function inSelect({ joint }: MousePlace): readonly MouseHint[] {
 }
 
 function inFk(place: MousePlace, isHandle: boolean): readonly MouseHint[] {
-  if (isHandle || place.cursor === YIELDING_HANDLE) {
+  if (isHandle) {
     return [
       ['Rotate or move', 'drag'],
       ['Fine', 'Shift+drag'],

@@ -36,6 +36,10 @@ function noticeable({
     posing.chosenDof.get(),
     posing.copied.get(),
     posing.rigSkin.get(),
+    posing.rig.adding.get(),
+    posing.rig.children.get(),
+    posing.rig.axes.get(),
+    posing.rig.renameAsked.get(),
     posing.ik.selected.get(),
   ];
 }

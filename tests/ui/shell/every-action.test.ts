@@ -104,6 +104,15 @@ function recorded(target: object, calls: string[]): object {
   });
 }
 
+/** The values of all observables of a part of the page, those of its parts too. */
+function observed(part: object): readonly unknown[] {
+  return Object.values(part).flatMap((own: unknown) => {
+    if (typeof own !== 'object' || own === null) return [];
+    if ('subscribe' in own && 'get' in own && typeof own.get === 'function') return [own.get()];
+    return own.constructor === Object || /Hand$/.test(own.constructor.name) ? observed(own) : [];
+  });
+}
+
 /** What became of an action; undefined if nobody could tell. */
 async function outcome({ document, prepare }: Given, id: string): Promise<string | undefined> {
   const { wb } = workbench(document);
@@ -117,6 +126,7 @@ async function outcome({ document, prepare }: Given, id: string): Promise<string
   const isChosen = action.radio && isChecked(wb, action);
   calls.length = 0;
   const hasEffect = watchEffect(wb);
+  const before = [...observed(wb.timeline), ...observed(wb.posing)];
   // As `tryAction` does it, and waits for what is loaded first.
   const running: Promise<void>[] = [];
   tryAction(wb, {
@@ -130,6 +140,8 @@ async function outcome({ document, prepare }: Given, id: string): Promise<string
   await Promise.allSettled(running);
   await Promise.resolve();
   const says = wb.messages.passing.get() ?? '';
+  const isChanged = [...observed(wb.timeline), ...observed(wb.posing)].some((now, i) => now !== before[i]);
+  if (isChanged && says.endsWith('nothing to change.')) throw new Error(`${id} changed the page, and says: ${says}`);
   if (calls.length > 0 && says.endsWith('nothing to change.')) throw new Error(`${id} did ${calls}, and says: ${says}`);
   if (hasEffect() || calls.length > 0) return isOn ? 'done' : 'refused';
   return action.quiet || isChosen ? 'as it was' : undefined;

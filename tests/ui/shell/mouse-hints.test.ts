@@ -19,9 +19,14 @@ it('over a joint a click does what the mode does', () => {
   expect(whats({ ...at, mode: 'rig', isAdding: true })).toEqual(['Add a joint', 'Finish']);
 });
 
+it('the ball within the rings and the margin of a ring are handles too', () => {
+  const at = { area: 'viewport', cursor: 'move' } as const;
+  expect(whats({ ...at, mode: 'fk' })).toContain('Rotate or move');
+  expect(whats({ ...at, mode: 'ik' })).toContain('Move the pin or turn the ring');
+});
+
 it('a handle of the tool comes before the joint behind it', () => {
   expect(whats({ area: 'viewport', cursor: 'grab', joint: 'knee', mode: 'fk' })).toContain('Rotate or move');
-  expect(whats({ area: 'viewport', cursor: 'move', mode: 'fk' })).toContain('Rotate or move');
 });
 
 it('over a key the mouse moves it, beside it selects by a box', () => {
