@@ -243,7 +243,7 @@ it('turns a joint by a ring while a pin below holds, as one undo step, and back 
     expect(await undoLabel(page)).toBe('Pin foot_l');
     // Nothing is dragged any more: Escape deselects, and stays in IK.
     await page.keyboard.press('Escape');
-    expect(await page.getByRole('button', { name: 'Remove all pins' }).isVisible()).toBe(true);
+    expect(await page.locator('.mode-switch [aria-checked=true]').textContent()).toBe('IK');
     await page.getByRole('treeitem', { name: /^hip/ }).first().click();
     await drawn(page);
     await page.mouse.move(x + 0.8 * radius, y - 0.6 * radius);

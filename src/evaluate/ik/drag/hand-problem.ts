@@ -92,6 +92,11 @@ export class HandProblem {
     this.run('drag', BARELY);
   }
 
+  /** The next solve anticipates nothing: the pose doesn't follow from the last one. */
+  forget(): void {
+    this.problem.foresight.isMet = false;
+  }
+
   /** Updates positions for a pose that did not come from the solver. */
   look(): void {
     evaluatePose(this.problem, this.dofs);

@@ -125,8 +125,18 @@ export class Homing {
     this.inVain = 0;
   }
 
+  /** How far the pose is from home: radians, factors, fractions of the reach. */
+  get furthest(): number {
+    return this.of.furthest(this.home);
+  }
+
+  /** Removes from a pose the whole turns by which it differs from the current one. */
+  unwind(pose: Float64Array): void {
+    for (const dof of this.turning) pose[dof] -= TURN * Math.round((pose[dof] - this.of.dofs[dof]) / TURN);
+  }
+
   /** Squared distance of the pose from home, in solver variables. */
-  private distance(): number {
+  distance(): number {
     const { count, dof, scale } = this.of.problem.variables;
     let sum = 0;
     for (let v = 0; v < count; v++) sum += ((this.of.dofs[dof[v]] - this.home[dof[v]]) / scale[v]) ** 2;

@@ -13,9 +13,11 @@ import type { DofValue } from '../../../model/dofs.ts';
 import type { Skeleton } from '../../../model/skeleton.ts';
 import { compileSkeleton } from '../../kinematics.ts';
 import { type DragTarget, ikOf, type PinTarget, pointAt } from '../set-up.ts';
+import { Blend } from './blend.ts';
 import { changedValues } from './changed-values.ts';
 import { HandProblem, IS_THERE } from './hand-problem.ts';
 import { gapCause, type Hindrance } from './hindrance.ts';
+import { HomeBranch } from './home-branch.ts';
 import { Homing } from './homing.ts';
 import { LockTrial } from './lock-trial.ts';
 import { Shaking } from './shaking.ts';
@@ -77,6 +79,8 @@ export class Pull {
   private readonly of: HandProblem;
   private readonly shaking: Shaking;
   private readonly homing: Homing;
+  private readonly branch: HomeBranch;
+  private readonly blend: Blend;
   private readonly locks: LockTrial;
   private readonly start: Float64Array;
   private readonly toOwn = new Float64Array(16);
@@ -113,6 +117,8 @@ export class Pull {
     this.of = new HandProblem(character, skeleton, dofs, targets, dragged);
     this.shaking = new Shaking(this.of);
     this.homing = new Homing(this.of);
+    this.branch = new HomeBranch(this.of, this.homing);
+    this.blend = new Blend(this.of);
     this.locks = new LockTrial(this.of);
     this.goal = this.of.hand.slice();
     this.before = this.of.dofs.slice();
@@ -120,7 +126,7 @@ export class Pull {
 
   /** The character's DOFs at this point of the drag. */
   get dofs(): Float64Array {
-    return this.of.dofs;
+    return this.blend.isOn ? this.blend.shown : this.of.dofs;
   }
 
   get reach(): number {
@@ -176,11 +182,24 @@ export class Pull {
     }
     this.homing.come(0, !this.isCalmed && !this.isBehind);
     this.calm(CALM + FOLLOWS * (way / of.reach));
+    this.blend.step();
+    if (way === 0) this.lookForHome();
+  }
+
+  /** The hand is still: continues on the branch nearest to home. */
+  private lookForHome(): void {
+    const { homing, branch, blend } = this;
+    if (this.isBehind || this.shakingWaits || blend.isOn || !branch.isDue || !branch.look()) return;
+    homing.unwind(branch.before);
+    blend.begin(branch.before);
+    this.isCalmed = false;
   }
 
   /** Whether the pose is still moving towards the hand; if so, call `to` again in the next frame. */
   get isOnItsWay(): boolean {
-    return this.isCalmed || this.shakingWaits || this.isBehind || this.homing.isOnItsWay;
+    const { homing, branch, blend } = this;
+    const isAway = this.isCalmed || this.shakingWaits || this.isBehind;
+    return isAway || homing.isOnItsWay || blend.isOn || branch.isDue;
   }
 
   /**
@@ -188,7 +207,15 @@ export class Pull {
    * it: a better pose elsewhere would be an unexpected jump.
    */
   settle(): void {
-    const { of } = this;
+    const { of, blend } = this;
+    if (blend.isOn) {
+      // What is seen stays, on its way or not.
+      of.dofs.set(blend.shown);
+      blend.stop();
+      of.forget();
+      of.look();
+      return;
+    }
     for (let frame = 0; frame < CATCH_UP && this.isBehind; frame++) this.goOn();
     if (!of.isThere || !of.problem.result.isSolved) return;
     const before = of.dofs.slice();

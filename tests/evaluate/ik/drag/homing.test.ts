@@ -95,8 +95,7 @@ describeShared('an end that is led out and back', () => {
     [0, -1, 0],
     [0.6, -0.64, 0.48],
   ];
-  // Not arm3, hexapod and human: an elbow may end on its other side, and no way back from there keeps the end in place.
-  it.each(['single', 'chain10', 'chain30', 'hand', 'tree3'])(
+  it.each(['single', 'arm3', 'chain10', 'chain30', 'hand', 'hexapod', 'human', 'tree3'])(
     'dragging an end of %s out and back leaves the pose as it was',
     (name) => {
       for (const way of ways) {
@@ -109,6 +108,56 @@ describeShared('an end that is led out and back', () => {
       }
     },
   );
+});
+
+describeShared('an elbow that was led to its other side', () => {
+  /** The arm, led straight and back by its hand, which is now still. */
+  function led() {
+    const [skeleton] = readSkel(sharedBytes('data/axis-skel/arm3.axskel'), 'arm3.axskel').value ?? [];
+    if (!skeleton) throw new Error('arm3 could not be read');
+    const character = builtCharacter({ skeleton, pose: filePose(skeleton, 0) });
+    const { dofs, world } = shownAt(character, 0);
+    const joint = skeleton.joints.length - 1;
+    const point = boneEnds(skeleton).find((end) => end.joint === joint)?.at ?? ZERO;
+    const pull = new Pull(character, skeleton, { dofs, world }, new Map(), { joint, point });
+    const start = pull.hand;
+    for (let f = 1; f <= 120; f++) pull.to(add(start, [1, 0, 0], pull.reach * (1 - Math.abs(f - 60) / 60)));
+    return { pull, dofs, start };
+  }
+
+  it('an elbow on its other side is brought back within ten frames of a still hand, over several of them', () => {
+    const { pull, dofs } = led();
+    const far = off(pull.dofs, dofs);
+    expect(far).toBeGreaterThan(1);
+    let before = pull.dofs.slice();
+    let frames = 0;
+    for (; pull.isOnItsWay; frames++) {
+      pull.goOn();
+      expect(off(pull.dofs, before)).toBeLessThan(far / 3);
+      before = pull.dofs.slice();
+    }
+    expect(frames).toBeLessThanOrEqual(10);
+    expect(off(pull.dofs, dofs)).toBeLessThan(SEEN);
+  });
+
+  it('an elbow on its way back stays as it is seen if the hand lets go', () => {
+    for (const frames of [0, 2, 4, 6]) {
+      const { pull } = led();
+      for (let f = 0; f < frames; f++) pull.goOn();
+      const seen = pull.dofs.slice();
+      pull.settle();
+      expect(off(pull.dofs, seen), `${frames} frames`).toBeLessThan(HOME);
+    }
+  });
+
+  it('an elbow on its way back follows a hand that moves on', () => {
+    const { pull, start } = led();
+    for (let f = 0; f < 3; f++) pull.goOn();
+    const aside = add(start, [0, 0, 1], 0.05 * pull.reach);
+    for (let f = 0; f < 20; f++) pull.to(aside);
+    expect(pull.isOnItsWay).toBe(false);
+    expect(pull.gaps()).toEqual([]);
+  });
 });
 
 function off(a: Float64Array, b: ArrayLike<number>): number {
