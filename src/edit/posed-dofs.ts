@@ -1,6 +1,6 @@
 /** Changes made by hand that are not keyed yet; K keys these. */
 import { channelOf } from '../evaluate/pose.ts';
-import type { Character } from '../model/document.ts';
+import { type Character, shownClip } from '../model/document.ts';
 import { characterDofs } from '../model/dofs.ts';
 import { unkeyedAt } from './unkeyed.ts';
 
@@ -14,14 +14,23 @@ import { unkeyedAt } from './unkeyed.ts';
 export function posedDofs(character: Character, opened: Character | undefined, timeSeconds: number): readonly number[] {
   const posed = [...unkeyedAt(character, timeSeconds).keys()];
   if (opened && opened.skeleton === character.skeleton && opened.morphs === character.morphs) {
+    const reference = showingSameTake(opened, character);
     const count = characterDofs(character.skeleton, character.morphs).length;
     for (let dof = 0; dof < count; dof++) {
       const value = steadyValue(character, dof);
-      const before = steadyValue(opened, dof);
+      const before = steadyValue(reference, dof);
       if (value !== undefined && before !== undefined && value !== before) posed.push(dof);
     }
   }
   return [...new Set(posed)].sort((a, b) => a - b);
+}
+
+/** The character as opened, with the take that it shows now, since each has its own rest values. */
+function showingSameTake(opened: Character, now: Character): Character {
+  const name = shownClip(now)?.name;
+  if (name === undefined) return { ...opened, shownClip: -1 };
+  const index = opened.clips.findIndex((clip) => clip.name === name);
+  return index < 0 ? opened : { ...opened, shownClip: index };
 }
 
 /** The constant value of a DOF that is not animated; undefined for others. */

@@ -1,15 +1,18 @@
 /** Remembers characters as opened, so that K can tell what was posed since. */
+import type { Character } from '../../../model/document.ts';
 import type { Uses } from '../../state/workbench.ts';
 
-/** A character with another skeleton or other morphs counts as reopened. Runs until ended. */
+/** A character with another skeleton or other morphs counts as reopened, and takes are added as opened. Runs until ended. */
 export function followOpened({ store, posing }: Uses<'store' | 'posing'>): () => void {
   const { opened } = posing;
   const look = () => {
     const { characters } = store.document;
     for (const character of characters) {
       const before = opened.get(character.id);
-      if (before?.skeleton === character.skeleton && before?.morphs === character.morphs) continue;
-      opened.set(character.id, character);
+      if (before && before.skeleton === character.skeleton && before.morphs === character.morphs) {
+        const next = withTakesFromFiles(before, character);
+        if (next !== before) opened.set(character.id, next);
+      } else opened.set(character.id, character);
     }
     if (opened.size === characters.length) return;
     const ids = new Set(characters.map((c) => c.id));
@@ -19,4 +22,12 @@ export function followOpened({ store, posing }: Uses<'store' | 'posing'>): () =>
   return store.subscribe((now, before) => {
     if (now.document !== before.document) look();
   });
+}
+
+/** Takes that were read later; those made here begin in the pose. */
+function withTakesFromFiles(opened: Character, now: Character): Character {
+  if (now.clips.length <= opened.clips.length) return opened;
+  const isNew = (name: string) => !opened.clips.some((clip) => clip.name === name);
+  const read = now.clips.filter(({ name }, i) => now.parts?.clips[i]?.file && isNew(name));
+  return read.length ? { ...opened, clips: [...opened.clips, ...read] } : opened;
 }

@@ -1,7 +1,9 @@
 import { describe, expect, it } from 'vitest';
+import { showClip } from '../../../../src/edit/commands/characters.ts';
 import { setDofs } from '../../../../src/edit/commands/pose.ts';
-import { keysOf } from '../../../../src/model/clip.ts';
+import { keysOf, restChannel } from '../../../../src/model/clip.ts';
 import type { Character } from '../../../../src/model/document.ts';
+import { openFiles } from '../../../../src/project/open/open-files.ts';
 import { dofState, toggleKey } from '../../../../src/ui/editors/inspector/dof-mark.ts';
 import { KEYING_ACTIONS } from '../../../../src/ui/editors/posing/keying-actions.ts';
 import { followOpened } from '../../../../src/ui/editors/posing/opened.ts';
@@ -146,6 +148,31 @@ describe('keying from the menu', () => {
     at(wb, 1);
     runAction(wb, 'key.changed');
     expect(keyCounts(wb)).toEqual([1, 1, 1, 1, 1, 1, 1, 0, 1]);
+  });
+
+  it('keys nothing that only another take has elsewhere, opened with the character or later', () => {
+    const [here, there] = [restChannel(0), restChannel(2)];
+    const [first, second] = [clip([0, 1], here, here), { ...clip([0, 1], there, there), name: 'second' }];
+    const third = { ...clip([0, 1], restChannel(3)), name: 'third' };
+    const { wb } = workbench(documentOf({ ...bare, clips: [first, second], shownClip: 0 }));
+    followOpened(wb);
+    wb.store.apply(showClip, { characterId: 'c1', clip: 1 });
+    runAction(wb, 'key.changed');
+    expect(wb.messages.passing.get()).toContain('no value was changed');
+    const { document } = openFiles(
+      wb.store.document,
+      [{ kind: 'anim', clip: third, source: { name: 'third.anim', path: 'third.anim', bytes: 1 } }],
+      [],
+      'c1',
+    );
+    wb.store.replace('Open', { document });
+    expect(wasp(wb).clips[wasp(wb).shownClip]).toBe(third);
+    wb.messages.passing.set(undefined);
+    runAction(wb, 'key.changed');
+    expect(wb.messages.passing.get()).toContain('no value was changed');
+    wb.store.apply(setDofs, { characterId: 'c1', dofs: [{ index: 0, value: 5 }], timeSeconds: 0 });
+    runAction(wb, 'key.changed');
+    expect(wb.store.undoLabel).toBe('Key tx of hips');
   });
 
   it('keys the selected joint where nothing was changed, and says what to do where none is selected', () => {
