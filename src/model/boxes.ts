@@ -42,7 +42,7 @@ export const areBoxesOversized = perObject(({ joints }: Skeleton): boolean => {
     .filter(hasBox)
     .map(({ box: { min, max } }) => Math.max(...max.map((m, k) => Math.abs(m - min[k]))));
   const bones = joints.flatMap(({ parent, offset }) => (parent >= 0 ? [Math.hypot(...offset)] : []));
-  return middleOf(boxes) > FAR_LARGER * middleOf(bones.filter((length) => length > 0));
+  return boxes.length > 0 && middleOf(boxes) > FAR_LARGER * middleOf(bones.filter((length) => length > 0));
 });
 
 /** The median; infinite of nothing. */

@@ -2,7 +2,7 @@ import { readFileSync } from 'node:fs';
 import { describe, expect, it } from 'vitest';
 import { readSkel } from '../../src/formats/skel/read.ts';
 import { areBoxesOversized } from '../../src/model/boxes.ts';
-import type { Skeleton } from '../../src/model/skeleton.ts';
+import { DEFAULT_BOX, type Skeleton } from '../../src/model/skeleton.ts';
 import { joint } from '../helpers/builders.ts';
 import { describeShared, sharedBytes } from '../helpers/shared.ts';
 
@@ -16,6 +16,11 @@ describe('boxes far larger than the bones', () => {
   it('boxes are far larger than the bones at ten times their length, not at twice', () => {
     expect(areBoxesOversized(chain(10))).toBe(true);
     expect(areBoxesOversized(chain(2))).toBe(false);
+  });
+
+  it('a skeleton without boxes has none that are too large', () => {
+    const joints = chain(1).joints.map((one) => ({ ...one, length: 1, box: DEFAULT_BOX }));
+    expect(areBoxesOversized({ name: 'bare', joints })).toBe(false);
   });
 
   it('a few joints keep their boxes, whatever their size', () => {
