@@ -60,6 +60,14 @@ const run = (page: Page, id: string) => page.evaluate((command) => void window.m
 const open = (page: Page, panel: string) => click(page.locator(`.${panel}-button[aria-pressed=false]`), true);
 const tab = (page: Page, name: string) => click(page.locator(`#timeline-tab-${name}`));
 
+async function openArm(page: Page): Promise<void> {
+  await dropFiles(page, [
+    { name: 'arm.skel', bytes: SKEL },
+    { name: 'arm.anim', bytes: ANIM },
+  ]);
+  await page.locator('[role=treeitem]', { hasText: 'elbow' }).first().waitFor({ state: 'attached' });
+}
+
 /** Each continues from the one before, and the first from the last. */
 const STATES: readonly (readonly [name: string, enter: (page: Page) => Promise<unknown>])[] = [
   [
@@ -120,11 +128,7 @@ it('the page meets WCAG 2.2 AA in every state, theme and size', () =>
     const session = await page.context().newCDPSession(page);
     // The page's own security policy lets no foreign script in.
     await session.send('Runtime.evaluate', { expression: AXE });
-    await dropFiles(page, [
-      { name: 'arm.skel', bytes: SKEL },
-      { name: 'arm.anim', bytes: ANIM },
-    ]);
-    await page.locator('[role=treeitem]', { hasText: 'elbow' }).first().waitFor({ state: 'attached' });
+    await openArm(page);
     const found: string[] = [];
     for (const [i, size] of SIZES.entries()) {
       await page.setViewportSize(size);
@@ -147,3 +151,121 @@ it('the page meets WCAG 2.2 AA in every state, theme and size', () =>
     }
     expect(found).toEqual([]);
   }));
+
+/** The panel, role and name of what has the focus. */
+const focused = (page: Page) =>
+  page.evaluate(() => {
+    const { activeElement: at } = document;
+    const panel = at?.closest<HTMLElement>('[data-region]')?.dataset.region;
+    return { panel, role: at?.role ?? at?.localName, name: at?.ariaLabel ?? at?.textContent };
+  });
+
+it('the keyboard reaches everything: F6 the panels, arrows the buttons of a toolbar; Escape closes a dialog', () =>
+  withPage(
+    async ({ page }) => {
+      await openArm(page);
+      await click(page.locator('[role=treeitem]', { hasText: 'elbow' }).first());
+      await page.getByRole('textbox', { name: 'rx of elbow, degrees' }).first().waitFor();
+      await page.locator('.curve-plot').waitFor();
+      const viewport = page.getByRole('application', { name: 'Viewport' });
+      await viewport.focus();
+      const keys = await viewport.getAttribute('aria-describedby');
+      expect(await page.locator(`#${keys}`).textContent()).toContain('F6');
+
+      const panels: (string | undefined)[] = [];
+      for (const key of ['F6', 'F6', 'F6', 'F6', 'F6', 'F6', 'Shift+F6', 'Shift+F6']) {
+        await page.keyboard.press(key);
+        panels.push((await focused(page)).panel);
+      }
+      const order = ['inspector', 'transport', 'timeline', 'menuBar', 'outliner', 'stage'];
+      expect(panels).toEqual([...order, 'outliner', 'menuBar']);
+
+      // One tab stop, which the arrows move.
+      const playback = page.getByRole('toolbar', { name: 'Playback' });
+      await playback.getByRole('button').first().focus();
+      await page.keyboard.press('ArrowRight');
+      expect((await focused(page)).name).toBe('Go to previous key');
+      await page.keyboard.press('End');
+      expect((await focused(page)).name).toBe('Go to range end');
+      await page.keyboard.press('ArrowRight');
+      expect((await focused(page)).name).toBe('Go to range start');
+      expect(await playback.locator('button[tabindex="0"]').count()).toBe(1);
+      await page.keyboard.press('Tab');
+      expect(await playback.locator(':focus').count()).toBe(0);
+
+      const headings = await page.getByRole('heading', { level: 2 }).allTextContents();
+      expect(headings).toEqual(['Outliner', 'Viewport', 'Inspector', 'Transport', 'Timeline']);
+
+      // From a field with another number too.
+      await run(page, 'timeline.resample');
+      const field = page.getByRole('dialog').getByRole('textbox').first();
+      await field.fill('7');
+      await page.keyboard.press('Escape');
+      await page.getByRole('dialog').waitFor({ state: 'detached' });
+    },
+    { size: SIZES[0] },
+  ));
+
+it('forced colours tell what is pressed, checked and selected', () =>
+  withPage(async ({ page }) => {
+    await openArm(page);
+    await click(page.locator('[role=treeitem]', { hasText: 'elbow' }).first());
+    await page.locator('.curve-plot').waitFor();
+    await page.emulateMedia({ forcedColors: 'active' });
+    const alike = await page.evaluate(() => {
+      const background = (state: string) => {
+        const [on, off] = ['true', 'false'].map((value) => document.querySelector(state.replace('?', value)));
+        return on && off ? [on, off].map((one) => getComputedStyle(one).backgroundColor) : [];
+      };
+      return ['.tool[aria-pressed=?]:not(.auto-key)', '.mode-switch [aria-checked=?]', '.timeline-tab[aria-selected=?]']
+        .map((state) => [state, ...background(state)] as const)
+        .filter(([, on, off]) => on === undefined || on === off);
+    });
+    expect(alike).toEqual([]);
+  }));
+
+/** Controls that can be seen and are smaller than a finger; separators are dragged and have fields or keys as well. */
+const smallTargets = (page: Page) =>
+  page.evaluate(() => {
+    const controls = document.querySelectorAll<HTMLElement>(
+      'button,select,input:not([type=range]),[role=menuitem],[role=menuitemcheckbox],[role=tab],[role=treeitem]',
+    );
+    const isHit = (one: HTMLElement) => {
+      const { left, right, top, bottom } = one.getBoundingClientRect();
+      const at = document.elementFromPoint((left + right) / 2, (top + bottom) / 2);
+      return at !== null && (one === at || one.contains(at));
+    };
+    return [...controls]
+      .filter((one) => isHit(one) && !one.closest('[role=group][aria-label="Look along an axis"],label'))
+      .map((one) => ({ one, box: one.getBoundingClientRect() }))
+      .filter(({ box }) => box.height < 43.5 || box.width < 43.5)
+      .map(({ one, box }) => `${one.className}, ${one.ariaLabel ?? one.textContent}: ${box.width} × ${box.height}`);
+  });
+
+it('a phone has all menus, the timeline and targets of 44 pixels', () =>
+  withPage(
+    async ({ page }) => {
+      await openArm(page);
+      const small = await smallTargets(page);
+      await page.keyboard.press('c');
+      await page.locator('.curve-plot').waitFor();
+      for (const name of ['dope', 'takes', 'poses', 'curves']) {
+        await tab(page, name);
+        await page.locator(`#timeline-tab-${name}[aria-selected=true]`).waitFor();
+        small.push(...(await smallTargets(page)));
+      }
+      await open(page, 'inspector');
+      await page.getByRole('textbox', { name: 'tx' }).first().waitFor();
+      small.push(...(await smallTargets(page)));
+      await page.keyboard.press('Escape');
+      await page.getByRole('button', { name: 'Menu' }).tap();
+      const menus = page.getByRole('menu').first().getByRole('menuitem');
+      const titles = ['Open', 'Save', 'Examples', 'Edit', 'Rig', 'Keys', 'View', 'Play', 'Help'];
+      expect(await menus.allTextContents()).toEqual(titles);
+      await menus.filter({ hasText: 'Help' }).tap();
+      await page.getByRole('menuitem', { name: 'Shortcuts' }).waitFor();
+      small.push(...(await smallTargets(page)));
+      expect(small).toEqual([]);
+    },
+    { size: SIZES[2], touch: true },
+  ));

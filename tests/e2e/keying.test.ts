@@ -40,7 +40,7 @@ async function place(page: Page, channel: number, seconds: number, value: number
 }
 
 async function typeInto(page: Page, name: string, value: number): Promise<void> {
-  const field = page.getByRole('textbox', { name, exact: true }).first();
+  const field = page.getByRole('textbox', { name: new RegExp(`^${name}\\b`) }).first();
   await field.fill(String(value));
   await field.press('Enter');
 }
@@ -60,13 +60,13 @@ async function drag(page: Page, from: Point, to: Point, held?: 'Alt'): Promise<v
 async function keyPoseAt(page: Page, seconds: number, degrees: number): Promise<void> {
   await typeInto(page, 'Time in seconds', seconds);
   await typeInto(page, 'rx', degrees);
-  await page.locator('canvas[role=img]').focus();
+  await page.locator('.viewport canvas').focus();
   await page.keyboard.press('k');
 }
 
 /** Presses the shortcut while there are steps left; returns their number. */
 async function pressAll(page: Page, shortcut: string, way: 'undo' | 'redo'): Promise<number> {
-  await page.locator('canvas[role=img]').focus();
+  await page.locator('.viewport canvas').focus();
   for (let steps = 0; ; steps++) {
     if ((await page.evaluate((w) => window.marrow.steps()[w], way)) === undefined) return steps;
     await page.keyboard.press(shortcut);
@@ -134,7 +134,7 @@ async function makeTake({ files, joint, channel }: Subject): Promise<void> {
     // Saved by Ctrl+S and played by the command: the same numbers as in the page.
     await page.evaluate(() => Object.assign(window, { showSaveFilePicker: undefined }));
     const download = page.waitForEvent('download');
-    await page.locator('canvas[role=img]').focus();
+    await page.locator('.viewport canvas').focus();
     await page.keyboard.press('Control+s');
     const saved = await download;
     expect(saved.suggestedFilename()).toMatch(/\.anim$/);
@@ -191,16 +191,16 @@ const worldsAt = (page: Page, times: readonly number[]) =>
 
 async function openWalker(page: Page): Promise<void> {
   await page.waitForFunction(() => window.marrow.characters()[0]?.dofs.length === 93);
-  await page.locator('canvas[role=img]').focus();
+  await page.locator('.viewport canvas').focus();
   await page.evaluate(() => window.marrow.seek(0));
   await page.getByRole('treeitem', { name: new RegExp(`^${ARM.joint}`) }).click();
-  await page.getByRole('textbox', { name: 'rx', exact: true }).first().waitFor();
+  await page.getByRole('textbox', { name: /^rx\b/ }).first().waitFor();
 }
 
 async function turnArm(page: Page, seconds: number, degrees: number): Promise<void> {
   await typeInto(page, 'Time in seconds', seconds);
   await typeInto(page, 'rz', degrees);
-  await page.locator('canvas[role=img]').focus();
+  await page.locator('.viewport canvas').focus();
   await page.keyboard.press('k');
 }
 

@@ -4,8 +4,10 @@ import { describe, expect, it } from 'vitest';
 
 const css = readFileSync(new URL('../../src/ui/styles/tokens.css', import.meta.url), 'utf8');
 
-function tokens(theme: 'dark' | 'light'): Map<string, string> {
-  const block = css.split(`[data-theme="${theme}"] {`)[1].split('}')[0];
+const states = readFileSync(new URL('../../src/ui/styles/states.css', import.meta.url), 'utf8');
+
+function tokens(theme: 'dark' | 'light', from = css): Map<string, string> {
+  const block = from.split(`[data-theme="${theme}"] {`)[1].split('}')[0];
   return new Map([...block.matchAll(/(--[\w-]+):\s*(#[0-9a-f]{6})\b/g)].map(([, name, value]) => [name, value]));
 }
 
@@ -45,8 +47,20 @@ describe.each(['dark', 'light'] as const)('the %s theme', (theme) => {
     expect(contrast(above, below)).toBeGreaterThanOrEqual(4.5);
   });
 
-  it.each(['surface', 'ground'])('shows the focus ring on %s', (ground) => {
-    const ratio = contrast(colours.get('--accent') ?? '', colours.get(`--${ground}`) ?? '');
-    expect(ratio).toBeGreaterThanOrEqual(3);
+  it.each(['surface', 'ground', 'raised'])(
+    'shows the focus ring and the outline of a pressed toggle on %s',
+    (ground) => {
+      const ratio = contrast(colours.get('--accent') ?? '', colours.get(`--${ground}`) ?? '');
+      expect(ratio).toBeGreaterThanOrEqual(3);
+    },
+  );
+
+  it.each(GROUNDS)('has lines and text of more contrast on %s where the system asks for it', (ground) => {
+    const more = tokens(theme, states);
+    const on = (name: string) => contrast(more.get(`--${name}`) ?? '', colours.get(`--${ground}`) ?? '');
+    expect(on('text')).toBeGreaterThanOrEqual(10);
+    expect(on('text-faint')).toBeGreaterThanOrEqual(7);
+    expect(on('line')).toBeGreaterThanOrEqual(3);
+    expect(on('line-strong')).toBeGreaterThanOrEqual(4.5);
   });
 });

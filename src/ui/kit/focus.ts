@@ -31,6 +31,32 @@ export function focusPanel(near: Element): boolean {
   return shown !== undefined;
 }
 
+/** Marks the parts of the page that F6 moves between. */
+export const REGION = 'data-region';
+
+/**
+ * Focuses the next or previous part of the page that is shown: the element that handles its keys, else its first tab
+ * stop. In document order, with the first after the last.
+ */
+export function focusNextRegion(step: 1 | -1): void {
+  // Tests of actions have no page.
+  if (typeof document === 'undefined') return;
+  const regions = [...document.querySelectorAll<HTMLElement>(`[${REGION}]`)].filter((region) => firstStop(region));
+  const from = regions.findIndex((region) => region.contains(document.activeElement));
+  const to = from < 0 ? (step > 0 ? 0 : -1) : (from + step) % regions.length;
+  const region = regions.at(to);
+  if (region) firstStop(region)?.focus();
+}
+
+function firstStop(region: HTMLElement): HTMLElement | undefined {
+  if (region.closest('[inert]')) return undefined;
+  const stops = [...region.querySelectorAll<HTMLElement>(STOPS)].filter(
+    (one) => one.tabIndex >= 0 && one.checkVisibility({ visibilityProperty: true }),
+  );
+  return stops.find((one) => one.hasAttribute(HAS_KEYS)) ?? stops[0];
+}
+const STOPS = 'button:not(:disabled),input:not(:disabled),select:not(:disabled),[tabindex]';
+
 let typedIn: EventTarget | null | undefined;
 
 /** Tracks typing in fields until aborted. */

@@ -80,7 +80,7 @@ export class NumberGrid {
 
   private cell(index: number): HTMLElement {
     const made = element('td', { role: 'gridcell', class: 'number', tabindex: -1 });
-    setTooltip(made, () => `${exactOrNone(this.values[index])}  (click to copy)`);
+    setTooltip(made, () => `${exactOrNone(this.values[index])}  (click or Enter copies it)`);
     this.cells.push(made);
     return made;
   }

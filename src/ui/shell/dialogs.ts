@@ -66,6 +66,17 @@ function showDialog(
     dialog.remove();
     if (isShown(dialog)) close();
   });
+  // At once, also from a field that would revert its number first; but not from what waits for a key.
+  dialog.addEventListener(
+    'keydown',
+    (event) => {
+      if (event.key !== 'Escape' || event.isComposing || dialog.querySelector('.waiting')) return;
+      event.preventDefault();
+      event.stopPropagation();
+      close();
+    },
+    { capture: true },
+  );
   // A press on the backdrop hits the dialog itself, outside its box.
   dialog.addEventListener('pointerdown', (event) => {
     if (event.target === dialog && !inside(dialog, event)) close();

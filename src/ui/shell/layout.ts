@@ -7,6 +7,7 @@
  *     timeline: curves, dope sheet and lists collapses; closed at first on a narrow page
  */
 import { element } from '../kit/dom.ts';
+import { REGION } from '../kit/focus.ts';
 import { isPanelOpen, NARROW, openPanel } from '../state/panels.ts';
 import { splitter } from '../state/splitter.ts';
 import type { Uses } from '../state/workbench.ts';
@@ -34,6 +35,11 @@ export function layout(wb: Uses<'settings'>, root: HTMLElement, parts: Parts, si
     parts.inspector,
     veil,
   );
+  for (const [region, part] of Object.entries<HTMLElement>({ ...parts })) {
+    part.setAttribute(REGION, region);
+    const name = part.getAttribute('aria-label');
+    if (name) part.prepend(element('h2', { class: 'off-screen' }, name));
+  }
   // Replaces the frame of `index.html`.
   root.className = 'page';
   root.replaceChildren(parts.menuBar, body, parts.transport, parts.timeline, parts.status);

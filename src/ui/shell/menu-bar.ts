@@ -27,7 +27,7 @@ export function menuBar(wb: Uses<'store' | 'actions' | 'settings' | 'loading' | 
     'header',
     { class: 'menu-bar' },
     panelButton(wb, 'page.outliner', 'Outliner', 'outliner'),
-    element('span', { class: 'brand', 'aria-hidden': 'true' }, icon('bones'), 'Marrow'),
+    element('h1', { class: 'brand' }, icon('bones'), 'Marrow'),
     bar,
     allMenus(wb),
     element('div', { class: 'menu-end' }, whatIsUnsaved(wb), whatIsLoaded(wb)),

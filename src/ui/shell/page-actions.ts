@@ -1,4 +1,5 @@
 /** Actions for panels, theme, units and help. */
+import { focusNextRegion } from '../kit/focus.ts';
 import { isPanelOpen, openPanel } from '../state/panels.ts';
 import type { Settings } from '../state/settings.ts';
 import type { Action, Uses } from '../state/workbench.ts';
@@ -51,6 +52,8 @@ export const PAGE_ACTIONS: readonly Action[] = [
       openPanel(wb, 'outliner', open);
     },
   },
+  panelKey('page.nextPanel', 'Go to next panel', 'F6', 1),
+  panelKey('page.previousPanel', 'Go to previous panel', 'Shift+F6', -1),
   choice('theme', 'system', 'System', 'View/Theme', 'background colour'),
   choice('theme', 'light', 'Light', 'View/Theme', 'background colour white bright'),
   choice('theme', 'dark', 'Dark', 'View/Theme', 'background colour black mode'),
@@ -99,6 +102,10 @@ export const PAGE_ACTIONS: readonly Action[] = [
     run: (wb) => wb.dialog.set('about'),
   },
 ];
+
+function panelKey(id: string, label: string, shortcut: string, step: 1 | -1): Action {
+  return { id, label, group: 'Page', shortcuts: [shortcut], quiet: true, run: () => focusNextRegion(step) };
+}
 
 function choice<K extends 'theme' | 'angles' | 'timeDisplay'>(
   key: K,

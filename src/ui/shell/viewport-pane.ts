@@ -14,9 +14,10 @@ import {
   SKIN_STYLES,
 } from '../editors/viewport/actions.ts';
 import { listenToCanvas } from '../editors/viewport/canvas-tools.ts';
-import { button, element, keepsFocusElsewhere, setText } from '../kit/dom.ts';
+import { button, element, keepsFocusElsewhere, setAttribute, setText, uniqueId } from '../kit/dom.ts';
 import { icon } from '../kit/icons.ts';
 import { menuButton } from '../kit/menu.ts';
+import { toolbar } from '../kit/roving.ts';
 import { setTooltip } from '../kit/tooltip.ts';
 import { actionsOf, currentCharacter, isChecked, runAction } from '../state/action.ts';
 import { itemOf } from '../state/menu-entries.ts';
@@ -30,14 +31,20 @@ import { pinsInFk } from './pins-in-fk.ts';
 
 const TOGGLES = ['bones', 'axes', 'names', 'normals', 'ghosts', 'grid', 'shadow', 'orthographic'] as const;
 
+/** For screen readers. */
+const VIEWPORT_KEYS =
+  'Up and down arrows select the parent or child joint, with Shift left and right the previous or next sibling; left ' +
+  'and right orbit the view when paused. V chooses a DOF of the joint, plus and minus change it. F frames the ' +
+  'selection. F6 moves to the next panel, question mark lists all keys.';
+
 export function viewportPane(wb: Workbench, signal: AbortSignal): HTMLElement {
   const { viewport, viewportElement } = wb;
   viewport.canvas.tabIndex = 0;
-  viewport.canvas.setAttribute('role', 'img');
-  viewport.canvas.setAttribute(
-    'aria-label',
-    'Viewport. Up and down arrows select the parent or child joint; left and right orbit the view when paused.',
-  );
+  const keys = element('p', { class: 'off-screen', id: uniqueId('viewport-keys') }, VIEWPORT_KEYS);
+  // It has keys of its own, so that screen readers pass them on.
+  setAttribute(viewport.canvas, 'role', 'application');
+  setAttribute(viewport.canvas, 'aria-label', 'Viewport');
+  setAttribute(viewport.canvas, 'aria-describedby', keys.id);
   // The view's own buttons have labels, but it knows no tooltips.
   for (const made of viewportElement.querySelectorAll('button')) setTooltip(made, made.ariaLabel ?? undefined);
   handTools(wb, signal);
@@ -47,6 +54,7 @@ export function viewportPane(wb: Workbench, signal: AbortSignal): HTMLElement {
     'main',
     { class: 'stage', 'aria-label': 'Viewport', 'data-panel': 'viewport' },
     viewportElement,
+    keys,
     emptyHint(wb),
     head,
     element(
@@ -86,7 +94,7 @@ function handTools(wb: Workbench, signal: AbortSignal): void {
 
 function displayStrip(wb: Uses<'store' | 'actions' | 'settings'>): HTMLElement {
   const actions = actionsOf(wb);
-  const strip = element('div', { class: 'display-strip tools', role: 'toolbar', 'aria-label': 'Display' });
+  const strip = toolbar(element('div', { class: 'display-strip tools', 'aria-label': 'Display' }));
   const skin = keepsFocusElsewhere(element('button', { type: 'button', class: 'tool text-tool skin-tool' }));
   const boxes = keepsFocusElsewhere(button('Boxes', { class: 'tool' }, icon('boxes'), () => {}));
   const within = (prefix: string) => actions.filter((a) => a.id.startsWith(prefix));

@@ -1,8 +1,10 @@
 /** The curve editor's buttons, in the row of tabs. All of them run actions. */
+
 import { button, element, keepsFocusElsewhere } from '../../kit/dom.ts';
 import { oncePerFrame } from '../../kit/frame.ts';
 import { type IconName, icon } from '../../kit/icons.ts';
 import { type MenuEntry, menuButton } from '../../kit/menu.ts';
+import { toolbar } from '../../kit/roving.ts';
 import { setTooltip } from '../../kit/tooltip.ts';
 import { findAction, isChecked, isEnabled, tryAction } from '../../state/action.ts';
 import { HANDLE_MODES, type HandleMode } from '../../state/timeline.ts';
@@ -69,7 +71,7 @@ export function curveToolbar(
   };
   const extrapolation = (side: string) => () => EXTRAPOLATIONS.map((e) => `extrapolation.${side}.${e}`);
   const group = (label: string, name: string, ...children: HTMLElement[]) =>
-    element('div', { class: `tools ${name}`, role: 'group', 'aria-label': label }, ...children);
+    toolbar(element('div', { class: `tools ${name}`, 'aria-label': label }, ...children));
   const isHidden = (name: string) => bar.querySelector(`.${name}`)?.getClientRects().length === 0;
   const more = menu('More tools', 'more', () =>
     Object.entries(YIELDING)

@@ -1,6 +1,8 @@
 /** Controls of the dope sheet: a name filter, and switches in the row of tabs. */
+
 import { button, element, keepsFocusElsewhere, setAttribute } from '../../kit/dom.ts';
 import { icon } from '../../kit/icons.ts';
+import { toolbar } from '../../kit/roving.ts';
 import { findAction, isChecked, tryAction } from '../../state/action.ts';
 import { setActionTooltip } from '../../state/tooltips.ts';
 import type { Uses } from '../../state/workbench.ts';
@@ -13,7 +15,7 @@ const SWITCHES: Readonly<Record<string, string>> = {
 };
 
 export function dopeTools(wb: Uses<'actions' | 'timeline' | 'settings'>): HTMLElement {
-  const tools = element('div', { class: 'tools dope-tools', role: 'toolbar', 'aria-label': 'Dope sheet' });
+  const tools = toolbar(element('div', { class: 'tools dope-tools', 'aria-label': 'Dope sheet' }));
   for (const [id, text] of Object.entries(SWITCHES)) {
     const action = findAction(wb, id);
     if (!action?.icon) continue;

@@ -7,13 +7,14 @@ import { axisOfDof } from '../../../model/dof-axis.ts';
 import type { CharacterDof } from '../../../model/dofs.ts';
 import { reachOf } from '../../../model/reach.ts';
 import { isUnlimited, type Limit, type Skeleton, UNLIMITED } from '../../../model/skeleton.ts';
-import { element, uniqueId } from '../../kit/dom.ts';
+import { element } from '../../kit/dom.ts';
 import { MAX_DECIMALS, shown } from '../../kit/number-text.ts';
 import { Slider, type SliderOptions } from '../../kit/slider.ts';
 import { setTooltip } from '../../kit/tooltip.ts';
 import { addKeyed } from '../../state/add-keys.ts';
 import { shownPerUnit, typedUnits, unitText, withoutNoise } from '../../state/angles.ts';
 import type { HandEdit } from '../../state/hand-edit.ts';
+import { lengthUnit } from '../../state/length-unit.ts';
 import type { BesideDofs } from '../../state/posing.ts';
 import type { Settings } from '../../state/settings.ts';
 import { standStill } from '../../state/stand-still.ts';
@@ -49,15 +50,13 @@ export function addDofRow(
   const slider = new Slider(section, spoken, 0, sliderOptions(dof, character, angles), refuse);
   const { id } = character;
   const mark = new DofMark(wb, slider.domElement, id, index, spoken);
-  const name = element(
-    'span',
-    { class: `dof-name ${axisClass(dof, character)}`, id: uniqueId('dof') },
-    shortName(dof, character),
-  );
-  const names = [...(prefix ? [element('span', { class: 'dof-joint', id: uniqueId('dof') }, prefix)] : []), name];
+  const name = element('span', { class: `dof-name ${axisClass(dof, character)}` }, shortName(dof, character));
+  const names = [...(prefix ? [element('span', { class: 'dof-joint' }, prefix)] : []), name];
   slider.$name.replaceChildren(mark.element, ...names);
-  // Without the mark's own label.
-  slider.$input.setAttribute('aria-labelledby', names.map((n) => n.id).join(' '));
+  const unit = { angle: angles, length: lengthUnit(character), factor: '', weight: '' }[dof.unit];
+  // Instead of the row's name, which has the mark's label too.
+  slider.$input.removeAttribute('aria-labelledby');
+  slider.$input.setAttribute('aria-label', unit ? `${spoken}, ${unit}` : spoken);
   const couple = coupleOf(character.skeleton, index);
   const held = couple ? coupleText(couple, dof, character, angles) : limitText(dof, character, angles);
   const text = `${prefix ? `${prefix} ` : ''}${dof.name}: ${held}`;

@@ -1,7 +1,9 @@
 /** Controls of the poses tab, beside the tabs: saving a pose, and how poses are applied. */
+
 import { button, element, keepsFocusElsewhere, setText } from '../../kit/dom.ts';
 import { oncePerFrame } from '../../kit/frame.ts';
 import type { Observable } from '../../kit/observable.ts';
+import { toolbar } from '../../kit/roving.ts';
 import { findAction, isEnabled, tryAction } from '../../state/action.ts';
 import { setActionTooltip } from '../../state/tooltips.ts';
 import type { Uses } from '../../state/workbench.ts';
@@ -81,7 +83,7 @@ export function poseTools(
   return element(
     'div',
     { class: 'pose-tools' },
-    element('div', { class: 'tools', role: 'toolbar', 'aria-label': 'Poses' }, ...buttons),
+    toolbar(element('div', { class: 'tools', 'aria-label': 'Poses' }, ...buttons)),
     element(
       'div',
       { class: 'pose-cards', role: 'group', 'aria-label': 'How a pose is applied' },

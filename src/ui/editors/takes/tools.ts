@@ -1,9 +1,11 @@
 /** Controls of the takes tab, beside the tabs: a filter, and actions on the selected takes. */
+
 import { button, element, keepsFocusElsewhere, setText } from '../../kit/dom.ts';
 import { focusPanel } from '../../kit/focus.ts';
 import { oncePerFrame } from '../../kit/frame.ts';
 import { icon } from '../../kit/icons.ts';
 import { type MenuEntry, menuButton } from '../../kit/menu.ts';
+import { toolbar } from '../../kit/roving.ts';
 import { setTooltip } from '../../kit/tooltip.ts';
 import { actionLabel, findAction, isEnabled, tryAction } from '../../state/action.ts';
 import { itemOf } from '../../state/menu-entries.ts';
@@ -65,13 +67,15 @@ export function takeTools(wb: Uses<'store' | 'actions' | 'timeline' | 'settings'
     'div',
     { class: 'take-tools' },
     takeFilter(wb),
-    element(
-      'div',
-      { class: 'tools', role: 'toolbar', 'aria-label': 'Takes' },
-      step('take.previous', 'Previous take', 'previousTake'),
-      step('take.next', 'Next take', 'nextTake'),
-      ...buttons,
-      arrange,
+    toolbar(
+      element(
+        'div',
+        { class: 'tools', 'aria-label': 'Takes' },
+        step('take.previous', 'Previous take', 'previousTake'),
+        step('take.next', 'Next take', 'nextTake'),
+        ...buttons,
+        arrange,
+      ),
     ),
     counted,
   );

@@ -1,4 +1,5 @@
 /** The bar below the viewport: buttons, loop, speed, time, range, and the scrubber. */
+
 import { FRAME_RATES, LOOP_MODES } from '../../../edit/playback.ts';
 import { button, element, keepsFocusElsewhere, setAttribute } from '../../kit/dom.ts';
 import { isTimeAgain, oncePerFrame } from '../../kit/frame.ts';
@@ -6,6 +7,7 @@ import { type IconName, icon } from '../../kit/icons.ts';
 import { type MenuEntry, menuButton } from '../../kit/menu.ts';
 import { NumberField } from '../../kit/number-field.ts';
 import { aligned, shown } from '../../kit/number-text.ts';
+import { toolbar } from '../../kit/roving.ts';
 import { setTooltip } from '../../kit/tooltip.ts';
 import { actionsOf, findAction, runAction, tryAction } from '../../state/action.ts';
 import { itemOf } from '../../state/menu-entries.ts';
@@ -57,16 +59,18 @@ function buttons(wb: Uses<'actions' | 'transport' | 'settings'>): HTMLElement {
     if (now.playing !== before.playing) showPlaying(now.playing);
   });
   showPlaying(wb.transport.get().playing);
-  return element(
-    'div',
-    { class: 'tools playback', role: 'group', 'aria-label': 'Playback' },
-    make('play.toStart', 'Go to range start', 'start'),
-    make('play.previousKey', 'Go to previous key', 'previousKey'),
-    make('play.stepBack', 'Step back one frame', 'back'),
-    play,
-    make('play.stepForward', 'Step forward one frame', 'forward'),
-    make('play.nextKey', 'Go to next key', 'nextKey'),
-    make('play.toEnd', 'Go to range end', 'end'),
+  return toolbar(
+    element(
+      'div',
+      { class: 'tools playback', 'aria-label': 'Playback' },
+      make('play.toStart', 'Go to range start', 'start'),
+      make('play.previousKey', 'Go to previous key', 'previousKey'),
+      make('play.stepBack', 'Step back one frame', 'back'),
+      play,
+      make('play.stepForward', 'Step forward one frame', 'forward'),
+      make('play.nextKey', 'Go to next key', 'nextKey'),
+      make('play.toEnd', 'Go to range end', 'end'),
+    ),
   );
 }
 
@@ -147,7 +151,7 @@ function keying(wb: Uses<'actions' | 'timeline' | 'settings'>): HTMLElement {
   };
   wb.timeline.autoKey.subscribe(show);
   show();
-  return element('div', { class: 'tools', role: 'group', 'aria-label': 'Keying' }, key, auto);
+  return toolbar(element('div', { class: 'tools', 'aria-label': 'Keying' }, key, auto));
 }
 
 /** Opens and closes the timeline on a narrow page, where it is a drawer. */
