@@ -251,7 +251,7 @@ it('a phone has all menus, the timeline and targets of 44 pixels', () =>
       await page.locator('.curve-plot').waitFor();
       for (const name of ['dope', 'takes', 'poses', 'curves']) {
         await tab(page, name);
-        await page.locator(`#timeline-tab-${name}[aria-selected=true]`).waitFor();
+        await page.locator(`[aria-labelledby=timeline-tab-${name}] > :not(.empty)`).first().waitFor();
         small.push(...(await smallTargets(page)));
       }
       await open(page, 'inspector');
