@@ -38,7 +38,7 @@ export function layout(wb: Uses<'settings'>, root: HTMLElement, parts: Parts, si
   for (const [region, part] of Object.entries<HTMLElement>({ ...parts })) {
     part.setAttribute(REGION, region);
     const name = part.getAttribute('aria-label');
-    if (name) part.prepend(element('h2', { class: 'off-screen' }, name));
+    if (name && part.localName !== 'footer') part.prepend(element('h2', { class: 'off-screen' }, name));
   }
   // Replaces the frame of `index.html`.
   root.className = 'page';

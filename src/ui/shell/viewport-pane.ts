@@ -103,7 +103,7 @@ function displayStrip(wb: Uses<'store' | 'actions' | 'settings'>): HTMLElement {
   menuButton(boxes, 'Boxes', boxItems);
   // In little room one menu has all of it.
   const all = keepsFocusElsewhere(
-    element('button', { type: 'button', class: 'tool text-tool display-menu' }, icon('eye')),
+    element('button', { type: 'button', class: 'tool text-tool display-menu', 'aria-label': 'Display' }, icon('eye')),
   );
   all.append(element('span', {}, 'Display'), icon('fold'));
   menuButton(all, 'Display', () => [
