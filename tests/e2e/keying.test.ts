@@ -60,13 +60,13 @@ async function drag(page: Page, from: Point, to: Point, held?: 'Alt'): Promise<v
 async function keyPoseAt(page: Page, seconds: number, degrees: number): Promise<void> {
   await typeInto(page, 'Time in seconds', seconds);
   await typeInto(page, 'rx', degrees);
-  await page.locator('.viewport canvas').focus();
+  await page.locator('.viewport canvas[role=application]').focus();
   await page.keyboard.press('k');
 }
 
 /** Presses the shortcut while there are steps left; returns their number. */
 async function pressAll(page: Page, shortcut: string, way: 'undo' | 'redo'): Promise<number> {
-  await page.locator('.viewport canvas').focus();
+  await page.locator('.viewport canvas[role=application]').focus();
   for (let steps = 0; ; steps++) {
     if ((await page.evaluate((w) => window.marrow.steps()[w], way)) === undefined) return steps;
     await page.keyboard.press(shortcut);
@@ -134,7 +134,7 @@ async function makeTake({ files, joint, channel }: Subject): Promise<void> {
     // Saved by Ctrl+S and played by the command: the same numbers as in the page.
     await page.evaluate(() => Object.assign(window, { showSaveFilePicker: undefined }));
     const download = page.waitForEvent('download');
-    await page.locator('.viewport canvas').focus();
+    await page.locator('.viewport canvas[role=application]').focus();
     await page.keyboard.press('Control+s');
     const saved = await download;
     expect(saved.suggestedFilename()).toMatch(/\.anim$/);
@@ -191,7 +191,7 @@ const worldsAt = (page: Page, times: readonly number[]) =>
 
 async function openWalker(page: Page): Promise<void> {
   await page.waitForFunction(() => window.marrow.characters()[0]?.dofs.length === 93);
-  await page.locator('.viewport canvas').focus();
+  await page.locator('.viewport canvas[role=application]').focus();
   await page.evaluate(() => window.marrow.seek(0));
   await page.getByRole('treeitem', { name: new RegExp(`^${ARM.joint}`) }).click();
   await page.getByRole('textbox', { name: /^rx\b/ }).first().waitFor();
@@ -200,7 +200,7 @@ async function openWalker(page: Page): Promise<void> {
 async function turnArm(page: Page, seconds: number, degrees: number): Promise<void> {
   await typeInto(page, 'Time in seconds', seconds);
   await typeInto(page, 'rz', degrees);
-  await page.locator('.viewport canvas').focus();
+  await page.locator('.viewport canvas[role=application]').focus();
   await page.keyboard.press('k');
 }
 

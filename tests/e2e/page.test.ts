@@ -100,7 +100,7 @@ describe('by hand', () => {
       await field.fill('90');
       await field.press('Enter');
       expect(await dof(page, 3)).toBeCloseTo(1, 9);
-      await page.locator('.viewport canvas').focus();
+      await page.locator('.viewport canvas[role=application]').focus();
       await page.keyboard.press('Control+z');
       expect(await dof(page, 3)).toBe(0);
       for (const [typed, degrees] of [
@@ -132,7 +132,7 @@ describe('by hand', () => {
       const there = await dof(page, 3);
       expect(there).toBeGreaterThan(0.3);
       expect(there).toBeLessThan(0.7);
-      await page.locator('.viewport canvas').focus();
+      await page.locator('.viewport canvas[role=application]').focus();
       await page.keyboard.press(' ');
       await page.waitForFunction((then) => window.marrow.characters()[0].dofs[3] !== then, there);
     }));
@@ -169,7 +169,7 @@ describe('the look', () => {
         const restored = await page.evaluate(
           () =>
             new Promise<boolean>((resolve) => {
-              const canvas = document.querySelector<HTMLCanvasElement>('.viewport canvas');
+              const canvas = document.querySelector<HTMLCanvasElement>('.viewport canvas[role=application]');
               const lose = canvas?.getContext('webgl2')?.getExtension('WEBGL_lose_context');
               canvas?.addEventListener('webglcontextrestored', () => resolve(true), { once: true });
               canvas?.addEventListener('webglcontextlost', () => requestAnimationFrame(() => lose?.restoreContext()));

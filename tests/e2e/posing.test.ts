@@ -150,7 +150,7 @@ it('turns the view by the arrows while nothing plays, and switches modes by Spac
   withPage(async ({ page }) => {
     await openArm(page);
     const view = await turnOfView(page);
-    await page.locator('.viewport canvas').focus();
+    await page.locator('.viewport canvas[role=application]').focus();
     await page.keyboard.press('ArrowRight');
     const turned = await turnOfView(page);
     expect(turned).not.toBeCloseTo(view, 0);
@@ -289,7 +289,7 @@ it('has a select tool without a gizmo: clicks pick, drags orbit, and a button le
   withPage(async ({ page }) => {
     await openArm(page, 'shoulder');
     const before = await dofs(page);
-    await page.locator('.viewport canvas').focus();
+    await page.locator('.viewport canvas[role=application]').focus();
     await page.keyboard.press('q');
     await page.waitForFunction(() => !document.querySelector('.joint-gizmo'));
     expect(await page.getByRole('radio', { name: 'Select' }).getAttribute('aria-checked')).toBe('true');
@@ -339,7 +339,7 @@ describeShared('the dragon', () => {
         .first()
         .click();
       await page.waitForFunction(() => document.querySelector<HTMLElement>('.joint-gizmo')?.hidden === false);
-      await page.locator('.viewport canvas').focus();
+      await page.locator('.viewport canvas[role=application]').focus();
       const ring = await feelFor(page, 'rx');
       await pressAndGo(page, ring, around(await middle(page), ring, 175));
       await page.mouse.up();

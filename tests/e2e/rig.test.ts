@@ -23,7 +23,7 @@ const undoAll = (page: Page) =>
   });
 
 async function canvasMiddle(page: Page): Promise<{ x: number; y: number }> {
-  const box = await page.locator('.viewport canvas').boundingBox();
+  const box = await page.locator('.viewport canvas[role=application]').boundingBox();
   if (!box) throw new Error('There is no viewport.');
   return { x: box.x + box.width / 2, y: box.y + box.height / 2 };
 }
@@ -39,7 +39,7 @@ async function clickAt(page: Page, dx: number, dy: number, count: number): Promi
 /** Finds a handle by moving the pointer until the cursor changes; retries until they are drawn. */
 async function findHandle(page: Page): Promise<{ x: number; y: number }> {
   const found = await page.waitForFunction(() => {
-    const canvas = document.querySelector<HTMLCanvasElement>('.viewport canvas');
+    const canvas = document.querySelector<HTMLCanvasElement>('.viewport canvas[role=application]');
     if (!canvas) return undefined;
     const { left, top, width, height } = canvas.getBoundingClientRect();
     for (let y = top + 0.35 * height; y < top + height - 20; y += 5) {
@@ -95,7 +95,7 @@ it('builds a creature from nothing by clicking, and takes all of it back', () =>
     await lower.press('Enter');
     await page.getByRole('textbox', { name: 'Offset x' }).fill('0.25');
     await page.getByRole('textbox', { name: 'Offset x' }).press('Enter');
-    await page.locator('.viewport canvas').focus();
+    await page.locator('.viewport canvas[role=application]').focus();
     await page.keyboard.press('Shift+M');
     await page.waitForFunction(() => window.marrow.characters()[0]?.joints.length === 7);
 
@@ -137,7 +137,7 @@ it('adds a child with Ctrl, and removes a joint with Delete so that its children
 
 /** Scene length of a CSS pixel where a new skeleton starts. */
 async function unitsPerPixel(page: Page): Promise<number> {
-  const box = await page.locator('.viewport canvas').boundingBox();
+  const box = await page.locator('.viewport canvas[role=application]').boundingBox();
   return (2 * 5 * Math.tan((16 * Math.PI) / 180)) / (box?.height ?? 1);
 }
 
@@ -151,7 +151,7 @@ async function offsetOf(page: Page, joint: number): Promise<readonly number[]> {
 const handleAt = (page: Page, clientX: number, clientY: number) =>
   page.waitForFunction(
     (at) => {
-      const canvas = document.querySelector<HTMLCanvasElement>('.viewport canvas');
+      const canvas = document.querySelector<HTMLCanvasElement>('.viewport canvas[role=application]');
       canvas?.dispatchEvent(new PointerEvent('pointermove', { ...at, bubbles: true, isPrimary: true, buttons: 0 }));
       return canvas?.style.cursor === 'move';
     },
@@ -191,7 +191,7 @@ it('takes hold of the copy that was clicked, and frames that', () =>
     );
     await page.mouse.move(x + 1, y);
     await page.waitForFunction(
-      () => document.querySelector<HTMLCanvasElement>('.viewport canvas')?.style.cursor !== 'move',
+      () => document.querySelector<HTMLCanvasElement>('.viewport canvas[role=application]')?.style.cursor !== 'move',
     );
   }));
 
@@ -230,7 +230,7 @@ it('comes to the side that a key asked for, though a click falls on the way', ()
   withPage(async ({ page }) => {
     await page.waitForFunction(() => (window.marrow?.characters().length ?? 0) > 0);
     const { x, y } = await canvasMiddle(page);
-    await page.locator('.viewport canvas').focus();
+    await page.locator('.viewport canvas[role=application]').focus();
     /** Until the view is along an axis: its arm in the axis widget is then a point. */
     const looksAlong = (axis: 0 | 2) =>
       page.waitForFunction((which) => {
@@ -255,7 +255,7 @@ describeShared('a skin and its joints', () => {
         const dofs = Array.from({ length: 60 }, (_, i) => ({ index: 6 + i, value: 0.1 * Math.sin(i) }));
         window.marrow.run('pose.setDofs', { dofs });
       });
-      await page.locator('.viewport canvas').focus();
+      await page.locator('.viewport canvas[role=application]').focus();
       await page.keyboard.press('Shift+E');
       await page.getByRole('button', { name: 'Add joints' }).waitFor();
       const files = async () => [await text(page, 'wasp.skel'), await text(page, 'wasp.skin')];
