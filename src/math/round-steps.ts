@@ -31,10 +31,10 @@ export function gridLabel(steps: number, spacing: number): string {
   const exponent = Math.floor(Math.log10(spacing) + 1e-9);
   // Enough digits to tell this line from the next; exponential only if they are few.
   const digits = Math.max(0, Math.floor(Math.log10(Math.abs(value)) + 1e-9) - exponent);
-  if ((Math.abs(value) >= 1e6 || exponent < -4) && digits <= 3) {
-    return value.toExponential(digits).replace('e+', 'e');
-  }
-  return value.toFixed(Math.max(0, -exponent));
+  const isShort = (Math.abs(value) >= 1e6 || exponent < -4) && digits <= 3;
+  const text = isShort ? value.toExponential(digits).replace('e+', 'e') : value.toFixed(Math.max(0, -exponent));
+  // As in all labels of the interface.
+  return text.replaceAll('-', '−');
 }
 
 /** Through text, so that 2 · 10⁻³ is the same double as 0.002. */

@@ -25,7 +25,7 @@ import {
 } from 'three';
 import { LINE_RESOLUTION, rawColor } from './thick-lines.ts';
 
-const GLYPHS = '0123456789.-+exyz';
+const GLYPHS = '0123456789.−+exyz';
 /** CSS pixels of a glyph's cell, halo included. */
 const CELL_WIDTH = 12;
 const CELL_HEIGHT = 18;

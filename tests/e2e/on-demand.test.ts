@@ -81,7 +81,7 @@ describe('the page', () => {
         await page.getByRole('menu', { name: 'View' }).waitFor();
         await page.getByRole('button', { name: 'Play', exact: true }).waitFor();
       },
-      { early: true, walking: true },
+      { early: true, walking: true, fullMotion: true },
     ));
 
   it('keeps Ctrl+S from the browser, and selects the joint that was tapped, before menus and panels have come', () =>

@@ -45,7 +45,7 @@ describe('the page', () => {
         expect(before.every(Number.isFinite)).toBe(true);
         await page.evaluate(() => window.marrow.pause());
       },
-      { walking: true },
+      { walking: true, fullMotion: true },
     ));
 
   it('undoes and redoes what a slider does', () =>

@@ -29,6 +29,8 @@ export interface PageOptions {
   readonly colorScheme?: 'light' | 'dark';
   /** Opens with the page's own example, a walker, instead of a static post. */
   readonly walking?: boolean;
+  /** Without `prefers-reduced-motion`: what the page opens with plays. */
+  readonly fullMotion?: boolean;
   readonly touch?: boolean;
   /** Continues as soon as the page is loaded, without waiting for menus and panels. */
   readonly early?: boolean;
@@ -88,8 +90,8 @@ export async function withPage(body: (open: OpenPage) => Promise<void>, options:
   const context = await (await browser).newContext({
     viewport: options.size ?? { width: 1280, height: 800 },
     colorScheme: options.colorScheme ?? 'light',
-    // Camera moves are then immediate.
-    reducedMotion: 'reduce',
+    // Camera moves are then immediate, and nothing plays by itself.
+    reducedMotion: options.fullMotion ? 'no-preference' : 'reduce',
     hasTouch: options.touch ?? false,
   });
   try {

@@ -35,17 +35,17 @@ describe('the grid', () => {
     expect([1, 2, 5, 0.1, 0.02, 500].map((s) => s / subdivisions(s))).toEqual([0.2, 0.5, 1, 0.02, 0.005, 100]);
   });
 
-  it('the grid writes numbers as people do', () => {
-    expect([-2, -1, 0, 1, 3].map((i) => gridLabel(i, 0.05))).toEqual(['-0.10', '-0.05', '0', '0.05', '0.15']);
+  it('the grid writes numbers as people do, with a true minus sign', () => {
+    expect([-2, -1, 0, 1, 3].map((i) => gridLabel(i, 0.05))).toEqual(['−0.10', '−0.05', '0', '0.05', '0.15']);
     expect(gridLabel(3, 0.1)).toBe('0.3');
     expect(gridLabel(7, 20)).toBe('140');
     expect(gridLabel(3, 0.002)).toBe('0.006');
   });
 
   it('writes very large and very small numbers short', () => {
-    expect(gridLabel(5, 1e-6)).toBe('5e-6');
+    expect(gridLabel(5, 1e-6)).toBe('5e−6');
     expect(gridLabel(3, 5e6)).toBe('1.5e7');
-    expect(gridLabel(-12, 2e-7)).toBe('-2.4e-6');
+    expect(gridLabel(-12, 2e-7)).toBe('−2.4e−6');
     expect(gridLabel(4, 5e6)).toBe('2.0e7');
   });
 
