@@ -92,6 +92,20 @@ describe('by hand', () => {
       expect(await selected.innerText()).toContain('elbow');
     }));
 
+  it('letters typed in the tree go to rows when the focus came by keyboard, also after a right click there', () =>
+    withPage(async ({ page }) => {
+      await openArm(page);
+      const tree = page.locator('.tree');
+      await page.locator('.row-joint').first().click({ button: 'right' });
+      await page.getByRole('menu').waitFor();
+      await page.keyboard.press('Escape');
+      await page.locator('canvas[role=img]').focus();
+      await tree.focus();
+      await page.keyboard.press('e');
+      await page.locator('[role=treeitem][aria-selected=true]').filter({ hasText: 'elbow' }).waitFor();
+      expect(await page.locator('.mode-switch [aria-checked=true]').textContent()).toBe('FK');
+    }));
+
   it('a value typed into a slider’s field is clamped to its limit, and one undo step', () =>
     withPage(async ({ page }) => {
       await openArm(page);

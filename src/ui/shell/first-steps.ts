@@ -1,5 +1,5 @@
 /** Three steps for those who see the page for the first time. They go for good once followed or closed. */
-import type { Document } from '../../model/document.ts';
+import { type Document, findCharacter } from '../../model/document.ts';
 import type { Selection } from '../../model/session.ts';
 import { button, element } from '../kit/dom.ts';
 import { icon } from '../kit/icons.ts';
@@ -48,8 +48,11 @@ export function firstSteps(wb: Uses<'store' | 'settings'>): HTMLElement {
 /** How many of the steps are done after a change, of which `done` were before. */
 export function stepsDone(done: number, now: Seen, before: Seen): number {
   if (done === 0) return now.selection.joint === undefined ? 0 : 1;
-  const changed = now.document.characters.filter((c) => !before.document.characters.includes(c));
+  // Opening others is none of the steps.
+  const changed = now.document.characters.flatMap((c) => {
+    const was = findCharacter(before.document, c.id);
+    return was && was !== c ? [{ was, is: c }] : [];
+  });
   if (changed.length === 0) return done;
-  const clipsBefore = new Set(before.document.characters.map((c) => c.clips));
-  return changed.some((c) => !clipsBefore.has(c.clips)) ? STEPS.length : Math.max(done, 2);
+  return changed.some(({ was, is }) => was.clips !== is.clips) ? STEPS.length : Math.max(done, 2);
 }

@@ -21,3 +21,8 @@ it('first steps are not done by what changes nothing', () => {
   expect(stepsDone(1, at(start), at(start, 2))).toBe(1);
   expect(stepsDone(2, at(posed, 2), at(posed, 2))).toBe(2);
 });
+
+it('first steps are not done by opening another character', () => {
+  const both = { ...at(start, 2), document: documentOf(start, { ...keyed, id: 'c2' }) };
+  expect(stepsDone(1, both, at(start, 2))).toBe(1);
+});

@@ -79,8 +79,14 @@ export class Tree {
     this.element.addEventListener('focus', () => {
       this.takesLetters = !this.isPressed;
     });
-    this.element.addEventListener('click', () => {
-      this.isPressed = false;
+    for (const type of ['click', 'pointercancel']) {
+      this.element.addEventListener(type, () => {
+        this.isPressed = false;
+      });
+    }
+    // A drag and a right press end without a click. A menu gives the focus back.
+    this.element.addEventListener('blur', ({ relatedTarget }) => {
+      if (!(relatedTarget instanceof Element && relatedTarget.closest('[role=menu]'))) this.isPressed = false;
     });
     this.list = new WindowedList({
       scroller: this.element,
