@@ -83,8 +83,14 @@ const FAINTNESS = 0.72;
 
 /** The colour of a faint line, nearly that of the plot behind it. @param ground `#rrggbb` */
 export function faintly(colour: LineColour, palette: Readonly<Record<BaseColour, string>>, ground: string): string {
-  return mixOklab(mixed(colour, palette), ground, FAINTNESS);
+  const own = mixed(colour, palette);
+  const key = own + ground;
+  const faint = known.get(key) ?? mixOklab(own, ground, FAINTNESS);
+  known.set(key, faint);
+  return faint;
 }
+/** Thousands of lines ask every frame, for a few colours in two themes. */
+const known = new Map<string, string>();
 
 /** Cached: a hundred lines ask every frame. */
 const mixture = perPair((palette: Readonly<Record<BaseColour, string>>, { base, with: other, part }: LineColour) =>
