@@ -206,7 +206,7 @@ describeShared('a character with skin and walk', () => {
       await shown(page, 'wasp');
       await page.evaluate(() => {
         window.marrow.seek(0.4);
-        window.marrow.run('keys.move', { keys: [{ channel: 3, indices: [0] }], seconds: 0.01, values: [0.2] });
+        return window.marrow.run('keys.move', { keys: [{ channel: 3, indices: [0] }], seconds: 0.01, values: [0.2] });
       });
       await kept(page);
       const before = await page.evaluate(() => window.marrow.vertices());

@@ -6,6 +6,8 @@ import { bakeExtrapolation, eulerFilter, makeLoop, resample, simplify } from './
 import { setCouple } from './couples.ts';
 import { holdPins } from './hold.ts';
 import { clearPins, pinPoint, setPin, setRootFree, setStiffness, unpin } from './ik.ts';
+import { addKey, insertKeys, moveKeys, removeKeys, rippleKeys, scaleKeys, setKeys, snapKeys } from './keys.ts';
+import { pasteKeys } from './paste.ts';
 import { addToLibrary, applyPose, keepPose, mirrorPose, pastePose, removePoses, renamePose } from './poses.ts';
 import { bakeRetarget, changeRetarget, clearRetarget, setRetarget } from './retarget.ts';
 import { addJoint, createRig, mirrorJoint, removeJoint, reparentJoint } from './rig.ts';
@@ -21,9 +23,31 @@ import {
   trimSamples,
 } from './samples.ts';
 import { autoWeights } from './skin-weights.ts';
+import { alignStarts, arrange, endOverlay, overlayTakes, removeTakes, setTimeOffsets, showTakes } from './takes.ts';
+import { breakTangents, setSlopes, setTangents, unifyTangents } from './tangents.ts';
 
 /** Commands that the page loads on demand; it knows them by `FETCHED_IDS`. */
 const FETCHED: readonly Command<never, Document | Edit>[] = [
+  insertKeys,
+  addKey,
+  moveKeys,
+  scaleKeys,
+  setKeys,
+  snapKeys,
+  removeKeys,
+  rippleKeys,
+  pasteKeys,
+  setTangents,
+  setSlopes,
+  unifyTangents,
+  breakTangents,
+  showTakes,
+  alignStarts,
+  setTimeOffsets,
+  arrange,
+  endOverlay,
+  overlayTakes,
+  removeTakes,
   simplify,
   resample,
   eulerFilter,

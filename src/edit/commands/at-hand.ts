@@ -1,6 +1,7 @@
 /**
- * The commands that the page has from the start, by id. Those for whole curves, samples, retargeting, pins and
- * skeletons are loaded on demand: with the algorithms they need they are larger than all of these (`all.ts`).
+ * The commands that the page has from the start, by id. Those for keys, whole curves, samples, takes side by side,
+ * retargeting, pins and skeletons come with their editors: with the algorithms they need they are larger than all of
+ * these (`all.ts`).
  */
 import type { Document } from '../../model/document.ts';
 import type { Command, Edit } from '../store.ts';
@@ -17,13 +18,9 @@ import {
 import { createClip, duplicateClip, removeClip, renameClip, setClipRange, setInterpolation } from './clips.ts';
 import { setExtrapolation } from './extrapolation.ts';
 import { keyPose } from './keying.ts';
-import { addKey, insertKeys, moveKeys, removeKeys, rippleKeys, scaleKeys, setKeys, snapKeys } from './keys.ts';
 import { clearLimit, setLimit } from './limits.ts';
-import { pasteKeys } from './paste.ts';
 import { discardUnkeyed, resetPose, setClamping, setDofs } from './pose.ts';
 import { setHidden, setPositionChannels, setSpace } from './spaces.ts';
-import { alignStarts, arrange, endOverlay, overlayTakes, removeTakes, setTimeOffsets, showTakes } from './takes.ts';
-import { breakTangents, setSlopes, setTangents, unifyTangents } from './tangents.ts';
 
 /** Arguments are not checked here: each command checks its own and throws a `CommandError`. */
 const COMMANDS: readonly Command<never, Document | Edit>[] = [
@@ -43,19 +40,6 @@ const COMMANDS: readonly Command<never, Document | Edit>[] = [
   setHidden,
   setLimit,
   clearLimit,
-  insertKeys,
-  addKey,
-  moveKeys,
-  scaleKeys,
-  setKeys,
-  snapKeys,
-  removeKeys,
-  rippleKeys,
-  pasteKeys,
-  setTangents,
-  setSlopes,
-  unifyTangents,
-  breakTangents,
   setExtrapolation,
   removeCharacter,
   renameCharacter,
@@ -65,13 +49,6 @@ const COMMANDS: readonly Command<never, Document | Edit>[] = [
   placeCharacter,
   addCopy,
   removeCopy,
-  showTakes,
-  alignStarts,
-  setTimeOffsets,
-  arrange,
-  endOverlay,
-  overlayTakes,
-  removeTakes,
 ];
 
 export const COMMANDS_AT_HAND: ReadonlyMap<string, Command<never, Document | Edit>> = new Map(
@@ -80,6 +57,26 @@ export const COMMANDS_AT_HAND: ReadonlyMap<string, Command<never, Document | Edi
 
 /** Ids of the commands loaded on demand. A test compares them with those in `all.ts`. */
 export const FETCHED_IDS: ReadonlySet<string> = new Set([
+  'keys.insert',
+  'keys.add',
+  'keys.move',
+  'keys.scale',
+  'keys.set',
+  'keys.snap',
+  'keys.remove',
+  'keys.ripple',
+  'keys.paste',
+  'keys.setTangents',
+  'keys.setSlopes',
+  'keys.unify',
+  'keys.break',
+  'takes.show',
+  'takes.alignStarts',
+  'takes.setTimeOffsets',
+  'takes.arrange',
+  'takes.endOverlay',
+  'takes.overlay',
+  'takes.remove',
   'channels.simplify',
   'channels.resample',
   'channels.eulerFilter',

@@ -21,7 +21,7 @@ const MEANT = 'Nothing is selected; channels and keys are those of this characte
 /** Indentation per level. */
 const INDENT_PIXELS = 12;
 /** Width of a row beyond its indentation: deep levels are scrolled to, never squeezed. */
-const NAME_PIXELS = 132;
+const NAME_PIXELS = 84;
 /** Letters typed within this time of each other belong together. */
 const TYPING_MS = 1000;
 
