@@ -113,6 +113,10 @@ describe('what a newcomer is told', () => {
       async ({ page, url }) => {
         const steps = page.getByRole('region', { name: 'First steps' });
         await steps.getByText('Click a joint').waitFor();
+        await page.evaluate(() => window.marrow.run('posing.ik'));
+        await steps.waitFor({ state: 'hidden' });
+        await page.evaluate(() => window.marrow.run('posing.fk'));
+        await steps.waitFor();
         await steps.getByRole('button', { name: 'Close first steps' }).click();
         await steps.waitFor({ state: 'hidden' });
         // Kept a moment after the change.
@@ -134,6 +138,11 @@ describe('what a newcomer is told', () => {
         .first()
         .hover({ position: { x: 40, y: 120 } });
       await bar.getByText('Orbit').waitFor();
+      await page.mouse.down();
+      await page.locator('.tree').hover();
+      await page.evaluate(() => new Promise((resolve) => requestAnimationFrame(() => requestAnimationFrame(resolve))));
+      expect(await bar.innerText()).toContain('orbit');
+      await page.mouse.up();
       await page.locator('.tree').hover();
       await bar.getByText('Frame').waitFor();
     }));

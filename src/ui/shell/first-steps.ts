@@ -12,7 +12,7 @@ interface Seen {
   readonly selection: Selection;
 }
 
-export function firstSteps(wb: Uses<'store' | 'settings'>): HTMLElement {
+export function firstSteps(wb: Uses<'store' | 'settings' | 'posing'>): HTMLElement {
   let done = 0;
   const leave = () => wb.settings.update((s) => ({ ...s, firstSteps: false }));
   const steps = STEPS.map((text, i) => element('li', {}, element('b', { 'aria-hidden': 'true' }, String(i + 1)), text));
@@ -24,25 +24,34 @@ export function firstSteps(wb: Uses<'store' | 'settings'>): HTMLElement {
     close,
   );
   const show = () => {
-    line.hidden = !wb.settings.get().firstSteps || wb.store.document.characters.length === 0;
+    line.hidden = !areShown(wb);
     steps.forEach((step, i) => {
       step.classList.toggle('done', i < done);
       step.classList.toggle('next', i === done);
     });
   };
-  wb.store.subscribe((now, before) => {
+  const follow = (now: Seen, before: Seen) => {
     if (!wb.settings.get().firstSteps) return;
     done = stepsDone(done, now, before);
     if (done === STEPS.length) leave();
     else show();
-  });
+  };
+  // Previews may be cancelled, so documents count only by their steps.
+  wb.store.subscribe((now, { selection }) => follow(now, { document: now.document, selection }));
+  wb.store.onStep(follow);
   wb.settings.subscribe((now, before) => {
     if (now.firstSteps === before.firstSteps) return;
     done = wb.store.selection.joint === undefined ? 0 : 1;
     show();
   });
+  wb.posing.mode.subscribe(show);
   show();
   return line;
+}
+
+/** Only in FK: in the other modes a click or a drag does something else. */
+export function areShown({ settings, store, posing }: Uses<'store' | 'settings' | 'posing'>): boolean {
+  return settings.get().firstSteps && store.document.characters.length > 0 && posing.mode.get() === 'fk';
 }
 
 /** How many of the steps are done after a change, of which `done` were before. */

@@ -17,8 +17,11 @@ const AREAS = Object.entries(MOUSE_AREAS).map(([area, selector]) => ({
 export function statusBar(wb: Uses<'store' | 'posing' | 'viewport'>, signal: AbortSignal): HTMLElement {
   const line = element('footer', { class: 'status-bar', 'aria-label': 'Mouse' });
   let under: Element | undefined;
+  let isDown = false;
   let shown = '';
   const show = () => {
+    // A drag keeps the line that it began with: nothing below it is highlighted meanwhile.
+    if (isDown) return;
     const place = under && placeAt(wb, under);
     const hints = place ? mouseHints(place) : [];
     const text = JSON.stringify(hints);
@@ -38,12 +41,20 @@ export function statusBar(wb: Uses<'store' | 'posing' | 'viewport'>, signal: Abo
   const showSoon = oncePerFrame(show);
   window.addEventListener(
     'pointermove',
-    ({ target, pointerType }) => {
+    ({ target, pointerType, buttons }) => {
       if (pointerType === 'touch') return;
+      isDown = buttons !== 0;
       under = target instanceof Element ? target : undefined;
       showSoon();
     },
     { signal, passive: true },
+  );
+  window.addEventListener(
+    'pointerdown',
+    ({ pointerType }) => {
+      isDown = pointerType !== 'touch';
+    },
+    { signal, capture: true, passive: true },
   );
   const stops = [
     wb.viewport.onHover(showSoon),

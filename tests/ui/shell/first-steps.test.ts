@@ -1,6 +1,6 @@
 import { expect, it } from 'vitest';
-import { stepsDone } from '../../../src/ui/shell/first-steps.ts';
-import { character, clip, documentOf } from '../builders.ts';
+import { areShown, stepsDone } from '../../../src/ui/shell/first-steps.ts';
+import { character, clip, documentOf, workbench } from '../builders.ts';
 
 const start = character();
 const posed = { ...start };
@@ -25,4 +25,17 @@ it('first steps are not done by what changes nothing', () => {
 it('first steps are not done by opening another character', () => {
   const both = { ...at(start, 2), document: documentOf(start, { ...keyed, id: 'c2' }) };
   expect(stepsDone(1, both, at(start, 2))).toBe(1);
+});
+
+it('first steps are shown only where a click selects a joint and a drag turns its ring', () => {
+  const { wb } = workbench(documentOf(start));
+  wb.settings.update((s) => ({ ...s, firstSteps: true }));
+  for (const [mode, isShown] of [
+    ['fk', true],
+    ['ik', false],
+    ['rig', false],
+  ] as const) {
+    wb.posing.mode.set(mode);
+    expect(areShown(wb)).toBe(isShown);
+  }
 });

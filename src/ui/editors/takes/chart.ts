@@ -151,7 +151,7 @@ export class DistanceChart {
     });
     const isThere = (pair: number) => pair < match.first.length;
     const lines: ChartLine[] = [
-      { values: distances.most, kind: 'most', label: 'Largest', ordinal: 0 },
+      { values: distances.most, kind: 'most', label: 'Max', ordinal: 0 },
       { values: distances.mean, kind: 'mean', label: 'Mean', ordinal: 0 },
     ];
     const { hovered } = this;
@@ -182,7 +182,7 @@ export class DistanceChart {
     const timeSeconds = startSeconds + frame * frameSeconds;
     const distance = nearest.values[frame];
     const when = view.inFrames ? `frame ${shown(timeSeconds * view.framesPerSecond, 1)}` : `${shown(timeSeconds)} s`;
-    const who = nearest.kind === 'most' ? `Largest: ${this.farthest(frame)}` : nearest.label;
+    const who = nearest.kind === 'most' ? `Max: ${this.farthest(frame)}` : nearest.label;
     return { timeSeconds, distance, text: `${who}  ${distanceText(distance, this.unit)}  at ${when}` };
   }
 

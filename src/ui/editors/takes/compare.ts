@@ -6,6 +6,7 @@
 import { endOverlay, overlayTakes } from '../../../edit/commands/takes.ts';
 import { isSameSkeleton, matchJoints } from '../../../evaluate/joint-match.ts';
 import { type Document, findCharacter, rangeOfClips } from '../../../model/document.ts';
+import { plural, shown } from '../../kit/number-text.ts';
 import { fitWindow } from '../../kit/time-window.ts';
 import { attempt } from '../../state/attempt.ts';
 import type { ComparisonOverlay } from '../../state/takes.ts';
@@ -44,11 +45,7 @@ export function compareTakes(
     wb.store.apply(overlayTakes, { first, second });
     const after = wb.store.document;
     if (!isSameSkeleton(match)) {
-      const missing = match.onlyFirst.length + match.onlySecond.length;
-      wb.messages.note(
-        `${match.first.length} joints are compared; ${missing} have no counterpart and are left out.`,
-        'info',
-      );
+      wb.messages.note(partText(match.first.length, match.onlyFirst.length + match.onlySecond.length), 'info');
     }
     wb.timeline.takes.distances.update((now) => ({ ...now, picked: [] }));
     const comparison = {
@@ -133,4 +130,11 @@ function playAsBefore(
 
 function isSame(a: readonly [number, number] | undefined, b: readonly [number, number]): boolean {
   return a?.[0] === b[0] && a[1] === b[1];
+}
+
+/** What a comparison of skeletons that differ covers, in numbers of joints. */
+export function partText(compared: number, left: number): string {
+  const are = compared === 1 ? 'is' : 'are';
+  const leftOut = left === 1 ? 'has no counterpart and is left out' : 'have no counterpart and are left out';
+  return `${plural(compared, 'joint')} ${are} compared; ${shown(left)} ${leftOut}.`;
 }

@@ -183,7 +183,7 @@ function alignmentChoice(wb: Uses<'timeline'>): HTMLSelectElement {
   return choice;
 }
 
-/** `mean 3.4 cm, RMS 4.1 cm, most 21 cm (LeftHand at 3.2 s)`. */
+/** `mean 3.4 cm, RMS 4.1 cm, max 21 cm (LeftHand at 3.2 s)`. */
 function factsText({ distances, first }: Measured, unit: DistanceUnit): string {
   if (!distances) return '';
   const { jointMean, jointRms, jointMost, jointMostAt, match, frameCount, startSeconds, frameSeconds } = distances;
@@ -194,8 +194,8 @@ function factsText({ distances, first }: Measured, unit: DistanceUnit): string {
   for (let k = 1; k < joints; k++) if (jointMost[k] > jointMost[farthest]) farthest = k;
   const name = first.skeleton?.joints[match.first[farthest]]?.name ?? '';
   const at = shown(startSeconds + jointMostAt[farthest] * frameSeconds, 2);
-  const most = `most ${distanceText(jointMost[farthest], unit)} (${name} at ${at} s)`;
-  return `mean ${distanceText(mean, unit)}, RMS ${distanceText(rms, unit)}, ${most} · ${plural(frameCount, 'frame')}`;
+  const max = `max ${distanceText(jointMost[farthest], unit)} (${name} at ${at} s)`;
+  return `mean ${distanceText(mean, unit)}, RMS ${distanceText(rms, unit)}, ${max} · ${plural(frameCount, 'frame')}`;
 }
 
 function namesOf(skeleton: Skeleton | undefined, joints: readonly number[], of: string): string[] {
