@@ -33,14 +33,14 @@ export function followRange(store: Store, transport: Observable<Playback>): void
     else if (!was && next) withoutClips = transport.get().range;
     if (sameRange(was, next) && !(isOther && !next)) return;
     transport.update((playback) => {
-      if (!next) return standStill(playback, was, withoutClips, isOther);
+      if (!next) return pausePlayback(playback, was, withoutClips, isOther);
       return sameRange(playback.range, was ?? playback.range) ? { ...playback, range: next } : playback;
     });
   });
 }
 
 /** Nothing is animated any more. The time stays, clamped to the range. */
-function standStill(playback: Playback, was: Range | undefined, otherwise: Range, isOther: boolean): Playback {
+function pausePlayback(playback: Playback, was: Range | undefined, otherwise: Range, isOther: boolean): Playback {
   const range = isOther || sameRange(playback.range, was) ? otherwise : playback.range;
   const timeSeconds = isOther ? range[0] : Math.min(range[1], Math.max(range[0], playback.timeSeconds));
   return { ...playback, range, timeSeconds, playing: false };

@@ -72,7 +72,7 @@ export class CharacterView {
   private theme: ThemeName = 'dark';
   private tint: Tint | undefined;
   private timeSeconds = 0;
-  /** See `holdTravel`. */
+  /** See `freezeRootMotion`. */
   private heldTravel: Float64Array | undefined;
   private player: PosePlayer | undefined;
   private boneSet: Bones | undefined;
@@ -206,7 +206,7 @@ export class CharacterView {
   }
 
   /** Freezes the current root motion offset of *in place* while the root is edited, until released. */
-  holdTravel(holds: boolean): void {
+  freezeRootMotion(holds: boolean): void {
     this.heldTravel = undefined;
     if (holds) this.heldTravel = this.travel(true).slice();
     else if (this.shown && this.display?.inPlace) this.placeGroups(this.shown);

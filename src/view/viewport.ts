@@ -338,16 +338,16 @@ export class Viewport {
    * For drags: freezes the root motion offset of *in place*, even while the root is dragged, and pauses following of
    * joints. Returns a function that ends both.
    */
-  holdTravel(characterId: string): () => void {
+  freezeRootMotion(characterId: string): () => void {
     const view = this.characters.get(characterId)?.view;
-    view?.holdTravel(true);
+    view?.freezeRootMotion(true);
     this.holds++;
     let isHeld = true;
     return () => {
       if (!isHeld) return;
       isHeld = false;
       this.holds--;
-      view?.holdTravel(false);
+      view?.freezeRootMotion(false);
       this.posesChanged = true;
       this.requestRender();
     };

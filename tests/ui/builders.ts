@@ -86,7 +86,7 @@ export function workbench(document: Document = EMPTY_DOCUMENT, playback: Partial
     lookFrom: () => {},
     setTheme: () => {},
     character: () => undefined,
-    holdTravel: () => () => {},
+    freezeRootMotion: () => () => {},
   };
   // The canvas and its element need a browser, and no test uses them.
   const wb: Workbench = {

@@ -54,13 +54,13 @@ describe('the characters in the picture', () => {
     const all = shown(far);
     all.show(documentOf(far), display, {}, 0, true);
     const view = all.get('far')?.view;
-    view?.holdTravel(true);
+    view?.freezeRootMotion(true);
     const dragged = captured(skeleton, take(skeleton, [[1200, 85, 0]]), { id: 'far', space });
     all.show(documentOf(dragged), display, {}, 0, false);
     all.place(true);
     expect(all.content.max.x).toBeCloseTo(2.102, 6);
     expect(all.get('far')?.placements[12]).toBeCloseTo(-10, 6);
-    view?.holdTravel(false);
+    view?.freezeRootMotion(false);
     all.place(true);
     expect(all.content.max.x).toBeCloseTo(0.102, 6);
     expect(all.get('far')?.placements[12]).toBeCloseTo(-12, 6);

@@ -66,7 +66,7 @@ export function writeWayHome(problem: IkProblem, dofs: Float64Array, home: Array
 }
 
 /** Applies that fraction of the step from `writeWayHome`, within the limits. */
-export function goHome({ variables, scratch }: IkProblem, dofs: Float64Array, part: number): void {
+export function stepHome({ variables, scratch }: IkProblem, dofs: Float64Array, part: number): void {
   const { count: n, dof, scale, lower, upper } = variables;
   for (let v = 0; v < n; v++) {
     const value = dofs[dof[v]] + part * scratch.step[v] * scale[v];

@@ -137,7 +137,7 @@ export class Timeline {
   copied: CopiedKeys | undefined;
   /** The visible tab; undefined while the panel is collapsed. */
   tab: TimelineTab | undefined;
-  /** Last results of `editors/timeline/in-hand.ts`: every row and menu entry asks for the same. */
+  /** Last results of `editors/timeline/current-take.ts`: every row and menu entry asks for the same. */
   readonly last: { keys?: readonly ChannelKeys[]; inView?: ChannelsInView } = {};
 
   change(change: Partial<TimelineView>): void {

@@ -40,7 +40,7 @@ export type WorkbenchStage = Pick<
   | 'placementOf'
   | 'pickedCopy'
   | 'sizeOf'
-  | 'holdTravel'
+  | 'freezeRootMotion'
   | 'vertexAt'
   | 'turnView'
   | 'eye'

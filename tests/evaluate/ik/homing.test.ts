@@ -1,7 +1,7 @@
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
 import { evaluatePose } from '../../../src/evaluate/ik/forward.ts';
-import { goHome, writeWayHome } from '../../../src/evaluate/ik/homing.ts';
+import { stepHome, writeWayHome } from '../../../src/evaluate/ik/homing.ts';
 import { ikProblem } from '../../../src/evaluate/ik/problem.ts';
 import { DEFAULT_BOX, type Joint, type Skeleton, UNLIMITED } from '../../../src/model/skeleton.ts';
 
@@ -51,7 +51,7 @@ describe('the way home', () => {
         const tip = problem.pins.positions.slice(0, 3);
         const way = writeWayHome(problem, dofs, home);
         const after = dofs.slice();
-        goHome(problem, after, PART);
+        stepHome(problem, after, PART);
         evaluatePose(problem, after);
         expect(apart(problem.pins.positions, tip)).toBeLessThan(SECOND_ORDER * (1 + way));
         if (way > 0.05) expect(apart(after, home)).toBeLessThan(apart(dofs, home));
@@ -76,7 +76,7 @@ describe('the way home', () => {
     const problem = problemAt(dofs);
     writeWayHome(problem, dofs, home);
     const after = dofs.slice();
-    goHome(problem, after, 1);
+    stepHome(problem, after, 1);
     expect(after[LIMITED]).toBe(0.5);
     expect(after[LIMITED + 3]).toBeGreaterThan(0.4);
   });

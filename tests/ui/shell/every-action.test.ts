@@ -89,7 +89,7 @@ const STATES: Readonly<Record<string, Given>> = {
 
 /** What the page has that the document doesn't: drawing, files and the tab below. Asking it something is no effect. */
 const QUESTIONS =
-  /^(character|placementOf|sizeOf|holdTravel|cameraView|pickedCopy|canReload|samples|unsaved|stats|canvas|eye)$/;
+  /^(character|placementOf|sizeOf|freezeRootMotion|cameraView|pickedCopy|canReload|samples|unsaved|stats|canvas|eye)$/;
 
 function recorded(target: object, calls: string[]): object {
   return new Proxy(target, {

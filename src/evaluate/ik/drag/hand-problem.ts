@@ -106,7 +106,7 @@ export class HandProblem {
    * Solves until the weaker pulls have settled too.
    * @param spare iterations to keep in reserve
    */
-  comeToRest(spare: number): void {
+  solveToRest(spare: number): void {
     const rest = 0.1 * IS_THERE * this.reach;
     for (let round = 0; round < MAX_ROUNDS && this.left > spare; round++) {
       const before = this.missing;

@@ -9,7 +9,7 @@
 import { characterDofs } from '../../../model/dofs.ts';
 import { pitchOf } from '../../../model/joint-types.ts';
 import { isUnlimited } from '../../../model/skeleton.ts';
-import { goHome, writeWayHome } from '../homing.ts';
+import { stepHome, writeWayHome } from '../homing.ts';
 import { type HandProblem, IS_THERE } from './hand-problem.ts';
 
 /** Steps per frame, and the maximum size of each: radians, factors, fractions of the reach. */
@@ -88,7 +88,7 @@ export class Homing {
       const missing = of.missing;
       const far = this.distance();
       tried.set(of.dofs);
-      goHome(of.problem, of.dofs, part);
+      stepHome(of.problem, of.dofs, part);
       of.solve('drag');
       const isWorse = of.worstPin > Math.max(missed, IS_THERE * of.reach) + 1e-12;
       const hasLost = of.missing > Math.max(missing * (1 + 1e-3), IS_THERE * of.reach);

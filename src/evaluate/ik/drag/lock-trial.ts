@@ -52,7 +52,7 @@ export class LockTrial {
     free.moveHand(hand[0], hand[1], hand[2]);
     free.left = ENOUGH;
     free.solve('drag');
-    free.comeToRest(0);
+    free.solveToRest(0);
     if (of.missing - free.missing < NEARER * of.reach) return [];
     const { firstDof } = compileSkeleton(of.skeleton);
     const bent = new Map(locked.map((j) => [j, free.furthest(pose, firstDof[j], firstDof[j + 1])] as const));

@@ -174,7 +174,7 @@ export class Pull {
     const way = this.follow(spare);
     this.shakingWaits = false;
     if (of.holds) {
-      of.comeToRest(spare);
+      of.solveToRest(spare);
       if (shaking.isDue) {
         if (of.left >= ONE_SOLUTION) shaking.shake();
         else this.shakingWaits = true;

@@ -50,7 +50,7 @@ export class Shaking {
         dofs[dof[v]] = Math.min(upper[v], Math.max(lower[v], bent));
       }
       of.solve('drag');
-      of.comeToRest(way === 1 ? half : 0);
+      of.solveToRest(way === 1 ? half : 0);
       if (of.missing >= least) continue;
       least = of.missing;
       helped.set(dofs);

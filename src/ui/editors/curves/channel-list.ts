@@ -20,7 +20,7 @@ import { CHANNEL_LISTS, type ChannelListKind as ListChoice } from '../../state/t
 import type { Uses } from '../../state/workbench.ts';
 import { LIST_LABELS } from '../timeline/actions.ts';
 import { channelCount, channelName, isAnimated, type ListedChannel, selectedChannels } from '../timeline/channels.ts';
-import { keysInHand, selectedKeys, selectKeys, takeInHand } from '../timeline/in-hand.ts';
+import { currentTake, selectedKeys, selectedKeysInView, selectKeys } from '../timeline/current-take.ts';
 import { extrapolationIcon } from '../timeline/key-actions.ts';
 import { extrapolationEntries, openChannelMenu, toggleIn } from './context-menu.ts';
 import { isolatedAfter } from './isolating.ts';
@@ -143,7 +143,7 @@ export class ChannelList {
       hidden: new Set(view.hidden),
       isolated: view.isolated && new Set(view.isolated),
       pinned: new Set(view.pinned),
-      selected: new Set(keysInHand(wb).map((k) => k.channel)),
+      selected: new Set(selectedKeysInView(wb).map((k) => k.channel)),
     };
     this.list.show(count);
     this.list.focus(this.active);
@@ -167,7 +167,7 @@ export class ChannelList {
     const listed = this.channels[index];
     const { channel } = listed;
     const line = this.source.line(channel);
-    const held = takeInHand(this.wb)?.clip.channels[channel];
+    const held = currentTake(this.wb)?.clip.channels[channel];
     const name = channelName(listed);
     const keyed = isAnimated(listed);
     const hidden = state.hidden.has(channel);
@@ -257,7 +257,7 @@ export class ChannelList {
 
   private onDoubleClick(event: MouseEvent): void {
     const at = this.indexAt(event);
-    const take = takeInHand(this.wb);
+    const take = currentTake(this.wb);
     if (at?.cell !== 'name' || !take) return;
     const keys = allKeys(take.clip, [this.channels[at.index].channel]);
     selectKeys(this.wb, event.ctrlKey || event.shiftKey ? unionKeys(selectedKeys(this.wb), keys) : keys);

@@ -10,7 +10,7 @@ import { actionsOf } from '../../state/action.ts';
 import { itemOf } from '../../state/menu-entries.ts';
 import type { Uses } from '../../state/workbench.ts';
 import { channelName, namedChannel } from '../timeline/channels.ts';
-import { keysInHand, selectKeys, takeInHand } from '../timeline/in-hand.ts';
+import { currentTake, selectedKeysInView, selectKeys } from '../timeline/current-take.ts';
 import { extrapolate } from '../timeline/key-edits.ts';
 import { insertOnCurve } from './insert.ts';
 import type { CurveHit } from './scene/scene.ts';
@@ -49,7 +49,7 @@ export function openPlotMenu(
 ): void {
   const focusFirst = byKeyboard;
   if (hit.kind === 'key' || hit.kind === 'handle') {
-    if (!hasKey(keysInHand(wb), hit.channel, hit.index)) {
+    if (!hasKey(selectedKeysInView(wb), hit.channel, hit.index)) {
       selectKeys(wb, [{ channel: hit.channel, indices: [hit.index] }]);
     }
     openMenu(where, keyEntries(wb), { label: 'Key', focusFirst });
@@ -65,7 +65,8 @@ export function openPlotMenu(
       run: () => insertOnCurve(wb, channel, timeSeconds),
     };
     openMenu(where, [insert, LINE, ...channelEntries(wb, channel)], { label: 'Curve', focusFirst });
-  } else if (byKeyboard && keysInHand(wb).length) openMenu(where, keyEntries(wb), { label: 'Keys', focusFirst });
+  } else if (byKeyboard && selectedKeysInView(wb).length)
+    openMenu(where, keyEntries(wb), { label: 'Keys', focusFirst });
   else openMenu(where, groundEntries(wb), { label: 'Curves', focusFirst });
 }
 
@@ -76,7 +77,7 @@ export function openChannelMenu(
   where: Place,
   focusFirst: boolean,
 ): void {
-  const take = takeInHand(wb);
+  const take = currentTake(wb);
   if (!take) return;
   const label = channelName(namedChannel(take.character, channel));
   const kind = take.clip.channels[channel]?.kind;
@@ -92,8 +93,8 @@ export function openChannelMenu(
 
 /** Selects all keys of a channel, unless some of them are selected. */
 function selectCurve(wb: Uses<'store' | 'timeline'>, channel: number): void {
-  const take = takeInHand(wb);
-  if (!take || keysInHand(wb).some((k) => k.channel === channel)) return;
+  const take = currentTake(wb);
+  if (!take || selectedKeysInView(wb).some((k) => k.channel === channel)) return;
   selectKeys(wb, allKeys(take.clip, [channel]));
 }
 
@@ -121,7 +122,7 @@ function keyEntries(wb: Uses<'actions' | 'settings'>): MenuEntry[] {
 }
 
 function isSampledHere(wb: Uses<'store'>, channel: number): boolean {
-  return takeInHand(wb)?.clip.channels[channel]?.kind === 'samples';
+  return currentTake(wb)?.clip.channels[channel]?.kind === 'samples';
 }
 
 /** The menu of a sampled curve, which has no keys. */
@@ -185,7 +186,7 @@ function pinEntry(wb: Uses<'timeline'>, channel: number): MenuEntry {
 
 /** Extrapolation of one channel on one side. */
 export function extrapolationEntries(wb: Uses<'store' | 'timeline'>, channel: number, side: 'in' | 'out'): MenuEntry[] {
-  const held = takeInHand(wb)?.clip.channels[channel];
+  const held = currentTake(wb)?.clip.channels[channel];
   const now = side === 'in' ? held?.extrapolateIn : held?.extrapolateOut;
   return EXTRAPOLATIONS.map((extrapolation) => ({
     kind: 'item',

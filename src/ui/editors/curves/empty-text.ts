@@ -3,7 +3,7 @@ import { spanOfChannel } from '../../../model/clip.ts';
 import { shown } from '../../kit/number-text.ts';
 import { currentCharacter } from '../../state/action.ts';
 import type { Uses } from '../../state/workbench.ts';
-import { takeInHand } from '../timeline/in-hand.ts';
+import { currentTake } from '../timeline/current-take.ts';
 
 export function emptyPlotText(wb: Uses<'store' | 'transport' | 'timeline'>, listed: number): string {
   const character = currentCharacter(wb);
@@ -11,7 +11,7 @@ export function emptyPlotText(wb: Uses<'store' | 'transport' | 'timeline'>, list
   if (character.driver && !listed) {
     return `${character.name} is retargeted from ${character.driver.source.name}, so its own keys are hidden. Bake the retargeting to edit it here.`;
   }
-  const take = takeInHand(wb);
+  const take = currentTake(wb);
   const at = `${shown(wb.transport.get().timeSeconds)} s`;
   const keyed = take?.clip.channels.some((_, c) => spanOfChannel(take.clip, c)) ?? false;
   if (!keyed) {

@@ -2,7 +2,7 @@
 import { insertKeys } from '../../../edit/commands/keys.ts';
 import { addKeys } from '../../state/add-keys.ts';
 import type { Uses } from '../../state/workbench.ts';
-import { keyPlacing, takeInHand } from '../timeline/in-hand.ts';
+import { currentTake, keyPlacing } from '../timeline/current-take.ts';
 
 /** On the curve, preserving its shape; on the nearest frame if keys snap to frames. @param clipSeconds of the clip */
 export function insertOnCurve(
@@ -10,7 +10,7 @@ export function insertOnCurve(
   channel: number,
   clipSeconds: number,
 ): void {
-  const take = takeInHand(wb);
+  const take = currentTake(wb);
   if (!take) return;
   const { framesPerSecond } = wb.transport.get();
   const offset = take.character.timeOffsetSeconds;

@@ -17,7 +17,7 @@ import { shownPerUnit, typedUnits, withoutNoise } from '../../state/angles.ts';
 import { attempt } from '../../state/attempt.ts';
 import type { Uses } from '../../state/workbench.ts';
 import { dofsFor } from '../timeline/channels.ts';
-import { aboutKeysInHand, keysInHand, type Take, takeInHand } from '../timeline/in-hand.ts';
+import { aboutKeysInHand, currentTake, selectedKeysInView, type Take } from '../timeline/current-take.ts';
 import { frameNumber } from '../timeline/snapping.ts';
 
 /** Numbers shared by all selected keys; undefined if they differ. Seconds of the clip, model units. */
@@ -61,10 +61,10 @@ export function keyFields(wb: Uses<'store' | 'transport' | 'timeline' | 'setting
   const inFrames = () => wb.settings.get().timeDisplay === 'frames';
   /** From model units to displayed ones; undefined for keys of different units. */
   const unitOf = (): DofUnit | undefined => {
-    const take = takeInHand(wb);
+    const take = currentTake(wb);
     if (!take) return undefined;
     const dofs = dofsFor(take.character);
-    const units = new Set(keysInHand(wb).map((k) => unitOfChannel(dofs, k.channel)));
+    const units = new Set(selectedKeysInView(wb).map((k) => unitOfChannel(dofs, k.channel)));
     const [unit] = units;
     return units.size === 1 ? unit : undefined;
   };
@@ -73,8 +73,8 @@ export function keyFields(wb: Uses<'store' | 'transport' | 'timeline' | 'setting
     return unit ? shownPerUnit(unit, wb.settings.get().angles) : 1;
   };
   const set = (typed: Partial<Record<'timeSeconds' | 'value' | 'slopeIn' | 'slopeOut', number>>) => {
-    const take = takeInHand(wb);
-    const keys = keysInHand(wb);
+    const take = currentTake(wb);
+    const keys = selectedKeysInView(wb);
     if (!take || !keys.length) return;
     attempt(wb.messages, () => {
       wb.store.apply(aboutKeysInHand(wb, setKeys), { characterId: take.character.id, keys, ...typed });
@@ -94,7 +94,7 @@ export function keyFields(wb: Uses<'store' | 'transport' | 'timeline' | 'setting
     (typed) => {
       const { framesPerSecond } = wb.transport.get();
       const seconds = inFrames() ? typed / framesPerSecond : typed;
-      set({ timeSeconds: seconds + (takeInHand(wb)?.character.timeOffsetSeconds ?? 0) });
+      set({ timeSeconds: seconds + (currentTake(wb)?.character.timeOffsetSeconds ?? 0) });
     },
     brief,
     1,
@@ -122,8 +122,8 @@ export function keyFields(wb: Uses<'store' | 'transport' | 'timeline' | 'setting
     element('span', { class: 'slope-fields' }, labelled('Slope', slopeIn.element), slopeOut.element),
   );
   const show = oncePerFrame(() => {
-    const take = takeInHand(wb);
-    const keys = keysInHand(wb);
+    const take = currentTake(wb);
+    const keys = selectedKeysInView(wb);
     const unit = unitOf();
     for (const one of all) one.enable(keys.length > 0);
     if (!take || !keys.length) {

@@ -9,7 +9,7 @@ import { currentCharacter } from '../../state/action.ts';
 import type { TimelineView } from '../../state/timeline.ts';
 import type { Uses } from '../../state/workbench.ts';
 import { drawnChannels, type ListedChannel, listedChannels, selectedChannels } from '../timeline/channels.ts';
-import { keysInHand, takeInHand } from '../timeline/in-hand.ts';
+import { currentTake, selectedKeysInView } from '../timeline/current-take.ts';
 import { type CurveLine, type CurveScene, NO_CHANNELS, sceneLines } from './scene/scene.ts';
 import { type CurveSpace, DEFAULT_AXES } from './scene/space.ts';
 
@@ -60,7 +60,7 @@ export class PlotScene {
     if (this.made && !this.stale) return this.made;
     this.stale = false;
     const { wb } = this;
-    const take = takeInHand(wb);
+    const take = currentTake(wb);
     const view = wb.timeline.view.get();
     const character = currentCharacter(wb);
     this.listed = character ? listedChannels(character, wb.store.selection, view) : [];
@@ -82,7 +82,7 @@ export class PlotScene {
       curves: compileClip(clip),
       offsetSeconds,
       lines: this.lines,
-      selected: keysInHand(wb),
+      selected: selectedKeysInView(wb),
       ...(this.emphasised && { emphasised: this.emphasised }),
       space: { width: this.width, height: this.height, window: view.window, axes: this.axes },
       range: wb.transport.get().range,

@@ -5,7 +5,7 @@ import { oncePerFrame } from '../../kit/frame.ts';
 import { revealTime } from '../../kit/time-window.ts';
 import type { Uses } from '../../state/workbench.ts';
 import type { SelectionBox } from '../timeline/box.ts';
-import { takeInHand } from '../timeline/in-hand.ts';
+import { currentTake } from '../timeline/current-take.ts';
 import { selectedText } from '../timeline/key-edits.ts';
 import type { ListSource } from './channel-list.ts';
 import { emptyPlotText } from './empty-text.ts';
@@ -209,7 +209,7 @@ export class CurvePlot implements PlotHost {
   private fitWhereNew(): void {
     const { plotScene, wb } = this;
     if (this.dragging) return;
-    const take = takeInHand(wb);
+    const take = currentTake(wb);
     const view = wb.timeline.view.get();
     const name = take ? `${take.character.id} ${take.character.shownClip}` : '';
     const { lines } = plotScene.scene;

@@ -3,7 +3,7 @@ import { keysOf } from '../../../model/clip.ts';
 import { element, setText } from '../../kit/dom.ts';
 import type { Uses } from '../../state/workbench.ts';
 import { channelName, namedChannel } from '../timeline/channels.ts';
-import { takeInHand } from '../timeline/in-hand.ts';
+import { currentTake } from '../timeline/current-take.ts';
 import { type CurveHit, type CurveLine, type CurveScene, lineOf } from './scene/scene.ts';
 import { timeAt, valueAt } from './scene/space.ts';
 import { curveValueText, timeText } from './tools/readout-text.ts';
@@ -40,7 +40,7 @@ export class CurveReadout {
     const at = timeAt(space, pointer.x);
     const line = hover.kind === 'empty' ? undefined : lineOf(scene, hover.channel);
     if (hover.kind === 'empty' || !line) return [at, '', heights(wb, scene, pointer.y)];
-    const take = takeInHand(wb);
+    const take = currentTake(wb);
     const name = take ? channelName(namedChannel(take.character, line.channel)) : line.name;
     if (hover.kind === 'curve')
       return [hover.timeSeconds - offsetSeconds, name, curveValueText(wb, line.unit, hover.value)];

@@ -3,8 +3,8 @@
 import { rippleKeys } from '../../../edit/commands/keys.ts';
 import { needs } from '../../state/needs.ts';
 import type { Action } from '../../state/workbench.ts';
+import { aboutKeysInHand, currentTake, selectedKeysInView } from '../timeline/current-take.ts';
 import { allFolds } from '../timeline/dope-rows.ts';
-import { aboutKeysInHand, keysInHand, takeInHand } from '../timeline/in-hand.ts';
 import { hasKeys, hasTake } from '../timeline/key-actions.ts';
 import { showCurves } from './show-curves.ts';
 
@@ -36,7 +36,7 @@ export const DOPE_ACTIONS: readonly Action[] = [
     run: (wb) =>
       showCurves(
         wb,
-        keysInHand(wb).map((k) => k.channel),
+        selectedKeysInView(wb).map((k) => k.channel),
       ),
   },
   {
@@ -59,7 +59,7 @@ export const DOPE_ACTIONS: readonly Action[] = [
     panel: 'timeline',
     enabled: hasTake,
     run(wb) {
-      const take = takeInHand(wb);
+      const take = currentTake(wb);
       if (take) wb.timeline.change({ unfolded: allFolds(take.character, take.clip) });
     },
   },
@@ -87,12 +87,12 @@ function ripple(id: string, label: string, shortcut: string, frames: number): Ac
     repeats: true,
     enabled: hasKeys,
     run(wb) {
-      const take = takeInHand(wb);
+      const take = currentTake(wb);
       if (!take) return;
       const seconds = frames / wb.transport.get().framesPerSecond;
       wb.store.apply(aboutKeysInHand(wb, rippleKeys), {
         characterId: take.character.id,
-        keys: keysInHand(wb),
+        keys: selectedKeysInView(wb),
         seconds,
       });
     },

@@ -2,7 +2,7 @@
 import { spanOfChannel } from '../../../model/clip.ts';
 import { currentCharacter } from '../../state/action.ts';
 import type { Uses } from '../../state/workbench.ts';
-import type { Take } from '../timeline/in-hand.ts';
+import type { Take } from '../timeline/current-take.ts';
 
 export function emptyText(wb: Uses<'store' | 'timeline'>, take: Take | undefined): string {
   if (!wb.store.document.characters.length)

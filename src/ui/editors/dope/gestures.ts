@@ -9,7 +9,7 @@
  */
 import { areSelected } from '../../../edit/keys/row-keys.ts';
 import { toggleKeys, unionKeys, withoutKeys } from '../../../edit/keys/selection.ts';
-import { keysInHand, selectedKeys, selectKeys } from '../timeline/in-hand.ts';
+import { selectedKeys, selectedKeysInView, selectKeys } from '../timeline/current-take.ts';
 import type { DopeDrag, DopeHost, Pointer } from './gesture.ts';
 import type { SheetHit } from './hit.ts';
 import { MoveKeys, type MoveWay, ScaleKeys } from './key-drags.ts';
@@ -76,7 +76,7 @@ export function cursorFor({ wb }: DopeHost, hit: SheetHit, held: Pick<Pointer, '
     case 'keys':
       if (held.shift) return 'pointer';
       if (held.ctrl) return 'copy';
-      return areSelected(hit.keys, keysInHand(wb)) ? 'move' : 'pointer';
+      return areSelected(hit.keys, selectedKeysInView(wb)) ? 'move' : 'pointer';
     default:
       return held.shift || held.ctrl ? 'crosshair' : 'default';
   }

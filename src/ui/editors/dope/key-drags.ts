@@ -11,7 +11,14 @@ import { plural, shown } from '../../kit/number-text.ts';
 import { addKeys } from '../../state/add-keys.ts';
 import type { HandEdit } from '../../state/hand-edit.ts';
 import type { Uses } from '../../state/workbench.ts';
-import { aboutKeysInHand, editOfTake, keyPlacing, keysInHand, type Take, takeInHand } from '../timeline/in-hand.ts';
+import {
+  aboutKeysInHand,
+  currentTake,
+  editOfTake,
+  keyPlacing,
+  selectedKeysInView,
+  type Take,
+} from '../timeline/current-take.ts';
 import { frameNumber, snapSeconds } from '../timeline/snapping.ts';
 import type { DopeDrag, DopeHost, Pointer } from './gesture.ts';
 import { secondsPerPixel, sheetTime } from './sheet.ts';
@@ -30,9 +37,9 @@ abstract class KeyDrag implements DopeDrag {
     protected readonly from: Pointer,
   ) {
     const { wb } = host;
-    this.take = takeInHand(wb);
+    this.take = currentTake(wb);
     this.edit = this.take && editOfTake(wb, this.take);
-    this.keys = keysInHand(wb);
+    this.keys = selectedKeysInView(wb);
     this.span = host.shown().selectedSpan ?? [0, 0];
   }
 

@@ -6,8 +6,8 @@ import { plural } from '../../kit/number-text.ts';
 import { actionsOf } from '../../state/action.ts';
 import { itemOf, itemsOf } from '../../state/menu-entries.ts';
 import type { Uses } from '../../state/workbench.ts';
+import { currentTake, selectedKeys, selectedKeysInView, selectKeys } from '../timeline/current-take.ts';
 import type { DopeRow } from '../timeline/dope-rows.ts';
-import { keysInHand, selectedKeys, selectKeys, takeInHand } from '../timeline/in-hand.ts';
 import { insertAtPlayhead } from '../timeline/key-edits.ts';
 import type { SheetHit } from './hit.ts';
 import { rowName } from './names.ts';
@@ -47,12 +47,12 @@ function keysMenu(
 ): void {
   const own: MenuEntry[] = [];
   if (hit.kind === 'keys') {
-    if (!areSelected(hit.keys, keysInHand(wb))) selectKeys(wb, hit.keys);
+    if (!areSelected(hit.keys, selectedKeysInView(wb))) selectKeys(wb, hit.keys);
     const { timeSeconds } = hit;
     own.push(
       item('Go to this time', () => wb.transport.update((p) => ({ ...p, timeSeconds, playing: false }))),
       item('Select all keys at this time', () => {
-        const take = takeInHand(wb);
+        const take = currentTake(wb);
         if (!take) return;
         const clipSeconds = timeSeconds + take.character.timeOffsetSeconds;
         selectKeys(wb, keysAtTime(take.clip, rows[0].channels, clipSeconds));
@@ -69,7 +69,7 @@ export function rowMenu(
   row: DopeRow,
   at: Place,
 ): void {
-  const take = takeInHand(wb);
+  const take = currentTake(wb);
   if (!take) return;
   const keys = allKeys(take.clip, row.channels);
   const count = countKeys(keys);

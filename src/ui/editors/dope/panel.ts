@@ -13,8 +13,8 @@ import { oncePerFrame } from '../../kit/frame.ts';
 import { fitWindow, panWindow, revealTime, type TimeWindow, zoomWindow } from '../../kit/time-window.ts';
 import type { TimelineTab } from '../../state/timeline.ts';
 import type { Uses } from '../../state/workbench.ts';
+import { currentTake, selectedKeys, selectedKeysInView, selectKeys, type Take } from '../timeline/current-take.ts';
 import { allFolds, type DopeRow, dopeRows, sameRows } from '../timeline/dope-rows.ts';
-import { keysInHand, selectedKeys, selectKeys, type Take, takeInHand } from '../timeline/in-hand.ts';
 import { selectedText } from '../timeline/key-edits.ts';
 import { emptyText } from './empty-text.ts';
 import type { SheetKeys } from './hit.ts';
@@ -184,7 +184,7 @@ class DopePanel implements TimelineTab, SheetPointerHost {
   // Rows.
 
   private selected() {
-    return this.take ? keysInHand(this.wb) : NO_KEY_SELECTION;
+    return this.take ? selectedKeysInView(this.wb) : NO_KEY_SELECTION;
   }
 
   private count(row: DopeRow): { keys: number; selected: number } {
@@ -195,7 +195,7 @@ class DopePanel implements TimelineTab, SheetPointerHost {
   /** Rebuilds the rows if they have changed; always redraws. */
   private refresh(force = false): void {
     const before = this.take;
-    this.take = takeInHand(this.wb);
+    this.take = currentTake(this.wb);
     const { take } = this;
     if (force || !sameTake(before, take)) {
       const { unfolded, allRows, filter } = this.wb.timeline.view.get();
@@ -211,7 +211,7 @@ class DopePanel implements TimelineTab, SheetPointerHost {
     ) {
       this.meet(before !== undefined);
     }
-    this.names.refresh(this.jointInHand());
+    this.names.refresh(this.currentJoint());
     this.redraw();
   }
 
@@ -226,7 +226,7 @@ class DopePanel implements TimelineTab, SheetPointerHost {
     if (isAnother || shared < whole / 2) this.fitAll();
   }
 
-  private jointInHand(): number | undefined {
+  private currentJoint(): number | undefined {
     const { selection } = this.wb.store;
     return selection.characterId === this.take?.character.id ? selection.joint : undefined;
   }
@@ -249,7 +249,7 @@ class DopePanel implements TimelineTab, SheetPointerHost {
 
   private jointSpan(): readonly [number, number] | undefined {
     const { take } = this;
-    const joint = this.jointInHand();
+    const joint = this.currentJoint();
     if (!take || joint === undefined) return undefined;
     const row = this.rows.find((r) => r.kind === 'joint' && r.joint === joint);
     const span = row && spanOf(take.clip.channels, allKeys(take.clip, row.channels));
@@ -314,7 +314,7 @@ class DopePanel implements TimelineTab, SheetPointerHost {
       sheet: this.sheet(),
       curves: take ? compileClip(take.clip) : NO_CURVES,
       selected: this.selected(),
-      selectedJoint: this.jointInHand(),
+      selectedJoint: this.currentJoint(),
       range,
       framesPerSecond,
       inFrames: this.wb.settings.get().timeDisplay === 'frames',

@@ -2,7 +2,7 @@
 import { unionKeys, withoutKeys } from '../../../edit/keys/selection.ts';
 import type { ChannelKeys } from '../../../model/session.ts';
 import type { SelectionBox } from '../timeline/box.ts';
-import { selectedKeys, selectKeys } from '../timeline/in-hand.ts';
+import { selectedKeys, selectKeys } from '../timeline/current-take.ts';
 import type { DopeDrag, DopeHost, Pointer } from './gesture.ts';
 import { sheetKeysInBox } from './hit.ts';
 import { HEAD, rowsTop, sheetTime, sheetX } from './sheet.ts';

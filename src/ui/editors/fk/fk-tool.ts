@@ -148,9 +148,9 @@ class FkTool implements ModeTool {
         before = this.selectDragged(joint);
       },
       make,
-      ended: (now, wentNowhere) => {
+      ended: (now, isUnmoved) => {
         if (!now && before) this.reselect(before);
-        if (now && wentNowhere) this.wb.store.select(under === 'nothing' ? { characterId } : under);
+        if (now && isUnmoved) this.wb.store.select(under === 'nothing' ? { characterId } : under);
       },
     });
   }

@@ -8,8 +8,8 @@ import { characterDofs } from '../../../model/dofs.ts';
 import { jointName } from '../../../model/joint-name.ts';
 import { addKeyed } from '../../state/add-keys.ts';
 import { HandEdit } from '../../state/hand-edit.ts';
+import { pausePlayback } from '../../state/pause-playback.ts';
 import type { BesideDofs } from '../../state/posing.ts';
-import { standStill } from '../../state/stand-still.ts';
 import type { Uses, Workbench } from '../../state/workbench.ts';
 import { autoKey } from '../posing/pose-edits.ts';
 import { tellFollows } from '../posing/tell-follows.ts';
@@ -27,8 +27,8 @@ export interface HandDragEvents {
   begin(): Mover | undefined;
   /** After each move, with the updated document. */
   moved(moved: DragResult, at: CanvasPointer): void;
-  /** The release, or Escape. @param wentNowhere it was in effect a click */
-  ended(at: CanvasPointer | undefined, wentNowhere: boolean): void;
+  /** The release, or Escape. @param isUnmoved it was in effect a click */
+  ended(at: CanvasPointer | undefined, isUnmoved: boolean): void;
 }
 
 export function handDrag(
@@ -50,8 +50,8 @@ export function handDrag(
       if (!hasBegun) {
         if (Math.hypot(at.clientX - from.clientX, at.clientY - from.clientY) < threshold) return;
         hasBegun = true;
-        standStill(wb);
-        rest = wb.viewport.holdTravel(characterId);
+        pausePlayback(wb);
+        rest = wb.viewport.freezeRootMotion(characterId);
         mover = events.begin();
       }
       if (!mover) return;

@@ -35,7 +35,7 @@ export interface GizmoDrag {
   readonly begin?: () => void;
   readonly make: (grip: FkGrip) => Mover | undefined;
   /** As for `HandDragEvents`. */
-  readonly ended?: (at: CanvasPointer | undefined, wentNowhere: boolean) => void;
+  readonly ended?: (at: CanvasPointer | undefined, isUnmoved: boolean) => void;
 }
 
 export class SelectedGizmo {
@@ -113,12 +113,12 @@ export class SelectedGizmo {
         return grip && make(grip);
       },
       moved: (moved, now) => this.show(moved, now),
-      ended: (now, wentNowhere) => {
+      ended: (now, isUnmoved) => {
         this.dragged = undefined;
         this.readout?.hide();
         wb.viewport.canvas.style.cursor = '';
         wb.viewport.requestRender();
-        ended?.(now, wentNowhere);
+        ended?.(now, isUnmoved);
       },
     });
   }

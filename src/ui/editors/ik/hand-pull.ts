@@ -43,7 +43,7 @@ export class HandPull {
     private readonly pull: Pull,
   ) {
     this.edit = new HandEdit(wb.store, wb.messages, () => this.holdsStill);
-    this.rest = wb.viewport.holdTravel(character.id);
+    this.rest = wb.viewport.freezeRootMotion(character.id);
     wb.posing.ik.wantsRoot.set(false);
     this.command = { ...setDofs, label: () => `Drag ${jointName(character.skeleton, grip.joint)}` };
   }

@@ -12,7 +12,7 @@ import { errorSize, plural } from '../../kit/number-text.ts';
 import { currentCharacter } from '../../state/action.ts';
 import type { Uses } from '../../state/workbench.ts';
 import { toolDialog } from '../timeline/tool-dialog.ts';
-import { selectedPin } from './in-hand.ts';
+import { selectedPin } from './selected-pin.ts';
 
 const TITLE = 'Hold pins';
 /** Seconds to ease in and out. */

@@ -15,9 +15,9 @@ import { setTooltip } from '../../kit/tooltip.ts';
 import { currentCharacter, runAction } from '../../state/action.ts';
 import type { PinRef } from '../../state/ik-hand.ts';
 import type { Uses } from '../../state/workbench.ts';
-import { selectedPin } from './in-hand.ts';
 import { changePin, freeRoot, selectPin, stiffen, unpinByHand } from './pin-edits.ts';
 import { pointName } from './pin-picture.ts';
+import { selectedPin } from './selected-pin.ts';
 
 /** Initial value when stiffness is switched on. */
 const USUAL_STIFFNESS = 4;

@@ -25,13 +25,13 @@ import { depthText } from './depth-text.ts';
 import type { IkGrip } from './hand-pull.ts';
 import { ikControls } from './ik-controls.ts';
 import { IkLabels } from './ik-labels.ts';
-import { keepInHand } from './in-hand.ts';
 import { PinDrag } from './pin-drag.ts';
 import { pinAt, selectPin, unpinByHand } from './pin-edits.ts';
 import { PinNudge } from './pin-nudge.ts';
 import { type HandNow, paintPins } from './pin-picture.ts';
 import { besidePins } from './pins-beside.ts';
 import { pinsInPicture, pinUnder, pointUnder, type SeenPin, type SeenPoint } from './pins-on-screen.ts';
+import { deselectLostPin } from './selected-pin.ts';
 
 /** With more triangles than this, hover picking would be slow: points are then highlighted on press only. */
 const HOVER_TRIANGLES = 300_000;
@@ -74,7 +74,7 @@ class IkTool implements ModeTool {
     wb.posing.controls.set(this.controls);
     wb.posing.beside = (id, dofs) => besidePins(wb, id, dofs);
     // Another joint may have been selected in another mode.
-    keepInHand(wb, true);
+    deselectLostPin(wb, true);
     const redraw = () => wb.viewport.requestRender();
     const listening = new AbortController();
     const { canvas } = wb.viewport;
@@ -87,7 +87,7 @@ class IkTool implements ModeTool {
       wb.store.subscribe((now, before) => {
         const isAnother = now.selection !== before.selection;
         if (now.document.characters === before.document.characters && !isAnother) return;
-        keepInHand(wb, isAnother);
+        deselectLostPin(wb, isAnother);
         targets.keepOnly(new Set(now.document.characters.map(({ id }) => id)));
         this.forgetGone();
       }),

@@ -4,8 +4,8 @@
  */
 import type { Workbench } from '../../state/workbench.ts';
 import { HandPull, type PullState } from './hand-pull.ts';
-import { selectedPin } from './in-hand.ts';
 import { unpinByHand } from './pin-edits.ts';
+import { selectedPin } from './selected-pin.ts';
 
 /** CSS pixels per press. */
 const STEP = 5;

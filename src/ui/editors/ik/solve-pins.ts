@@ -6,7 +6,7 @@ import type { Character } from '../../../model/document.ts';
 import { jointName } from '../../../model/joint-name.ts';
 import { addKeyed } from '../../state/add-keys.ts';
 import { attempt } from '../../state/attempt.ts';
-import { standStill } from '../../state/stand-still.ts';
+import { pausePlayback } from '../../state/pause-playback.ts';
 import type { Workbench } from '../../state/workbench.ts';
 import { autoKey } from '../posing/pose-edits.ts';
 import { gapText } from './gap-text.ts';
@@ -15,7 +15,7 @@ import { gapText } from './gap-text.ts';
 export function solvePins(wb: Workbench, character: Character): void {
   const { id, skeleton } = character;
   const setup = ikOf(character);
-  standStill(wb);
+  pausePlayback(wb);
   const facts = wb.viewport.character(id);
   if (!skeleton || !facts || setup.pins.length === 0) return;
   const { targets } = wb.posing.ik;

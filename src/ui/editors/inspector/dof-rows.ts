@@ -15,9 +15,9 @@ import { addKeyed } from '../../state/add-keys.ts';
 import { shownPerUnit, typedUnits, unitText, withoutNoise } from '../../state/angles.ts';
 import type { HandEdit } from '../../state/hand-edit.ts';
 import { lengthUnit } from '../../state/length-unit.ts';
+import { pausePlayback } from '../../state/pause-playback.ts';
 import type { BesideDofs } from '../../state/posing.ts';
 import type { Settings } from '../../state/settings.ts';
-import { standStill } from '../../state/stand-still.ts';
 import type { Workbench } from '../../state/workbench.ts';
 import { autoKey, setOne } from '../posing/pose-edits.ts';
 import { channelName, namedChannel, spokenName } from '../timeline/channels.ts';
@@ -84,7 +84,7 @@ export function addDofRow(
     const now = findCharacter(wb.store.document, id);
     // Playback would overwrite the value with the next frame.
     const key = autoKey(wb);
-    if (now && (key || isDriven(now, index))) standStill(wb);
+    if (now && (key || isDriven(now, index))) pausePlayback(wb);
     beside ??= wb.posing.beside?.(id, [index]);
     const own = { index, value: value / factor };
     const { timeSeconds } = wb.transport.get();

@@ -14,8 +14,8 @@ import { plural } from '../../kit/number-text.ts';
 import { currentCharacter } from '../../state/action.ts';
 import { addKeyed } from '../../state/add-keys.ts';
 import { attempt } from '../../state/attempt.ts';
+import { pausePlayback } from '../../state/pause-playback.ts';
 import { selectedJointOf } from '../../state/selected-joint.ts';
-import { standStill } from '../../state/stand-still.ts';
 import type { Uses } from '../../state/workbench.ts';
 import { autoKey } from '../posing/pose-edits.ts';
 
@@ -80,7 +80,7 @@ export function take(
 
 /** Time for edits of poses, and whether to key them. Stops playback. */
 export function moment(wb: Uses<'store' | 'transport' | 'timeline' | 'settings'>) {
-  standStill(wb);
+  pausePlayback(wb);
   return { timeSeconds: wb.transport.get().timeSeconds, key: autoKey(wb) };
 }
 

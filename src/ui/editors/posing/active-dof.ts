@@ -11,8 +11,8 @@ import { quaternionDofs } from '../../../model/joint-types.ts';
 import { lengthStep } from '../../../model/reach.ts';
 import type { Skeleton } from '../../../model/skeleton.ts';
 import { addKeyed } from '../../state/add-keys.ts';
+import { pausePlayback } from '../../state/pause-playback.ts';
 import { type ResolvedJoint, selectedJoint } from '../../state/selected-joint.ts';
-import { standStill } from '../../state/stand-still.ts';
 import type { Uses } from '../../state/workbench.ts';
 import { autoKey, jointDofs } from './pose-edits.ts';
 
@@ -74,7 +74,7 @@ export function nudgeDof(wb: Uses<'store' | 'transport' | 'timeline' | 'posing' 
   const index = activeDof(wb);
   const selected = selectedJoint(wb);
   if (!selected || index === undefined) return;
-  standStill(wb);
+  pausePlayback(wb);
   const { character, skeleton } = selected;
   const step = nudgeOf(characterDofs(skeleton, [])[index], skeleton);
   const value = shownDofs(wb, character)[index] + way * step;

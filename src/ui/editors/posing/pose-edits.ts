@@ -15,10 +15,10 @@ import { type Character, shownClip } from '../../../model/document.ts';
 import { type DofValue, jointDofCount, rootDofCount } from '../../../model/dofs.ts';
 import type { ChannelKeys } from '../../../model/session.ts';
 import { addKeys } from '../../state/add-keys.ts';
-import { standStill } from '../../state/stand-still.ts';
+import { pausePlayback } from '../../state/pause-playback.ts';
 import type { Uses } from '../../state/workbench.ts';
 import { channelsOfJoint } from '../timeline/channels.ts';
-import { clipTime } from '../timeline/in-hand.ts';
+import { clipTime } from '../timeline/current-take.ts';
 
 /** Options for new keys. */
 function keyOptions(wb: Uses<'transport' | 'timeline' | 'settings'>): KeyOptions {
@@ -48,7 +48,7 @@ export function standStillToPose(
   const count = rootDofCount(character.skeleton) + jointDofCount(character.skeleton);
   let plays = wb.timeline.autoKey.get();
   for (let dof = 0; dof < count && !plays; dof++) plays = isDriven(character, dof);
-  if (plays) standStill(wb);
+  if (plays) pausePlayback(wb);
 }
 
 /** Keys DOFs as shown; all of them by default. Stops playback. */
@@ -57,7 +57,7 @@ export function keyNow(
   characterId: string,
   dofs?: readonly number[],
 ): void {
-  standStill(wb);
+  pausePlayback(wb);
   const { timeSeconds } = wb.transport.get();
   const options = keyOptions(wb);
   addKeys(wb, keyPose, (outsideCycle) => ({ characterId, dofs, timeSeconds, ...options, outsideCycle }));

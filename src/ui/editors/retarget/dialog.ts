@@ -18,7 +18,7 @@ import { atMostEvery } from '../../kit/frame.ts';
 import { icon } from '../../kit/icons.ts';
 import { parseNumber, shown } from '../../kit/number-text.ts';
 import { setTooltip } from '../../kit/tooltip.ts';
-import { stopsOnFrame } from '../../state/stand-still.ts';
+import { stopsOnFrame } from '../../state/pause-playback.ts';
 import type { Uses } from '../../state/workbench.ts';
 import { pairTable } from './pair-table.ts';
 import { retargetText } from './result-text.ts';

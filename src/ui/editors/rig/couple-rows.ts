@@ -10,7 +10,7 @@ import { shown } from '../../kit/number-text.ts';
 import { setTooltip } from '../../kit/tooltip.ts';
 import { shownPerUnit, typedUnits, unitText, withoutNoise } from '../../state/angles.ts';
 import { attempt } from '../../state/attempt.ts';
-import { standStill } from '../../state/stand-still.ts';
+import { pausePlayback } from '../../state/pause-playback.ts';
 import type { Uses } from '../../state/workbench.ts';
 import { rigging } from './rigging-args.ts';
 import type { SectionRow } from './section-rows.ts';
@@ -126,7 +126,7 @@ function coupleIt(
   characterId: string,
   args: Pick<SetCouple, 'joint' | 'dof' | 'follows'>,
 ): void {
-  standStill(wb);
+  pausePlayback(wb);
   attempt(wb.messages, () => wb.store.apply(setCouple, { ...rigging(wb, { id: characterId }), ...args }));
 }
 

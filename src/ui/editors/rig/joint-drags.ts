@@ -50,7 +50,7 @@ function dragJoint(
   const state = wb.posing.rig;
   const { skeleton } = character;
   const edit = new HandEdit(wb.store, wb.messages);
-  const letTravel = wb.viewport.holdTravel(character.id);
+  const letTravel = wb.viewport.freezeRootMotion(character.id);
   const end = () => {
     letTravel();
     state.readout.set('');

@@ -7,7 +7,7 @@ import { element } from '../../kit/dom.ts';
 import { exact, shown } from '../../kit/number-text.ts';
 import { shownPerUnit, unitText, withoutNoise } from '../../state/angles.ts';
 import { attempt } from '../../state/attempt.ts';
-import { standStill } from '../../state/stand-still.ts';
+import { pausePlayback } from '../../state/pause-playback.ts';
 import type { Uses } from '../../state/workbench.ts';
 import { typedLimit } from './limit-editor.ts';
 import { rigging } from './rigging-args.ts';
@@ -47,7 +47,7 @@ export function limitRow(
     }
     // The other field shows a rounded number: use the exact one.
     const limit = side === 'min' ? { min: typed.min, max: now.limit.max } : { min: now.limit.min, max: typed.max };
-    standStill(wb);
+    pausePlayback(wb);
     const args = { ...rigging(wb, { id: characterId }), dof: now.dof, ...limit };
     attempt(wb.messages, () => wb.store.apply(limitRigged, args));
     update();

@@ -10,8 +10,8 @@ import { transformPoint, type Vec3 } from '../../../math/vec3.ts';
 import { type Character, type Document, findCharacter, shownSkin } from '../../../model/document.ts';
 import { currentCharacter } from '../../state/action.ts';
 import { attempt } from '../../state/attempt.ts';
+import { pausePlayback } from '../../state/pause-playback.ts';
 import { selectedJoint } from '../../state/selected-joint.ts';
-import { standStill } from '../../state/stand-still.ts';
 import type { Uses, Workbench } from '../../state/workbench.ts';
 import { nameNote } from './joint-names.ts';
 import { riggedNow, scenePivot } from './rigged.ts';
@@ -69,7 +69,7 @@ function waitingCharacter(wb: Uses<'store'>): Character | undefined {
 }
 
 function start(wb: Uses<'store' | 'transport' | 'timeline' | 'posing' | 'settings' | 'messages'>, offset: Vec3): void {
-  standStill(wb);
+  pausePlayback(wb);
   const waiting = waitingCharacter(wb);
   attempt(wb.messages, () => {
     const { document } = wb.store;
@@ -106,7 +106,7 @@ function withJoint(
     wb.messages.note('Select a joint first.');
     return;
   }
-  standStill(wb);
+  pausePlayback(wb);
   attempt(wb.messages, () => run(character, meant));
 }
 
@@ -145,7 +145,7 @@ export function moveUnder(
   characterId: string,
   place: Pick<ReparentJoint, 'joint' | 'parent' | 'before'>,
 ): void {
-  standStill(wb);
+  pausePlayback(wb);
   attempt(wb.messages, () => wb.store.apply(reparentJoint, { ...rigging(wb, { id: characterId }), ...place }));
 }
 
@@ -171,6 +171,6 @@ export function takeFilePose(
 ): void {
   const character = currentCharacter(wb);
   if (!character?.skeleton) return;
-  standStill(wb);
+  pausePlayback(wb);
   attempt(wb.messages, () => wb.store.apply(setFilePose, { ...rigging(wb, character), joint, from }));
 }

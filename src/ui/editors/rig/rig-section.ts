@@ -25,7 +25,7 @@ import { button, element } from '../../kit/dom.ts';
 import { removeControllers } from '../../kit/slider.ts';
 import { attempt } from '../../state/attempt.ts';
 import type { HandEdit } from '../../state/hand-edit.ts';
-import { standStill } from '../../state/stand-still.ts';
+import { pausePlayback } from '../../state/pause-playback.ts';
 import type { Uses, Workbench } from '../../state/workbench.ts';
 import { whyNoCorner } from './box-order.ts';
 import { addCoupleRow, coupleRow } from './couple-rows.ts';
@@ -101,13 +101,13 @@ export class RigSection {
 
   /** One undo step. */
   private apply<Args>(command: Command<Args, Document | Edit>, args: Args): void {
-    standStill(this.wb);
+    pausePlayback(this.wb);
     attempt(this.wb.messages, () => this.wb.store.apply(command, args));
   }
 
   /** Part of an undo step: a dragged slider or a number being typed. */
   private preview<Args>(command: Command<Args, Document | Edit>, args: Args): void {
-    standStill(this.wb);
+    pausePlayback(this.wb);
     this.edit.preview(command, args);
   }
 

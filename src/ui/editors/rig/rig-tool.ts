@@ -11,8 +11,8 @@ import type { RigPart } from '../../../view/rig/rig-screen.ts';
 import { isTextField } from '../../kit/focus.ts';
 import { currentCharacter } from '../../state/action.ts';
 import { attempt } from '../../state/attempt.ts';
+import { pausePlayback } from '../../state/pause-playback.ts';
 import { selectedJoint } from '../../state/selected-joint.ts';
-import { standStill } from '../../state/stand-still.ts';
 import type { Workbench } from '../../state/workbench.ts';
 import { type CanvasDrag, type CanvasPointer, CLICK_PIXELS } from '../viewport/canvas-tools.ts';
 import type { ModeTool } from '../viewport/mode-tool.ts';
@@ -84,7 +84,7 @@ export function rigTool(wb: Workbench): ModeTool {
 
   const addAt = (at: CanvasPointer): void => {
     const parent = selectedJoint(wb)?.joint;
-    standStill(wb);
+    pausePlayback(wb);
     const rigged = riggedNow(wb);
     const refuse = (why: string) => wb.messages.note(why, 'warning');
     if (!rigged && currentCharacter(wb)?.skeleton) refuse('The character is hidden. Show it first.');
@@ -115,7 +115,7 @@ export function rigTool(wb: Workbench): ModeTool {
         if (!given && Math.hypot(now.clientX - at.clientX, now.clientY - at.clientY) <= CLICK_PIXELS) return;
         if (!given) {
           given = true;
-          standStill(wb);
+          pausePlayback(wb);
           take();
           drag = start();
         }

@@ -4,24 +4,27 @@ import { OUTSIDE_CYCLE } from '../../../edit/keys/cycle.ts';
 import { needs } from '../../state/needs.ts';
 import type { ChannelListKind, HandleMode, TimelineView } from '../../state/timeline.ts';
 import type { Action, CurveToolName, Uses, Workbench } from '../../state/workbench.ts';
+import { channelsToEdit, currentTake, selectedKeysInView } from './current-take.ts';
 import { OUTSIDE_LABELS } from './cycle-text.ts';
-import { channelsInHand, keysInHand, takeInHand } from './in-hand.ts';
 import { hasKeys, hasTake, inView } from './key-actions.ts';
 import type { SampleTool } from './sample-tools.ts';
 
 const inHand = needs(
   'No curve is shown: select a joint that has keys, or show all channels.',
-  (wb: Uses<'store' | 'timeline'>) => channelsInHand(wb).length > 0,
+  (wb: Uses<'store' | 'timeline'>) => channelsToEdit(wb).length > 0,
 );
-const hasSamples = needs('The take has no samples.', (wb: Uses<'store'>) => takeInHand(wb)?.clip.samples !== undefined);
+const hasSamples = needs(
+  'The take has no samples.',
+  (wb: Uses<'store'>) => currentTake(wb)?.clip.samples !== undefined,
+);
 /** Tools for keyed curves don't apply to samples. */
-const keyedInHand = needs('No curve with keys is shown.', (wb: Uses<'store' | 'timeline'>) =>
-  channelsInHand(wb).some((c) => takeInHand(wb)?.clip.channels[c]?.kind === 'keys'),
+const needsKeyedCurve = needs('No curve with keys is shown.', (wb: Uses<'store' | 'timeline'>) =>
+  channelsToEdit(wb).some((c) => currentTake(wb)?.clip.channels[c]?.kind === 'keys'),
 );
 /** … except those that don't depend on interpolation. */
-const animatedInHand = needs('No curve is shown.', (wb: Uses<'store' | 'timeline'>) => {
-  const clip = takeInHand(wb)?.clip;
-  return clip !== undefined && channelsInHand(wb).some((c) => clip.channels[c] && clip.channels[c].kind !== 'rest');
+const needsCurve = needs('No curve is shown.', (wb: Uses<'store' | 'timeline'>) => {
+  const clip = currentTake(wb)?.clip;
+  return clip !== undefined && channelsToEdit(wb).some((c) => clip.channels[c] && clip.channels[c].kind !== 'rest');
 });
 
 function curves(id: string, label: string, shortcuts: readonly string[], more: Omit<Action, 'id' | 'label' | 'group'>) {
@@ -105,19 +108,19 @@ export const TIMELINE_ACTIONS: readonly Action[] = [
   curves('simplify', 'Simplify…', [], {
     menu: 'Keys/Curve tools',
     section: 15,
-    enabled: keyedInHand,
+    enabled: needsKeyedCurve,
     run: tool('simplify'),
   }),
   curves('resample', 'Resample…', [], {
     menu: 'Keys/Curve tools',
     section: 15,
-    enabled: keyedInHand,
+    enabled: needsKeyedCurve,
     run: tool('resample'),
   }),
   curves('bake', 'Bake extrapolation to keys…', [], {
     menu: 'Keys/Curve tools',
     section: 15,
-    enabled: keyedInHand,
+    enabled: needsKeyedCurve,
     run: tool('bake'),
   }),
   curves('scaleKeys', 'Scale keys…', ['Shift+T'], {
@@ -136,13 +139,13 @@ export const TIMELINE_ACTIONS: readonly Action[] = [
   curves('euler', 'Euler filter', [], {
     menu: 'Keys/Curve tools',
     section: 16,
-    enabled: animatedInHand,
+    enabled: needsCurve,
     run: async (wb) => (await import('./curve-tools.ts')).runCurveTool(wb, 'euler'),
   }),
   curves('loop', 'Make loop', [], {
     menu: 'Keys/Curve tools',
     section: 16,
-    enabled: keyedInHand,
+    enabled: needsKeyedCurve,
     run: async (wb) => (await import('./curve-tools.ts')).runCurveTool(wb, 'loop'),
   }),
   ...sampleTools([
@@ -184,7 +187,7 @@ export const TIMELINE_ACTIONS: readonly Action[] = [
     menu: 'Keys/Channels',
     section: 17,
     enabled: inHand,
-    run: (wb) => wb.timeline.change({ pinned: union(wb.timeline.view.get().pinned, channelsInHand(wb)) }),
+    run: (wb) => wb.timeline.change({ pinned: union(wb.timeline.view.get().pinned, channelsToEdit(wb)) }),
   }),
   curves('unpinAll', 'Unpin all', [], {
     menu: 'Keys/Channels',
@@ -199,7 +202,7 @@ export const TIMELINE_ACTIONS: readonly Action[] = [
     checked: (wb) => wb.timeline.view.get().isolated !== undefined,
     run(wb) {
       const { isolated } = wb.timeline.view.get();
-      wb.timeline.isolate(isolated ? undefined : keysInHand(wb).map((k) => k.channel));
+      wb.timeline.isolate(isolated ? undefined : selectedKeysInView(wb).map((k) => k.channel));
     },
   }),
   curves('hide', 'Hide channels of selected keys', ['Shift+H'], {
@@ -207,7 +210,7 @@ export const TIMELINE_ACTIONS: readonly Action[] = [
     section: 18,
     enabled: hasKeys,
     run(wb) {
-      const gone = keysInHand(wb).map((k) => k.channel);
+      const gone = selectedKeysInView(wb).map((k) => k.channel);
       wb.timeline.change({ hidden: union(wb.timeline.view.get().hidden, gone) });
     },
   }),
@@ -255,7 +258,7 @@ const PAN = 0.25;
 
 function tool(name: CurveToolName) {
   return (wb: Uses<'store' | 'dialog'>) => {
-    if (takeInHand(wb)) wb.dialog.set(name);
+    if (currentTake(wb)) wb.dialog.set(name);
   };
 }
 

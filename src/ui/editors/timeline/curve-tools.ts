@@ -7,15 +7,15 @@ import { inSlices } from '../../kit/in-slices.ts';
 import { plural } from '../../kit/number-text.ts';
 import type { Uses } from '../../state/workbench.ts';
 import { dofsFor } from './channels.ts';
-import { aboutKeysInHand, channelsInHand, takeInHand } from './in-hand.ts';
+import { aboutKeysInHand, channelsToEdit, currentTake } from './current-take.ts';
 
 export function runCurveTool(wb: Uses<'store' | 'timeline' | 'messages'>, tool: 'euler' | 'loop'): void {
-  const take = takeInHand(wb);
+  const take = currentTake(wb);
   if (!take) return;
   const { character, clip } = take;
-  const keyed = channelsInHand(wb).filter((c) => clip.channels[c]?.kind === 'keys');
+  const keyed = channelsToEdit(wb).filter((c) => clip.channels[c]?.kind === 'keys');
   if (tool === 'euler') {
-    const animated = channelsInHand(wb).filter((c) => clip.channels[c] && clip.channels[c].kind !== 'rest');
+    const animated = channelsToEdit(wb).filter((c) => clip.channels[c] && clip.channels[c].kind !== 'rest');
     // A root's translation needs no message that it isn't an angle.
     const angles = animated.filter((c) => dofsFor(character)[c]?.unit === 'angle');
     const channels = angles.length > 0 ? angles : animated;
@@ -29,10 +29,10 @@ export function runCurveTool(wb: Uses<'store' | 'timeline' | 'messages'>, tool: 
     return extrapolateIn === 'cycle_offset' || extrapolateOut === 'cycle_offset';
   });
   wb.store.apply(aboutKeysInHand(wb, makeLoop), { characterId: character.id, channels: keyed, keepOffset });
-  const after = takeInHand(wb)?.clip.channels ?? [];
+  const after = currentTake(wb)?.clip.channels ?? [];
   const count = after.filter((channel, i) => channel !== clip.channels[i]).length;
-  const standStill = keyed.every((c) => period(clip.channels[c]) === 0);
-  const nothing = standStill ? 'A loop needs two keys at different times.' : 'These curves already loop.';
+  const pausePlayback = keyed.every((c) => period(clip.channels[c]) === 0);
+  const nothing = pausePlayback ? 'A loop needs two keys at different times.' : 'These curves already loop.';
   wb.messages.note(count ? `${plural(count, 'curve')} now loop.` : nothing);
 }
 

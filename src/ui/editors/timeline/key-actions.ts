@@ -14,7 +14,14 @@ import type { ChannelKeys } from '../../../model/session.ts';
 import { currentCharacter } from '../../state/action.ts';
 import { NO_CHARACTER, needs } from '../../state/needs.ts';
 import type { Action, Uses } from '../../state/workbench.ts';
-import { channelsInHand, channelsInView, clipTime, keysInHand, selectKeys, takeInHand } from './in-hand.ts';
+import {
+  channelsInView,
+  channelsToEdit,
+  clipTime,
+  currentTake,
+  selectedKeysInView,
+  selectKeys,
+} from './current-take.ts';
 import {
   copyToTray,
   deleteKeys,
@@ -38,9 +45,9 @@ function noTakeText(wb: Uses<'store'>): string {
 
 export const hasKeys = needs(
   (wb) => (hasTake(wb) ? 'Select keys first.' : noTakeText(wb)),
-  (wb: Uses<'store' | 'timeline'>) => keysInHand(wb).length > 0,
+  (wb: Uses<'store' | 'timeline'>) => selectedKeysInView(wb).length > 0,
 );
-export const hasTake = needs(noTakeText, (wb: Uses<'store'>) => takeInHand(wb) !== undefined);
+export const hasTake = needs(noTakeText, (wb: Uses<'store'>) => currentTake(wb) !== undefined);
 const hasCopied = needs(
   (wb) => (hasTake(wb) ? 'Copy keys first.' : noTakeText(wb)),
   (wb: Uses<'store' | 'timeline'>) => hasTake(wb) && wb.timeline.copied !== undefined,
@@ -174,7 +181,7 @@ const selecting: readonly Action[] = [
     menu: 'Keys/Select',
     section: 14,
     enabled: hasKeys,
-    run: (wb) => selectWhere(wb, channelsInHand(wb), () => true),
+    run: (wb) => selectWhere(wb, channelsToEdit(wb), () => true),
   }),
 ];
 
@@ -203,10 +210,10 @@ function step(
     repeats: true,
     enabled: inView,
     run(wb) {
-      const take = takeInHand(wb);
+      const take = currentTake(wb);
       if (!take) return;
       const { character, clip } = take;
-      selectKeys(wb, next(clip.channels, keysInHand(wb), channelsInView(wb), clipTime(wb, character)));
+      selectKeys(wb, next(clip.channels, selectedKeysInView(wb), channelsInView(wb), clipTime(wb, character)));
     },
   });
 }
@@ -316,8 +323,8 @@ function allExtrapolate(
   side: 'both' | 'in' | 'out',
   extrapolation: Extrapolation,
 ): boolean {
-  const take = takeInHand(wb);
-  const channels = take ? channelsInHand(wb) : [];
+  const take = currentTake(wb);
+  const channels = take ? channelsToEdit(wb) : [];
   return (
     channels.length > 0 &&
     channels.every((c) => {

@@ -11,19 +11,19 @@ import { unitOfChannel } from '../../../model/dofs.ts';
 import type { ChannelKeys } from '../../../model/session.ts';
 import { plural, shown } from '../../kit/number-text.ts';
 import { addKeys } from '../../state/add-keys.ts';
-import { standStill } from '../../state/stand-still.ts';
+import { pausePlayback } from '../../state/pause-playback.ts';
 import type { Uses } from '../../state/workbench.ts';
 import { channelName, dofsFor, namedChannel } from './channels.ts';
 import {
   aboutKeysInHand,
-  channelsInHand,
   channelsInView,
+  channelsToEdit,
   clipTime,
+  currentTake,
   keyPlacing,
-  keysInHand,
+  selectedKeysInView,
   selectKeys,
-  takeInHand,
-} from './in-hand.ts';
+} from './current-take.ts';
 import { pastableChannels, pasteTargets } from './paste-targets.ts';
 import { frameNumber, nudgeStep } from './snapping.ts';
 
@@ -32,9 +32,9 @@ export function insertAtPlayhead(
   wb: Uses<'store' | 'transport' | 'timeline' | 'settings'>,
   channels: readonly number[] = channelsInView(wb),
 ): void {
-  const take = takeInHand(wb);
+  const take = currentTake(wb);
   if (!take || !channels.length) return;
-  standStill(wb);
+  pausePlayback(wb);
   const { character } = take;
   const inserted = { characterId: character.id, channels, timeSeconds: clipTime(wb, character) };
   const placing = keyPlacing(wb, character);
@@ -42,16 +42,16 @@ export function insertAtPlayhead(
 }
 
 export function deleteKeys(wb: Uses<'store' | 'transport' | 'timeline'>): void {
-  const take = takeInHand(wb);
-  const keys = keysInHand(wb);
+  const take = currentTake(wb);
+  const keys = selectedKeysInView(wb);
   if (!take || !keys.length) return;
   const timeSeconds = clipTime(wb, take.character);
   wb.store.apply(aboutKeysInHand(wb, removeKeys), { characterId: take.character.id, keys, timeSeconds });
 }
 
 export function copyToTray(wb: Uses<'store' | 'timeline' | 'messages'>): boolean {
-  const take = takeInHand(wb);
-  const keys = keysInHand(wb);
+  const take = currentTake(wb);
+  const keys = selectedKeysInView(wb);
   if (!take || !keys.length) return false;
   wb.timeline.copied = copyKeys(take.clip, keys);
   const count = countKeys(keys);
@@ -71,7 +71,7 @@ export function paste(
   into?: readonly number[],
   copied = wb.timeline.copied,
 ): void {
-  const take = takeInHand(wb);
+  const take = currentTake(wb);
   if (!take || !copied) return;
   const targets = into ?? pasteTargets(take.character, copied, pastableChannels(wb));
   if (!targets) {
@@ -82,7 +82,7 @@ export function paste(
     );
     return;
   }
-  standStill(wb);
+  pausePlayback(wb);
   const { character } = take;
   const pasted: PasteKeys = {
     characterId: character.id,
@@ -98,8 +98,8 @@ export function paste(
 
 /** Duplicates the selected keys at the playhead, without the clipboard. */
 export function duplicate(wb: Uses<'store' | 'transport' | 'timeline' | 'settings' | 'messages'>): void {
-  const take = takeInHand(wb);
-  const keys = keysInHand(wb);
+  const take = currentTake(wb);
+  const keys = selectedKeysInView(wb);
   if (!take || !keys.length) return;
   const copied: CopiedKeys = copyKeys(take.clip, keys);
   paste(wb, 'merge', undefined, copied);
@@ -111,8 +111,8 @@ export function nudge(
   frames: number,
   valueSteps: number,
 ): void {
-  const take = takeInHand(wb);
-  const keys = keysInHand(wb);
+  const take = currentTake(wb);
+  const keys = selectedKeysInView(wb);
   if (!take || !keys.length) return;
   const { framesPerSecond } = wb.transport.get();
   const { tab, ripples } = wb.timeline.view.get();
@@ -138,8 +138,8 @@ export function nudge(
 }
 
 export function snapToFrames(wb: Uses<'store' | 'transport' | 'timeline'>): void {
-  const take = takeInHand(wb);
-  const keys = keysInHand(wb);
+  const take = currentTake(wb);
+  const keys = selectedKeysInView(wb);
   if (!take || !keys.length) return;
   const { framesPerSecond } = wb.transport.get();
   const { id: characterId, timeOffsetSeconds: offsetSeconds } = take.character;
@@ -147,8 +147,8 @@ export function snapToFrames(wb: Uses<'store' | 'transport' | 'timeline'>): void
 }
 
 export function makeTangents(wb: Uses<'store' | 'timeline'>, kind: TangentKind, side: TangentSide): void {
-  const take = takeInHand(wb);
-  const keys = keysInHand(wb);
+  const take = currentTake(wb);
+  const keys = selectedKeysInView(wb);
   if (take && keys.length)
     wb.store.apply(aboutKeysInHand(wb, setTangents), { characterId: take.character.id, keys, side, kind });
 }
@@ -158,8 +158,8 @@ export function makeTangents(wb: Uses<'store' | 'timeline'>, kind: TangentKind, 
  * handles then move separately until tangents are unified.
  */
 export function joinTangents(wb: Uses<'store' | 'timeline' | 'messages'>, how: 'unify' | 'break'): void {
-  const take = takeInHand(wb);
-  const keys = keysInHand(wb);
+  const take = currentTake(wb);
+  const keys = selectedKeysInView(wb);
   if (!take || !keys.length) return;
   const handles = how === 'break' ? 'alone' : 'auto';
   if (how === 'break' && wb.timeline.view.get().handles !== 'alone') {
@@ -175,9 +175,9 @@ export function extrapolate(
   wb: Uses<'store' | 'timeline'>,
   side: TangentSide,
   extrapolation: Extrapolation,
-  channels: readonly number[] = channelsInHand(wb),
+  channels: readonly number[] = channelsToEdit(wb),
 ): void {
-  const take = takeInHand(wb);
+  const take = currentTake(wb);
   if (!take || !channels.length) return;
   wb.store.apply(setExtrapolation, { characterId: take.character.id, channels: [...channels], side, extrapolation });
 }
@@ -188,7 +188,7 @@ export function selectWhere(
   channels: readonly number[],
   test: (timeSeconds: number) => boolean,
 ): void {
-  const take = takeInHand(wb);
+  const take = currentTake(wb);
   if (!take) return;
   const { timeOffsetSeconds } = take.character;
   const keys: ChannelKeys[] = [];
@@ -203,9 +203,9 @@ export function selectWhere(
 
 /** Inverts the selection among the keys in view. */
 export function invertSelection(wb: Uses<'store' | 'timeline'>): void {
-  const take = takeInHand(wb);
+  const take = currentTake(wb);
   if (!take) return;
-  const held = new Map(keysInHand(wb).map((k) => [k.channel, new Set(k.indices)]));
+  const held = new Map(selectedKeysInView(wb).map((k) => [k.channel, new Set(k.indices)]));
   const keys: ChannelKeys[] = [];
   for (const channel of [...channelsInView(wb)].sort((a, b) => a - b)) {
     const count = keysOf(take.clip.channels[channel]).times.length;
@@ -219,9 +219,9 @@ export function invertSelection(wb: Uses<'store' | 'timeline'>): void {
 /** `3 keys of 2 channels, 0.4 s to 1.2 s`, for screen readers. */
 export function selectedText(
   wb: Uses<'store' | 'transport' | 'timeline' | 'settings'>,
-  keys: readonly ChannelKeys[] = keysInHand(wb),
+  keys: readonly ChannelKeys[] = selectedKeysInView(wb),
 ): string {
-  const take = takeInHand(wb);
+  const take = currentTake(wb);
   if (!take || !keys.length) return 'No key is selected.';
   const count = countKeys(keys);
   const inFrames = wb.settings.get().timeDisplay === 'frames';

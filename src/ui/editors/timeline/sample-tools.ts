@@ -11,13 +11,13 @@ import { rangeOfSamples } from '../../../model/samples.ts';
 import { inSlices } from '../../kit/in-slices.ts';
 import { count, plural, shown } from '../../kit/number-text.ts';
 import type { Uses } from '../../state/workbench.ts';
-import { clipTime, type Take, takeInHand } from './in-hand.ts';
+import { clipTime, currentTake, type Take } from './current-take.ts';
 
 export type SampleTool = 'crop' | 'trimStart' | 'trimEnd' | 'split' | 'reverse';
 
 /** Reports the result as a message. */
 export function runSampleTool(wb: Uses<'store' | 'transport' | 'messages'>, tool: SampleTool): void {
-  const take = takeInHand(wb);
+  const take = currentTake(wb);
   if (!take) return;
   const { character } = take;
   const characterId = character.id;
@@ -32,7 +32,7 @@ export function runSampleTool(wb: Uses<'store' | 'transport' | 'messages'>, tool
     wb.store.apply(cropSamples, { characterId, from: from + offset, to: to + offset });
   } else if (tool === 'split') wb.store.apply(splitSamples, { characterId, timeSeconds });
   else wb.store.apply(trimSamples, { characterId, side: tool === 'trimStart' ? 'start' : 'end', timeSeconds });
-  const now = takeInHand(wb);
+  const now = currentTake(wb);
   if (now) wb.messages.note(tool === 'split' ? splitText(now, character.shownClip) : cutText(tool, take, now));
 }
 
@@ -69,7 +69,7 @@ function reverse(wb: Uses<'store' | 'messages'>, characterId: string): void {
     done(document) {
       trial.show(document);
       trial.keep();
-      const clip = takeInHand(wb)?.clip;
+      const clip = currentTake(wb)?.clip;
       messages.note(`Reversed ${clip?.name ?? 'the take'}: ${plural(clip?.samples?.frameCount ?? 0, 'frame')}.`);
     },
     failed(error) {

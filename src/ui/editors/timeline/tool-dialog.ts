@@ -14,7 +14,7 @@ import { inSlices } from '../../kit/in-slices.ts';
 import { parseNumber } from '../../kit/number-text.ts';
 import { unitsBehind } from '../../state/angles.ts';
 import type { DialogName, Uses } from '../../state/workbench.ts';
-import { aboutKeysInHand } from './in-hand.ts';
+import { aboutKeysInHand } from './current-take.ts';
 
 export interface NumberAsked {
   readonly kind: 'number';

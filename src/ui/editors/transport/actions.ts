@@ -5,7 +5,7 @@ import { clipsRange, nextKey, previousKey, shownKeys } from '../../../evaluate/p
 import { playingCharacters } from '../../../model/document.ts';
 import { shown } from '../../kit/number-text.ts';
 import { needs } from '../../state/needs.ts';
-import { stopsOnFrame } from '../../state/stand-still.ts';
+import { stopsOnFrame } from '../../state/pause-playback.ts';
 import type { Action, Uses } from '../../state/workbench.ts';
 import { switchKinematics } from '../posing/actions.ts';
 

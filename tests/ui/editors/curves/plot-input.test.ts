@@ -4,7 +4,7 @@ import { shownClip } from '../../../../src/model/document.ts';
 import { type PlotHost, PlotInput } from '../../../../src/ui/editors/curves/plot-input.ts';
 import { PlotScene } from '../../../../src/ui/editors/curves/plot-scene.ts';
 import { xOf, yOf } from '../../../../src/ui/editors/curves/scene/space.ts';
-import { selectKeys } from '../../../../src/ui/editors/timeline/in-hand.ts';
+import { selectKeys } from '../../../../src/ui/editors/timeline/current-take.ts';
 import { runAction } from '../../../../src/ui/state/action.ts';
 import type { Workbench } from '../../../../src/ui/state/workbench.ts';
 import { channel, character, clip, documentOf, skeleton, workbench } from '../../builders.ts';

@@ -1,7 +1,7 @@
 import { expect, it } from 'vitest';
 import { keysOf, restChannel } from '../../../../src/model/clip.ts';
 import { shownClip } from '../../../../src/model/document.ts';
-import { channelsInView, selectKeys } from '../../../../src/ui/editors/timeline/in-hand.ts';
+import { channelsInView, selectKeys } from '../../../../src/ui/editors/timeline/current-take.ts';
 import { runAction } from '../../../../src/ui/state/action.ts';
 import { channel, character, clip, documentOf, skeleton, workbench } from '../../builders.ts';
 

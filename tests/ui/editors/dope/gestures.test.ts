@@ -7,8 +7,8 @@ import type { DopeHost, Pointer } from '../../../../src/ui/editors/dope/gesture.
 import { gestureAt } from '../../../../src/ui/editors/dope/gestures.ts';
 import { hitSheet, type SheetKeys } from '../../../../src/ui/editors/dope/hit.ts';
 import { rowTop, type Sheet, STRIP_TOP } from '../../../../src/ui/editors/dope/sheet.ts';
+import { selectKeys } from '../../../../src/ui/editors/timeline/current-take.ts';
 import { dopeRows } from '../../../../src/ui/editors/timeline/dope-rows.ts';
-import { selectKeys } from '../../../../src/ui/editors/timeline/in-hand.ts';
 import { nudge } from '../../../../src/ui/editors/timeline/key-edits.ts';
 import { channel, character, clip, documentOf, skeleton, workbench } from '../../builders.ts';
 

@@ -196,7 +196,7 @@ describe('a hand that drags a point', () => {
   it('pauses in place and follow while it drags', () => {
     const { wb } = page;
     const log: string[] = [];
-    wb.viewport.holdTravel = (id) => {
+    wb.viewport.freezeRootMotion = (id) => {
       log.push(`hold ${id}`);
       return () => void log.push('go on');
     };

@@ -66,7 +66,7 @@ export function ikPage(document: Document = documentOf(body())) {
     },
     pickedCopy: () => 0,
     requestRender: () => {},
-    holdTravel: () => () => {},
+    freezeRootMotion: () => () => {},
     eye: {
       toScreen: ([x, y, z]: Vec3) => ({ x: PIXELS_PER_UNIT * x, y: -PIXELS_PER_UNIT * y, depth: 10 - z }),
       inPlaneOf: (anchor: Vec3, x: number, y: number): Vec3 => [x / PIXELS_PER_UNIT, -y / PIXELS_PER_UNIT, anchor[2]],

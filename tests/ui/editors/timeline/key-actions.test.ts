@@ -1,7 +1,7 @@
 import { beforeEach, describe, expect, it } from 'vitest';
 import { keysOf, restChannel } from '../../../../src/model/clip.ts';
 import { shownClip } from '../../../../src/model/document.ts';
-import { keysInHand, selectKeys } from '../../../../src/ui/editors/timeline/in-hand.ts';
+import { selectedKeysInView, selectKeys } from '../../../../src/ui/editors/timeline/current-take.ts';
 import { selectedText } from '../../../../src/ui/editors/timeline/key-edits.ts';
 import { runAction } from '../../../../src/ui/state/action.ts';
 import type { Workbench } from '../../../../src/ui/state/workbench.ts';
@@ -28,35 +28,35 @@ beforeEach(() => {
 describe('selecting', () => {
   it('selects all keys in view, inverts, and deselects', () => {
     run('selectAll');
-    expect(keysInHand(wb).map((k) => [k.channel, ...k.indices])).toEqual([
+    expect(selectedKeysInView(wb).map((k) => [k.channel, ...k.indices])).toEqual([
       [0, 0, 1, 2],
       [1, 0, 1],
       [3, 0],
     ]);
     selectKeys(wb, [{ channel: 0, indices: [1] }]);
     run('invert');
-    expect(keysInHand(wb).map((k) => [k.channel, ...k.indices])).toEqual([
+    expect(selectedKeysInView(wb).map((k) => [k.channel, ...k.indices])).toEqual([
       [0, 0, 2],
       [1, 0, 1],
       [3, 0],
     ]);
     run('selectNone');
-    expect(keysInHand(wb)).toEqual([]);
+    expect(selectedKeysInView(wb)).toEqual([]);
   });
 
   it('selecting leaves hidden channels alone', () => {
     wb.timeline.change({ hidden: [0, 3] });
     run('selectAll');
-    expect(keysInHand(wb).map((k) => k.channel)).toEqual([1]);
+    expect(selectedKeysInView(wb).map((k) => k.channel)).toEqual([1]);
   });
 
   it('uses the playhead, in the transport’s time', () => {
     run('selectHere');
-    expect(keysInHand(wb)).toEqual([{ channel: 0, indices: [1] }]);
+    expect(selectedKeysInView(wb)).toEqual([{ channel: 0, indices: [1] }]);
     run('selectAfter');
-    expect(keysInHand(wb).map((k) => k.channel)).toEqual([0, 1]);
+    expect(selectedKeysInView(wb).map((k) => k.channel)).toEqual([0, 1]);
     run('selectBefore');
-    expect(keysInHand(wb).map((k) => k.channel)).toEqual([0, 1, 3]);
+    expect(selectedKeysInView(wb).map((k) => k.channel)).toEqual([0, 1, 3]);
   });
 
   it('selecting is said in a sentence', () => {
@@ -76,7 +76,7 @@ describe('editing from the keyboard', () => {
     expect(times(0)[1]).toBeCloseTo(1 + 1 / 30, 12);
     wb.store.undo();
     expect(times(0)).toEqual([0, 1, 2]);
-    expect(keysInHand(wb)).toEqual([{ channel: 0, indices: [1] }]);
+    expect(selectedKeysInView(wb)).toEqual([{ channel: 0, indices: [1] }]);
   });
 
   it('nudges angles by a degree and lengths by a hundredth of the character', () => {
@@ -113,7 +113,7 @@ describe('editing from the keyboard', () => {
     wb.transport.update((p) => ({ ...p, timeSeconds: 0.75 }));
     run('paste');
     expect(times(0)).toEqual([0, 0.25, 0.75, 2]);
-    expect(keysInHand(wb)).toEqual([{ channel: 0, indices: [2] }]);
+    expect(selectedKeysInView(wb)).toEqual([{ channel: 0, indices: [2] }]);
   });
 
   it('sets tangents and extrapolation of the selected keys', () => {

@@ -7,7 +7,7 @@ import { setMotion } from '../../../../src/edit/commands/rig-joint.ts';
 import { keysOf, restChannel } from '../../../../src/model/clip.ts';
 import { shownClip } from '../../../../src/model/document.ts';
 import { keyNow } from '../../../../src/ui/editors/posing/pose-edits.ts';
-import { selectKeys } from '../../../../src/ui/editors/timeline/in-hand.ts';
+import { selectKeys } from '../../../../src/ui/editors/timeline/current-take.ts';
 import { nudge } from '../../../../src/ui/editors/timeline/key-edits.ts';
 import { followPeriods } from '../../../../src/ui/editors/timeline/period.ts';
 import type { Workbench } from '../../../../src/ui/state/workbench.ts';

@@ -22,7 +22,7 @@ import { count, errorSize, plural, shown } from '../../../kit/number-text.ts';
 import { shownPerUnit, unitText } from '../../../state/angles.ts';
 import { lengthUnit } from '../../../state/length-unit.ts';
 import type { Uses } from '../../../state/workbench.ts';
-import { channelsInHand, type Take, takeInHand } from '../../timeline/in-hand.ts';
+import { channelsToEdit, currentTake, type Take } from '../../timeline/current-take.ts';
 import { type Asked, toolDialog } from '../../timeline/tool-dialog.ts';
 
 /** Fraction of the skeleton's size that is hardly visible at a joint. */
@@ -264,13 +264,13 @@ function withSamples(
   wb: Uses<'store' | 'timeline'>,
   make: (take: Take, samples: Samples, channels: readonly number[]) => DialogContent,
 ): DialogContent {
-  const take = takeInHand(wb);
+  const take = currentTake(wb);
   const samples = take?.clip.samples;
   if (take && samples) {
     return make(
       take,
       samples,
-      channelsInHand(wb).filter((c) => take.clip.channels[c]?.kind === 'samples'),
+      channelsToEdit(wb).filter((c) => take.clip.channels[c]?.kind === 'samples'),
     );
   }
   const body = element('p', { class: 'empty' }, 'This take has no samples.');

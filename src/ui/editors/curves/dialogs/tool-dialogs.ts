@@ -18,7 +18,7 @@ import { element } from '../../../kit/dom.ts';
 import { count, errorSize, plural } from '../../../kit/number-text.ts';
 import { shownPerUnit, unitText } from '../../../state/angles.ts';
 import type { Uses } from '../../../state/workbench.ts';
-import { channelsInHand, keysInHand, type Take, takeInHand } from '../../timeline/in-hand.ts';
+import { channelsToEdit, currentTake, selectedKeysInView, type Take } from '../../timeline/current-take.ts';
 import { type Asked, toolDialog } from '../../timeline/tool-dialog.ts';
 import {
   bakeArguments,
@@ -124,7 +124,7 @@ export function scaleDialog(
   close: () => void,
 ): DialogContent {
   return withTake(wb, (take) => {
-    const keys = keysInHand(wb);
+    const keys = selectedKeysInView(wb);
     const { angles } = wb.settings.get();
     const found = unitsOf(
       take.character,
@@ -158,8 +158,8 @@ function withTake(
   wb: Uses<'store' | 'timeline'>,
   make: (take: Take, channels: readonly number[]) => DialogContent,
 ): DialogContent {
-  const take = takeInHand(wb);
-  const channels = channelsInHand(wb).filter((c) => take?.clip.channels[c]?.kind === 'keys');
+  const take = currentTake(wb);
+  const channels = channelsToEdit(wb).filter((c) => take?.clip.channels[c]?.kind === 'keys');
   if (take && channels.length) return make(take, channels);
   const body = element('p', { class: 'empty' }, 'No curve is visible and no key is selected.');
   return { title: 'Curve tools', body, kind: 'tool-dialog' };

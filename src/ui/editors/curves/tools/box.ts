@@ -3,7 +3,7 @@ import { allKeys, countKeys, unionKeys, withoutKeys } from '../../../../edit/key
 import type { ChannelKeys } from '../../../../model/session.ts';
 import { plural } from '../../../kit/number-text.ts';
 import type { SelectionBox } from '../../timeline/box.ts';
-import { selectedKeys, selectKeys, takeInHand } from '../../timeline/in-hand.ts';
+import { currentTake, selectedKeys, selectKeys } from '../../timeline/current-take.ts';
 import { keysInBox } from '../scene/hit.ts';
 import type { Drag, PlotAccess, PointerAt } from './tool.ts';
 
@@ -29,7 +29,7 @@ export function boxDrag(plot: PlotAccess, from: PointerAt, curve?: number): Drag
       const scene = plot.scene();
       plot.showBox(undefined);
       if (moved && scene) return select(keysInBox(scene, boxTo(at)), at);
-      const take = takeInHand(wb);
+      const take = currentTake(wb);
       if (curve !== undefined && take) select(allKeys(take.clip, [curve]), at);
       else if (!from.shift && !from.ctrl) selectKeys(wb, []);
     },

@@ -10,12 +10,12 @@ import type { ChannelKeys } from '../../../../model/session.ts';
 import { shownPerUnit } from '../../../state/angles.ts';
 import {
   aboutKeysInHand,
+  currentTake,
   editOfTake,
-  keysInHand,
   selectedKeys,
+  selectedKeysInView,
   selectKeys,
-  takeInHand,
-} from '../../timeline/in-hand.ts';
+} from '../../timeline/current-take.ts';
 import { snapSeconds, snapValue, valueStep } from '../../timeline/snapping.ts';
 import { type CurveHit, type CurveLine, lineOf } from '../scene/scene.ts';
 import { type CurveSpace, pixelsPerUnit, timeAt, xOf, yOf } from '../scene/space.ts';
@@ -53,7 +53,7 @@ export function keysDrag(plot: PlotAccess, hit: KeyHit, from: PointerAt): Drag {
 function mover(plot: PlotAccess, hit: KeyHit, from: PointerAt) {
   const { wb } = plot;
   const scene = plot.scene();
-  const take = takeInHand(wb);
+  const take = currentTake(wb);
   const line = scene && lineOf(scene, hit.channel);
   const channel = take?.clip.channels[hit.channel];
   if (!scene || !take || !line || channel?.kind !== 'keys') return undefined;
@@ -65,7 +65,7 @@ function mover(plot: PlotAccess, hit: KeyHit, from: PointerAt) {
   const edit = editOfTake(wb, take);
   const command = aboutKeysInHand(wb, moveKeys);
   const drawn = new Map(scene.lines.map((l) => [l.channel, l]));
-  const keys = keysInHand(wb);
+  const keys = selectedKeysInView(wb);
 
   const to = (at: PointerAt) => {
     const space = plot.scene()?.space ?? scene.space;

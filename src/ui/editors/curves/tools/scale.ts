@@ -6,7 +6,7 @@
  */
 import { scaleKeys } from '../../../../edit/commands/keys.ts';
 import { shown } from '../../../kit/number-text.ts';
-import { aboutKeysInHand, editOfTake, keysInHand, takeInHand } from '../../timeline/in-hand.ts';
+import { aboutKeysInHand, currentTake, editOfTake, selectedKeysInView } from '../../timeline/current-take.ts';
 import { valueAt, xOf } from '../scene/space.ts';
 import { isSideways } from './move-keys.ts';
 import type { Drag, PlotAccess, PointerAt } from './tool.ts';
@@ -61,11 +61,11 @@ export function scaleDrag(plot: PlotAccess, from: PointerAt): Drag {
 /** Scales the current selection, as one edit. Undefined if none is in view. */
 export function scaler(plot: PlotAccess) {
   const { wb } = plot;
-  const take = takeInHand(wb);
+  const take = currentTake(wb);
   const first = plot.scene();
   if (!take || !first) return undefined;
   const drawn = new Map(first.lines.map((l) => [l.channel, l]));
-  const keys = keysInHand(wb);
+  const keys = selectedKeysInView(wb);
   if (!keys.length) return undefined;
   const edit = editOfTake(wb, take);
   const command = aboutKeysInHand(wb, scaleKeys);

@@ -6,7 +6,7 @@ import { setSlopes } from '../../../../edit/commands/tangents.ts';
 import type { Command, Edit } from '../../../../edit/store.ts';
 import { keySlope } from '../../../../evaluate/slopes.ts';
 import type { HandleMode } from '../../../state/timeline.ts';
-import { editOfTake, selectedKeys, takeInHand } from '../../timeline/in-hand.ts';
+import { currentTake, editOfTake, selectedKeys } from '../../timeline/current-take.ts';
 import { slopeFromHandle } from '../scene/handles.ts';
 import { type CurveHit, lineOf } from '../scene/scene.ts';
 import { slopeText } from './readout-text.ts';
@@ -16,7 +16,7 @@ type HandleHit = Extract<CurveHit, { kind: 'handle' }>;
 
 export function slopeDrag(plot: PlotAccess, hit: HandleHit): Drag {
   const { wb } = plot;
-  const take = takeInHand(wb);
+  const take = currentTake(wb);
   const channel = take?.clip.channels[hit.channel];
   const edit = take && editOfTake(wb, take);
   const wereEqual =

@@ -7,7 +7,7 @@ import { keysDrag } from '../../../../../src/ui/editors/curves/tools/move-keys.t
 import { scaleDrag } from '../../../../../src/ui/editors/curves/tools/scale.ts';
 import { slopeDrag } from '../../../../../src/ui/editors/curves/tools/slope.ts';
 import type { PlotAccess, PointerAt } from '../../../../../src/ui/editors/curves/tools/tool.ts';
-import { keysInHand, selectKeys } from '../../../../../src/ui/editors/timeline/in-hand.ts';
+import { selectedKeysInView, selectKeys } from '../../../../../src/ui/editors/timeline/current-take.ts';
 import { deleteKeys, insertAtPlayhead } from '../../../../../src/ui/editors/timeline/key-edits.ts';
 import type { Workbench } from '../../../../../src/ui/state/workbench.ts';
 import { channel, character, clip, documentOf, skeleton, workbench } from '../../../builders.ts';
@@ -68,7 +68,7 @@ describe('dragging keys', () => {
     selectKeys(wb, [{ channel: 1, indices: [0] }]);
     const { end, to } = drag(0, 1, 0, 0);
     end(to, false);
-    expect(keysInHand(wb)).toEqual([{ channel: 0, indices: [1] }]);
+    expect(selectedKeysInView(wb)).toEqual([{ channel: 0, indices: [1] }]);
   });
 
   it('moves a key by what the pixels mean, as one undo step', () => {
@@ -128,7 +128,7 @@ describe('dragging keys', () => {
     expect(keysOf(held(1)).times[1]).toBe(2);
     // Still selected: they are editable again when the curve is shown.
     wb.timeline.change({ hidden: [] });
-    expect(keysInHand(wb)).toEqual([
+    expect(selectedKeysInView(wb)).toEqual([
       { channel: 0, indices: [1] },
       { channel: 1, indices: [1] },
     ]);
@@ -187,7 +187,7 @@ describe('dragging a handle', () => {
     // A pixel sideways is 0.01 s, one upwards 0.01.
     expect(keysOf(held(0)).tangentsOut.slopes[1]).toBeCloseTo(1, 9);
     expect(keysOf(held(0)).tangentsIn.slopes[1]).toBeCloseTo(1, 9);
-    expect(keysInHand(wb)).toEqual(keys);
+    expect(selectedKeysInView(wb)).toEqual(keys);
   });
 
   it('sets one side only with Alt', () => {

@@ -16,7 +16,7 @@ export function findPin(
 }
 
 /** Deselects the pin if it was removed, or if another joint, or none, was selected. */
-export function keepInHand(wb: Uses<'store' | 'posing'>, isAnotherSelection: boolean): void {
+export function deselectLostPin(wb: Uses<'store' | 'posing'>, isAnotherSelection: boolean): void {
   const { selected } = wb.posing.ik;
   const ref = selected.get();
   const found = findPin(wb, ref);

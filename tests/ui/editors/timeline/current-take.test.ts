@@ -1,6 +1,11 @@
 import { beforeEach, describe, expect, it } from 'vitest';
 import { shownClip } from '../../../../src/model/document.ts';
-import { channelsInView, keysInHand, selectedKeys, selectKeys } from '../../../../src/ui/editors/timeline/in-hand.ts';
+import {
+  channelsInView,
+  selectedKeys,
+  selectedKeysInView,
+  selectKeys,
+} from '../../../../src/ui/editors/timeline/current-take.ts';
 import { ACTIONS } from '../../../../src/ui/shell/actions.ts';
 import { runAction } from '../../../../src/ui/state/action.ts';
 import type { Workbench } from '../../../../src/ui/state/workbench.ts';
@@ -31,10 +36,10 @@ describe.each(WAYS)('keys of a curve that is %s', (how, hide) => {
   beforeEach(() => hide());
 
   it(`keys of a curve that is ${how} are not in hand, until they are in view again`, () => {
-    expect(keysInHand(wb)).toEqual([SHOWN]);
+    expect(selectedKeysInView(wb)).toEqual([SHOWN]);
     wb.timeline.isolate(undefined);
     wb.timeline.change({ hidden: [], filter: '', list: 'all' });
-    expect(keysInHand(wb)).toEqual([SHOWN, HIDDEN]);
+    expect(selectedKeysInView(wb)).toEqual([SHOWN, HIDDEN]);
   });
 
   it.each([
@@ -75,14 +80,14 @@ it('edits no keys if all selected ones are out of view', () => {
 
 it('edits all selected keys in the dope sheet, which draws all keys', () => {
   wb.timeline.change({ hidden: [1], tab: 'dope' });
-  expect(keysInHand(wb)).toEqual([SHOWN, HIDDEN]);
+  expect(selectedKeysInView(wb)).toEqual([SHOWN, HIDDEN]);
 });
 
 it('returns the same arrays while nothing has changed', () => {
   wb.timeline.change({ hidden: [1] });
-  const keys = keysInHand(wb);
+  const keys = selectedKeysInView(wb);
   const channels = channelsInView(wb);
   expect(channelsInView(wb)).toBe(channels);
   wb.timeline.change({ snapsToFrames: false });
-  expect(keysInHand(wb)).toBe(keys);
+  expect(selectedKeysInView(wb)).toBe(keys);
 });

@@ -1,6 +1,6 @@
 import { afterEach, beforeEach, describe, expect, it } from 'vitest';
 import { unpin } from '../../../../src/edit/commands/ik.ts';
-import { findPin, keepInHand, selectedPin } from '../../../../src/ui/editors/ik/in-hand.ts';
+import { deselectLostPin, findPin, selectedPin } from '../../../../src/ui/editors/ik/selected-pin.ts';
 import { HAND_L, HAND_R, ikPage } from './ik-page.ts';
 
 let page: ReturnType<typeof ikPage>;
@@ -19,9 +19,9 @@ describe('the pin in hand', () => {
   });
 
   it('the selected pin stays while its joint, or a vertex of it, is selected', () => {
-    keepInHand(page.wb, true);
+    deselectLostPin(page.wb, true);
     page.wb.store.select({ characterId: 'c1', joint: HAND_L, vertex: 7 });
-    keepInHand(page.wb, true);
+    deselectLostPin(page.wb, true);
     expect(selectedPin(page.wb)?.pin.id).toBe(1);
   });
 
@@ -32,13 +32,13 @@ describe('the pin in hand', () => {
     ['nothing', {}],
   ])('the pin in hand is let go where %s is selected', (_what, selection) => {
     page.wb.store.select(selection);
-    keepInHand(page.wb, true);
+    deselectLostPin(page.wb, true);
     expect(page.wb.posing.ik.selected.get()).toBeUndefined();
   });
 
   it('the selected pin stays through an edit while something else is selected', () => {
     page.wb.store.select({ characterId: 'c1' });
-    keepInHand(page.wb, false);
+    deselectLostPin(page.wb, false);
     expect(selectedPin(page.wb)?.pin.id).toBe(1);
   });
 
@@ -46,7 +46,7 @@ describe('the pin in hand', () => {
     const { wb } = page;
     wb.store.apply(unpin, { characterId: 'c1', pins: [1] });
     expect(selectedPin(wb)).toBeUndefined();
-    keepInHand(wb, false);
+    deselectLostPin(wb, false);
     wb.store.undo();
     expect(findPin(wb, { characterId: 'c1', pin: 1 })?.pin.joint).toBe(HAND_L);
     expect(selectedPin(wb)).toBeUndefined();

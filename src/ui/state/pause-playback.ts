@@ -19,7 +19,7 @@ export function stopsOnFrame({ store, settings }: Uses<'store' | 'settings'>): b
 }
 
 /** Stops playback before a key is made at the current time. If paused, the time stays. */
-export function standStill(wb: Parts): void {
+export function pausePlayback(wb: Parts): void {
   const onFrame = wb.timeline.view.get().snapsToFrames || stopsOnFrame(wb);
   wb.transport.update((now) => (now.playing ? pause(now, onFrame) : now));
 }

@@ -24,7 +24,7 @@ export interface Take {
 }
 
 /** The take of the current character; undefined if it has none. */
-export function takeInHand(wb: Uses<'store'>): Take | undefined {
+export function currentTake(wb: Uses<'store'>): Take | undefined {
   const character = currentCharacter(wb);
   const clip = character && shownClip(character);
   return character && clip && { character, clip };
@@ -39,7 +39,7 @@ export function selectedKeys(wb: Uses<'store'>): readonly ChannelKeys[] {
 }
 
 /** Those in view. The same array as long as they are the same keys. */
-export function keysInHand(wb: Uses<'store' | 'timeline'>): readonly ChannelKeys[] {
+export function selectedKeysInView(wb: Uses<'store' | 'timeline'>): readonly ChannelKeys[] {
   const selected = selectedKeys(wb);
   if (!selected.length) return NO_KEY_SELECTION;
   const inView = new Set(channelsInView(wb));
@@ -53,7 +53,7 @@ export function keysInHand(wb: Uses<'store' | 'timeline'>): readonly ChannelKeys
 
 /** Wraps a command on the visible selected keys so that the invisible ones stay selected. */
 export function aboutKeysInHand<A>(wb: Uses<'store' | 'timeline'>, command: Command<A, Edit>): Command<A, Edit> {
-  const inHand = new Set(keysInHand(wb));
+  const inHand = new Set(selectedKeysInView(wb));
   const unseen = selectedKeys(wb).filter((k) => !inHand.has(k));
   if (!unseen.length) return command;
   return {
@@ -104,8 +104,8 @@ export function channelsInView(wb: Uses<'store' | 'timeline'>): readonly number[
 }
 
 /** Channels for tools on whole curves: those with selected keys, else those in view. */
-export function channelsInHand(wb: Uses<'store' | 'timeline'>): readonly number[] {
-  const keys = keysInHand(wb);
+export function channelsToEdit(wb: Uses<'store' | 'timeline'>): readonly number[] {
+  const keys = selectedKeysInView(wb);
   return keys.length ? keys.map((k) => k.channel) : channelsInView(wb);
 }
 
