@@ -151,11 +151,15 @@ it('plays one take after the other by key, and compares two by the distance of t
     expect(await page.evaluate(() => window.marrow.steps().undo)).toContain('turned');
 
     await rows.filter({ hasText: 'step' }).first().click();
+    const compare = page.getByRole('button', { name: 'Compare' });
+    const before = await compare.boundingBox();
     await rows
       .filter({ hasText: 'turned' })
       .first()
       .click({ modifiers: ['ControlOrMeta'] });
-    await page.getByRole('button', { name: 'Compare' }).click();
+    await page.locator('.take-count').filter({ hasText: '2 selected' }).waitFor();
+    expect((await compare.boundingBox())?.x).toBe(before?.x);
+    await compare.click();
     const joints = page.getByRole('listbox', { name: 'Joints by distance' }).getByRole('option');
     await expect.poll(() => joints.count()).toBe(2);
     // The legs differ, the hips don't: the list starts with the largest difference.
