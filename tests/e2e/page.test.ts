@@ -99,7 +99,7 @@ describe('by hand', () => {
       await page.locator('.row-joint').first().click({ button: 'right' });
       await page.getByRole('menu').waitFor();
       await page.keyboard.press('Escape');
-      await page.locator('canvas[role=img]').focus();
+      await page.locator('canvas[role=application]').focus();
       await tree.focus();
       await page.keyboard.press('e');
       await page.locator('[role=treeitem][aria-selected=true]').filter({ hasText: 'elbow' }).waitFor();

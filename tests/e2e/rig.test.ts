@@ -36,17 +36,25 @@ async function clickAt(page: Page, dx: number, dy: number, count: number): Promi
   await page.waitForFunction((n) => window.marrow.characters()[0]?.joints.length === n, count);
 }
 
-/** Finds a handle by moving the pointer until the cursor changes; retries until they are drawn. */
+/** Finds the middle of a handle by moving the pointer until the cursor changes; retries until they are drawn. */
 async function findHandle(page: Page): Promise<{ x: number; y: number }> {
   const found = await page.waitForFunction(() => {
     const canvas = document.querySelector<HTMLCanvasElement>('.viewport canvas[role=application]');
     if (!canvas) return undefined;
     const { left, top, width, height } = canvas.getBoundingClientRect();
+    const isHandle = (clientX: number, clientY: number) => {
+      canvas.dispatchEvent(new PointerEvent('pointermove', { clientX, clientY, bubbles: true, isPrimary: true }));
+      return canvas.style.cursor === 'move';
+    };
     for (let y = top + 0.35 * height; y < top + height - 20; y += 5) {
       for (let x = left + 0.2 * width; x < left + 0.8 * width; x += 5) {
-        const at = { clientX: x, clientY: y, bubbles: true, isPrimary: true, buttons: 0 };
-        canvas.dispatchEvent(new PointerEvent('pointermove', at));
-        if (canvas.style.cursor === 'move') return { x, y };
+        if (!isHandle(x, y)) continue;
+        // The scan meets it at an edge; handles of the box are close to it once it is selected.
+        const reach = [1, 2, 3, 4, 5, 6, 7, 8, 9, 10];
+        const middleOf = (at: (offset: number) => boolean) =>
+          (reach.filter((d) => at(d)).length - reach.filter((d) => at(-d)).length) / 2;
+        const middle = y + middleOf((dy) => isHandle(x, y + dy));
+        return { x: x + middleOf((dx) => isHandle(x + dx, middle)), y: middle };
       }
     }
     return undefined;

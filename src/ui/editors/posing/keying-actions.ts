@@ -4,6 +4,7 @@ import { createClip, duplicateClip, removeClip, setClipRange } from '../../../ed
 import { discardUnkeyed } from '../../../edit/commands/pose.ts';
 import { posedDofs } from '../../../edit/posed-dofs.ts';
 import { rangeOfKeys } from '../../../edit/takes.ts';
+import { silentChannels } from '../../../evaluate/retarget/moved-dofs.ts';
 import { type Character, shownClip } from '../../../model/document.ts';
 import { shown } from '../../kit/number-text.ts';
 import { currentCharacter } from '../../state/action.ts';
@@ -209,6 +210,11 @@ function keyChanged(
   const joint = selectedJointOf(wb, character.id);
   if (joint !== undefined) {
     keyAndTell(wb, character, jointDofs(character, joint));
+    return;
+  }
+  // No selection would help: the command says what moves the character, and what to do.
+  if (silentChannels(character) > 0) {
+    keyAndTell(wb, character);
     return;
   }
   const whole = keyNameOf(wb, 'key.pose');
