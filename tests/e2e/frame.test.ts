@@ -127,7 +127,7 @@ describe('what a newcomer is told', () => {
         await page.evaluate(() => window.marrow.run('help.firstSteps'));
         await steps.waitFor();
       },
-      { hinting: true },
+      { firstVisit: true },
     ));
 
   it('the status bar says what the mouse does where it is', () =>

@@ -52,13 +52,30 @@ const middle = (page: Page): Promise<Point> =>
 
 /** Searches for a handle from the centre outwards, until the readout shows its name. */
 async function feelFor(page: Page, name: string): Promise<Point> {
-  const { x, y } = await middle(page);
-  for (let angle = 0.3; angle < 2 * Math.PI; angle += 0.6) {
-    for (let radius = 20; radius <= 96; radius += 5) {
-      const at = { x: x + radius * Math.cos(angle), y: y + radius * Math.sin(angle) };
-      await page.mouse.move(at.x, at.y);
-      if ((await readout(page)).startsWith(`${name} `)) return at;
-    }
+  const centre = await middle(page);
+  const places = await page.evaluate(
+    ([x, y, handle]) => {
+      const found: Point[] = [];
+      const canvas = document.querySelector('.viewport canvas[role=application]');
+      for (let angle = 0.3; angle < 2 * Math.PI; angle += 0.6) {
+        for (let radius = 20; radius <= 110; radius += 3) {
+          const at = { x: x + radius * Math.cos(angle), y: y + radius * Math.sin(angle) };
+          // In the page: moving the mouse itself waits for a frame each time.
+          const init = { clientX: at.x, clientY: at.y, bubbles: true, isPrimary: true };
+          canvas?.dispatchEvent(new PointerEvent('pointermove', init));
+          const line = document.querySelector<HTMLElement>('.hand-readout');
+          if (line && !line.hidden && line.textContent?.startsWith(`${handle} `)) found.push(at);
+        }
+      }
+      return found;
+    },
+    [centre.x, centre.y, name] as const,
+  );
+  for (const at of places) {
+    // Once the joint under it is known, a handle may yield to that.
+    await page.mouse.move(at.x, at.y);
+    await page.evaluate(() => new Promise((drawn) => requestAnimationFrame(() => requestAnimationFrame(drawn))));
+    if ((await readout(page)).startsWith(`${name} `)) return at;
   }
   throw new Error(`There is no handle ${name} to be felt.`);
 }

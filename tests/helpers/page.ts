@@ -34,8 +34,8 @@ export interface PageOptions {
   readonly touch?: boolean;
   /** Continues as soon as the page is loaded, without waiting for menus and panels. */
   readonly early?: boolean;
-  /** With the hint for newcomers over the viewport. */
-  readonly hinting?: boolean;
+  /** With what newcomers see: the hint over the viewport, and shadows. */
+  readonly firstVisit?: boolean;
   /** Runs in the page before any of its own scripts. */
   readonly before?: () => void;
   /** Another folder than `dist/`. */
@@ -63,14 +63,17 @@ const STILL: ExtraFiles = {
   'samples/post.skel': 'balljoint post { boxmin -0.1 0 -0.1 boxmax 0.1 1 0.1 }',
 };
 
-/** Runs in the page. A visitor who has closed the hint. */
-function withoutHint(): void {
+/**
+ * Runs in the page. A visitor who has closed the hint and turned shadows off: drawn in software, a shadow takes almost
+ * half of the time of a frame.
+ */
+function asKnownVisitor(): void {
   try {
     if (!localStorage.getItem('marrow.settings')) {
-      localStorage.setItem('marrow.settings', JSON.stringify({ firstSteps: false }));
+      localStorage.setItem('marrow.settings', JSON.stringify({ firstSteps: false, display: { shadow: false } }));
     }
   } catch {
-    // A page without storage has the hint.
+    // A page without storage has both.
   }
 }
 
@@ -99,7 +102,7 @@ export async function withPage(body: (open: OpenPage) => Promise<void>, options:
     const openAnother = async (query = '') => {
       const another = await context.newPage();
       collectProblems(another, server.url, problems);
-      if (!options.hinting) await another.addInitScript(withoutHint);
+      if (!options.firstVisit) await another.addInitScript(asKnownVisitor);
       if (options.before) await another.addInitScript(options.before);
       await another.goto(server.url + query);
       // If the page can't draw, it has neither.
