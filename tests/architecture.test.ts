@@ -104,7 +104,7 @@ describe('the folders of src', () => {
     expect(wrong.map(({ file, to }) => `${file} imports ${to}`)).toEqual([]);
   });
 
-  it('in ui never import each other both ways', () => {
+  it('the folders of src in ui never import each other both ways', () => {
     const pairs = new Set(
       inside
         .filter(({ file, to }) => file.startsWith('ui/') && to.startsWith('ui/') && dirname(file) !== dirname(to))
@@ -114,7 +114,7 @@ describe('the folders of src', () => {
     expect([...pairs].filter((pair) => pair < back(pair) && pairs.has(back(pair)))).toEqual([]);
   });
 
-  it('never import the tests, nor anything else outside', () => {
+  it('the folders of src never import the tests, nor anything else outside', () => {
     expect(inside.filter(({ to }) => to.startsWith('..')).map(({ file, to }) => `${file} imports ${to}`)).toEqual([]);
   });
 
@@ -172,7 +172,7 @@ describe('the files of src', () => {
     expect(unused.map(({ file, name }) => `${file} exports ${name}`)).toEqual([]);
   });
 
-  it('can be read: the scan finds imports of every form', () => {
+  it('the files of src can be read: the scan finds imports of every form', () => {
     // Guards the expression above: a scan that finds nothing would pass everything.
     expect(inside.length).toBeGreaterThan(files.length);
     expect(inside).toContainEqual({ file: 'model/document.ts', to: 'math/vec3.ts' });

@@ -20,7 +20,7 @@ describe('the shaders of three.js in the built page', () => {
     expect(leaner(glsl)).toBe(lines('a;', '#ifdef USE_SHEEN', ERROR('use_sheen'), '#endif', 'd;'));
   });
 
-  it('keep what is compiled without the feature', () => {
+  it('the shaders of three.js in the built page keep what is compiled without the feature', () => {
     const glsl = lines('#ifdef USE_FOG', 'a;', '#elif defined( USE_SHEEN )', 'b;', '#else', 'c;', '#endif');
     expect(leaner(glsl)).toBe(
       lines(
@@ -35,7 +35,7 @@ describe('the shaders of three.js in the built page', () => {
     );
   });
 
-  it('keep what is compiled with another feature too, or without this one', () => {
+  it('the shaders of three.js in the built page keep what is compiled with another feature too, or without this one', () => {
     for (const condition of [
       '#if defined( USE_UV ) || defined( USE_SHEEN )',
       '#ifndef USE_SHEEN',

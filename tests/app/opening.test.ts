@@ -35,7 +35,7 @@ describe('the opening sample', () => {
     expect(store.undoLabel).toBeUndefined();
   });
 
-  it('is not opened if something else was begun before', async () => {
+  it('the opening sample is not opened if something else was begun before', async () => {
     const store = new Store();
     const opening = openerOf(store).open(sample, { asOpeningSample: true });
     store.apply(createRig, {});

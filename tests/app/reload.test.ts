@@ -72,7 +72,7 @@ describe('reloading', () => {
     expect(here.messages.passing.get()).toBe('Reloaded hero_walk.anim.');
   });
 
-  it('keeps time, playback, camera and selection', async () => {
+  it('reloading keeps time, playback, camera and selection', async () => {
     const here = await page();
     const selection = { characterId: 'c1', joint: 1 };
     here.store.select(selection);
@@ -98,7 +98,7 @@ describe('reloading', () => {
     expect(here.store.document).toEqual(edited);
   });
 
-  it('keeps the character of a removed joint selected, and undo selects the joint again', async () => {
+  it('reloading keeps the character of a removed joint selected, and undo selects the joint again', async () => {
     const here = await page({ 'hero.skel': SKEL });
     const selection = { characterId: 'c1', joint: 1 };
     here.store.select(selection);
@@ -109,7 +109,7 @@ describe('reloading', () => {
     expect(here.store.selection).toEqual(selection);
   });
 
-  it('keeps keys of unchanged channels selected, and deselects others', async () => {
+  it('reloading keeps keys of unchanged channels selected, and deselects others', async () => {
     const here = await page();
     const keys = [0, 4].map((channel) => ({ channel, indices: [0] }));
     here.store.select({ characterId: 'c1', keys });
@@ -126,7 +126,7 @@ describe('reloading', () => {
     expect(here.store.selection.keys).toEqual([keys[0]]);
   });
 
-  it('keeps showing the same take', async () => {
+  it('reloading keeps showing the same take', async () => {
     const here = await page({ ...HERO, 'hero_run.anim': animOf(1, 'hero_run') });
     const [run, walk] = ['hero_run', 'hero_walk'].map((name) => here.own().clips.findIndex((c) => c.name === name));
     here.change((c) => ({ ...c, shownClip: walk }));
@@ -159,7 +159,7 @@ describe('reloading', () => {
     expect(here.names()).toEqual(['hero_walk.anim']);
   });
 
-  it('keeps edits here if another file has changed', async () => {
+  it('reloading keeps edits here if another file has changed', async () => {
     const here = await page();
     here.change(longer);
     here.edit('hero.skel', SKEL.replace('offset 0 1 0', 'offset 0 3 0'));

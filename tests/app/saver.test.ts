@@ -87,7 +87,7 @@ describe('saving what changed', () => {
     expect(page.text('hero.skel')).not.toContain('pose');
   });
 
-  it('keeps all roots of a skeleton’s file', async () => {
+  it('saving what changed keeps all roots of a skeleton’s file', async () => {
     const page = await pageWith({ 'two.skel': `${SKEL}${SKEL}` });
     expect(page.store.document.characters).toHaveLength(2);
     page.change(posed, 1);
@@ -131,7 +131,7 @@ describe('saving what changed', () => {
     expect(next.names()).toEqual([]);
   });
 
-  it('keeps the unsaved mark if the user cancels', async () => {
+  it('saving what changed keeps the unsaved mark if the user cancels', async () => {
     const page = await pageWith(HERO, false);
     page.disk.picks = 'give up';
     page.change(longer);
@@ -163,7 +163,7 @@ describe('saving what changed', () => {
     expect(page.messages.list.get()).toEqual([]);
   });
 
-  it('keeps the mark if writing fails, tells why, and asks for another location next', async () => {
+  it('saving what changed keeps the mark if writing fails, tells why, and asks for another location next', async () => {
     const page = await pageWith(HERO);
     const handle = page.handle('hero_walk.anim');
     if (handle) page.disk.files.delete(handle);
@@ -274,7 +274,7 @@ describe('saving several files that have no place yet', () => {
     expect(about).toEqual(['character.skel', 'character2.skel']);
   });
 
-  it('never gives two files the same name', async () => {
+  it('saving several files that have no place yet never gives two files the same name', async () => {
     const page = await pageWith(HERO);
     for (const name of ['hero', 'Hero', 'hero']) page.store.apply(createRig, { name });
     page.change(posed);

@@ -249,7 +249,7 @@ describe('saving', () => {
     expect(heard).toEqual([['hero_walk.anim']]);
   });
 
-  it('can be taken down and given back', () => {
+  it('saving can be taken down and given back', () => {
     const first = opened(...hero(), animFile('hero_walk.anim', clip('hero_walk', [1])));
     first.change(withClip((c) => moved(c)));
     first.setDof(4, 0.5);

@@ -93,7 +93,7 @@ describe('the axis-angle form in the command', () => {
     expect(joints[1]).not.toHaveProperty('tip');
   });
 
-  it('keeps the joint types of a .skel, and refuses what axis-angle files can not hold, saying why', async () => {
+  it('the axis-angle form in the command keeps the joint types of a .skel, and refuses what axis-angle files can not hold, saying why', async () => {
     put('arm.skel', ARM);
     put('ball.skel', 'balljoint a {\n}\n');
     put('two.skel', 'hingejoint {\n length 1\n}\nhingejoint {\n length 1\n}\n');

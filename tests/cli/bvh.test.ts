@@ -56,7 +56,7 @@ describe('marrow info, of motion capture', () => {
 });
 
 describe('marrow pose, of motion capture', () => {
-  it('has a character for each root, with End Sites in the order of the file', async () => {
+  it('marrow pose, of motion capture has a character for each root, with End Sites in the order of the file', async () => {
     const [left, right] = await pose('two.bvh', '--frame', '1');
     expect(left.endSites?.map(({ joint }) => joint)).toEqual([1, 1]);
     expect(rounded(at(left))).toEqual([
@@ -154,14 +154,17 @@ describe('marrow convert, to .skel and .anim and back', () => {
   const text = (seconds: string) =>
     `HIERARCHY\n${root('Box')}MOTION\nFrames: 4\nFrame Time: ${seconds}\n${'0 0 0 0 0 10 20\n1 0 0 0 5 90 30\n'.repeat(2)}`;
 
-  it.each(['0.01', '0.008333', '0.0333333'])('keeps a frame time of %s s without being told', async (seconds) => {
-    writeFileSync(join(folder, 'box.bvh'), text(seconds));
-    expect((await command(['convert', 'box.bvh', 'box.skel'], folder)).code).toBe(0);
-    expect((await command(['convert', 'box.bvh', 'box.anim'], folder)).code).toBe(0);
-    const back = await command(['convert', 'box.skel', 'box.anim', 'back.bvh'], folder);
-    expect([back.code, back.err]).toEqual([0, '']);
-    expect(await rate('back.bvh')).toEqual([4, Number(seconds)]);
-  });
+  it.each(['0.01', '0.008333', '0.0333333'])(
+    'marrow convert, to .skel and .anim and back keeps a frame time of %s s without being told',
+    async (seconds) => {
+      writeFileSync(join(folder, 'box.bvh'), text(seconds));
+      expect((await command(['convert', 'box.bvh', 'box.skel'], folder)).code).toBe(0);
+      expect((await command(['convert', 'box.bvh', 'box.anim'], folder)).code).toBe(0);
+      const back = await command(['convert', 'box.skel', 'box.anim', 'back.bvh'], folder);
+      expect([back.code, back.err]).toEqual([0, '']);
+      expect(await rate('back.bvh')).toEqual([4, Number(seconds)]);
+    },
+  );
 
   it('reports that keys at arbitrary times are written at 30 frames per second', async () => {
     writeFileSync(join(folder, 'slow.bvh'), text('0.5'));

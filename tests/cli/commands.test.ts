@@ -253,7 +253,7 @@ describe('marrow convert', () => {
     expect(readdirSync(folder)).toEqual(before);
   });
 
-  it('may overwrite the file that it read', async () => {
+  it('marrow convert may overwrite the file that it read', async () => {
     writeFileSync(join(folder, 'same.skel'), SKEL);
     expect((await convert('same.skel', 'same.skel')).code).toBe(0);
     await convert('hero.skel', 'other.skel');

@@ -39,7 +39,7 @@ async function crash(page: Page): Promise<void> {
 }
 
 describe('work', () => {
-  it('comes back after a crash: document, selection, time, and what was open is gone', () =>
+  it('work comes back after a crash: document, selection, time, and what was open is gone', () =>
     withSmallPage(
       async ({ page, openAnother }) => {
         await openArm(page);
@@ -67,7 +67,7 @@ describe('work', () => {
       { expected: /crashed/, size: { width: 1280, height: 800 } },
     ));
 
-  it('goes on being kept under the same session after it was restored', () =>
+  it('work goes on being kept under the same session after it was restored', () =>
     withSmallPage(async ({ page }) => {
       await openArm(page);
       await setDof(page, 6, 0.5);
@@ -145,7 +145,7 @@ describe('work', () => {
       expect((await dofs(page)).slice(6, 8)).toEqual([0.5, 0.1]);
     }));
 
-  it('that was put off is in the Open menu, for as long as it is not restored', () =>
+  it('work that was put off is in the Open menu, for as long as it is not restored', () =>
     withSmallPage(async ({ page }) => {
       await openArm(page);
       await kept(page);
@@ -164,7 +164,7 @@ describe('work', () => {
       expect(await inMenu.count()).toBe(0);
     }));
 
-  it('that is discarded can be had back for a moment', () =>
+  it('work that is discarded can be had back for a moment', () =>
     withSmallPage(async ({ page }) => {
       await openArm(page);
       await kept(page);
@@ -273,23 +273,25 @@ describe('where nothing can be kept', () => {
       Object.defineProperty(Navigator.prototype, 'locks', { value: undefined });
     },
   };
-  it.each(Object.entries(forbidden))('because %s, that is said once, and all else goes on', (_why, before) =>
-    withSmallPage(
-      async ({ page }) => {
-        await openArm(page);
-        await page.locator('.message-line').getByText('protect your work from a crash or reload').waitFor();
-        await page.getByRole('button', { name: 'Dismiss' }).click();
-        for (const value of [0.5, 0.6]) {
-          await page.evaluate(() => {
-            document.documentElement.dataset.autosave = 'waiting';
-          });
-          await setDof(page, 6, value);
-          expect((await dofs(page))[6]).toBe(value);
-        }
-        await page.waitForFunction(() => document.documentElement.dataset.autosave !== 'waiting');
-        expect(await page.locator('.message-line').isVisible()).toBe(false);
-      },
-      before ? { before } : {},
-    ),
+  it.each(Object.entries(forbidden))(
+    'where nothing can be kept because %s, that is said once, and all else goes on',
+    (_why, before) =>
+      withSmallPage(
+        async ({ page }) => {
+          await openArm(page);
+          await page.locator('.message-line').getByText('protect your work from a crash or reload').waitFor();
+          await page.getByRole('button', { name: 'Dismiss' }).click();
+          for (const value of [0.5, 0.6]) {
+            await page.evaluate(() => {
+              document.documentElement.dataset.autosave = 'waiting';
+            });
+            await setDof(page, 6, value);
+            expect((await dofs(page))[6]).toBe(value);
+          }
+          await page.waitForFunction(() => document.documentElement.dataset.autosave !== 'waiting');
+          expect(await page.locator('.message-line').isVisible()).toBe(false);
+        },
+        before ? { before } : {},
+      ),
   );
 });

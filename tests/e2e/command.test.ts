@@ -69,7 +69,7 @@ describe('the built command', () => {
     expect(JSON.parse(text).characters[0].joints).toHaveLength(JOINTS);
   });
 
-  it('stays quiet when its reader goes away', async () => {
+  it('the built command stays quiet when its reader goes away', async () => {
     const child = spawn(process.execPath, [BUILT, 'pose', 'wide.skel', '--json'], { cwd: folder });
     let err = '';
     child.stderr.on('data', (part) => {

@@ -45,7 +45,7 @@ describe('the page', () => {
     expect(writing).not.toEqual(reading);
   });
 
-  it('keeps what is opened before its panels and its autosave have come', () =>
+  it('the page keeps what is opened before its panels and its autosave have come', () =>
     withPage(
       async ({ page }) => {
         await shown(page, 'post');
@@ -84,7 +84,7 @@ describe('the page', () => {
       { early: true, walking: true, fullMotion: true },
     ));
 
-  it('keeps Ctrl+S from the browser, and selects the joint that was tapped, before menus and panels have come', () =>
+  it('the page keeps Ctrl+S from the browser, and selects the joint that was tapped, before menus and panels have come', () =>
     withPage(
       async ({ page }) => {
         let send: (() => void) | undefined;

@@ -176,7 +176,7 @@ describe('the look', () => {
     ),
   );
 
-  it('comes back after the graphics context was lost', () =>
+  it('the look comes back after the graphics context was lost', () =>
     withPage(
       async ({ page }) => {
         await ready(page);

@@ -255,7 +255,7 @@ it('comes to the side that a key asked for, though a click falls on the way', ()
 describeShared('a skin and its joints', () => {
   const wasp = ['wasp.skel', 'wasp.skin'].map((name) => ({ name, bytes: sharedBytes(`data/cse169/${name}`) }));
 
-  it('stays in bind mode, follows in pose mode, and either is undone to the last letter', () =>
+  it('a skin and its joints stays in bind mode, follows in pose mode, and either is undone to the last letter', () =>
     withPage(async ({ page }) => {
       await dropFiles(page, wasp);
       await page.waitForFunction(() => window.marrow.characters()[0]?.name === 'wasp');

@@ -141,7 +141,7 @@ describe('vertices as the GPU makes them', () => {
     await expectVertices(madeUp(LISTS.slice(0, 5), [MOVED, SCALED, IDENTITY]));
   });
 
-  it('stay where they are without a skeleton', async () => {
+  it('vertices as the GPU makes them stay where they are without a skeleton', async () => {
     const { skel: _, ...what } = madeUp(LISTS, [IDENTITY, MOVED, SCALED]);
     await expectVertices({ ...what, pose: [1, 2, 3] });
   });
@@ -173,7 +173,7 @@ bindings 0 { }`,
     pose: [0, 0, 0],
   });
 
-  it('falls on a corner whose normal points inward as if it pointed outward, without a tear', async () => {
+  it('light falls on a corner whose normal points inward as if it pointed outward, without a tear', async () => {
     const right = await ask.turned(square('-0.3 -0.3 0.9'), false);
     const wrong = await ask.turned(square('0.3 0.3 -0.9'), false);
     expect(right.drawn).toBeGreaterThan(1000);
@@ -183,7 +183,7 @@ bindings 0 { }`,
     expect(differing(right, plain)).toBeGreaterThan(0.1 * right.drawn);
   });
 
-  it('falls on either winding, and on triangles wound differently, alike', async () => {
+  it('light falls on either winding, and on triangles wound differently, alike', async () => {
     const right = await ask.turned(square('-0.3 -0.3 0.9'), false);
     for (const winding of ['reversed', 'mixed'] as const) {
       expect(differing(right, await ask.turned({ ...square('-0.3 -0.3 0.9'), winding }, false), 0)).toBe(0);

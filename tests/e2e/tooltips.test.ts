@@ -20,7 +20,7 @@ describe('a tooltip', () => {
       await hidden(page);
     }));
 
-  it('stays under a pointer that moves onto it, and lets presses through to what is below', () =>
+  it('a tooltip stays under a pointer that moves onto it, and lets presses through to what is below', () =>
     withPage(async ({ page }) => {
       const boxes = page.getByRole('button', { name: /^Boxes/ });
       await boxes.hover();

@@ -35,7 +35,7 @@ function reloaded(before: Partial<Character> & { skeleton: Skeleton }, after: Sk
 const LEG = skeletonOf(hinge(-1, 'hip'), hinge(0, 'knee'), hinge(1, 'foot'));
 
 describe('pins and stiff joints, where a skeleton is read again', () => {
-  it('go with joints that are gone, and it is said', () => {
+  it('pins and stiff joints, where a skeleton is read again go with joints that are gone, and it is said', () => {
     const ik = pinned(2, { stiff: [{ joint: 1, stiffness: 4 }, { joint: 2 }] });
     const { character: after, diagnostics } = reloaded({ skeleton: LEG, ik }, skeletonOf(...LEG.joints.slice(0, 2)));
     expect(after.ik).toEqual({ pins: [], stiff: [{ joint: 1, stiffness: 4 }], rootIsFree: true });
@@ -62,14 +62,14 @@ describe('pins and stiff joints, where a skeleton is read again', () => {
 describe('poses that were kept, where a skeleton is read again', () => {
   const poseOf = (now: Character) => now.poses?.[0].values.slice(3);
 
-  it('keep what they have of a joint that has another name now', () => {
+  it('poses that were kept, where a skeleton is read again keep what they have of a joint that has another name now', () => {
     const renamed = skeletonOf(LEG.joints[0], hinge(0, 'shin'), LEG.joints[2]);
     const { character: now, diagnostics } = reloaded({ skeleton: LEG, poses: kept(1, 2, 3) }, renamed);
     expect(poseOf(now)).toEqual([1, 2, 3]);
     expect(diagnostics).toEqual([]);
   });
 
-  it('keep what belongs to joints without names when another joint is inserted before them', () => {
+  it('poses that were kept, where a skeleton is read again keep what belongs to joints without names when another joint is inserted before them', () => {
     const bone = (parent: number, x: number) => hinge(parent, '', { offset: [x, 0, 0] });
     const before = skeletonOf(bone(-1, 0), bone(0, 1), bone(1, 1), bone(0, 2));
     const after = skeletonOf(bone(-1, 0), bone(0, 9), bone(0, 1), bone(2, 1), bone(0, 2));
@@ -137,7 +137,7 @@ describe('retargeting when a skeleton is read again', () => {
     ]);
   });
 
-  it('is driven by the same joints after these were renumbered or removed', () => {
+  it('retargeting when a skeleton is read again is driven by the same joints after these were renumbered or removed', () => {
     const bee = character({ id: 'c2', skeleton: LEG, driver: driver('c1', LEG) });
     const { document } = reloaded({ skeleton: LEG, clips: [WALK], shownClip: 0 }, after, bee);
     expect(document.characters[1].driver?.pairs).toEqual([

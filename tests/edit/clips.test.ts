@@ -108,7 +108,7 @@ describe('clip.remove', () => {
     return [left.clips.map((c) => c.name), left.shownClip, 'unkeyed' in left];
   };
 
-  it('keeps showing the take that was shown, or its neighbour', () => {
+  it('clip.remove keeps showing the take that was shown, or its neighbour', () => {
     expect(shown(0)).toEqual([['run'], 0, false]);
     expect(shown(1)).toEqual([['walk'], 0, false]);
     expect(shown(1, 0)).toEqual([['run'], 0, true]);

@@ -28,13 +28,13 @@ describe('rig.setCouple', () => {
     expect(value?.[0].joints[1].couples).toEqual([{ dof: 'ry', joint: 0, follows: 'rx', gain: 2, offset: 0.25 }]);
   });
 
-  it('keeps links in the order of the DOFs, and other joints unchanged', () => {
+  it('rig.setCouple keeps links in the order of the DOFs, and other joints unchanged', () => {
     const both = couple(couple(document, 1, 'rz', { joint: 0, dof: 'rx' }), 1, 'rx', { joint: 0, dof: 'rz' });
     expect(jointsOf(both)[1].couples?.map(({ dof }) => dof)).toEqual(['rx', 'rz']);
     expect(jointsOf(both)[0]).toBe(jointsOf(document)[0]);
   });
 
-  it('can be taken off, and leaves nothing behind', () => {
+  it('rig.setCouple can be taken off, and leaves nothing behind', () => {
     const off = couple(couple(document, 1, 'ry', { joint: 0, dof: 'rx' }), 1, 'ry', null);
     expect(jointsOf(off)[1]).toEqual(jointsOf(document)[1]);
     expect('couples' in jointsOf(off)[1]).toBe(false);

@@ -42,7 +42,7 @@ describe('deltaTo and applyDelta', () => {
     expect((made as typeof from).clips[0]).toBe(from.clips[0]);
   });
 
-  it('keep of a long column only the numbers that are others, however far apart', () => {
+  it('deltaTo and applyDelta keep of a long column only the numbers that are others, however far apart', () => {
     const from = Float64Array.from({ length: 100_000 }, (_, i) => i);
     const target = from.slice();
     for (const i of [0, 500, 502, 99_999]) target[i] = -1;
@@ -56,7 +56,7 @@ describe('deltaTo and applyDelta', () => {
     });
   });
 
-  it('keep of a column that has grown or shrunk only the stretch that is another', () => {
+  it('deltaTo and applyDelta keep of a column that has grown or shrunk only the stretch that is another', () => {
     const from = Float64Array.from({ length: 100_000 }, (_, i) => i);
     const target = Float64Array.from({ length: 100_001 }, (_, i) => (i < 500 ? i : i === 500 ? -1 : i - 1));
     const delta = deltaTo(target, from);
@@ -75,7 +75,7 @@ describe('deltaTo and applyDelta', () => {
     );
   });
 
-  it('keep of a list that lost an element only that one', () => {
+  it('deltaTo and applyDelta keep of a list that lost an element only that one', () => {
     const list = [{ id: 1 }, { id: 2 }, { id: 3 }];
     const shorter = [list[0], list[2]];
     const delta = deltaTo(list, shorter);

@@ -126,7 +126,7 @@ describe('commands on keys', () => {
     expect([...keysOf(channelIn(store, 1)).values]).toEqual([1, 4]);
   });
 
-  it("keep keys selected when their channel's extrapolation changes", () => {
+  it("commands on keys keep keys selected when their channel's extrapolation changes", () => {
     const store = opened();
     const keys = [{ channel: 0, indices: [1] }];
     store.select(withSelectedKeys(store.selection, keys));

@@ -105,7 +105,7 @@ describe('pose.key over a take', () => {
     expect(keysOf(take(again).channels[3]).times).toHaveLength(2);
   });
 
-  it('makes what it keys no longer unkeyed, and nothing else', () => {
+  it('pose.key over a take makes what it keys no longer unkeyed, and nothing else', () => {
     const dofs = [3, 4].map((index) => ({ index, value: 0.5 }));
     const byHand = only(documentIn(setDofs.run(documentOf(walking), { characterId: 'c1', dofs, timeSeconds: 2 })));
     expect(only(key(byHand, 2, { dofs: [3] }).document).unkeyed).toEqual({ timeSeconds: 2, dofs: [4], values: [0.5] });
@@ -177,7 +177,7 @@ const session = fc.record({
 });
 
 describe('continued keying', () => {
-  it('never changes the pose at the moment that is keyed', () => {
+  it('continued keying never changes the pose at the moment that is keyed', () => {
     fc.assert(
       fc.property(session, ({ extrapolations, clamps, offset, steps }) => {
         let document = documentOf({ ...bare, clampsToLimits: clamps, timeOffsetSeconds: offset });

@@ -36,7 +36,7 @@ describe('advance', () => {
     });
   });
 
-  it('turns round at both ends in ping-pong', () => {
+  it('advance turns round at both ends in ping-pong', () => {
     const back = advance(playing({ timeSeconds: 2.5, loop: 'pingpong' }), 1);
     expect(back).toMatchObject({ timeSeconds: 2.5, turned: true, rate: 1 });
     expect(advance(back, 2)).toMatchObject({ timeSeconds: 1.5, turned: false, rate: 1 });
@@ -46,11 +46,11 @@ describe('advance', () => {
     expect(advance(playing({ timeSeconds: 2.5, loop: 'continue' }), 10).timeSeconds).toBe(12.5);
   });
 
-  it('stays at the one moment of an empty range', () => {
+  it('advance stays at the one moment of an empty range', () => {
     expect(advance(playing({ timeSeconds: 9, range: [2, 2] }), 1).timeSeconds).toBe(2);
   });
 
-  it('never leaves the range and never gets lost, whatever the clock does', () => {
+  it('advance never leaves the range and never gets lost, whatever the clock does', () => {
     fc.assert(
       fc.property(
         fc.constantFrom(...LOOP_MODES.filter((m) => m !== 'continue')),
@@ -94,7 +94,7 @@ describe('pause', () => {
     expect(paused(1.411, true).timeSeconds).toBe(42 / 30);
   });
 
-  it('stays within a range that does not end on a frame, and does not move in one without frames', () => {
+  it('pause stays within a range that does not end on a frame, and does not move in one without frames', () => {
     expect(paused(1.418, true, [1, 1.42]).timeSeconds).toBe(42 / 30);
     expect(paused(1.41, true, [1.41, 3]).timeSeconds).toBe(43 / 30);
     expect(paused(1.411, true, [1.41, 1.412]).timeSeconds).toBe(1.411);

@@ -54,7 +54,7 @@ describe('what is set by hand over a clip', () => {
     character({ skeleton: { name: 's', joints: [limited] }, clips: [clip('walk', [0, 0, 0, 0.5])], shownClip: 0 }),
   );
 
-  it('is no unkeyed change if the keys give that value, and is discarded when it returns to it', () => {
+  it('what is set by hand over a clip is no unkeyed change if the keys give that value, and is discarded when it returns to it', () => {
     const shown = new Float64Array(dofCountOf(playing.characters[0]));
     poseAt(playing.characters[0], 1.5, shown);
     expect(set(playing, 3, shown[3], 1.5)).toBe(playing);
@@ -128,7 +128,7 @@ describe('what is set by hand where a channel has no keys', () => {
     expect(set(keyless, 3, 0.1, 2).characters[0].unkeyed).toBeUndefined();
   });
 
-  it('is 0 without a word about it, as a channel without keys is', () => {
+  it('what is set by hand where a channel has no keys is 0 without a word about it, as a channel without keys is', () => {
     expect(channelsOf(set(playing, 4, 0))[4]).toEqual(restChannel());
     expect(set(playing, 4, 0.25)).toBe(playing);
   });

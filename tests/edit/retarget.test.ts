@@ -117,7 +117,7 @@ describe('putting a take onto another character', () => {
     expect(of(s, 't').driver).toBeUndefined();
   });
 
-  it('is posed over temporarily where it drives joints, and permanently where it doesn’t', () => {
+  it('putting a take onto another character is posed over temporarily where it drives joints, and permanently where it doesn’t', () => {
     const s = store();
     s.apply(setRetarget, { ...ONTO, pairs: [{ target: 1, source: 1 }] });
     // The spine's first DOF, and the head's.
@@ -246,7 +246,7 @@ describe('putting a take onto another character', () => {
     expect(planOf()).not.toBe(plan);
   });
 
-  it('is what its character is compared by: over the source’s frames, where they are in time', () => {
+  it('putting a take onto another character is what its character is compared by: over the source’s frames, where they are in time', () => {
     const s = store();
     s.apply(setRetarget, ONTO);
     s.apply(setTimeOffset, { characterId: 's', seconds: 0.25 });

@@ -84,7 +84,7 @@ describe('automatic weights', () => {
     expect(most(drawn(weighted(who, { bind: 'file' })), who.skins[0].positions)).toBeLessThan(STILL);
   });
 
-  it('keep existing bindings, and the skin in place in the binding pose', () => {
+  it('automatic weights keep existing bindings, and the skin in place in the binding pose', () => {
     const skeleton = arm(0);
     const bound = weighted(dressed(skeleton, sleeve()));
     const [{ bindings, positions }] = bound.skins;
@@ -171,7 +171,7 @@ describe('automatic weights of the walker', () => {
     expect(moved / count).toBeLessThan(0.32);
   });
 
-  it('keep left and right apart: no vertex of one leg or arm follows the other’s', () => {
+  it('automatic weights of the walker keep left and right apart: no vertex of one leg or arm follows the other’s', () => {
     if (!found) throw new Error('no weights');
     const side = (j: number) => ({ _l: 1, _r: -1 })[skeleton.joints[j].name.slice(-2)] ?? 0;
     const isLimb = (j: number) => /^(forearm|hand|shin|foot|toe)/.test(skeleton.joints[j].name);

@@ -20,12 +20,12 @@ function bvh(name: string, ...roots: readonly (readonly [number, number, number]
 }
 
 describe('a figure of motion capture that is opened', () => {
-  it('is upright, in metres, on the ground', () => {
+  it('a figure of motion capture that is opened is upright, in metres, on the ground', () => {
     const { document } = openFiles(EMPTY_DOCUMENT, [bvh('walk', [0, 185, 0])]);
     expect(document.characters[0].space).toEqual({ up: 'y', unit: 'centimetres', lift: -1 });
   });
 
-  it('keeps the space that it was given when its file is opened again', () => {
+  it('a figure of motion capture that is opened keeps the space that it was given when its file is opened again', () => {
     const { document } = openFiles(EMPTY_DOCUMENT, [bvh('walk', [0, 85, 0])]);
     const store = new Store(document);
     store.apply(setSpace, { characterId: document.characters[0].id, space: SPACE });
@@ -34,7 +34,7 @@ describe('a figure of motion capture that is opened', () => {
     expect(again.characters[0].space).toEqual(SPACE);
   });
 
-  it('is placed beside the others in one row, wherever it is in its file', () => {
+  it('a figure of motion capture that is opened is placed beside the others in one row, wherever it is in its file', () => {
     const files = [bvh('a', [0, 85, 0]), bvh('b', [400, 85, 900]), bvh('c', [-70, 85, -300])];
     const { characters } = openFiles(EMPTY_DOCUMENT, files).document;
     const feet = characters.map(({ placements: [{ position }] }, i) => [
@@ -47,7 +47,7 @@ describe('a figure of motion capture that is opened', () => {
     for (const [, z] of feet) expect(z).toBeCloseTo(0, 9);
   });
 
-  it('keeps its place to the others of its file', () => {
+  it('a figure of motion capture that is opened keeps its place to the others of its file', () => {
     const { characters } = openFiles(EMPTY_DOCUMENT, [bvh('pair', [0, 85, 0], [60, 95, 0])]).document;
     expect(characters).toHaveLength(2);
     expect(characters[1].placements).toEqual(characters[0].placements);
@@ -89,7 +89,7 @@ describe('the space of a character', () => {
 });
 
 describe('position channels of a character', () => {
-  it('have another meaning, and the character is on the ground again', () => {
+  it('position channels of a character have another meaning, and the character is on the ground again', () => {
     const skeleton = figure({ positionsEverywhere: true });
     const space: Space = { up: 'y', unit: 'centimetres', lift: 0 };
     const store = new Store(documentOf(captured(skeleton, take(skeleton, [[0, 85, 0]]), { space })));

@@ -27,7 +27,7 @@ describe('Store', () => {
     expect([store.undoLabel, store.redoLabel]).toEqual([undefined, 'Rename a']);
   });
 
-  it('makes no step of a command that changes nothing', () => {
+  it('Store makes no step of a command that changes nothing', () => {
     const store = new Store(start);
     store.apply(renameCharacter, rename('a'));
     expect(store.undoLabel).toBeUndefined();
@@ -93,7 +93,7 @@ describe('Store', () => {
     expect(store.selection).toEqual({ characterId: 'c1', joint: 0 });
   });
 
-  it('makes one step of a drag, however many previews it had', () => {
+  it('Store makes one step of a drag, however many previews it had', () => {
     const store = new Store(start);
     const drag = store.begin('Drag');
     for (const name of ['b', 'c', 'd']) drag.preview(renameCharacter.run(drag.base, rename(name)));
@@ -154,7 +154,7 @@ describe('Store', () => {
     }
   });
 
-  it('makes one step of a kept trial, and none of others', () => {
+  it('Store makes one step of a kept trial, and none of others', () => {
     const store = new Store(start);
     const trial = store.begin('Simplify', 'tried');
     expect(trial.closed).toBe(false);

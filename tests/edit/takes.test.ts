@@ -33,7 +33,7 @@ describe('takes that are shown', () => {
     expect(rangeOfClips(three)).toEqual([-1, 4]);
   });
 
-  it('keep the time of all takes where every character is hidden', () => {
+  it('takes that are shown keep the time of all takes where every character is hidden', () => {
     const none = { ...three, characters: three.characters.map((c) => ({ ...c, isHidden: true })) };
     expect(rangeOfClips(none)).toEqual([-1, 4]);
   });
@@ -137,7 +137,7 @@ describe('takes in space', () => {
     expect(next.characters[1].placements).toEqual([DEFAULT_PLACEMENT, second]);
   });
 
-  it('lie on the same ground when they are compared, for that was a guess for each', () => {
+  it('takes in space lie on the same ground when they are compared, for that was a guess for each', () => {
     const on = (lift: number): Partial<Character> => ({ space: { up: 'y', unit: 'centimetres', lift } });
     const document = documentOf(take('a', [0, 1], on(0.2)), take('b', [0, 1], on(0.3)), take('c', [0, 1], on(0.4)));
     const next = overlayTakes.run(document, {
@@ -189,7 +189,7 @@ describe('takes that were compared', () => {
     expect(end(overlaid, overlaid)).toEqual(document);
   });
 
-  it('keep other changes made meanwhile', () => {
+  it('takes that were compared keep other changes made meanwhile', () => {
     const overlaid = laid(['a', 0], ['b', 0]);
     const edited = {
       ...overlaid,
@@ -221,7 +221,7 @@ describe('takes that were compared', () => {
 describe('takes that are removed', () => {
   const ref = (characterId: string, c: number) => ({ characterId, clip: c });
 
-  it('go with the character that is nothing but its motion', () => {
+  it('takes that are removed go with the character that is nothing but its motion', () => {
     const next = removeTakes.run(three, { takes: [ref('a', 0), ref('c', 0)] });
     expect(next.characters).toEqual([three.characters[1]]);
   });
@@ -232,7 +232,7 @@ describe('takes that are removed', () => {
     expect(next.characters[0]).toMatchObject({ clips: [], shownClip: -1 });
   });
 
-  it('keep showing the same take, or show the one after it', () => {
+  it('takes that are removed keep showing the same take, or show the one after it', () => {
     const clips = ['w', 'x', 'y', 'z'].map((name) => clip(name, [0]));
     const shown = (shownClip: number, ...gone: number[]) => {
       const document = documentOf(take('a', [0, 1], { clips, shownClip }));

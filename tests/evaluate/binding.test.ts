@@ -5,7 +5,7 @@ import { clip, morph, skeleton, skin } from '../helpers/builders.ts';
 const channels = (n: number) => clip('walk', new Array<number>(n).fill(0));
 
 describe('a skin and its skeleton', () => {
-  it('fit when every joint that is used exists', () => {
+  it('a skin and its skeleton fit when every joint that is used exists', () => {
     expect(checkSkin(skin('hero', 1), skeleton(2), 'hero.skin')).toEqual([]);
     const { attachments: _none, ...rigid } = skin();
     expect(checkSkin(rigid, skeleton(1), 'hero.skin')).toEqual([]);
@@ -29,7 +29,7 @@ describe('a skin and its skeleton', () => {
     ]);
   });
 
-  it('fit with a warning when only bindings are too many', () => {
+  it('a skin and its skeleton fit with a warning when only bindings are too many', () => {
     const bindings = new Float64Array(48);
     expect(checkSkin(skin('hero', 0, { bindings }), skeleton(1), 'hero.skin')).toMatchObject([
       { severity: 'warning', code: 'bindings-more', message: 'The skin has 3 bindings, but "hero" has 1 joint.' },
@@ -38,7 +38,7 @@ describe('a skin and its skeleton', () => {
 });
 
 describe('a morph and its skin', () => {
-  it('fit when every vertex exists', () => {
+  it('a morph and its skin fit when every vertex exists', () => {
     expect(checkMorph(morph('smile', 2), skin(), 'smile.morph')).toEqual([]);
   });
 
@@ -58,7 +58,7 @@ describe('a morph and its skin', () => {
 });
 
 describe('a clip and its skeleton', () => {
-  it('fit with channels for root translation and joints, with or without the morphs', () => {
+  it('a clip and its skeleton fit with channels for root translation and joints, with or without the morphs', () => {
     expect(checkClip(channels(9), skeleton(2), 0, 'walk.anim')).toEqual([]);
     expect(checkClip(channels(9), skeleton(2), 4, 'walk.anim')).toEqual([]);
     expect(checkClip(channels(13), skeleton(2), 4, 'walk.anim')).toEqual([]);

@@ -198,7 +198,7 @@ describe('facts of a skin', () => {
     expect(skinFacts(skin())).not.toHaveProperty('normals');
   });
 
-  it('come through a worker, and are taken over for the copy there', () => {
+  it('facts of a skin come through a worker, and are taken over for the copy there', () => {
     const smile = morph('smile', 1);
     const sent = structuredClone({ skin: bare, morphs: [smile], facts: skinFacts(bare, [smile]) });
     expect(sent.facts).toEqual(skinFacts(bare, [smile]));

@@ -76,7 +76,7 @@ function worst(who: Character): number {
 }
 
 describe('any character as a figure of BVH', () => {
-  it('keeps the places of joints of every rigid type', () => {
+  it('any character as a figure of BVH keeps the places of joints of every rigid type', () => {
     fc.assert(
       fc.property(moving(rigid), (who) => {
         expect(worst(who)).toBeLessThan(1e-8);
@@ -84,7 +84,7 @@ describe('any character as a figure of BVH', () => {
     );
   });
 
-  it('keeps the positions of joints that scale and shear, and reports what it can not store', () => {
+  it('any character as a figure of BVH keeps the positions of joints that scale and shear, and reports what it can not store', () => {
     const of = fc.oneof(rigid, stretching);
     fc.assert(
       fc.property(

@@ -64,7 +64,7 @@ describe('are sorted so that each follows a final value', () => {
     joints: couples.map((own, j) => joint(j - 1, { couples: own })),
   });
 
-  it('come in an order in which each follows what is settled', () => {
+  it('are sorted so that each follows a final value come in an order in which each follows what is settled', () => {
     fc.assert(
       fc.property(anySkeleton, (skeleton) => {
         const { ordered, circular } = couplesOf(skeleton);

@@ -10,7 +10,7 @@ import { between, channelOf, channels, channelsOrRest } from '../edit/keys/chann
 const WITHIN = 1e-3;
 
 describe('the slope of a channel', () => {
-  it('is the difference quotient of its values, inside and beyond, however it is extrapolated', () => {
+  it('the slope of a channel is the difference quotient of its values, inside and beyond, however it is extrapolated', () => {
     fc.assert(
       fc.property(channelsOrRest(), between(-60, 60), (channel, time) => {
         const curve = compileChannels([channel]);

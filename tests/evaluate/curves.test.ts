@@ -274,7 +274,7 @@ describe('a channel', () => {
     expect(cycle(1.2)).toBe(5);
   });
 
-  it('stays exact far from its keys', () => {
+  it('a channel stays exact far from its keys', () => {
     const c = channel(
       [
         [0, 0, 'linear', 'linear'],
@@ -376,7 +376,7 @@ describe('a compiled clip', () => {
     );
   });
 
-  it('has the rest value of a channel without keys, at any time', () => {
+  it('a compiled clip has the rest value of a channel without keys, at any time', () => {
     const resting = { ...clip, channels: [restChannel(), restChannel(2.5), channel([[1, 7]])] };
     const out = new Float64Array(3);
     for (const time of [-1e6, -1, 0, 0.5, 1e6]) {

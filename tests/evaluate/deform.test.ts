@@ -185,13 +185,13 @@ describe('deforming', () => {
     expect(run(skin('s', 0, { attachments }), translated(2, 0, 0)).positions).toEqual([1, 0, 0, 6, 0, 0, 0, 0, 0]);
   });
 
-  it('turns normals by the inverse transpose', () => {
+  it('deforming turns normals by the inverse transpose', () => {
     const slanted = Float64Array.of(1, 1, 0, 1, 1, 0, 1, 1, 0);
     const { normals } = run(skin('s', 0, { normals: slanted }), scaled(2, 1, 1));
     expectClose(normals.slice(0, 3), [1 / Math.sqrt(5), 2 / Math.sqrt(5), 0], WITHIN.rounding);
   });
 
-  it('keeps normals finite where a joint flattens, or contributions cancel out', () => {
+  it('deforming keeps normals finite where a joint flattens, or contributions cancel out', () => {
     expect(run(skin(), scaled(1, 0, 1)).normals).toEqual([0, 0, 1, 0, 0, 1, 0, 0, 1]);
     expect(run(skin(), scaled(0, 0, 0)).normals).toEqual([0, 0, 1, 0, 0, 1, 0, 0, 1]);
     const attachments = { ...(skin().attachments ?? fail()), weights: Float64Array.of(0, 0, 0) };
@@ -208,7 +208,7 @@ describe('deforming', () => {
     expect([...positions]).toEqual([1, 2, 3, 2, 2, 3, 1, 3, 3]);
   });
 
-  it('keeps in place what hangs on joints that the skeleton does not have', () => {
+  it('deforming keeps in place what hangs on joints that the skeleton does not have', () => {
     expect(run(skin('s', 1), translated(5, 5, 5)).positions).toEqual([0, 0, 0, 1, 0, 0, 0, 1, 0]);
   });
 

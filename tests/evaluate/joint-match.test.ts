@@ -17,7 +17,7 @@ describe('joints of two skeletons', () => {
     expect(matchJoints(twice, twice)).toMatchObject({ first: [0, 1, 2], second: [0, 1, 2] });
   });
 
-  it('without a partner are listed, with the whole limb below them', () => {
+  it('joints of two skeletons without a partner are listed, with the whole limb below them', () => {
     const other = skeleton(['hips', -1], ['leg_l', 0], ['foot', 1], ['leg_x', 0], ['foot', 3]);
     const match = matchJoints(figure, other);
     expect(match).toEqual({ first: [0, 1, 2], second: [0, 1, 2], onlyFirst: [3, 4], onlySecond: [3, 4] });

@@ -47,7 +47,7 @@ describe('the rate of a clip of keys', () => {
     expect(keyFrames(clipOf([1, 2], keysAt([1.255]), keysAt(times)))).toBeUndefined();
   });
 
-  it('is none of keys that are uneven, that do not fill the range, or that are few and far between', () => {
+  it('the rate of a clip of keys is none of keys that are uneven, that do not fill the range, or that are few and far between', () => {
     const none = (range: readonly [number, number], ...channels: Channel[]) =>
       expect(keyFrames(clipOf(range, ...channels))).toBeUndefined();
     none([0, 1], keysAt([0, 0.3, 1]));

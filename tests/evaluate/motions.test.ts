@@ -69,7 +69,7 @@ describe('any motion', () => {
     );
   });
 
-  it('turns without stretching where it has neither scale nor shear', () => {
+  it('any motion turns without stretching where it has neither scale nor shear', () => {
     fc.assert(
       fc.property(posed, ([of, values]) => {
         fc.pre(of.kind !== 'scale' && of.kind !== 'shear' && !dofsOf(of).some(({ name }) => /^s/.test(name)));
@@ -92,7 +92,7 @@ describe('a scale that keeps the volume', () => {
     );
   });
 
-  it('stays finite where there is nothing left of it', () => {
+  it('a scale that keeps the volume stays finite where there is nothing left of it', () => {
     for (const s of [0, -1, -1e300, 1e-300]) {
       expect(at(volume, [s]).every(Number.isFinite)).toBe(true);
       expectClose(derivative(volume, [s], 0), new Float64Array(16), 1e-300, `s = ${s}`);
@@ -103,7 +103,7 @@ describe('a scale that keeps the volume', () => {
 describe('a quaternion', () => {
   const quaternion: Motion = { kind: 'quaternion' };
 
-  it('turns by its direction, whatever its length', () => {
+  it('a quaternion turns by its direction, whatever its length', () => {
     const expected = at(quaternion, [0.1, -0.2, 0.3, 0.4]);
     for (const scale of [1e-200, 1e-3, -1, 7, 1e200]) {
       expectClose(

@@ -93,7 +93,7 @@ describe('angles between two frames that are near to each other', () => {
     );
   });
 
-  it('come with the quaternion of the same rotation, of length 1', () => {
+  it('angles between two frames that are near to each other come with the quaternion of the same rotation, of length 1', () => {
     fc.assert(
       fc.property(order, angles, step, part, (channels, from, by, share) => {
         const to = from.map((angle, i) => angle + by[i]);

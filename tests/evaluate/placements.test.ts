@@ -33,7 +33,7 @@ describe('the matrix of a placement', () => {
 describe('the space of a character, in its placement', () => {
   const anywhere = fc.tuple(number, number, number);
 
-  it('comes first: z becomes up, units become metres, and the ground is where it is lifted to', () => {
+  it('the space of a character, in its placement comes first: z becomes up, units become metres, and the ground is where it is lifted to', () => {
     fc.assert(
       fc.property(anywhere, anywhere, anywhere, (position, turn, point) => {
         const placement = { position, turn, scale: 2 };

@@ -114,7 +114,7 @@ describe('rotations that samples gave', () => {
     }
   });
 
-  it('do not count where a DOF was changed since', () => {
+  it('rotations that samples gave do not count where a DOF was changed since', () => {
     fc.assert(
       fc.property(degrees, between, fc.integer({ min: 3, max: COUNT - 1 }), (values, time, dof) => {
         const { dofs, rotations } = sampledAt(values, time);

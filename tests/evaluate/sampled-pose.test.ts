@@ -220,7 +220,7 @@ describe('linear', () => {
     );
   });
 
-  it('stays at the angles of the frames where they go on smoothly', () => {
+  it('linear stays at the angles of the frames where they go on smoothly', () => {
     const step = evenly(-20, 20);
     fc.assert(
       fc.property(fc.constantFrom(...EULER_ORDERS), row, fc.tuple(step, step, step), (order, from, steps) => {
@@ -240,7 +240,7 @@ describe('linear', () => {
     );
   });
 
-  it('goes from 179° to −179° by 2°, and jumps halfway, from the one number to the other', () => {
+  it('linear goes from 179° to −179° by 2°, and jumps halfway, from the one number to the other', () => {
     const c = take(bvh(['z', 'x', 'y']), [
       [179, 0, 0],
       [-179, 0, 0],
@@ -272,7 +272,7 @@ describe('linear', () => {
     for (const t of [0.2, 0.5, 0.9]) expectClose(degrees(within, t), [10 + 20 * t, 90, 20 + 30 * t], 1e-10);
   });
 
-  it('turns one angle, and each of two, the shorter way round', () => {
+  it('linear turns one angle, and each of two, the shorter way round', () => {
     const hinge = take({ kind: 'hinge', axis: [0, 1, 0] }, [[350], [10], [-350]]);
     expectClose(
       [0.25, 0.75, 1.25].map((t) => degrees(hinge, t)[0]),
@@ -299,7 +299,7 @@ describe('linear', () => {
     expectClose(poseOf(mixed, 0.25), [175 * RADIANS_PER_DEGREE, 0.5, 20 * RADIANS_PER_DEGREE], WITHIN.rounding);
   });
 
-  it('turns a screw as far as the file says, for that is how far it goes', () => {
+  it('linear turns a screw as far as the file says, for that is how far it goes', () => {
     const c = take({ kind: 'screw', axis: [0, 1, 0], pitch: 2 }, [[0], [720]]);
     expectClose(degrees(c, 0.5), [360], WITHIN.rounding);
   });
@@ -314,7 +314,7 @@ describe('cubic', () => {
   const fewDegrees = evenly(-60, 60);
   const someRow = fc.tuple(fewDegrees, fewDegrees, fewDegrees);
 
-  it('comes to each frame as it goes on from it, also where the file jumps there', () => {
+  it('cubic comes to each frame as it goes on from it, also where the file jumps there', () => {
     const flips = fc.array(fc.constantFrom(0, 1, 2), { minLength: 5, maxLength: 5 });
     fc.assert(
       fc.property(fc.array(someRow, { minLength: 5, maxLength: 5 }), flips, (rows, flip) => {
@@ -333,7 +333,7 @@ describe('cubic', () => {
     );
   });
 
-  it('turns evenly about one axis, and moves evenly, where the frames do', () => {
+  it('cubic turns evenly about one axis, and moves evenly, where the frames do', () => {
     const rows = [0, 1, 2, 3].map((k) => [k, 2 * k, 0, 170 + 4 * k > 180 ? 4 * k - 190 : 170 + 4 * k, 0, 0]);
     const c = take(bvh(['z', 'x', 'y'], ['tx', 'ty', 'tz']), rows, 'cubic');
     for (const t of [0.3, 1.5, 2.6]) {

@@ -25,7 +25,7 @@ const someValues = fc.array(fc.double({ min: -500, max: 500, noNaN: true }), { m
 const someFrameSeconds = fc.constantFrom(1 / 24, 0.0333333, 0.0083333, 0.008, 0.01, 1, 7);
 
 describe('finding the frame of a time', () => {
-  it('is the whole number of a frame at its time, whatever multiplying and adding did to that', () => {
+  it('finding the frame of a time is the whole number of a frame at its time, whatever multiplying and adding did to that', () => {
     fc.assert(
       fc.property(
         someFrameSeconds,

@@ -104,7 +104,7 @@ describe('the ground under a figure', () => {
 });
 
 describe('a space', () => {
-  it('turns z up into y up, and leaves left and right as they are', () => {
+  it('a space turns z up into y up, and leaves left and right as they are', () => {
     const out = new Float64Array(3);
     applySpace({ up: 'z', unit: 'centimetres', lift: 0.5 }, 100, 200, 300, out);
     expect([...out]).toEqual([1, 3.5, -2]);

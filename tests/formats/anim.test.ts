@@ -98,7 +98,7 @@ describe('reading .anim', () => {
     expect(diagnostics.map((d) => d.code)).toEqual(['extrapolation-unknown', 'brace-missing']);
   });
 
-  it('is constant, in a file too, if a channel has a value and no keys', () => {
+  it('reading .anim is constant, in a file too, if a channel has a value and no keys', () => {
     const made = { name: 'a', range: [2, 3] as const, channels: [restChannel(0.25)] };
     const { text } = writeAnim(made);
     expect(text).toMatch(/keys 1 \{\s+2 0.25 flat flat\s+\}/);

@@ -28,7 +28,7 @@ describe('decimals', () => {
     );
   });
 
-  it('and for any number of digits of it', () => {
+  it('decimals and for any number of digits of it', () => {
     const ordinary = fc.tuple(fc.double({ min: -1, max: 1, noNaN: true }), fc.integer({ min: -3, max: 6 }));
     fc.assert(
       fc.property(ordinary, fc.integer({ min: 1, max: 25 }), ([x, e], precision) => {
@@ -39,7 +39,7 @@ describe('decimals', () => {
     );
   });
 
-  it('and for any spelling: signs, leading zeros, a bare point, exponents, very many digits', () => {
+  it('decimals and for any spelling: signs, leading zeros, a bare point, exponents, very many digits', () => {
     const mantissa = fc.oneof(
       digits(40),
       fc.tuple(digits(25), digits(25)).map(([a, b]) => `${a}.${b}`),

@@ -116,7 +116,7 @@ describe('a report', () => {
     expect(diagnostics[0].message).toContain('31 times');
   });
 
-  it('keeps 100 warnings and counts the rest', () => {
+  it('a report keeps 100 warnings and counts the rest', () => {
     const joints = '\nballjoint x { rotxlimit 1 0 }'.repeat(250);
     const { value, diagnostics } = read('x.skel', `balljoint root {${joints}\n}`);
     expect(value).toBeDefined();
@@ -125,7 +125,7 @@ describe('a report', () => {
     expect(diagnostics[100].message).toContain('150');
   });
 
-  it('keeps 100 errors and counts the rest, quickly', () => {
+  it('a report keeps 100 errors and counts the rest, quickly', () => {
     const { value, diagnostics } = read('x.skin', `positions 1 { ${'0,5 '.repeat(300000)} }`);
     expect(value).toBeUndefined();
     expect(diagnostics.filter((d) => d.severity === 'error')).toHaveLength(101);

@@ -117,7 +117,7 @@ describe('reading .skel', () => {
     expect(value?.[0].joints.map((j) => j.name)).toEqual(['offset', '12', 'balljoint']);
   });
 
-  it('makes a skeleton of each root, and says so', () => {
+  it('reading .skel makes a skeleton of each root, and says so', () => {
     const { value, diagnostics } = skel('balljoint a { }\nballjoint b { }\nballjoint c { }');
     expect(diagnostics).toMatchObject([{ severity: 'info', code: 'several-roots', line: 2 }]);
     expect(value?.map((s) => [s.name, s.joints.length])).toEqual([
@@ -127,13 +127,13 @@ describe('reading .skel', () => {
     ]);
   });
 
-  it('keeps crossed limits as they are written, with a warning', () => {
+  it('reading .skel keeps crossed limits as they are written, with a warning', () => {
     const { value, diagnostics } = skel('balljoint a {\n rotxlimit 1 -1\n pose 5 0 0 }');
     expect(diagnostics).toMatchObject([{ severity: 'warning', code: 'limits-crossed', line: 2 }]);
     expect(value?.[0].joints[0].limits[0]).toEqual({ min: 1, max: -1 });
   });
 
-  it('keeps a pose out of its limits, with an info where it is written', () => {
+  it('reading .skel keeps a pose out of its limits, with an info where it is written', () => {
     const { value, diagnostics } = skel('balljoint a {\n pose 5 0 0\n rotxlimit -1 1\n}');
     expect(diagnostics).toMatchObject([{ severity: 'info', code: 'pose-out-of-limits', line: 2 }]);
     expect(value?.[0].joints[0].pose).toEqual([5, 0, 0]);
@@ -291,7 +291,7 @@ describe('writing .skel', () => {
     expect(joints(text).map((j) => j.couples)).toEqual(couples.map((couple) => [couple]));
   });
 
-  it('makes joints of .skel of those of BVH, and says that End Sites are left out', () => {
+  it('writing .skel makes joints of .skel of those of BVH, and says that End Sites are left out', () => {
     const [root] = joints('balljoint a { offset 1 2 3 }');
     const channels = ['tx', 'ty', 'tz', 'rz', 'rx', 'ry'] as const;
     const motion = { kind: 'bvh', channels, positions: 'replace' } as const;

@@ -12,11 +12,11 @@ describe('files named in the address', () => {
     expect(filesInQuery('?file=a&files=')).toEqual([]);
   });
 
-  it('keep a percent sign that encodes nothing', () => {
+  it('files named in the address keep a percent sign that encodes nothing', () => {
     expect(filesInQuery('?files=100%.skel')).toEqual(['100%.skel']);
   });
 
-  it('come out as they went in when encoded, whatever is in their names', () => {
+  it('files named in the address come out as they went in when encoded, whatever is in their names', () => {
     const name = fc.string({ unit: 'grapheme', minLength: 1 });
     fc.assert(
       fc.property(fc.array(name, { minLength: 1 }), (names) => {

@@ -129,7 +129,7 @@ describe('dialogs', () => {
     expect(await pickTarget('a.anim')).toBeUndefined();
   });
 
-  it('that the browser does not open say to try again', async () => {
+  it('dialogs that the browser does not open say to try again', async () => {
     for (const name of ['SecurityError', 'NotAllowedError']) {
       vi.stubGlobal('window', { showSaveFilePicker: () => Promise.reject(new DOMException('', name)) });
       await expect(pickTarget('a.anim')).rejects.toThrow(new NotNowError('Save again to choose where it goes.'));

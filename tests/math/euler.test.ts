@@ -92,7 +92,7 @@ describe('the Euler angles of a quaternion', () => {
     );
   });
 
-  it('stay unchanged in gimbal lock', () => {
+  it('the Euler angles of a quaternion stay unchanged in gimbal lock', () => {
     fc.assert(
       fc.property(angle, fc.constantFrom(RIGHT, -RIGHT, 3 * RIGHT), angle, (a, b, c) => {
         expectClose(near(quaternion([a, b, c]), [a, b, c]), [a, b, c], 1e-11);

@@ -112,7 +112,7 @@ describe('framing', () => {
     for (let i = 0; i < 12; i++) expect(m[i]).toBeCloseTo(elements[i], 9);
   });
 
-  it('keeps a distance from a point too', () => {
+  it('framing keeps a distance from a point too', () => {
     expect(seen([[1, 2, 3, 1, 2, 3]], 0.3, 0.2, 1).distance).toBeGreaterThan(0);
   });
 
@@ -126,7 +126,7 @@ describe('framing', () => {
     expect(distance ** 2 / (near * 2 ** 24)).toBeLessThan(1e-4 * size);
   });
 
-  it('keeps near within reach of far where one looks closely at something huge', () => {
+  it('framing keeps near within reach of far where one looks closely at something huge', () => {
     const { near, far } = perspectiveDepth(0.01, 200);
     expect(far / near).toBeLessThanOrEqual(1.0001e5);
   });

@@ -29,7 +29,7 @@ describe('a Hermite cubic', () => {
     );
   });
 
-  it('is a straight line if the segment is too short for a cubic, and a step if it is shorter still', () => {
+  it('a Hermite cubic is a straight line if the segment is too short for a cubic, and a step if it is shorter still', () => {
     expect(cubic(1, 5, 3, 5, 1e-200)).toEqual([1, 2e200, 0, 0]);
     expect(cubic(1, 5, 3, 5, 1e-320)).toEqual([1, 0, 0, 0]);
     expect(cubic(1, 5, 3, 5, 0)).toEqual([1, 0, 0, 0]);

@@ -39,7 +39,7 @@ describe('affine matrices', () => {
     );
   });
 
-  it('that flatten still know where normals point', () => {
+  it('affine matrices that flatten still know where normals point', () => {
     const flat = Float64Array.of(2, 0, 0, 0, 0, 0, 0, 0, 0, 0, 3, 0, 5, 5, 5, 1);
     expect(isSingular(flat)).toBe(true);
     const out = new Float64Array(9);

@@ -29,7 +29,7 @@ describe('sines and cosines of a row of angles', () => {
     fc.assert(fc.property(fc.array(angle, { minLength: 1, maxLength: 30 }), expectTrue), { numRuns: 300 });
   });
 
-  it('go over from one quarter to the next without a gap, up to the largest angles', () => {
+  it('sines and cosines of a row of angles go over from one quarter to the next without a gap, up to the largest angles', () => {
     const turns = [...Array(9).keys(), 63_660, 63_661, 63_662, 127_323, 127_324];
     const edges = turns.flatMap((n) => [(n * Math.PI) / 4, -n * (Math.PI / 4), (n * Math.PI) / 2]);
     expectTrue(edges.flatMap((x) => [x - 1e-12, x, x + 1e-12]));

@@ -58,7 +58,7 @@ describe('three numbers', () => {
     );
   });
 
-  it('go through a matrix as a point, and as a difference of points', () => {
+  it('three numbers go through a matrix as a point, and as a difference of points', () => {
     // x goes to 2 y, y to −x, z stays; then 10 20 30 further. Behind another matrix.
     const m = new Float64Array(32);
     m.set([0, 2, 0, 0, -1, 0, 0, 0, 0, 0, 1, 0, 10, 20, 30, 1], 16);

@@ -11,12 +11,12 @@ const hinge: Motion = { kind: 'hinge', axis: [0, 0, 2] };
 const bvh: Motion = { kind: 'bvh', channels: ['tx', 'ty', 'tz', 'rz', 'rx', 'ry'], positions: 'replace' };
 
 describe('another kind of joint', () => {
-  it('keeps the axis, as it was written', () => {
+  it('another kind of joint keeps the axis, as it was written', () => {
     expect(motionOfKind('screw', hinge)).toEqual({ kind: 'screw', axis: [0, 0, 2], pitch: 1 });
     expect(motionOfKind('prismatic', { kind: 'ball', order: 'xyz' })).toEqual({ kind: 'prismatic', axis: [1, 0, 0] });
   });
 
-  it('keeps the order, as far as it applies', () => {
+  it('another kind of joint keeps the order, as far as it applies', () => {
     expect(motionOfKind('free', { kind: 'ball', order: 'zxy' })).toEqual({ kind: 'free', order: 'zxy' });
     expect(motionOfKind('universal', { kind: 'ball', order: 'zxy' })).toEqual({ kind: 'universal', order: 'zx' });
     expect(motionOfKind('ball', { kind: 'universal', order: 'yz' })).toEqual({ kind: 'ball', order: 'yzx' });
@@ -70,7 +70,7 @@ describe('another kind of joint', () => {
     }
   });
 
-  it('can be made of each kind', () => {
+  it('another kind of joint can be made of each kind', () => {
     for (const kind of MOTION_KINDS.filter((name) => name !== 'bvh')) {
       const made = motionOfKind(kind, bvh);
       expect(made.kind).toBe(kind);

@@ -2,7 +2,7 @@ import { describe, expect, it, vi } from 'vitest';
 import { perObject, perPair } from '../../src/model/per-object.ts';
 
 describe('perObject', () => {
-  it('makes the result of an object once, and another one of an equal object', () => {
+  it('perObject makes the result of an object once, and another one of an equal object', () => {
     const make = vi.fn(({ size }: { size: number }) => [size]);
     const of = perObject(make);
     const skin = { size: 2 };
@@ -11,7 +11,7 @@ describe('perObject', () => {
     expect(make).toHaveBeenCalledTimes(2);
   });
 
-  it('keeps undefined as a result too', () => {
+  it('perObject keeps undefined as a result too', () => {
     const make = vi.fn(() => undefined);
     const of = perObject(make);
     const clip = {};
@@ -29,7 +29,7 @@ describe('perObject', () => {
     expect(of(skin)).toBe('from the worker');
   });
 
-  it('makes nothing for an object whose making failed, and tries again', () => {
+  it('perObject makes nothing for an object whose making failed, and tries again', () => {
     let fails = true;
     const of = perObject(() => {
       if (fails) throw new Error('not yet');

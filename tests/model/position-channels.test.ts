@@ -26,7 +26,7 @@ describe('what position channels mean', () => {
 describe('another meaning of position channels', () => {
   const before = figure({ positionsEverywhere: true });
 
-  it('keeps rest pose and set pose in place', () => {
+  it('another meaning of position channels keeps rest pose and set pose in place', () => {
     const pose = filePose(before, 0).map((value, dof) => value + dof / 100);
     const after = withPositions(before, 'add');
     expect(positionsTaken(after)).toBe('add');
@@ -44,7 +44,7 @@ describe('another meaning of position channels', () => {
     }
   });
 
-  it('comes back to what it was', () => {
+  it('another meaning of position channels comes back to what it was', () => {
     const back = withPositions(withPositions(before, 'add'), 'replace');
     expect(back.joints.map((j) => j.motion)).toEqual(before.joints.map((j) => j.motion));
     expect(withPositions(before, 'replace')).toBe(before);

@@ -8,7 +8,7 @@ const wave = (t: number) => Math.sin(2 * Math.PI * t) + 0.3 * Math.cos(6 * Math.
 const options = { from: 0, to: 1, frame: 0.02, tolerance: 0.004, extrapolation: 'cycle' } as const;
 
 describe('fitting keys to a motion', () => {
-  it('keeps the curve within the tolerance, also a period later', () => {
+  it('fitting keys to a motion keeps the curve within the tolerance, also a period later', () => {
     const compiled = compileChannels([fitChannel(wave, options)]);
     for (let t = 0.003; t < 2; t += 0.01) {
       expect(Math.abs(evaluateChannel(compiled, 0, t) - wave(t))).toBeLessThan(1.5 * options.tolerance);

@@ -57,7 +57,7 @@ describe('the folder of samples', () => {
 describe.each(samples.map((s) => [s.id, s] as const))('%s', (_id, sample) => {
   const files = sampleFiles(sample);
 
-  it('is read without a single diagnostic', () => {
+  it('the folder of samples is read without a single diagnostic', () => {
     for (const [name, content] of files) expect(readAny(name, content)).toEqual([]);
   });
 
@@ -72,14 +72,14 @@ describe.each(samples.map((s) => [s.id, s] as const))('%s', (_id, sample) => {
     expect(readRig(text(`${sample.id}.rig`), `${sample.id}.rig`).value).toEqual(rig);
   });
 
-  it('has a rig that names its other files and no others', () => {
+  it('the folder of samples has a rig that names its other files and no others', () => {
     const { skeleton, skin, morphs, animation } = sample.rig;
     const named = [skeleton, skin, ...morphs, animation].filter((n) => n !== undefined);
     const others = [...files.keys()].filter((n) => !n.endsWith('.rig') && !n.endsWith('.png'));
     expect(named.toSorted()).toEqual(others.toSorted());
   });
 
-  it('has a channel for every DOF, and keys within the limits', () => {
+  it('the folder of samples has a channel for every DOF, and keys within the limits', () => {
     const { skeleton, morphs, clip } = sample;
     expect(clip.channels.length).toBe(3 + jointDofCount(skeleton) + morphs.length);
     const first = firstDofs(skeleton);
@@ -97,7 +97,7 @@ describe.each(samples.map((s) => [s.id, s] as const))('%s', (_id, sample) => {
 });
 
 function skinTests(sample: Sample, skin: NonNullable<Sample['skin']>): void {
-  it('has weights of 1 to 4 attachments that sum to 1, on joints that there are', () => {
+  it('the folder of samples has weights of 1 to 4 attachments that sum to 1, on joints that there are', () => {
     const { start, joints, weights } = skin.attachments ?? { start: [], joints: [], weights: [] };
     expect(start.length).toBe(skin.positions.length / 3 + 1);
     for (let v = 0; v + 1 < start.length; v++) {
@@ -111,7 +111,7 @@ function skinTests(sample: Sample, skin: NonNullable<Sample['skin']>): void {
     expect(skin.bindings.length).toBe(16 * sample.skeleton.joints.length);
   });
 
-  it('has unit normals and texture coordinates inside the picture', () => {
+  it('the folder of samples has unit normals and texture coordinates inside the picture', () => {
     const { normals = [], texcoords = [] } = skin;
     expect(normals.length).toBe(skin.positions.length);
     for (let v = 0; v < normals.length; v += 3) {
@@ -120,7 +120,7 @@ function skinTests(sample: Sample, skin: NonNullable<Sample['skin']>): void {
     for (const t of texcoords) expect(t >= 0 && t <= 1).toBe(true);
   });
 
-  it('has a texture that is a well-formed PNG of its own size', () => {
+  it('the folder of samples has a texture that is a well-formed PNG of its own size', () => {
     const [texture] = sample.textures;
     expect(texture.name).toBe(skin.material?.texture);
     const png = Buffer.from(texture.bytes);

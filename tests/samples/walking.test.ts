@@ -227,7 +227,7 @@ describe.each([walker, crawler].map((s) => [s.id, s] as const))('%s, played in a
     });
   });
 
-  it('stays within two heights of the origin', () => {
+  it('the crawler stays within two heights of the origin', () => {
     const play = player(sample);
     for (const t of between(...sample.clip.range)) {
       play.seek(t);

@@ -10,7 +10,7 @@ const length = fc.double({ min: -4, max: 4, noNaN: true });
 const point: fc.Arbitrary<Vec3> = fc.tuple(length, length, length);
 
 describe('the box around bones', () => {
-  it('is around every corner of every box, every End Site and every tip, and no larger than that', () => {
+  it('the box around bones is around every corner of every box, every End Site and every tip, and no larger than that', () => {
     const angles = fc.array(fc.double({ min: -3, max: 3, noNaN: true }), { minLength: 9, maxLength: 9 });
     fc.assert(
       fc.property(angles, point, point, point, point, fc.option(length), (turns, offset, a, b, end, tip) => {

@@ -20,7 +20,7 @@ describe('a move of the camera', () => {
     expect(travel.at(10_001)).toBeUndefined();
   });
 
-  it('turns the short way, and zooms geometrically', () => {
+  it('a move of the camera turns the short way, and zooms geometrically', () => {
     const travel = new CameraTravel();
     travel.begin(view(0, 3, 1), view(10, -3, 16));
     travel.at(1);

@@ -70,7 +70,7 @@ describe('the name of a character', () => {
     ).toBeUndefined();
   });
 
-  it('stays below the upper edge where only the head is out of the picture', () => {
+  it('the name of a character stays below the upper edge where only the head is out of the picture', () => {
     const [, y] = place([
       [0, 0],
       [0, 9],

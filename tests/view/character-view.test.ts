@@ -154,7 +154,7 @@ describe('a character in the picture', () => {
     expect(view.vertices()[0]).toBe(7);
   });
 
-  it('keeps its mesh when only the skeleton changes, and follows the new one', () => {
+  it('a character in the picture keeps its mesh when only the skeleton changes, and follows the new one', () => {
     const model = character({ skins: [skin('hero', 1)] });
     const view = shown(model);
     const mesh = view.skinnedMeshes[0];
@@ -280,7 +280,7 @@ describe('a character in the picture', () => {
     });
     const model = character({ skins: [large], pose: [5, 0, 0, 0, 0, 0, 0, 0, 0] });
 
-    it('has bounds at once, and is shown when prepared', async () => {
+    it('with a skin too large for one frame has bounds at once, and is shown when prepared', async () => {
       const view = shown(model);
       expect(view.needsPreparing).toBe(true);
       expect(view.skinnedMeshes).toEqual([]);
@@ -303,7 +303,7 @@ describe('a character in the picture', () => {
       expect(view.needsPreparing).toBe(false);
     });
 
-    it('is dropped if replaced meanwhile', async () => {
+    it('with a skin too large for one frame is dropped if replaced meanwhile', async () => {
       const view = shown(model);
       const coming = view.prepare();
       view.show({ ...model, skins: [skin()] }, DEFAULT_DISPLAY, undefined);
@@ -312,7 +312,7 @@ describe('a character in the picture', () => {
       expect(view.vertices()).toHaveLength(9);
     });
 
-    it('is dropped when disposed of', async () => {
+    it('with a skin too large for one frame is dropped when disposed of', async () => {
       const view = shown(model);
       const coming = view.prepare();
       view.dispose();

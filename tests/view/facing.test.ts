@@ -26,7 +26,7 @@ describe('the facing of a skin', () => {
     expect(turned).toEqual(UNTURNED);
   });
 
-  it('is the same whichever way each triangle is wound, and keeps last corners and the array given', () => {
+  it('the facing of a skin is the same whichever way each triangle is wound, and keeps last corners and the array given', () => {
     fc.assert(
       fc.property(fc.array(fc.boolean(), { minLength: 8, maxLength: 8 }), (which) => {
         const given = rewound(which);
@@ -39,7 +39,7 @@ describe('the facing of a skin', () => {
     );
   });
 
-  it('turns round the few normals that disagree with the many, whatever the winding', () => {
+  it('the facing of a skin turns round the few normals that disagree with the many, whatever the winding', () => {
     fc.assert(
       fc.property(fc.nat(5), fc.array(fc.boolean(), { minLength: 8, maxLength: 8 }), (bad, which) => {
         const normals = CORNERS.map((x, i) => (Math.floor(i / 3) === bad ? -x : x));
@@ -84,7 +84,7 @@ describe('the facing of a skin', () => {
     );
   });
 
-  it('comes to an end for any triangles, degenerate ones and edges of many included', () => {
+  it('the facing of a skin comes to an end for any triangles, degenerate ones and edges of many included', () => {
     fc.assert(
       fc.property(fc.array(fc.tuple(fc.nat(5), fc.nat(5), fc.nat(5)), { maxLength: 30 }), (all) => {
         const { triangles } = facing(Uint32Array.from(all.flat()));

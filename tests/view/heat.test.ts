@@ -22,7 +22,7 @@ describe('the colours of the influence map', () => {
     }
   });
 
-  it('go from a deep blue to a warm light, and stay there beyond', () => {
+  it('the colours of the influence map go from a deep blue to a warm light, and stay there beyond', () => {
     const [r0, , b0] = heatColour(0);
     const [r1, , b1] = heatColour(1);
     expect(b0).toBeGreaterThan(r0);

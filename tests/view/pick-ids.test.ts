@@ -17,7 +17,7 @@ function picture(size: number, ids: Readonly<Record<number, number>>): Uint8Arra
 const any = () => true;
 
 describe('ids in a picture', () => {
-  it('come back as they were written, all 32 bits of them', () => {
+  it('ids in a picture come back as they were written, all 32 bits of them', () => {
     fc.assert(
       fc.property(fc.integer({ min: 0, max: 0xffffffff }), (id) => {
         expect(decodeId(encodeId(id), 0)).toBe(id);

@@ -71,7 +71,7 @@ describe('the track of a character', () => {
     }
   });
 
-  it('goes back to the same values after any other time', () => {
+  it('the track of a character goes back to the same values after any other time', () => {
     const played = player(playing([channel([0, 1], [0, 2])]));
     played.seek(0.5);
     played.seek(-40);

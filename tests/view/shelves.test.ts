@@ -43,7 +43,7 @@ describe('shelves', () => {
     );
   });
 
-  it('have no room when they are full, nor ever for what is wider than they are, and all of it when cleared', () => {
+  it('shelves have no room when they are full, nor ever for what is wider than they are, and all of it when cleared', () => {
     const shelves = new Shelves(WIDTH, HEIGHT, SHELF);
     const corner = new Float64Array(2);
     expect(shelves.place(WIDTH + 1, corner)).toBe(false);

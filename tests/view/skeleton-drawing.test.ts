@@ -74,7 +74,7 @@ describe('a skeleton without boxes', () => {
     expect(drawing.instanceCount).toBe(50 * (70 + 64 + 3));
   });
 
-  it('is drawn with a third of the triangles among many, under a skin too, and as before once they are gone', () => {
+  it('a skeleton without boxes is drawn with a third of the triangles among many, under a skin too, and as before once they are gone', () => {
     const drawing = drawn([figure()]);
     const alone = triangles(drawing);
     const show = (count: number, display: Partial<Display>) => {

@@ -21,7 +21,7 @@ const many = (counts: readonly number[]) =>
   });
 
 describe('a skin packed for the GPU', () => {
-  it('has four attachments a vertex in attributes and the rest in a texture, in ranges', () => {
+  it('a skin packed for the GPU has four attachments a vertex in attributes and the rest in a texture, in ranges', () => {
     const model = many([0, 1, 4, 6, 9, 0]);
     const { geometry, attachmentTexture } = runToEnd(packSkin(model, model.positions, 99, true));
     const index = geometry.getAttribute('skinIndex');

@@ -29,7 +29,7 @@ const chain = (joints: number) => ({ name: 'chain', joints: Array.from({ length:
 const number = (size: number) => fc.double({ min: -size, max: size, noNaN: true });
 
 describe('skinning on the CPU, as three.js asks for it', () => {
-  it('is what the core computes, for any number of attachments, any weights, bindings with scale and shear', () => {
+  it('skinning on the CPU, as three.js asks for it is what the core computes, for any number of attachments, any weights, bindings with scale and shear', () => {
     const joints = 5;
     const binding = fc
       .array(number(1), { minLength: 9, maxLength: 9 })
@@ -68,7 +68,7 @@ describe('skinning on the CPU, as three.js asks for it', () => {
     expect([...view.vertices()]).toEqual([0.5, -1, 2, 500.25, 0, 1, 0, 0, 0]);
   });
 
-  it('turns directions too, and keeps what kind of vector it was given', () => {
+  it('skinning on the CPU, as three.js asks for it turns directions too, and keeps what kind of vector it was given', () => {
     const view = new CharacterView();
     const model = attached([[[0, 1]]], [new Matrix4()]);
     const pose = [7, 0, 0, 0, 0, Math.PI / 2];
@@ -125,7 +125,7 @@ describe('a material with exact skinning', () => {
     ]);
   });
 
-  it('keeps what the material does to its shader itself', () => {
+  it('a material with exact skinning keeps what the material does to its shader itself', () => {
     const material = new MeshStandardMaterial();
     material.onBeforeCompile = (shader) => {
       shader.fragmentShader += '// mine';

@@ -11,7 +11,7 @@ function* count(to: number, seen: number[] = []): Steps<number> {
 }
 
 describe('work in slices', () => {
-  it('comes to the same as at once', async () => {
+  it('work in slices comes to the same as at once', async () => {
     expect(runToEnd(count(1000))).toBe(1000);
     expect(await runInSlices(count(1000), new AbortController().signal)).toBe(1000);
   });

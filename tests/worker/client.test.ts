@@ -66,7 +66,7 @@ describe('WorkerClient', () => {
     expect(seen).toEqual([5]);
   });
 
-  it('turns a failed job into an error with its sentence', async () => {
+  it('WorkerClient turns a failed job into an error with its sentence', async () => {
     const { made, workers } = client();
     const job = made.run('parse', { files: [] });
     workers[0].answer({ id: workers[0].posted[0].id, kind: 'failed', message: 'no room' });

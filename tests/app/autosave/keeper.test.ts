@@ -199,7 +199,7 @@ describe('a session', () => {
     expectSame((await readBack(store)).state, state);
   });
 
-  it('is right if an immediate save overtakes a running one, whether that finishes or not', async () => {
+  it('a session is right if an immediate save overtakes a running one, whether that finishes or not', async () => {
     for (const comesToAnEnd of [true, false]) {
       const store = memoryStore();
       const keeper = new Keeper('s', store, new Origins());

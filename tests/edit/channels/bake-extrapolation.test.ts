@@ -120,7 +120,7 @@ describe('baking the extrapolation', () => {
     expect(rowsOf(channel)[5]).toEqual([3, 2, 'smooth', 'smooth']);
   });
 
-  it('makes a step of a cycle that jumps, except where it ends', () => {
+  it('baking the extrapolation makes a step of a cycle that jumps, except where it ends', () => {
     expect(pointsOf(withExtrapolationBaked(wave('cycle', 5), 0, 4).channel)).toEqual([
       [0, 0],
       [1, 2],
@@ -190,7 +190,7 @@ describe('baking the extrapolation', () => {
     expect(withExtrapolationBaked(none, -5, 5).channel).toBe(none);
   });
 
-  it('makes what repeated constant, and reports if the other side repeats with another period', () => {
+  it('baking the extrapolation makes what repeated constant, and reports if the other side repeats with another period', () => {
     const { channel, periodChanged } = withExtrapolationBaked(wave('cycle'), 0, 5);
     expect([channel.extrapolateIn, channel.extrapolateOut]).toEqual(['cycle', 'constant']);
     expect(periodChanged).toBe(true);

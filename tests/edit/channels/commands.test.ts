@@ -63,7 +63,7 @@ describe('simplifying curves', () => {
     expect([1, 2].map((c) => after[c] === channelsOf(before)[c])).toEqual([true, true]);
   });
 
-  it('makes no step if no key can be removed', () => {
+  it('simplifying curves makes no step if no key can be removed', () => {
     const store = new Store(documentWith(calm));
     store.apply(simplify, { characterId: 'c1', channels: [0], tolerance: 1 });
     expect(store.undoLabel).toBeUndefined();
@@ -101,7 +101,7 @@ describe('resampling, looping and baking curves', () => {
     expect(() => resample.run(before, { ...args, to: -1 })).toThrow('before it starts');
   });
 
-  it('makes loops, keeping the offset of the named channels', () => {
+  it('resampling, looping and baking curves makes loops, keeping the offset of the named channels', () => {
     const before = documentWith(wave(1), wave(1));
     const { document } = makeLoop.run(before, { characterId: 'c1', channels: [0, 1], keepOffset: [1] });
     expect(channelsOf(document).map((c) => c.extrapolateOut)).toEqual(['cycle', 'cycle_offset']);

@@ -59,7 +59,7 @@ describe('the Euler filter', () => {
     );
   });
 
-  it('never makes the way from key to key longer by a turn or a flip than it need be', () => {
+  it('the Euler filter never makes the way from key to key longer by a turn or a flip than it need be', () => {
     fc.assert(
       fc.property(triples, (list) => {
         const after = filterRotations(ofTriples(list), 'xyz');
@@ -111,7 +111,7 @@ describe('the Euler filter', () => {
     expect(keysChanged(before, after)).toBe(0);
   });
 
-  it('stays within limits, and leaves a key that lies outside', () => {
+  it('the Euler filter stays within limits, and leaves a key that lies outside', () => {
     const before = ofTriples([
       [3, 0, 0],
       [-3, 0, 0],

@@ -69,7 +69,7 @@ describe('making a loop', () => {
     expectClose(slopesAt(byHand, 1), [slope, slope], WITHIN.rounding);
   });
 
-  it('keeps what was shaped by hand: flat ends, a number on one side, the mean of two', () => {
+  it('making a loop keeps what was shaped by hand: flat ends, a number on one side, the mean of two', () => {
     const ends = (out: 'flat' | 'smooth' | number, into: 'flat' | 'linear' | number) =>
       withLoop(
         channelOf([

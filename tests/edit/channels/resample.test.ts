@@ -36,7 +36,7 @@ describe('resampling', () => {
     );
   });
 
-  it('keeps a smooth curve by the fourth power of the frame, a linear one by the second', () => {
+  it('resampling keeps a smooth curve by the fourth power of the frame, a linear one by the second', () => {
     const wave = channelOf(
       Array.from({ length: 41 }, (_, i) => [i / 40, Math.sin(6.28 * (i / 40)), 6.28 * Math.cos(6.28 * (i / 40))]),
     );
@@ -106,7 +106,7 @@ describe('resampling', () => {
       [2, 1, 'flat'],
     ]);
 
-  it('keeps a step that lies on a frame', () => {
+  it('resampling keeps a step that lies on a frame', () => {
     const { channel, largestError } = resampleChannel(step(1), frames(0, 2, 'smooth', 2));
     expect(pointsOf(channel)).toEqual([
       [0, 0],
@@ -119,7 +119,7 @@ describe('resampling', () => {
     expect(largestError).toBe(0);
   });
 
-  it('turns a step between frames into a ramp over one frame, does not overshoot, and reports the error', () => {
+  it('resampling turns a step between frames into a ramp over one frame, does not overshoot, and reports the error', () => {
     const { channel, largestError } = resampleChannel(step(1.25), frames(0, 2, 'smooth', 2));
     expect(pointsOf(channel)).toEqual([0, 0.5, 1, 1.5, 2].map((t) => [t, t < 1.25 ? 0 : 1]));
     expect(largestError).toBeCloseTo(0.5, 9);

@@ -23,7 +23,7 @@ function expectWithin(before: Channel, after: Channel, tolerance: number): void 
 }
 
 describe('simplifying', () => {
-  it('never gets further from the curve than the tolerance, and says how far it gets', () => {
+  it('simplifying never gets further from the curve than the tolerance, and says how far it gets', () => {
     fc.assert(
       fc.property(
         channels(1, { steps: true, maxLength: 25 }),
@@ -43,7 +43,7 @@ describe('simplifying', () => {
     );
   });
 
-  it('keeps the time and value of each remaining key', () => {
+  it('simplifying keeps the time and value of each remaining key', () => {
     fc.assert(
       fc.property(
         channels(2, { steps: true, maxLength: 25 }),
@@ -98,7 +98,7 @@ describe('simplifying', () => {
     ]);
   });
 
-  it('turns a key a frame into few, smooth on both sides', () => {
+  it('simplifying turns a key a frame into few, smooth on both sides', () => {
     // A cubic with exact slopes over a span h is off by h⁴/384: 9 spans for two waves at 1 %.
     const { channel, keysAfter, keysBefore } = simplifyChannel(
       recorded((t) => Math.sin(2 * Math.PI * t), 60),
@@ -121,7 +121,7 @@ describe('simplifying', () => {
     expectWithin(noisy, channel, 0.02);
   });
 
-  it('keeps a corner as a corner, and the rest smooth', () => {
+  it('simplifying keeps a corner as a corner, and the rest smooth', () => {
     const ball = recorded((t) => Math.abs(Math.sin(Math.PI * t)), 90, 'linear');
     const { channel, keysAfter } = simplifyChannel(ball, 0.01);
     expect(keysAfter).toBeLessThan(20);
@@ -169,7 +169,7 @@ describe('simplifying', () => {
     }
   });
 
-  it('keeps the seam of a cycle smooth', () => {
+  it('simplifying keeps the seam of a cycle smooth', () => {
     for (const extrapolation of ['cycle', 'cycle_offset'] as const) {
       const rise = extrapolation === 'cycle' ? 0 : 0.5;
       const wave = {
@@ -185,7 +185,7 @@ describe('simplifying', () => {
     }
   });
 
-  it('keeps the slope that continues beyond the ends, as a number', () => {
+  it('simplifying keeps the slope that continues beyond the ends, as a number', () => {
     const wave = { ...recorded(Math.sin, 60), extrapolateOut: 'linear' as const };
     const { channel, keysAfter } = simplifyChannel(wave, 0.01);
     expect(keysAfter).toBeLessThan(10);
@@ -202,7 +202,7 @@ describe('simplifying', () => {
 });
 
 describeShared('simplifying the walk of the wasp', () => {
-  it.each([0.001, 0.01, 0.1])('stays within %d of every curve', (tolerance) => {
+  it.each([0.001, 0.01, 0.1])('simplifying the walk of the wasp stays within %d of every curve', (tolerance) => {
     const clip = referenceClip('data/cse169/wasp_walk.anim');
     const keyed = clip.channels.filter((c) => c.kind === 'keys');
     expect(keyed).toHaveLength(clip.channels.length);

@@ -20,7 +20,7 @@ function skelAndAnim(figure: CapturedFigure) {
 const angle = fc.double({ min: -400, max: 400, noNaN: true });
 
 describe('BVH as .skel and .anim', () => {
-  it('makes of each joint the simplest type that moves as it does', () => {
+  it('BVH as .skel and .anim makes of each joint the simplest type that moves as it does', () => {
     const joints = [
       bvhJoint(-1, ['tx', 'ty', 'tz', 'rz', 'rx', 'ry']),
       bvhJoint(0, ['rz', 'ry', 'rx']),
@@ -37,7 +37,7 @@ describe('BVH as .skel and .anim', () => {
     ]);
   });
 
-  it('makes a leaf of each End Site, right behind its joint and before that joint’s children', () => {
+  it('BVH as .skel and .anim makes a leaf of each End Site, right behind its joint and before that joint’s children', () => {
     const joints = [
       bvhJoint(-1, ['rx'], { endSites: [[1, 2, 3]] }),
       bvhJoint(0, ['rx'], { name: 'tip', endSites: [[4, 5, 6]] }),
@@ -84,7 +84,7 @@ describe('BVH as .skel and .anim', () => {
     expect(Array.from(keysOf(channels[3]).values, (v) => Math.round((v * 180) / Math.PI))).toEqual([170, 185, 200]);
   });
 
-  it('keeps only the keys that a tolerance asks for', () => {
+  it('BVH as .skel and .anim keeps only the keys that a tolerance asks for', () => {
     const rows = Array.from({ length: 100 }, (_, f) => [10 * Math.sin(f / 20)]);
     const figure = bvhFigure({ name: 'x', joints: [bvhJoint(-1, ['rx'])] }, rows);
     if (!figure.clip) throw new Error('There is a clip.');

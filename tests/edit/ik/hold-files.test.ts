@@ -60,11 +60,11 @@ describe('the walker', () => {
     shownClip: 0,
   });
 
-  it('keeps a foot in place that would move on', () => {
+  it('the walker keeps a foot in place that would move on', () => {
     expectHeld(walker, { joints: ['foot_l'], range: [0.4, 0.9], tolerance: OF_KEYS });
   });
 
-  it('keeps both of its toes in place', () => {
+  it('the walker keeps both of its toes in place', () => {
     expectHeld(walker, { joints: ['toe_l', 'toe_r'], range: [0.4, 0.7], tolerance: OF_KEYS });
   });
 });

@@ -89,7 +89,7 @@ function valuesAt(c: Character, seconds: number): number[] {
 }
 
 describe('holding a pin over a range of time', () => {
-  it('keeps its point in its place at every moment, which it would leave', () => {
+  it('holding a pin over a range of time keeps its point in its place at every moment, which it would leave', () => {
     const s = store();
     const before = shown(s);
     const place = footAt(before, 0.5);
@@ -175,7 +175,7 @@ describe('holding a pin over a range of time', () => {
     expect(s.document).toBe(document);
   });
 
-  it('keeps the orientation of a joint that is pinned at its origin', () => {
+  it('holding a pin over a range of time keeps the orientation of a joint that is pinned at its origin', () => {
     const s = store();
     s.apply(pinPoint, { characterId: 'c1', joint: FOOT, point: [0, 0, 0.01], holdsOrientation: true });
     const toe = (c: Character, t: number) => {
@@ -257,7 +257,7 @@ describe('what a hold may move', () => {
     expect(changed.every((c) => c >= 3 && c < 6)).toBe(true);
   });
 
-  it('stays within limits at all times', () => {
+  it('what a hold may move stays within limits at all times', () => {
     const limits = [
       { min: -0.5, max: 0.3 },
       { min: -0.1, max: 0.1 },
@@ -315,7 +315,7 @@ describe('what a hold may move', () => {
 });
 
 describe('takes of other kinds', () => {
-  it('that repeat are baked over the playback range, and continue as before', () => {
+  it('takes of other kinds that repeat are baked over the playback range, and continue as before', () => {
     const looped = walk();
     const all = looped.channels.map((channel, c): Channel => {
       if (keysOf(channel).times.length === 0) return channel;
@@ -334,7 +334,7 @@ describe('takes of other kinds', () => {
     }
   });
 
-  it('of samples get other frames, and those outside are exactly unchanged', () => {
+  it('takes of other kinds of samples get other frames, and those outside are exactly unchanged', () => {
     const rows = 61;
     const values = new Float64Array(15 * rows);
     for (let f = 0; f < rows; f++) {
@@ -367,7 +367,7 @@ describe('takes of other kinds', () => {
     expect(clipOf(s)).toBe(clip);
   });
 
-  it('with quaternions keep to one side of them', () => {
+  it('takes of other kinds with quaternions keep to one side of them', () => {
     const bent = (j: number) => ({
       ...LEG.joints[j],
       motion: { kind: 'quaternion' } as const,
@@ -456,7 +456,9 @@ describe('whatever the way', () => {
     { height: 0.33371810149401426, phase: 0.4577729608863592, often: 0.45827419869601727 },
   ];
 
-  it('of the joints, the point stays in place, between frames too, and no curve deviates', { timeout: 60_000 }, () => {
+  it('whatever the way of the joints, the point stays in place, between frames too, and no curve deviates', {
+    timeout: 60_000,
+  }, () => {
     fc.assert(
       fc.property(fc.array(wave, { minLength: 9, maxLength: 9 }), moment, moment, (waves, a, b) => {
         const all = waves.map(({ height, phase, often }) =>

@@ -102,7 +102,7 @@ describe('changing a pin', () => {
     return store;
   };
 
-  it('keeps omitted settings, and its id', () => {
+  it('changing a pin keeps omitted settings, and its id', () => {
     const store = pinned();
     store.apply(setPin, { ...of, pin: 1, weight: 3 });
     store.apply(setPin, { ...of, pin: 1, holdsOrientation: true });
@@ -181,7 +181,7 @@ describe('whatever is pinned, locked and let go', () => {
     dice.pick(acts)();
   };
 
-  it('comes back to the very document, and is sound all the way', () => {
+  it('whatever is pinned, locked and let go comes back to the very document, and is sound all the way', () => {
     fc.assert(
       fc.property(fc.array(thrown, { minLength: 1, maxLength: 40 }), (all) => {
         const store = fresh();

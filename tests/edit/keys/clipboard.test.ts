@@ -78,7 +78,7 @@ describe('pasting keys', () => {
     expect(keys).toEqual([{ channel: 0, indices: [1, 2] }]);
   });
 
-  it('keeps the times of channels together: the earliest key of all is put at the given time', () => {
+  it('pasting keys keeps the times of channels together: the earliest key of all is put at the given time', () => {
     const copied = copyKeys(walk, allKeys(walk, [0, 1]));
     const { channels: after } = paste(copied, 10, 'merge');
     expect([...keysOf(after[1]).times]).toEqual([0, 2.5, 10, 12.5]);

@@ -64,7 +64,7 @@ const goesOnAlike = (c: KeyedChannel) =>
 const turnsAway = fc.array(between(-7, 7), { minLength: 8, maxLength: 20 });
 
 describe('baked repetitions', () => {
-  it('keep the curve at every time, before and after, and continue in the same way', () => {
+  it('baked repetitions keep the curve at every time, before and after, and continue in the same way', () => {
     fc.assert(
       fc.property(looping.filter(goesOnAlike), between(-4, 4), between(-4, 4), turnsAway, (channel, a, b, at) => {
         const length = period(channel);
@@ -81,7 +81,7 @@ describe('baked repetitions', () => {
     );
   });
 
-  it('keep the curve between their ends if it continues in two different ways', () => {
+  it('baked repetitions keep the curve between their ends if it continues in two different ways', () => {
     fc.assert(
       fc.property(looping, between(-4, 0), between(1, 5), fc.array(between(0, 1), { maxLength: 20 }), (c, a, b, at) => {
         const [from, to] = [a, b].map((turns) => first(c) + turns * period(c));
@@ -191,7 +191,7 @@ describe('a key inside the cycle', () => {
     expect(valueAt(put, 4)).toBe(6);
   });
 
-  it('is baked on a side that does not repeat, whose times have no phase in the cycle', () => {
+  it('a key inside the cycle is baked on a side that does not repeat, whose times have no phase in the cycle', () => {
     const channel = channelOf(
       [
         [0, 0],

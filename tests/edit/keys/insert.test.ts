@@ -43,7 +43,7 @@ const moments = (channel: Channel) =>
       );
 
 describe('a key inserted on the curve', () => {
-  it('keeps the shape of the curve and of its extrapolation', () => {
+  it('a key inserted on the curve keeps the shape of the curve and of its extrapolation', () => {
     const cases = channelsOrRest({ steps: true, extrapolations: ['constant', 'linear'] }).chain((channel) =>
       fc.tuple(fc.constant(channel), fc.array(moments(channel), { minLength: 1, maxLength: 5 })),
     );
@@ -63,7 +63,7 @@ describe('a key inserted on the curve', () => {
     );
   });
 
-  it('keeps cycles and bounces too, if it is between the ends', () => {
+  it('a key inserted on the curve keeps cycles and bounces too, if it is between the ends', () => {
     const cases = channels(2, { steps: true }).chain((channel) => {
       const inside = between(channel.times[0], channel.times[channel.times.length - 1]);
       return fc.tuple(fc.constant(channel), fc.array(inside, { minLength: 1, maxLength: 5 }));
@@ -82,7 +82,7 @@ describe('a key inserted on the curve', () => {
     );
   });
 
-  it('has the value and slope of the extrapolated curve when inserted beyond the ends', () => {
+  it('a key inserted on the curve has the value and slope of the extrapolated curve when inserted beyond the ends', () => {
     fc.assert(
       fc.property(channels(1), anyTime, (channel, time) => {
         const curve = compileChannels([channel]);
@@ -110,7 +110,7 @@ describe('a key inserted on the curve', () => {
 });
 
 describe('neighbours of an inserted key', () => {
-  it('become numbers if smooth would resolve to another slope, on both of their sides', () => {
+  it('neighbours of an inserted key become numbers if smooth would resolve to another slope, on both of their sides', () => {
     const channel = channelOf([
       [0, 0],
       [1, 1],
@@ -128,7 +128,7 @@ describe('neighbours of an inserted key', () => {
     ]);
   });
 
-  it('become numbers where linear would bend, and only on the side of the new key', () => {
+  it('neighbours of an inserted key become numbers where linear would bend, and only on the side of the new key', () => {
     const channel = channelOf([
       [0, 0, 'linear'],
       [1, 1, 'linear', 'linear'],
@@ -145,7 +145,7 @@ describe('neighbours of an inserted key', () => {
     ]);
   });
 
-  it('stay linear along a straight line, of which the new key becomes a linear key', () => {
+  it('neighbours of an inserted key stay linear along a straight line, of which the new key becomes a linear key', () => {
     const line = channelOf(
       [
         [0, 0, 'linear'],
@@ -159,7 +159,7 @@ describe('neighbours of an inserted key', () => {
     }
   });
 
-  it('stay smooth if they resolve to the same slope, as on a line', () => {
+  it('neighbours of an inserted key stay smooth if they resolve to the same slope, as on a line', () => {
     const line = channelOf(
       [
         [0, 0],
@@ -191,7 +191,7 @@ describe('neighbours of an inserted key', () => {
     expect(slopesAt(after, 2)).toEqual([0, 1]);
   });
 
-  it('that are no neighbours of it are left alone', () => {
+  it('neighbours of an inserted key that are no neighbours of it are left alone', () => {
     const channel = channelOf([0, 1, 0, 1, 0, 1].map((v, t) => [t, v] as const));
     const { channel: after } = insertKey(channel, 2.5);
     const rows = rowsOf(after);
@@ -210,7 +210,7 @@ describe('a key inserted past the ends', () => {
       before,
     );
 
-  it('is level with constant extrapolation, and the old end becomes level on its outer side', () => {
+  it('a key inserted past the ends is level with constant extrapolation, and the old end becomes level on its outer side', () => {
     expect(rowsOf(insertKey(hill('constant'), 3).channel).slice(2)).toEqual([
       [2, 0, 3, 'flat'],
       [3, 0, 'flat', 'flat'],
@@ -221,7 +221,7 @@ describe('a key inserted past the ends', () => {
     ]);
   });
 
-  it('keeps the kind of the old end if that is level anyway', () => {
+  it('a key inserted past the ends keeps the kind of the old end if that is level anyway', () => {
     const channel = channelOf([
       [0, 0, 'linear'],
       [1, 1, 'linear'],
@@ -233,7 +233,7 @@ describe('a key inserted past the ends', () => {
     ]);
   });
 
-  it('lies on the line of linear extrapolation', () => {
+  it('a key inserted past the ends lies on the line of linear extrapolation', () => {
     const { channel } = insertKey(hill('linear'), 4);
     expect(pointsOf(channel)[3]).toEqual([4, 6]);
     expect(rowsOf(channel)[2]).toEqual([2, 0, 3, 3]);

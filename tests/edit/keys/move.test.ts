@@ -53,7 +53,7 @@ describe('moving keys', () => {
     expect(pointsOf(withKeysMoved(thirds, [0], 0.2 - 1e-12, 0).channel)).toEqual([[0.1 + 0.2, 1]]);
   });
 
-  it('makes a step with the key it lands on if requested, applying from then on', () => {
+  it('moving keys makes a step with the key it lands on if requested, applying from then on', () => {
     const { channel, indices } = withKeysMoved(four, [1], 2, 0, 'step');
     expect(pointsOf(channel)).toEqual([
       [0, 10],
@@ -71,7 +71,7 @@ describe('moving keys', () => {
     expect(valuesOf(withKeysMoved(stairs, [1, 2], 1, 0, 'replace').channel)).toEqual([10, 11, 12]);
   });
 
-  it('keeps a step a step that moves as one', () => {
+  it('moving keys keeps a step a step that moves as one', () => {
     const { channel, indices } = withKeysMoved(stairs, [1, 2], 5, 0);
     expect(pointsOf(channel)).toEqual([
       [0, 10],

@@ -53,7 +53,7 @@ describe('scaling keys', () => {
     expect(rowsOf(channel)[1]).toEqual([2, -20, -6, 'smooth']);
   });
 
-  it('turns a step round with its time', () => {
+  it('scaling keys turns a step round with its time', () => {
     const step = channelOf([
       [0, 1],
       [1, 2],
@@ -66,7 +66,7 @@ describe('scaling keys', () => {
     ]);
   });
 
-  it('keeps the last of the keys that end at one time', () => {
+  it('scaling keys keeps the last of the keys that end at one time', () => {
     const { channel, indices } = withKeysScaled(two, [0, 1], by({ pivotSeconds: 5, timeFactor: 0 }));
     expect(pointsOf(channel)).toEqual([[5, 20]]);
     expect(indices).toEqual([0]);
@@ -107,7 +107,7 @@ describe('scaling any keys', () => {
     );
   });
 
-  it('comes back when scaled by the inverse', () => {
+  it('scaling any keys comes back when scaled by the inverse', () => {
     fc.assert(
       fc.property(channels(1, { steps: true }), pivot, factor, factor, (channel, p, t, v) => {
         const all = [...channel.times.keys()];

@@ -44,7 +44,7 @@ describe('putting a key', () => {
     ]);
   });
 
-  it('makes a keyless channel one that is keyed', () => {
+  it('putting a key makes a keyless channel one that is keyed', () => {
     const { channel } = putKey(restChannel(4), 1, 2, SMOOTH);
     expect(pointsOf(channel)).toEqual([[1, 2]]);
     checkChannel(channel);
@@ -77,7 +77,7 @@ describe('rippling keys', () => {
     expect(indices).toEqual([1]);
   });
 
-  it('comes back as far as the key before, and makes a step with it', () => {
+  it('rippling keys comes back as far as the key before, and makes a step with it', () => {
     expect(rippleRoom(three, 1)).toBe(-1);
     expect(rippleRoom(three, 0)).toBe(Number.NEGATIVE_INFINITY);
     const { channel, indices } = withKeysRippled(three, [1], -7);
@@ -115,7 +115,7 @@ describe('rippling keys', () => {
     expect(all.indices).toEqual([1, 2]);
   });
 
-  it('keeps the distances of all that ripples, and everything before', () => {
+  it('rippling keys keeps the distances of all that ripples, and everything before', () => {
     fc.assert(
       fc.property(
         withSome(channels(2)),
@@ -174,7 +174,7 @@ describe('snapping to frames', () => {
     expect(withKeysSnapped(channel, [0, 1, 2], 10).channel).toBe(channel);
   });
 
-  it('keeps the last of the keys on one frame, and the halves of a step', () => {
+  it('snapping to frames keeps the last of the keys on one frame, and the halves of a step', () => {
     const loose = channelOf([
       [0.98, 1],
       [1, 2],

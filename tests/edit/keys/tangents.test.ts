@@ -31,7 +31,7 @@ describe('setting tangents', () => {
     expect(rowsOf(setTangentKind(three, [1], 'in', FIXED_TANGENT))[1]).toEqual([1, 3, 3, 'linear']);
   });
 
-  it('makes the side a number when its slope is set', () => {
+  it('setting tangents makes the side a number when its slope is set', () => {
     expect(rowsOf(setSlope(three, [0, 1], 'out', -7)).map((row) => [row[2], row[3]])).toEqual([
       ['linear', -7],
       ['linear', -7],
@@ -52,13 +52,13 @@ describe('unifying tangents', () => {
     expect(rowsOf(withTangentsUnified(three, [1]))[1]).toEqual([1, 3, 2, 2]);
   });
 
-  it('does not change keys whose sides are equal', () => {
+  it('unifying tangents does not change keys whose sides are equal', () => {
     expect(withTangentsUnified(three, [0, 2])).toBe(three);
   });
 });
 
 describe('breaking tangents', () => {
-  it('makes both sides the numbers they are', () => {
+  it('breaking tangents makes both sides the numbers they are', () => {
     expect(rowsOf(withTangentsBroken(three, [1]))[1]).toEqual([1, 3, 3, 1]);
   });
 

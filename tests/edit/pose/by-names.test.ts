@@ -22,7 +22,7 @@ const count = characterDofs(hero.skeleton, hero.morphs).length;
 const values = Array.from({ length: count }, (_, d) => d / 10 + 0.1);
 
 describe('a pose by names', () => {
-  it('comes back onto the same skeleton exactly', () => {
+  it('a pose by names comes back onto the same skeleton exactly', () => {
     const { values: taken, missing } = takePose(hero, poseByNames(hero, { name: 'a', values }));
     expect(taken).toEqual(new Map(values.entries()));
     expect(missing).toEqual([]);
@@ -86,7 +86,7 @@ describe('the library', () => {
     ).toBe('sit 3');
   });
 
-  it('is carried over when the skeleton’s file is opened again with other joints', () => {
+  it('the library is carried over when the skeleton’s file is opened again with other joints', () => {
     const kept = addPoses(hero, [poseByNames(hero, { name: 'sit', values })]);
     const joints = [named(-1, 'hip'), named(0, 'tail', hinge), named(0, 'knee', hinge), named(2, 'foot')];
     const after = withSkeleton(kept, { name: 'hero', joints });
@@ -113,7 +113,7 @@ describe('a .pose that is opened', () => {
   const open = (document = documentOf(other, { ...hero, id: 'c1' }), selected?: string) =>
     openFiles(document, [poses], [], selected);
 
-  it('is added to the library of the character that has its joints, whichever is selected', () => {
+  it('a .pose that is opened is added to the library of the character that has its joints, whichever is selected', () => {
     for (const selected of [undefined, 'c1', 'c2']) {
       const { document, opened, diagnostics, label } = open(undefined, selected);
       expect(opened).toEqual(['c1']);
@@ -124,7 +124,7 @@ describe('a .pose that is opened', () => {
     }
   });
 
-  it('is added to the selected one of several that have them', () => {
+  it('a .pose that is opened is added to the selected one of several that have them', () => {
     const twin = { ...hero, id: 'c3', name: 'twin' };
     expect(open(documentOf(hero, twin), 'c3').opened).toEqual(['c3']);
   });

@@ -79,7 +79,7 @@ describe('poses.mirror', () => {
 describe('the library’s commands', () => {
   const kept = keepPose.run(still, { characterId: 'c1', timeSeconds: 0 });
 
-  it('keep the pose shown, under names of its own', () => {
+  it('the library’s commands keep the pose shown, under names of its own', () => {
     expect(kept.characters[0].poses).toEqual([{ name: 'pose 1', values: pose }]);
     const more = keepPose.run(kept, { characterId: 'c1', timeSeconds: 0, name: 'pose 1' });
     expect(more.characters[0].poses?.map(({ name }) => name)).toEqual(['pose 1', 'pose 2']);
@@ -151,7 +151,7 @@ describe('poses.paste', () => {
 });
 
 describe('a blend', () => {
-  it.each(EULER_ORDERS)('turns a ball of order %s along the shortest arc, at an even pace', (order) => {
+  it.each(EULER_ORDERS)('a blend turns a ball of order %s along the shortest arc, at an even pace', (order) => {
     const ball = { name: 'b', joints: [joint(-1, { motion: { kind: 'ball', order } })] };
     const [from, to] = [
       [0, 0, 0, 2.9, 0.3, -2.8],
@@ -175,7 +175,7 @@ describe('a blend', () => {
     }
   });
 
-  it('keeps a quaternion on its way, and ends exactly', () => {
+  it('a blend keeps a quaternion on its way, and ends exactly', () => {
     const free = { name: 'q', joints: [joint(-1, { motion: { kind: 'quaternion' }, pose: [0, 0, 0, 1] })] };
     const from = [0, 0, 0, 0, 0, 0, 1];
     const to = [2, 0, 0, -Math.SQRT1_2, 0, 0, -Math.SQRT1_2];

@@ -61,7 +61,7 @@ describe('a mirrored pose', () => {
     );
   });
 
-  it('is restored exactly when mirrored again', () => {
+  it('a mirrored pose is restored exactly when mirrored again', () => {
     fc.assert(
       fc.property(symmetricRig(anyMotion, middleMotion), seeds, ({ skeleton }, values) => {
         const pose = somePose(skeleton, values);
@@ -73,7 +73,7 @@ describe('a mirrored pose', () => {
     );
   });
 
-  it('keeps the reference pose', () => {
+  it('a mirrored pose keeps the reference pose', () => {
     fc.assert(
       fc.property(symmetricRig(anyMotion, middleMotion), ({ skeleton }) => {
         const { reference } = reflectionOf(skeleton);
@@ -82,7 +82,7 @@ describe('a mirrored pose', () => {
     );
   });
 
-  it('stays within enforced limits, and keeps links', () => {
+  it('a mirrored pose stays within enforced limits, and keeps links', () => {
     fc.assert(
       fc.property(symmetricRig(turningMotion), seeds, ({ skeleton }, values) => {
         const tight = {
@@ -104,7 +104,7 @@ describe('a mirrored pose', () => {
     );
   });
 
-  it('turns as nearly as it can where the other side has joints of other kinds', () => {
+  it('a mirrored pose turns as nearly as it can where the other side has joints of other kinds', () => {
     const ball: Motion = { kind: 'ball', order: 'xyz' };
     const { skeleton } = rigOf(
       [{ motion: ball, offset: [0, 0, 0] }],
@@ -195,7 +195,7 @@ describe('a figure that is mirrored in place', () => {
   /** Fits of fits; lengths here are a few units. */
   const TWICE_FITTED = 1e-6;
 
-  it('keeps its position and heading, and is otherwise the mirrored figure', () => {
+  it('a figure that is mirrored in place keeps its position and heading, and is otherwise the mirrored figure', () => {
     fc.assert(
       fc.property(turningRig, seeds, ({ skeleton }, values) => {
         const pose = somePose(skeleton, values);
@@ -217,7 +217,7 @@ describe('a figure that is mirrored in place', () => {
     );
   });
 
-  it('is restored when mirrored again', () => {
+  it('a figure that is mirrored in place is restored when mirrored again', () => {
     fc.assert(
       fc.property(turningRig, seeds, ({ skeleton }, values) => {
         const pose = somePose(skeleton, values);
@@ -235,7 +235,7 @@ describe('a figure that is mirrored in place', () => {
     side === 'middle' ? 'hip' : `leg_${i}_${side[0]}`,
   ).skeleton;
 
-  it('is mirrored exactly if it faces along the plane, however it leans', () => {
+  it('a figure that is mirrored in place is mirrored exactly if it faces along the plane, however it leans', () => {
     const pose = somePose(figure, [0.1, 0.9, 0.4, 0.7, 0.2]);
     pose[4] = 0;
     const { dofs } = mirroredPose(figure, pose, false, stays);
@@ -255,7 +255,7 @@ describe('a figure that is mirrored in place', () => {
     expect(mirroredPose(figure, pose, false, up).dofs.subarray(0, 3)).toEqual(Float64Array.of(-1.1, 0.9, 2.5));
   });
 
-  it('keeps its place by its own DOFs too, as motion capture has it', () => {
+  it('a figure that is mirrored in place keeps its place by its own DOFs too, as motion capture has it', () => {
     const motion: Motion = { kind: 'bvh', channels: ['tx', 'ty', 'tz', 'rz', 'rx', 'ry'], positions: 'add' };
     const captured = rigOf([{ motion, offset: [0, 0, 0] }], [{ at: 0, joints: [part, part] }], (side, i) =>
       side === 'middle' ? 'hip' : `leg_${i}_${side[0]}`,

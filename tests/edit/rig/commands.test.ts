@@ -52,7 +52,7 @@ function worldOf(c: Character, index: number): Float64Array {
 }
 
 describe('rig.create', () => {
-  it('makes a character of one joint, which is selected', () => {
+  it('rig.create makes a character of one joint, which is selected', () => {
     const store = new Store(documentOf());
     store.apply(createRig, { name: 'crab' });
     expect(store.document.characters.map(({ id, name }) => [id, name])).toEqual([['c1', 'crab']]);
@@ -200,7 +200,7 @@ describe('joints of BVH', () => {
 });
 
 describe('a root of BVH', () => {
-  it('with some position channels beside the root translation moves once, not twice', () => {
+  it('a root of BVH with some position channels beside the root translation moves once, not twice', () => {
     const root = named(-1, 'hips', {
       offset: [0, 0, 2],
       motion: { kind: 'bvh', channels: ['tz'], positions: 'replace' },
@@ -214,7 +214,7 @@ describe('a root of BVH', () => {
     expect(made.pose).toEqual([0, 0, 1, 6]);
   });
 
-  it('stays in place when it becomes another joint, and gives its channels to the root translation', () => {
+  it('a root of BVH stays in place when it becomes another joint, and gives its channels to the root translation', () => {
     const before = leg();
     const made = done(setMotion, before, { ...of(0), motion: { kind: 'ball', order: 'xyz' } });
     expect(made.pose.slice(0, 6)).toEqual([1, 2, 3, 0, 0, 0]);
@@ -251,7 +251,7 @@ describe('rig.remove', () => {
     expect(made.skins[0].bindings.length).toBe(16 * 3);
   });
 
-  it('keeps children in place, with their own channels', () => {
+  it('rig.remove keeps children in place, with their own channels', () => {
     const pose = [0, 0, 0, 0, 0, 0.5, 0.25, 0, 0, 0, 0.75, 0, 0, 0, 0];
     const before = body({ pose });
     const made = done(removeJoint, before, { ...of(1), children: 'stay' });
@@ -309,7 +309,7 @@ describe('rig.remove', () => {
 });
 
 describe('rig.reparent', () => {
-  it('keeps the pivot and, where the rule allows it, how the joint is turned', () => {
+  it('rig.reparent keeps the pivot and, where the rule allows it, how the joint is turned', () => {
     const pose = [0, 0, 0, 0.2, 0, 0, 0, 0.3, 0, 0.1, 0.2, 0.3, 0, 0, 1];
     const before = body({ pose });
     const made = done(reparentJoint, before, { ...of(2), parent: 3 });
@@ -320,7 +320,7 @@ describe('rig.reparent', () => {
     });
   });
 
-  it('keeps the pivot only where keys drive how it is turned', () => {
+  it('rig.reparent keeps the pivot only where keys drive how it is turned', () => {
     const turned = clip('hero_anim', [0, 0, 0, 0.2, 0, 0, 0, 0.3, 0, 0.1, 0.2, 0.3, 0, 0, 1]);
     const before = body({ clips: [turned], shownClip: 0 });
     const made = done(reparentJoint, before, { ...of(2), parent: 3 });
@@ -330,7 +330,7 @@ describe('rig.reparent', () => {
     expect(Math.abs(was[0] - is[0])).toBeGreaterThan(0.01);
   });
 
-  it('keeps a constant channel constant when it ends up between sampled ones', () => {
+  it('rig.reparent keeps a constant channel constant when it ends up between sampled ones', () => {
     const pose = Array.from({ length: 15 }, (_, d) => (d < 12 ? 0 : 0.5));
     const walk = {
       ...clip('walk', []),
@@ -375,7 +375,7 @@ describe('rig.reparent', () => {
 describe('rig.setMotion', () => {
   const pose = [1, 2, 3, 0.1, 0.2, 0.3, ...Array(9).fill(0)];
 
-  it('turns the root translation into the DOFs of a root that moves by itself, and back', () => {
+  it('rig.setMotion turns the root translation into the DOFs of a root that moves by itself, and back', () => {
     const free: Motion = { kind: 'free', order: 'xyz' };
     const before = body({ pose, clips: [clip('hero_anim', pose)], shownClip: 0 });
     const made = done(setMotion, before, { ...of(0), motion: free });
@@ -387,7 +387,7 @@ describe('rig.setMotion', () => {
     expect(back.skeleton?.joints[0].limits.length).toBe(3);
   });
 
-  it('keeps pose, limits and channels of the DOFs that both have', () => {
+  it('rig.setMotion keeps pose, limits and channels of the DOFs that both have', () => {
     const limited = { ...BODY, joints: [...BODY.joints] };
     limited.joints[1] = { ...BODY.joints[1], limits: [UNLIMITED, { min: -1, max: 1 }, UNLIMITED] };
     const values = pose.map((_, d) => d);
@@ -400,7 +400,7 @@ describe('rig.setMotion', () => {
     expect(jointsOf(made)[1].limits).toEqual([{ min: -1, max: 1 }, UNLIMITED]);
   });
 
-  it('turns a hinge into a ball with the same rotation', () => {
+  it('rig.setMotion turns a hinge into a ball with the same rotation', () => {
     const hinged = { ...BODY, joints: [...BODY.joints] };
     hinged.joints[1] = named(0, 'thigh', {
       motion: { kind: 'hinge', axis: [0, 0, -2] },

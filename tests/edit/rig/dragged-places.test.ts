@@ -66,7 +66,7 @@ describe('a joint that is dragged', () => {
     expectPoint(pivot(worldOf(moved, dofs), 1), to);
   });
 
-  it('does not move in a singular space', () => {
+  it('a joint that is dragged does not move in a singular space', () => {
     const flat = Float64Array.of(1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1);
     expect(offsetMoved([0, 0, 0], flat, [0, 0, 0], [1, 1, 1])).toBeUndefined();
   });
@@ -92,7 +92,7 @@ describe('an arrow', () => {
     );
   });
 
-  it('that points at the viewer is followed by no ray', () => {
+  it('an arrow that points at the viewer is followed by no ray', () => {
     expect(alongLine([0, 0, 0], [0, 0, 2], { origin: [0, 0, 5], direction: [0, 0, -1] })).toBeUndefined();
   });
 });

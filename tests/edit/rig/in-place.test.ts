@@ -86,7 +86,7 @@ const sizeOf = (world: Float64Array) =>
   world.reduce((most, v, k) => (k % 16 >= 12 && k % 16 < 15 ? Math.max(most, Math.abs(v)) : most), 1);
 
 describe('bind mode', () => {
-  it('keeps every vertex in place, whatever happens to the joints', () => {
+  it('bind mode keeps every vertex in place, whatever happens to the joints', () => {
     let moved = 0;
     fc.assert(
       fc.property(seeds, seeds, fc.constantFrom(...RIG_COMMANDS), (seed, thrown, id) => {
@@ -112,7 +112,7 @@ describe('bind mode', () => {
     expect(moved).toBeGreaterThan(20);
   });
 
-  it('keeps bindings of joints that did not move', () => {
+  it('bind mode keeps bindings of joints that did not move', () => {
     const document = randomDocument(7);
     const [hero] = document.characters;
     const args = { characterId: 'c1', joint: 0, name: 'other', skin: 'stays', timeSeconds: 0 };
@@ -167,7 +167,7 @@ describe('limits and couples', () => {
 });
 
 describe('pose mode', () => {
-  it('keeps the bindings, and the joints that are bound by them', () => {
+  it('pose mode keeps the bindings, and the joints that are bound by them', () => {
     fc.assert(
       fc.property(seeds, seeds, (seed, thrown) => {
         const document = randomDocument(seed);
@@ -298,7 +298,7 @@ describe('a skeleton built into a skin that waits for one', () => {
     return stands.map(({ vertices }) => farthest(vertices[0], template.positions));
   };
 
-  it('keeps every vertex in place, whichever joints its file refers to, and attaches them to these', () => {
+  it('a skeleton built into a skin that waits for one keeps every vertex in place, whichever joints its file refers to, and attaches them to these', () => {
     for (const away of built('stays')) expect(away).toBeLessThan(STAYS);
   });
 

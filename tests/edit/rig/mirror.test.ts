@@ -62,7 +62,7 @@ describe('mirroredMotion', () => {
     );
   });
 
-  it('keeps the axis direction of an existing joint, and negates its DOF', () => {
+  it('mirroredMotion keeps the axis direction of an existing joint, and negates its DOF', () => {
     const hinge: Motion = { kind: 'hinge', axis: [0, 0, 1] };
     expect(mirroredMotion(hinge, 0)).toEqual({ motion: { kind: 'hinge', axis: [0, 0, -1] }, signs: [1] });
     expect(mirroredMotion(hinge, 0, { kind: 'hinge', axis: [0, 0.1, 2] })).toEqual({ motion: hinge, signs: [-1] });
@@ -100,7 +100,7 @@ const skeletonIn = ({ characters: [{ skeleton }] }: ReturnType<typeof mirrorOf>[
 };
 
 describe('rig.mirror', () => {
-  it('makes a hierarchy that is the mirror image in every mirrored pose', () => {
+  it('rig.mirror makes a hierarchy that is the mirror image in every mirrored pose', () => {
     fc.assert(
       fc.property(seeds, mirrors, (seed, across) => {
         const before = figure(seed, across);
@@ -151,7 +151,7 @@ describe('rig.mirror', () => {
     expect(mirroredArm(0.02, 0.0000001)).toEqual([-0.0400001, 0.3, 0.1]);
   });
 
-  it('makes no −0 of 0, which files would contain', () => {
+  it('rig.mirror makes no −0 of 0, which files would contain', () => {
     const ball = { kind: 'ball', order: 'xyz' } as const;
     const joints = [jointOf(ball, 'root', -1, {}), jointOf(ball, 'hip_l', 0, { offset: [1, 0, 0] })];
     const { characters } = mirrorOf({ name: 'hero', joints }, 1, 0).next;
@@ -232,7 +232,7 @@ describe('rig.mirror', () => {
     ).toThrow('must be one of "x", "y", "z"');
   });
 
-  it('makes a second joint of one whose name has no side, and then distinguishes the two by position', () => {
+  it('rig.mirror makes a second joint of one whose name has no side, and then distinguishes the two by position', () => {
     const skeleton = { name: 'x', joints: [joint(-1), joint(0, { name: 'fin', offset: [0.5, 1, 0] })] };
     const both = skeletonIn(mirrorOf(skeleton, 1, 0).next);
     expect(both.joints.map(({ name, offset }) => [name, ...offset])).toEqual([

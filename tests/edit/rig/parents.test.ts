@@ -22,7 +22,7 @@ describe('valid parents of a joint', () => {
     expect([canHangOn(joints, 9, 0), canHangOn(joints, 1, -1), canHangOn(joints, 1, 9)]).toEqual([false, false, false]);
   });
 
-  it('never lets a joint hang on its own branch, however the tree is', () => {
+  it('valid parents of a joint never lets a joint hang on its own branch, however the tree is', () => {
     const trees = fc
       .array(fc.nat(), { minLength: 1, maxLength: 30 })
       .map((picks) => preOrder(picks.map((pick, i) => (i === 0 ? -1 : pick % i))));

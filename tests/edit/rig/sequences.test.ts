@@ -63,7 +63,7 @@ describe('any sequence of rig commands', () => {
     );
   });
 
-  it('can be saved as .skel and .skin, and reads back the same', () => {
+  it('any sequence of rig commands can be saved as .skel and .skin, and reads back the same', () => {
     fc.assert(
       fc.property(seeds, steps, (seed, all) => {
         const store = new Store(randomDocument(seed));

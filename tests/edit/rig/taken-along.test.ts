@@ -85,7 +85,7 @@ describe('a character that another one’s take moves', () => {
     ]);
   });
 
-  it('keeps the pivot of a joint that is moved and hangs on another one now, and its own pose', () => {
+  it('a character that another one’s take moves keeps the pivot of a joint that is moved and hangs on another one now, and its own pose', () => {
     // The tail is bent in the file, unlike the other one's, so its children get another rotation.
     const bent = BODY.joints.map((one, j) => (j === 3 ? { ...one, pose: [0.5, 0.25, 0] } : one));
     const store = driven({ ...BODY, joints: bent });

@@ -30,7 +30,7 @@ function tip(clip: typeof swing, seconds: number): number[] {
 }
 
 describe('converting samples to keys', () => {
-  it('keeps every joint and End Site within tolerance, with far fewer keys', () => {
+  it('converting samples to keys keeps every joint and End Site within tolerance, with far fewer keys', () => {
     const { after, report } = converted();
     expect(report.worstPosition.error).toBeLessThanOrEqual(tolerance.position);
     expect(report.worstAngle.error).toBeLessThanOrEqual(tolerance.angle);
@@ -68,7 +68,7 @@ describe('converting samples to keys', () => {
     expect(values.length).toBeLessThan(6);
   });
 
-  it('makes one key of a constant channel', () => {
+  it('converting samples to keys makes one key of a constant channel', () => {
     const { after } = converted(take(() => 7));
     expect(after.channels.map((c) => keysOf(c).times.length)).toEqual(new Array(WIDTH).fill(1));
     expect(keysOf(after.channels[0]).values[0]).toBe(7);
@@ -81,7 +81,7 @@ describe('converting samples to keys', () => {
     expect(Math.max(...parts)).toBeLessThanOrEqual(1);
   });
 
-  it('fits long takes piece by piece, as smoothly', () => {
+  it('converting samples to keys fits long takes piece by piece, as smoothly', () => {
     const long = take((c, t) => (c === 3 ? 40 * Math.sin(t) : 0), 5000);
     const { after, report } = converted(long);
     expect(report.worstAngle.error).toBeLessThanOrEqual(tolerance.angle);

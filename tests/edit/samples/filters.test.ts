@@ -130,7 +130,7 @@ describe('the median of a few frames', () => {
     }
   });
 
-  it('keeps monotonic stretches, corners and steps', () => {
+  it('the median of a few frames keeps monotonic stretches, corners and steps', () => {
     const step = take((c, t) => (c < 3 ? Math.min(1, t) : t < 0.7 ? 0 : c === 4 ? 40 : 0));
     const document = documentWith(step);
     const after = clipOf(smoothSamples.run(document, { ...c1, filter: 'median', frames: 7 }));
@@ -163,7 +163,7 @@ describe('the median of a few frames', () => {
     );
   });
 
-  it('keeps to its range, and is one step of undo', () => {
+  it('the median of a few frames keeps to its range, and is one step of undo', () => {
     const spiky = take((c, t) => swingAt(c, t) + ([20, 60].includes(Math.round(60 * t)) ? 50 : 0));
     const store = new Store();
     store.apply({ id: 'x', label: () => 'x', run: () => documentWith(spiky) }, {});
@@ -179,7 +179,7 @@ describe('the median of a few frames', () => {
 describe('the Euler filter, of samples', () => {
   const channels = Array.from({ length: WIDTH }, (_, c) => c);
 
-  it('keeps every rotation, and leaves no angle that jumps if another form does not', () => {
+  it('the Euler filter, of samples keeps every rotation, and leaves no angle that jumps if another form does not', () => {
     fc.assert(
       fc.property(anyTake, (clip) => {
         const after = clipOf(eulerFilter.run(documentWith(clip), { ...c1, channels }).document);

@@ -43,7 +43,7 @@ describe('keys over samples', () => {
     expect(shownClip(inserted.document.characters[0])?.samples).toBe(swing.samples);
   });
 
-  it('go back to the samples beneath when the last of them is deleted', () => {
+  it('keys over samples go back to the samples beneath when the last of them is deleted', () => {
     const indices = [...keysOf(halfClip.channels[9]).times.keys()];
     const { document } = removeKeys.run(half, { ...c1, keys: [{ channel: 9, indices }], timeSeconds: 1 });
     const clip = shownClip(document.characters[0]) ?? halfClip;

@@ -97,7 +97,7 @@ describe('resampling samples', () => {
     expect(refuseTooMany(2_000_000, 500, 2_000_000)).toBeUndefined();
   });
 
-  it('turns joints the short way if an angle jumps from frame to frame', () => {
+  it('resampling samples turns joints the short way if an angle jumps from frame to frame', () => {
     const jump = take((c, t) => (c === 4 ? (t < 0.25 ? 178 : -178) : 0), 31, 60);
     const clip = clipOf(resampleSamples.run(documentWith(jump), { ...c1, framesPerSecond: 120 }));
     const angle = pose(clip, 14.5 / 60)[4];
@@ -143,7 +143,7 @@ describe('smoothing samples', () => {
     for (const t of [0, 0.1, 1, 2]) expect(pose(smooth(straight), t)[0]).toBeCloseTo(10 * t, 10);
   });
 
-  it('keeps of a swing what its formula says', () => {
+  it('smoothing samples keeps of a swing what its formula says', () => {
     const period = 0.5;
     const wave = take((c, t) => (c === 0 ? Math.cos((2 * Math.PI * t) / period) : 0), 241, 120);
     expect(pose(smooth(wave), 1)[0]).toBeCloseTo(Math.exp(-2 * ((Math.PI * 0.05) / period) ** 2), 2);

@@ -73,7 +73,7 @@ function turningOf(of: Motion, values: readonly number[]) {
 }
 
 describe('turning freely', () => {
-  it('turns the joint about the axis in the world, whatever its angles are called', () => {
+  it('turning freely turns the joint about the axis in the world, whatever its angles are called', () => {
     const axis = fc.tuple(angle, angle, angle).filter((v) => Math.hypot(...v) > 0.1);
     fc.assert(
       fc.property(posed, axis, angle, ([of, values], along, by) => {
@@ -122,7 +122,7 @@ describe('turning freely', () => {
     }
   });
 
-  it('never flips on the way round', () => {
+  it('turning freely never flips on the way round', () => {
     const { made } = turningOf({ kind: 'ball', order: 'xyz' }, [0.1, 0.2, 0.3]);
     const axis = unit([0.2, 1, 0.3]) ?? [0, 1, 0];
     let last = made.result;
@@ -134,7 +134,7 @@ describe('turning freely', () => {
     }
   });
 
-  it('keeps a quaternion of length 1, on the side it was on', () => {
+  it('turning freely keeps a quaternion of length 1, on the side it was on', () => {
     const { made } = turningOf({ kind: 'quaternion' }, [0, 0, 0, -2]);
     made.by([0, 1, 0], 0.1);
     expect(Math.hypot(...made.result)).toBeCloseTo(1, 12);

@@ -40,13 +40,16 @@ describeShared('inverse kinematics, against the reference', () => {
     expect(unsolved.length, unsolved.join('\n')).toBeLessThanOrEqual((1 - SOLVED_AT_LEAST) * count);
   });
 
-  it.each(Object.entries(cases.unreachable))('comes as near as can be to what %s can not reach', (name, list) => {
-    for (const [joint, x, y, z, least] of list) {
-      const { residuals, isSolved } = settled(name, [[joint, x, y, z]]).result;
-      expect(residuals[0]).toBeLessThan(least + within(name));
-      expect(isSolved).toBe(false);
-    }
-  });
+  it.each(Object.entries(cases.unreachable))(
+    'inverse kinematics, against the reference comes as near as can be to what %s can not reach',
+    (name, list) => {
+      for (const [joint, x, y, z, least] of list) {
+        const { residuals, isSolved } = settled(name, [[joint, x, y, z]]).result;
+        expect(residuals[0]).toBeLessThan(least + within(name));
+        expect(isSolved).toBe(false);
+      }
+    },
+  );
 
   it.each(cases.drags.map((drag, i) => ({ drag, title: `${i}, ${drag.kind}, of ${drag.skeleton}` })))(
     'follows drag $title',

@@ -54,7 +54,7 @@ describe('what a drag foresees', () => {
     expect(drag(stands).iterations.slice(1, 3)).toEqual([0, 0]);
   });
 
-  it('is nothing if the hand is out of reach: a resting hand costs no more iterations than one', () => {
+  it('what a drag foresees is nothing if the hand is out of reach: a resting hand costs no more iterations than one', () => {
     const pose = Float64Array.from(filePose(arm, 0));
     const problem = ikProblem(
       arm,

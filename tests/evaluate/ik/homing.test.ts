@@ -67,7 +67,7 @@ describe('the way home', () => {
     );
   });
 
-  it('stays within limits, and gives up no other DOF for one that is held', () => {
+  it('the way home stays within limits, and gives up no other DOF for one that is held', () => {
     const dofs = new Float64Array(DOFS);
     dofs[LIMITED] = 0.5;
     const home = dofs.slice();

@@ -72,7 +72,7 @@ function expectShape({ jacobian, shape, rows, variables: { count } }: IkProblem)
 }
 
 describe('the Jacobian', () => {
-  it('is what finite differences say, for joints of all kinds, with couples, points and orientations', () => {
+  it('the Jacobian is what finite differences say, for joints of all kinds, with couples, points and orientations', () => {
     fc.assert(
       fc.property(anyProblem(false), (any) => expectSlopes(any, false)),
       { numRuns: 600 },

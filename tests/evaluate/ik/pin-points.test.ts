@@ -60,7 +60,7 @@ describe('the points of a joint that a pin may hold', () => {
 describe('the point that is pinned where only a joint was picked', () => {
   const withChild = (more: Partial<Joint>): Skeleton => ({ name: 'two', joints: [joint(-1, more), joint(0)] });
 
-  it('is the tip of a joint with a length, as on the command line', () => {
+  it('the point that is pinned where only a joint was picked is the tip of a joint with a length, as on the command line', () => {
     expect(defaultPinPoint(withChild({ length: 2 }), 0).point).toEqual([0, 2, 0]);
     expect(defaultPinPoint(alone({ length: 0, endSites: [[1, 0, 0]] }), 0).kind).toBe('origin');
   });
@@ -69,7 +69,7 @@ describe('the point that is pinned where only a joint was picked', () => {
     expect(defaultPinPoint(withChild({ box: LEG, endSites: [[1, 0, 0]] }), 0).kind).toBe('origin');
   });
 
-  it('is where a last joint ends: its furthest End Site, else the end of its box', () => {
+  it('the point that is pinned where only a joint was picked is where a last joint ends: its furthest End Site, else the end of its box', () => {
     const sites = [
       [0, 1, 0],
       [0, 0, 3],
@@ -78,12 +78,12 @@ describe('the point that is pinned where only a joint was picked', () => {
     expect(defaultPinPoint(alone({ box: LEG }), 0).name).toBe('box end −y');
   });
 
-  it('is the origin of a last joint whose box is about it, for that has no end', () => {
+  it('the point that is pinned where only a joint was picked is the origin of a last joint whose box is about it, for that has no end', () => {
     expect(defaultPinPoint(alone({}), 0).kind).toBe('origin');
     expect(defaultPinPoint(alone({ box: { min: [-2, -1, -1], max: [2, 1, 1] } }), 0).kind).toBe('origin');
   });
 
-  it('is the end of the skin that hangs on a last joint: a foot that no joint ends', () => {
+  it('the point that is pinned where only a joint was picked is the end of the skin that hangs on a last joint: a foot that no joint ends', () => {
     const own = skeleton(2);
     const point = defaultPinPoint(own, 1, skin('hero', 1, { positions: Float64Array.of(0, 0, 0, 1, 0, 0, 0, -3, 0) }));
     expect(point).toEqual({ kind: 'skinEnd', point: [0, -3, 0], name: 'end of the skin' });

@@ -47,7 +47,7 @@ function distanceOf({ joint: j, point: [x, y, z], target }: IkPin, world: Float6
 const mode = fc.constantFrom('drag' as const, 'settle' as const);
 
 describe('a solution of any problem', () => {
-  it('stays within the limits and finite, at every iteration', () => {
+  it('a solution of any problem stays within the limits and finite, at every iteration', () => {
     fc.assert(
       fc.property(anyProblem(true), fc.nat(12), ({ skeleton, pins }: AnyProblem, iterations) => {
         const dofs = poseOf(skeleton);
@@ -119,7 +119,7 @@ describe('a solution of any problem', () => {
 });
 
 describe('a target', () => {
-  it('that is a pose of limited joints of all kinds is found', () => {
+  it('a target that is a pose of limited joints of all kinds is found', () => {
     let solved = 0;
     let count = 0;
     fc.assert(
@@ -167,7 +167,7 @@ describe('a target', () => {
     expect(problem.result.isSolved).toBe(false);
   });
 
-  it('that a limit forbids is approached, and the limit is named', () => {
+  it('a target that a limit forbids is approached, and the limit is named', () => {
     const skeleton = chain(2, { limits: [{ min: 0, max: 0.5 }] });
     const dofs = poseOf(skeleton);
     const problem = ikProblem(skeleton, [endPin(2, -1, 1.5)], dofs);
@@ -178,7 +178,7 @@ describe('a target', () => {
     expect(solve(free, dofs, 'settle').isSolved).toBe(true);
   });
 
-  it('that is met already moves nothing', () => {
+  it('a target that is met already moves nothing', () => {
     const skeleton = chain(3);
     const dofs = poseOf(skeleton);
     const problem = ikProblem(skeleton, [endPin(3, 3, 0)], dofs);
@@ -186,7 +186,7 @@ describe('a target', () => {
     expect(dofs).toEqual(poseOf(skeleton));
   });
 
-  it('can be how a joint stands, half a turn away too', () => {
+  it('a target can be how a joint stands, half a turn away too', () => {
     const skeleton: Skeleton = { name: 'balls', joints: [joint(-1), joint(0), joint(1)] };
     for (const goal of [
       [0.4, -0.8, 1.2],
@@ -232,7 +232,7 @@ describe('what may move', () => {
     expect(turned(Infinity)).toBe(0);
   });
 
-  it('is told by no step where the system can’t be solved at its damping, and more damping is tried', () => {
+  it('what may move is told by no step where the system can’t be solved at its damping, and more damping is tried', () => {
     // All in one plane: nothing moves the pin out of it, and without damping that is 0 = 0.
     const skeleton = chain(4);
     const dofs = poseOf(skeleton).fill(0.3, -4);
@@ -298,7 +298,7 @@ describe('what may move', () => {
 });
 
 describe('a pin that holds', () => {
-  it('stays while another is dragged where both can not be', () => {
+  it('a pin that holds stays while another is dragged where both can not be', () => {
     const skeleton: Skeleton = { name: 'fork', joints: [hinge(-1), hinge(0), hinge(0)] };
     const dofs = poseOf(skeleton);
     const held: IkPin = { joint: 1, point: [0, 0, 0], target: [0, 2, 0], holds: true };
@@ -317,7 +317,7 @@ describe('what is degenerate', () => {
     }
   };
 
-  it('makes no NaN: no length, a target in the pivot, nothing that moves, nothing pinned, tiny and huge', () => {
+  it('what is degenerate makes no NaN: no length, a target in the pivot, nothing that moves, nothing pinned, tiny and huge', () => {
     const flat = chain(3, { offset: [0, 0, 0] });
     expectStill(flat, [{ joint: 2, point: [0, 0, 0], target: [1, 1, 1] }]);
     expectStill(flat, [{ joint: 2, point: [0, 0, 0], target: [0, 0, 0], orientation: [1, 0, 0, 0] }]);

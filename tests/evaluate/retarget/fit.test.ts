@@ -70,7 +70,7 @@ describe('fitting a joint to a rotation', () => {
     },
   );
 
-  it('keeps to limits, and there finds no worse than any other angles', () => {
+  it('fitting a joint to a rotation keeps to limits, and there finds no worse than any other angles', () => {
     const skeleton = skeletonOf({ kind: 'ball', order: 'xyz' }, { min: -0.4, max: 0.6 });
     const free = skeletonOf({ kind: 'ball', order: 'xyz' });
     const off = (a: Float64Array, b: Float64Array) => a.reduce((sum, v, i) => sum + (v - b[i]) ** 2, 0);

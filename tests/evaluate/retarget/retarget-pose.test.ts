@@ -165,7 +165,7 @@ describe('a take on another character', () => {
     expect(worstDirection(own.points, other.points)).toBeLessThan(1e-9);
   });
 
-  it('stays within limits where the character holds them', () => {
+  it('a take on another character stays within limits where the character holds them', () => {
     const source = person();
     const plain = person();
     const joints = plain.joints.map((j) =>

@@ -149,7 +149,7 @@ describe('sizes of joints', () => {
     );
   });
 
-  it('come from the box where there is a single joint', () => {
+  it('sizes of joints come from the box where there is a single joint', () => {
     const sizes = jointSizes({ name: '', joints: [joint(-1, { box: { min: [-2, -2, -2], max: [2, 2, 2] } })] });
     expect(sizes.extent).toBeCloseTo(Math.hypot(4, 4, 4), 9);
     expect(sizes.radii[0]).toBeGreaterThan(0);

@@ -114,7 +114,7 @@ describe('two legs that are closer than they are wide', () => {
     expect(bleeding(weigh(legs, bones).attachments)).toBe(0);
   });
 
-  it('do so with bones that are nearer to the other leg’s inner side than its own', () => {
+  it('two legs that are closer than they are wide do so with bones that are nearer to the other leg’s inner side than its own', () => {
     const inside = bonesFrom(
       [
         [-0.15, 4, 0],
@@ -238,7 +238,7 @@ describe('weights', () => {
     expect([...attachments.weights]).toEqual(Array(mesh.positions.length / 3).fill(1));
   });
 
-  it('go by distance where a vertex is in no triangle', () => {
+  it('weights go by distance where a vertex is in no triangle', () => {
     const mesh = tube({ around: 6, along: 8, radius: 0.5, length: 4 });
     const lone = { ...mesh, positions: Float64Array.from([...mesh.positions, 0.5, 3.9, 7]) };
     const { attachments, byDistance } = weigh(lone, chain(0, 2, 4));

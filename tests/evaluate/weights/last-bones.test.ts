@@ -60,7 +60,7 @@ describe('a last joint without box, in a tube', () => {
   const mesh = tube({ around, along, radius: 0.4, length });
   const height = (v: number) => mesh.positions[3 * v + 1];
 
-  it('has what lies beyond it, and none of what lies before, wherever it is', () => {
+  it('a last joint without box, in a tube has what lies beyond it, and none of what lies before, wherever it is', () => {
     fc.assert(
       fc.property(fc.double({ min: 2, max: 6, noNaN: true }), (at) => {
         const bones = bonesFrom(
@@ -128,7 +128,7 @@ describe('a last joint without box, in a tube', () => {
 });
 
 describe('the bone of a last joint', () => {
-  it('stays a point in the middle of what is around it, and where no vertex is its own', () => {
+  it('the bone of a last joint stays a point in the middle of what is around it, and where no vertex is its own', () => {
     const ring = tube({ around: 12, along: 12, radius: 0.5, length: 2 });
     const centre = point([0, 1, 0]);
     const [, y] = endOf(grown(ring, bonesFrom(centre)), 0);
@@ -325,7 +325,7 @@ describeShared('the wasp, whose joints have no boxes', () => {
   const ours = dominated(attachments, joints.length);
   const theirs = dominated(skin.attachments, joints.length);
 
-  it('has its knees’, its wings’, its head’s and its tail’s vertices at their joints', () => {
+  it('the wasp, whose joints have no boxes has its knees’, its wings’, its head’s and its tail’s vertices at their joints', () => {
     joints.forEach(({ name }, j) => {
       if (/^knee/.test(name)) expect(ours[j], name).toBeGreaterThanOrEqual(40);
       if (/^(wing|head|tail_04)/.test(name)) expect(ours[j], name).toBeGreaterThanOrEqual(theirs[j]);

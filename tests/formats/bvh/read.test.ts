@@ -64,7 +64,7 @@ describe('the hierarchy of a .bvh', () => {
     expect(arm).toMatchObject({ name: 'b', endSites: [[1, 2, 3]] });
   });
 
-  it('keeps End Sites of every spelling, in their order', () => {
+  it('the hierarchy of a .bvh keeps End Sites of every spelling, in their order', () => {
     const sites = 'End Site20\n{\nOFFSET 1 0 0\n}\nEnd Site { }\nEND SITE{OFFSET 3 0 0}\nEnd Site\n{\n}\n';
     const [root] = jointsOf(hierarchy(`OFFSET 0 0 0\nCHANNELS 1 Zrotation\n${sites}`) + motion('0\n', 1));
     expect(root.endSites).toEqual([
@@ -134,7 +134,7 @@ describe('the hierarchy of a .bvh', () => {
     expect(diagnostics[0].message).toContain('ROOT a, opened on line 2');
   });
 
-  it('keeps names of any length, but says no more than their beginning', () => {
+  it('the hierarchy of a .bvh keeps names of any length, but says no more than their beginning', () => {
     const name = 'x'.repeat(100_000);
     const { value, diagnostics } = bvh(`HIERARCHY\nROOT ${name}\n{\nCHANNELS 0\n}\n${motion('', 0)}`);
     expect(value?.[0].skeleton.joints[0].name).toBe(name);
@@ -173,7 +173,7 @@ describe('the samples of a .bvh', () => {
     });
   });
 
-  it('come behind the root translation of a root without positions', () => {
+  it('the samples of a .bvh come behind the root translation of a root without positions', () => {
     const clip = rows('1 2 3\n4 5 6\n').value?.[0].clip;
     expect(clip?.samples?.firstChannel).toBe(3);
     expect(clip?.channels).toHaveLength(6);
@@ -251,7 +251,7 @@ describe('rows of a .bvh', () => {
     expect(valuesOf(result)).toEqual([1, 2, 3, 4, 5, 6]);
   });
 
-  it('keep every bit, and the sign of 0', () => {
+  it('rows of a .bvh keep every bit, and the sign of 0', () => {
     expect(valuesOf(rows('0.1 -0 123.45678901234567\n1e-320 -1e308 0.30000000000000004\n'))).toEqual([
       ...[0.1, -0, 123.45678901234567, 1e-320, -1e308, 0.30000000000000004],
     ]);
@@ -295,7 +295,7 @@ describe('rows of a .bvh', () => {
     expect(valuesOf(result)).toEqual([1, 2, 3, 4, 5, 6]);
   });
 
-  it('never take more memory than they need, whatever is declared', () => {
+  it('rows of a .bvh never take more memory than they need, whatever is declared', () => {
     const text = THREE + motion('1.25 2.5 3.75\n'.repeat(200000), 1e9);
     const bytes = bytesOf(text);
     for (const byteLength of [bytes.length, undefined, 1, 1e12]) {
@@ -379,7 +379,7 @@ function spell(value: string | number): string {
 }
 
 describe('any hierarchy and any rows', () => {
-  it('come back as they were written, in whatever style and pieces', () => {
+  it('any hierarchy and any rows come back as they were written, in whatever style and pieces', () => {
     const property = fc.property(file, (made) => {
       const { bytes, parents, width, values } = written(made);
       const { value, diagnostics } = readBvh(bytes, 'x.bvh');

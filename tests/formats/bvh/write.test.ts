@@ -107,7 +107,7 @@ Frame Time: 0.04
     expect(diagnostics[0]).toMatchObject({ severity: 'warning', code: 'number-not-finite' });
   });
 
-  it('comes in pieces, none of them long, of any number of frames', () => {
+  it('writing .bvh comes in pieces, none of them long, of any number of frames', () => {
     const rows = Array.from({ length: 20000 }, (_, f) => ROW.map((v) => v + f / 7));
     const figure = bvhFigure(DANCER, rows);
     const pieces = [...writeBvhPieces([figure]).pieces];

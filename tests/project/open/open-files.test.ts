@@ -33,7 +33,7 @@ const texture = (path: string) =>
 const walk = clip('hero_walk', [0, 1, 0, 0, 0, 0, 0, 0, 0]);
 
 describe('files opened together', () => {
-  it('become one character when their stems begin with the skeleton’s', () => {
+  it('files opened together become one character when their stems begin with the skeleton’s', () => {
     const { document, opened, diagnostics, label } = open([
       skelFile('hero.skel', skeleton()),
       skinFile('hero.skin', skin()),
@@ -48,7 +48,7 @@ describe('files opened together', () => {
     expect(label).toBe('Open hero.skel and 2 more');
   });
 
-  it('go to the longest fitting stem', () => {
+  it('files opened together go to the longest fitting stem', () => {
     const { document } = open([
       skelFile('wasp.skel', skeleton(2, 'wasp')),
       skelFile('wasp_p1.skel', skeleton(2, 'wasp_p1')),
@@ -78,7 +78,7 @@ describe('files opened together', () => {
     expect(document.characters.map((c) => c.clips.length)).toEqual([1, 0]);
   });
 
-  it('go to the only skeleton given where their own folder has none', () => {
+  it('files opened together go to the only skeleton given where their own folder has none', () => {
     const { document } = open([skelFile('a/hero.skel', skeleton()), animFile('b/jump.anim', clip('jump', []))]);
     expect(only(document).clips).toHaveLength(1);
   });
@@ -164,7 +164,7 @@ describe('files opened together', () => {
 });
 
 describe('a file that does not fit', () => {
-  it('keeps its character from being opened, and no other', () => {
+  it('a file that does not fit keeps its character from being opened, and no other', () => {
     const { document, diagnostics } = open([
       skelFile('hero.skel', skeleton(2)),
       skinFile('hero.skin', skin('hero', 7)),
@@ -229,7 +229,7 @@ describe('files that lay unused', () => {
     expect(document.unused).toHaveLength(1);
   });
 
-  it('keep waiting, silently, if they fit by name but not in content', () => {
+  it('files that lay unused keep waiting, silently, if they fit by name but not in content', () => {
     const { document, diagnostics } = open([skinFile('head.skin', skin('head'))], waiting.document, 'c1');
     expect(diagnostics).toEqual([]);
     expect(document.unused).toHaveLength(1);
@@ -246,7 +246,7 @@ describe('files that lay unused', () => {
     expect(only(document).morphs).toHaveLength(1);
   });
 
-  it('come with a rig that names them', () => {
+  it('files that lay unused come with a rig that names them', () => {
     const rig = { name: 'Hero', skeleton: 'bones.skel', skin: 'body.skin', morphs: ['head1.morph'] };
     const first = open([morphFile('head1.morph', morph('head1'))]).document;
     const files = [
@@ -261,7 +261,7 @@ describe('files that lay unused', () => {
 });
 
 describe('files opened later', () => {
-  it('never go to a character that comes with them because one of the same id was selected once', () => {
+  it('files opened later never go to a character that comes with them because one of the same id was selected once', () => {
     const gone = removeCharacter.run(open([skelFile('a.skel', skeleton(2, 'a'))]).document, { characterId: 'c1' });
     const { document } = open(
       [
@@ -291,7 +291,7 @@ describe('files opened later', () => {
 
   const hero = open([skelFile('hero.skel', skeleton()), skinFile('hero.skin', skin())]).document;
 
-  it('go to the selected character when they come alone', () => {
+  it('files opened later go to the selected character when they come alone', () => {
     const two = open([skelFile('b.skel', skeleton(2, 'b'))], hero).document;
     const { document } = open(
       [
@@ -338,7 +338,7 @@ describe('files opened later', () => {
     expect(now.name).toBe('hero');
   });
 
-  it('never attach to the opening sample, which makes way', () => {
+  it('files opened later never attach to the opening sample, which makes way', () => {
     const sample = { ...hero, isOpeningSample: true };
     const { document } = open([animFile('hero_walk.anim', walk)], sample, 'c1');
     expect(only(document).skeleton).toBeUndefined();

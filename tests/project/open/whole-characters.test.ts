@@ -68,7 +68,7 @@ describe('a file with whole characters', () => {
     expect(unsaved.current()).toEqual([]);
   });
 
-  it('is written as the formats of its parts', () => {
+  it('a file with whole characters is written as the formats of its parts', () => {
     const [character] = open([whole()]).document.characters;
     const names = (['skel', 'skin', 'morph', 'anim', 'rig'] as const).flatMap((kind) =>
       saveCharacter(character, kind).map(({ name }) => name),

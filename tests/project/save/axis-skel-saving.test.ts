@@ -16,7 +16,7 @@ const limited = (c: Character): Character => {
 const first = (page: Awaited<ReturnType<typeof pageWith>>) => page.store.document.characters[0];
 
 describe('a skeleton from the axis-angle form', () => {
-  it('is saved in that form, pose and all, whatever its file is called', async () => {
+  it('a skeleton from the axis-angle form is saved in that form, pose and all, whatever its file is called', async () => {
     for (const name of ['arm.axskel', 'arm.skel']) {
       const page = await pageWith({ [name]: ARM });
       expect(page.names()).toEqual([]);
@@ -28,7 +28,7 @@ describe('a skeleton from the axis-angle form', () => {
     }
   });
 
-  it('is saved in the hierarchy form once it has something the other can not hold', async () => {
+  it('a skeleton from the axis-angle form is saved in the hierarchy form once it has something the other can not hold', async () => {
     const page = await pageWith({ 'arm.axskel': ARM });
     page.change(limited);
     await page.saver.saveChanged();

@@ -65,7 +65,7 @@ describe('saving motion capture', () => {
     );
   });
 
-  it('keeps all roots of one file', async () => {
+  it('saving motion capture keeps all roots of one file', async () => {
     const page = await pageWith({ 'two.bvh': TWO });
     expect(page.store.document.characters).toHaveLength(2);
     page.change((c) => withSamples(c, (s) => ({ ...s, values: Float64Array.of(7, 8, 9) })), 1);

@@ -49,11 +49,11 @@ describe('shown', () => {
     expect(shown(value)).toBe(text);
   });
 
-  it('keeps the zeros of whole numbers', () => {
+  it('shown keeps the zeros of whole numbers', () => {
     expect(shown(1200, 0)).toBe('1200');
   });
 
-  it('never has more than three decimals, a hyphen or a minus zero, and reads back as nearly the same', () => {
+  it('shown never has more than three decimals, a hyphen or a minus zero, and reads back as nearly the same', () => {
     fc.assert(
       fc.property(fc.double({ min: -1e6, max: 1e6, noNaN: true }), (value) => {
         const text = shown(value);

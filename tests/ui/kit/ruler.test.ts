@@ -36,7 +36,7 @@ describe('rulerTicks', () => {
     expect(rulerTicks({ fromSeconds: 0, toSeconds: Number.POSITIVE_INFINITY, width: 9, spacing: 60 })).toEqual([]);
   });
 
-  it('keeps labels apart and inside, whatever the stretch of time', () => {
+  it('rulerTicks keeps labels apart and inside, whatever the stretch of time', () => {
     fc.assert(
       fc.property(
         fc.double({ min: -1e5, max: 1e5, noNaN: true }),

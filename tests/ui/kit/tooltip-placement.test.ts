@@ -6,7 +6,7 @@ const room = { width: 1000, height: 600 };
 const size = { width: 200, height: 40 };
 
 describe('a tooltip', () => {
-  it('lies below its element, centred on it', () => {
+  it('a tooltip lies below its element, centred on it', () => {
     expect(placeTooltip({ left: 400, top: 100, width: 20, height: 24 }, size, room)).toEqual({ left: 310, top: 130 });
   });
 
@@ -14,7 +14,7 @@ describe('a tooltip', () => {
     expect(placeTooltip({ left: 400, top: 570, width: 20, height: 24 }, size, room).top).toBe(570 - GAP - 40);
   });
 
-  it('stays inside the window beside its left and right edge', () => {
+  it('a tooltip stays inside the window beside its left and right edge', () => {
     expect(placeTooltip({ left: 0, top: 100, width: 20, height: 24 }, size, room).left).toBe(MARGIN);
     expect(placeTooltip({ left: 980, top: 100, width: 20, height: 24 }, size, room).left).toBe(1000 - 200 - MARGIN);
   });
@@ -23,7 +23,7 @@ describe('a tooltip', () => {
     expect(placeTooltip({ left: 120, top: 100, width: 500, height: 24 }, size, room).left).toBe(120);
   });
 
-  it('is inside every window that has room for it, and off its element where there is room above or below', () => {
+  it('a tooltip is inside every window that has room for it, and off its element where there is room above or below', () => {
     const pixels = (least: number, most: number) => fc.integer({ min: least, max: most });
     fc.assert(
       fc.property(
@@ -48,7 +48,7 @@ describe('a tooltip', () => {
     );
   });
 
-  it('has the pointer also on the way from its element', () => {
+  it('a tooltip has the pointer also on the way from its element', () => {
     const tooltip = { left: 310, top: 130, width: 200, height: 40 };
     expect(isOnTooltip(400, 150, tooltip)).toBe(true);
     expect(isOnTooltip(400, 130 - GAP, tooltip)).toBe(true);

@@ -64,7 +64,7 @@ describe('the list of actions', () => {
     expect(inMenu()).toBeUndefined();
   });
 
-  it('can be queried without a character', () => {
+  it('the list of actions can be queried without a character', () => {
     const { wb } = workbench();
     for (const action of actionsOf(wb)) {
       expect(() => [action.enabled?.(wb), action.checked?.(wb)], action.id).not.toThrow();
@@ -102,7 +102,7 @@ describe('runAction', () => {
     expect(joints).toEqual([0, 1, 3, 3, 0]);
   });
 
-  it('goes from key to key and stops there', () => {
+  it('runAction goes from key to key and stops there', () => {
     const { wb } = walker();
     runAction(wb, 'play.toggle');
     runAction(wb, 'play.nextKey');
@@ -244,7 +244,7 @@ describe('what is drawn', () => {
     expect(styles().enabled('draw.skin.solid')).toBe(true);
   });
 
-  it('goes on to a box style that changes something', () => {
+  it('what is drawn goes on to a box style that changes something', () => {
     const { wb } = styles(character({ skeleton: capture }));
     runAction(wb, 'draw.nextBoxes');
     expect(wb.settings.get().display.boxes).toBe('hidden');

@@ -152,7 +152,7 @@ describe('every action', () => {
   beforeAll(() => void vi.spyOn(performance, 'now').mockReturnValue(0));
   afterAll(() => void vi.restoreAllMocks());
 
-  it.each(Object.entries(STATES))('is done or says why not: %s', async (_, given) => {
+  it.each(Object.entries(STATES))('every action is done or says why not: %s', async (_, given) => {
     const silent: string[] = [];
     for (const { id } of actionsOf(workbench(given.document).wb)) {
       if ((await outcome(given, id)) === undefined) silent.push(id);

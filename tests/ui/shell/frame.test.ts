@@ -18,7 +18,7 @@ const THEMES = {
 } as const;
 
 describe('the frame of the page before its script', () => {
-  it('has the titles of the menus', () => {
+  it('the frame of the page before its script has the titles of the menus', () => {
     expect([...html.matchAll(/<button type="button">(\w+)<\/button>/g)].map(([, title]) => title)).toEqual([...MENUS]);
   });
 

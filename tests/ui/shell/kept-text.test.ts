@@ -13,7 +13,7 @@ describe('work that was left behind, in words', () => {
     expect(contentText(['a', 'b', 'c'].map(named))).toBe('a, b and 1 more character');
   });
 
-  it('has a word for files that belong to nobody', () => {
+  it('work that was left behind, in words has a word for files that belong to nobody', () => {
     expect(contentText([])).toBe('files without a character');
   });
 

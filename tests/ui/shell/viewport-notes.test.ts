@@ -35,7 +35,7 @@ describe('a skin without weights', () => {
     expect(found([first, second], 'c2')).toBe('c2');
   });
 
-  it('is as it should be where there are no joints to follow, and is none where it is not seen', () => {
+  it('a skin without weights is as it should be where there are no joints to follow, and is none where it is not seen', () => {
     expect(found([{ ...second, shownSkin: 0 }])).toBeUndefined();
     expect(found([{ ...first, isHidden: true }])).toBeUndefined();
     expect(found([character({ skins: [skin] })])).toBeUndefined();

@@ -102,7 +102,7 @@ describe('keys outside a cycle', () => {
     }
   });
 
-  it('go where it was said once for all', () => {
+  it('keys outside a cycle go where it was said once for all', () => {
     runAction(wb, 'timeline.outsideCycle.inside');
     keyNow(wb, 'c1', [0]);
     insertAtPlayhead(wb, [1]);

@@ -15,7 +15,7 @@ function diagnostic(change: Partial<Diagnostic> = {}): Diagnostic {
 }
 
 describe('Messages', () => {
-  it('makes one message of a file’s problems, and of the worst file the newest', () => {
+  it('Messages makes one message of a file’s problems, and of the worst file the newest', () => {
     const messages = new Messages();
     messages.report([
       diagnostic({ severity: 'warning', message: 'Odd.' }),
@@ -34,7 +34,7 @@ describe('Messages', () => {
     expect(messages.list.get()).toMatchObject([{ unread: false }]);
   });
 
-  it('keeps a message until it is dismissed', () => {
+  it('Messages keeps a message until it is dismissed', () => {
     const messages = new Messages();
     messages.note('Not allowed.', 'warning');
     const [{ id }] = messages.list.get();
@@ -124,7 +124,7 @@ describe('as text', () => {
     expect(messagesText(messages.list.get())).toBe('warning: Not allowed.');
   });
 
-  it('keeps tabs in front of the caret', () => {
+  it('as text keeps tabs in front of the caret', () => {
     expect(caretPad('a\tb', 2)).toBe(' \t');
     expect(caretPad('ab', -1)).toBe('');
   });

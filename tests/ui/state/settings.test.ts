@@ -44,7 +44,7 @@ describe('parseSettings', () => {
     });
   });
 
-  it('never begins with a camera that follows, or a drawer over the viewport', () => {
+  it('parseSettings never begins with a camera that follows, or a drawer over the viewport', () => {
     const settings = parseSettings(
       JSON.stringify({ display: { follow: true }, panels: { drawer: 'outliner', timelineDrawer: true } }),
     );

@@ -53,7 +53,7 @@ describe('a handle of a gizmo under the pointer', () => {
     );
   });
 
-  it('where lines cross, the one in front is hit, whichever comes first', () => {
+  it('a handle of a gizmo under the pointer where lines cross, the one in front is hit, whichever comes first', () => {
     fc.assert(
       fc.property(fc.double({ min: 0.4, max: 1.1, noNaN: true }), fc.boolean(), (lean, isFirst) => {
         const ring = leaning(4, lean);

@@ -25,14 +25,14 @@ const around = (degrees: number, radius = 100): [number, number] => [
 ];
 
 describe('a ring that faces the viewer', () => {
-  it('turns with the hand, round and round', () => {
+  it('a ring that faces the viewer turns with the hand, round and round', () => {
     const measure = turnMeasure(flat, [0, 0, 1], ORIGIN, 1, ...around(10));
     let total = 0;
     for (let a = 10; a <= 10 + 400; a += 20) total += measure(...around(a));
     expect(total).toBeCloseTo((400 * Math.PI) / 180, 9);
   });
 
-  it('turns the other way when it is seen from behind', () => {
+  it('a ring that faces the viewer turns the other way when it is seen from behind', () => {
     const measure = turnMeasure(flat, [0, 0, -1], ORIGIN, 1, ...around(0));
     expect(measure(...around(30))).toBeCloseTo(-Math.PI / 6, 9);
   });
@@ -54,7 +54,7 @@ describe('a ring seen aslant', () => {
 });
 
 describe('a ring on edge', () => {
-  it('turns along its line, its near half by the right-hand rule', () => {
+  it('a ring on edge turns along its line, its near half by the right-hand rule', () => {
     // About x, seen along −z: the near part, at +z, moves down the screen as the angle grows.
     const measure = turnMeasure(flat, [1, 0, 0], ORIGIN, 1, 400, 300);
     expect(measure(400, 350)).toBeCloseTo(0.5, 9);
@@ -63,7 +63,7 @@ describe('a ring on edge', () => {
 });
 
 describe('other ways of a hand', () => {
-  it('turns about the line of sight', () => {
+  it('other ways of a hand turns about the line of sight', () => {
     const measure = viewTurnMeasure(flat, ORIGIN, ...around(170));
     expect(measure(...around(190))).toBeCloseTo(Math.PI / 9, 9);
   });

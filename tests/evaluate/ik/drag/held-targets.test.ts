@@ -29,7 +29,7 @@ describe('where pins hold', () => {
     expect(at(dofs.slice())).toEqual([9, 9, 9]);
   });
 
-  it('is taken anew for a pin that holds another point, or its orientation too; not for another weight', () => {
+  it('where pins hold is taken anew for a pin that holds another point, or its orientation too; not for another weight', () => {
     const targets = left();
     const at = (change: Partial<Pin>) =>
       targets.targetsOf('c1', { pins: [{ ...pin, ...change }] }, dofs, worldAt(5)).get(4)?.position;
@@ -43,7 +43,7 @@ describe('where pins hold', () => {
     expect(found.get(4)?.orientation?.map((v) => Math.abs(v))).toEqual([0, 0, 0, 1]);
   });
 
-  it('where pins hold is forgotten with its character', () => {
+  it('where pins hold where pins hold is forgotten with its character', () => {
     const targets = left();
     targets.keepOnly(new Set(['c1']));
     expect(targets.leftOf('c1', dofs)?.hindrance).toBe(HINDRANCE);

@@ -92,7 +92,7 @@ describe('a point that is pulled', () => {
     expect(leans(pull.dofs, CHEST)).toBeLessThan(0.2);
   });
 
-  it('comes as near as the pins let it, and they don’t give way to a hand far off', () => {
+  it('a point that is pulled comes as near as the pins let it, and they don’t give way to a hand far off', () => {
     const start = filePose(PERSON, 0);
     const pull = pullOf(person(), HEAD);
     drag(pull, HEAD, [0, 20, 0], 30, (dofs) => {
@@ -155,7 +155,7 @@ describe('a point that is pulled', () => {
     expect(Math.max(...pull.dofs.map((value, d) => Math.abs(value - before[d])))).toBeLessThan(1e-3);
   });
 
-  it('keeps the limits, and names the one that blocks', () => {
+  it('a point that is pulled keeps the limits, and names the one that blocks', () => {
     const limits = new Map<number, readonly Limit[]>([
       [SHIN, [STIFF, STIFF, STIFF]],
       [THIGH, [KNEE, STIFF, STIFF]],
@@ -192,7 +192,7 @@ describe('a point that is pulled', () => {
     expect(pull.held.size).toBe(2);
   });
 
-  it('does not move for a hand that is not finite', () => {
+  it('a point that is pulled does not move for a hand that is not finite', () => {
     const pull = pullOf(person(), HEAD);
     const before = pull.dofs.slice();
     pull.to([Number.NaN, 0, 0]);

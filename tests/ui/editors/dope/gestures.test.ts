@@ -119,7 +119,7 @@ describe('dragging a diamond', () => {
     expect(wb.store.undoLabel).toBeUndefined();
   });
 
-  it('keeps the same keys when passing others', () => {
+  it('dragging a diamond keeps the same keys when passing others', () => {
     const { dragTo, times, keys } = stage();
     dragTo(onHips(2), onHips(5));
     expect(times()).toEqual([1, 4, 5]);
@@ -201,7 +201,7 @@ describe('the strip', () => {
     expect(times()).toEqual([1, 1.5, 4.5]);
   });
 
-  it('never scales past the fixed end', () => {
+  it('the strip never scales past the fixed end', () => {
     const { dragTo, times } = withTwo();
     dragTo(onStrip(4), onStrip(0.5));
     expect(times()).toEqual([1, 2, 2.1]);

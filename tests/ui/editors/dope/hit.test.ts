@@ -94,7 +94,7 @@ describe('the strip of the selection', () => {
     expect([part(150), part(650)]).toEqual(['nothing', 'nothing']);
   });
 
-  it('keeps a middle part for moving if it is short', () => {
+  it('the strip of the selection keeps a middle part for moving if it is short', () => {
     expect(part(205, { ...shown, selectedSpan: [0.2, 0.21] })).toBe('body');
   });
 

@@ -70,7 +70,7 @@ describe('a hand that drags a point', () => {
     expect(pose()).toBe(document.characters[0].pose);
   });
 
-  it('makes no step if nothing has moved', () => {
+  it('a hand that drags a point makes no step if nothing has moved', () => {
     const hand = begin();
     hand.to(anchor);
     hand.finish();
@@ -209,7 +209,7 @@ describe('a hand that drags a point', () => {
     expect(log).toEqual(['hold c1', 'go on', 'hold c1', 'go on']);
   });
 
-  it('can’t drag what is hidden or removed', () => {
+  it('a hand that drags a point can’t drag what is hidden or removed', () => {
     const { wb } = page;
     wb.store.apply(setHidden, { ids: ['c1'], hidden: true });
     expect(HandPull.begin(wb, BODY_GRIP)).toBeUndefined();

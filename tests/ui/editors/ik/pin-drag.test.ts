@@ -61,7 +61,7 @@ describe('a drag of a point', () => {
     expect(apart(page.placeOf(BODY_JOINT, 'c2'), [0, 0, 0])).toBe(0);
   });
 
-  it('keeps selection, keys and the selected pin if cancelled', () => {
+  it('a drag of a point keeps selection, keys and the selected pin if cancelled', () => {
     const { store } = page.wb;
     const { selected } = page.wb.posing.ik;
     const before = { characterId: 'c1', joint: HAND_L, keys: KEYS };
@@ -78,7 +78,7 @@ describe('a drag of a point', () => {
     expect(selected.get()).toEqual({ characterId: 'c1', pin: 1 });
   });
 
-  it('keeps keys of the same character, and a selection of the dragged joint', () => {
+  it('a drag of a point keeps keys of the same character, and a selection of the dragged joint', () => {
     page.stop();
     page = ikPage(documentOf({ ...body({ clips: [clip([0, 2], channel(0))] }), id: 'c2' }));
     vi.stubGlobal('requestAnimationFrame', () => 0);
@@ -96,7 +96,7 @@ describe('a drag of a point', () => {
     expect(store.selection).toBe(selection);
   });
 
-  it('keeps the selection if it is a click', () => {
+  it('a drag of a point keeps the selection if it is a click', () => {
     const { drag, clicks } = dragBody();
     drag.move(at(1, 1));
     drag.end(at(1, 1));
@@ -119,7 +119,7 @@ describe('a drag of a point', () => {
     expect(page.placeOf(BODY_JOINT, 'c2')[2]).toBeCloseTo(-0.1, 2);
   });
 
-  it('makes a last step on release, unless it is already there', () => {
+  it('a drag of a point makes a last step on release, unless it is already there', () => {
     for (const [letGoAt, steps] of [
       [at(0, -10), 1],
       [at(0, -12), 2],

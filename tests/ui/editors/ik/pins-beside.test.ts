@@ -61,7 +61,7 @@ describe('a DOF set while pins hold', () => {
     expect(apart(page.placeOf(HAND_L), [3, 0, 0])).toBeLessThan(THERE);
   });
 
-  it('still shows the gap of a pin that could not hold', () => {
+  it('a DOF set while pins hold still shows the gap of a pin that could not hold', () => {
     slide(TY, steps(5));
     const left = page.wb.posing.ik.targets.leftOf('c1', Float64Array.from(page.pose()));
     expect(left?.targets.get(1)?.target.position).toEqual([3, 0, 0]);

@@ -70,7 +70,7 @@ describe('solving all pins', () => {
     expect(said()).toBe('hand_l is as close as it can get: fore_l is locked.');
   });
 
-  it('keeps locked joints', () => {
+  it('solving all pins keeps locked joints', () => {
     const { wb } = page;
     wb.store.apply(setStiffness, { characterId: 'c1', joints: [2], stiffness: 'locked' });
     wantLeftHandAt([2, 1, 0]);

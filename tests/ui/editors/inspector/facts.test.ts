@@ -64,7 +64,7 @@ describe('vertexDeformer', () => {
     }
   });
 
-  it('keeps a skin without a skeleton in place, and has no normal if the file has none', () => {
+  it('vertexDeformer keeps a skin without a skeleton in place, and has no normal if the file has none', () => {
     const { normals: _none, ...bare } = patch;
     const { position, normal } = vertexDeformer(bare, [], 1)(new Float64Array(3), undefined);
     expect([...position]).toEqual([1, 0, 0]);

@@ -64,7 +64,7 @@ describe('keying from the menu', () => {
     expect(enabled(wb)).not.toContain('key.deleteHere');
   });
 
-  it('makes keys with the chosen tangents', () => {
+  it('keying from the menu makes keys with the chosen tangents', () => {
     const { wb } = workbench(documentOf(bare));
     runAction(wb, 'key.tangents.linear');
     runAction(wb, 'key.pose');
@@ -187,7 +187,7 @@ describe('keying from the menu', () => {
     expect(wb.messages.passing.get()).toBe('Keyed already at 0 s, with these values.');
   });
 
-  it('is enabled only if possible: no keying without a skeleton, no removing without a take', () => {
+  it('keying from the menu is enabled only if possible: no keying without a skeleton, no removing without a take', () => {
     const always = ['key.auto', 'key.tangents.smooth', 'key.tangents.linear', 'key.tangents.flat'];
     expect(enabled(workbench().wb)).toEqual(always);
     expect(enabled(workbench(documentOf(bare)).wb)).toEqual([
@@ -255,7 +255,7 @@ describe('the mark of a DOF', () => {
     expect(keysOf(wasp(wb).clips[0].channels[4]).values).toEqual(Float64Array.of(0));
   });
 
-  it('keeps the value of a channel that has lost its last key', () => {
+  it('the mark of a DOF keeps the value of a channel that has lost its last key', () => {
     const { wb } = workbench(documentOf({ ...bare, pose: [0, 0, 0, 0, 0.5, 0, 0, 0, 0] }));
     toggleKey(wb, 'c1', 4);
     toggleKey(wb, 'c1', 4);

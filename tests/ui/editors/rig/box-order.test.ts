@@ -3,18 +3,18 @@ import { DEFAULT_BOX } from '../../../../src/model/skeleton.ts';
 import { whyNoCorner } from '../../../../src/ui/editors/rig/box-order.ts';
 
 describe('a corner of a box that is typed', () => {
-  it('may not pass the other one, and the message names the axis', () => {
+  it('a corner of a box that is typed may not pass the other one, and the message names the axis', () => {
     expect(whyNoCorner(DEFAULT_BOX, 'min', [0, 0.5, 0])).toBe(
       'The box would go from 0.5 to 0.1 along y, but its lower corner must be below its upper one.',
     );
     expect(whyNoCorner(DEFAULT_BOX, 'max', [0, 0, -0.2])).toContain('from −0.1 to −0.2 along z');
   });
 
-  it('may coincide with the other one', () => {
+  it('a corner of a box that is typed may coincide with the other one', () => {
     expect(whyNoCorner(DEFAULT_BOX, 'min', [0.1, 0.1, 0.1])).toBeUndefined();
   });
 
-  it('may be anything along an axis that the file has reversed', () => {
+  it('a corner of a box that is typed may be anything along an axis that the file has reversed', () => {
     const crossed = { min: [1, 0, 0], max: [-1, 2, 2] } as const;
     expect(whyNoCorner(crossed, 'min', [5, 0, 0])).toBeUndefined();
     expect(whyNoCorner(crossed, 'min', [5, 3, 0])).toContain('along y');

@@ -53,7 +53,7 @@ describe('what is under the pointer', () => {
     expect(partAt(screen({ faces }), 181, 104)).toEqual({ kind: 'face', axis: 0, side: 'min' });
   });
 
-  it('while adding joints, hits only a joint’s dot: beside it a joint would be added', () => {
+  it('what is under the pointer while adding joints, hits only a joint’s dot: beside it a joint would be added', () => {
     const faces = NOTHING.slice();
     faces.set([180, 100, 220, 100]);
     const adding = (x: number, y: number) => partAt(screen({ faces, arrows: withArrow() }), x, y, { isAdding: true });
@@ -70,14 +70,14 @@ describe('what is under the pointer', () => {
     expect(partAt(screen({ nodes, selected: undefined }), 100, 100)).toEqual({ kind: 'joint', joint: 3 });
   });
 
-  it('has a larger tolerance for touch', () => {
+  it('what is under the pointer has a larger tolerance for touch', () => {
     expect(partAt(screen(), 100, 118)).toBeUndefined();
     expect(partAt(screen(), 100, 118, { byTouch: true })).toEqual({ kind: 'joint', joint: 0 });
   });
 });
 
 describe('the distance to a segment', () => {
-  it('is measured to its ends, and to a point if it has no length', () => {
+  it('the distance to a segment is measured to its ends, and to a point if it has no length', () => {
     expect(toSegment(5, 3, 0, 0, 10, 0)).toBe(3);
     expect(toSegment(-3, 4, 0, 0, 10, 0)).toBe(5);
     expect(toSegment(3, 4, 0, 0, 0, 0)).toBe(5);

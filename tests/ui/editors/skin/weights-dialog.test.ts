@@ -14,5 +14,6 @@ describe('what is said of joints that move nothing', () => {
     );
   });
 
-  it('is empty if all move something', () => expect(idleText(rig, [])).toBe(''));
+  it('what is said of joints that move nothing is empty if all move something', () =>
+    expect(idleText(rig, [])).toBe(''));
 });

@@ -38,7 +38,7 @@ describe('the distance of two compared takes', () => {
     expect(await result).toBe(2);
   });
 
-  it('is measured again when either take or the alignment changes', async () => {
+  it('the distance of two compared takes is measured again when either take or the alignment changes', async () => {
     const { wb, measuring, next } = compared();
     let result = next();
     measuring.setVisible(true);

@@ -86,7 +86,7 @@ describe('the next take', () => {
     expect(wb.transport.get().playing).toBe(false);
   });
 
-  it('keeps the selected joint if the next character has it', () => {
+  it('the next take keeps the selected joint if the next character has it', () => {
     const other = take('d', [0, 1], { skeleton: { ...skeleton(3), joints: skeleton(3).joints.slice(0, 2) } });
     const { wb } = bench(other);
     wb.store.select({ characterId: 'c', joint: 1 });

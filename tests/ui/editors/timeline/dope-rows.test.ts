@@ -86,7 +86,7 @@ describe('rows without keys', () => {
 });
 
 describe('the filter', () => {
-  it('keeps a joint whose name matches, with all its channels', () => {
+  it('the filter keeps a joint whose name matches, with all its channels', () => {
     expect(rows(everyKeyed, { filter: 'KNE' })).toEqual(['summary: 6 7 8', 'knee: 6 7 8']);
   });
 

@@ -70,7 +70,7 @@ describe('what is picked out in the timeline', () => {
     expect(picked()).toEqual(before);
   });
 
-  it('is plain data; an earlier page’s, which had no names of characters, is taken over', () => {
+  it('what is picked out in the timeline is plain data; an earlier page’s, which had no names of characters, is taken over', () => {
     wb.store.select({ characterId: 'c2' });
     expect(structuredClone(wb.timeline.view.get())).toEqual(wb.timeline.view.get());
     const { characterId: _none, others: _neither, ...earlier } = wb.timeline.view.get();

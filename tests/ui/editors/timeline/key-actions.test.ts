@@ -140,7 +140,7 @@ describe('editing from the keyboard', () => {
     expect(times(0).map((t) => Number((t - 0.05).toFixed(9)))).toEqual([0, 1]);
   });
 
-  it('is disabled without selected keys', () => {
+  it('editing from the keyboard is disabled without selected keys', () => {
     expect(() => run('delete')).toThrow('is not available');
     expect(() => run('paste')).toThrow('is not available');
   });

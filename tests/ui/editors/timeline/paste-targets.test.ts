@@ -30,18 +30,18 @@ function pasted(joint: number | undefined, from: readonly number[], action = 'ti
 }
 
 describe('pasted keys', () => {
-  it('go into the channels that they were copied from, where these are listed', () => {
+  it('pasted keys go into the channels that they were copied from, where these are listed', () => {
     expect(pasted(undefined, [6, 7]).into).toEqual([6, 7]);
     expect(pasted(1, [6, 7]).into).toEqual([6, 7]);
   });
 
-  it('go into the same DOFs of the joint that is listed instead, which needs no keys', () => {
+  it('pasted keys go into the same DOFs of the joint that is listed instead, which needs no keys', () => {
     expect(pasted(2, [6]).into).toEqual([9]);
     expect(pasted(2, [6, 8]).into).toEqual([9, 11]);
     expect(pasted(2, [7], 'timeline.pasteInto').into).toEqual([9, 10, 11]);
   });
 
-  it('go nowhere unseen: it is said whose they are', () => {
+  it('pasted keys go nowhere unseen: it is said whose they are', () => {
     const { wb } = workbench(documentOf(wasp));
     wb.store.select({ characterId: 'c1', joint: 2 });
     wb.timeline.change({ filter: 'rz' });

@@ -68,7 +68,7 @@ describe('another period', () => {
     expect(said()).toBeUndefined();
   });
 
-  it('is not said of channels that come to stand elsewhere, as joints are added, removed or move otherwise', () => {
+  it('another period is not said of channels that come to stand elsewhere, as joints are added, removed or move otherwise', () => {
     const lengths = [1, 1, 1, 2, 2, 2, 3, 3, 3, 4, 4, 4, 5, 5, 5, 6, 6, 6];
     const legs = character({
       skeleton: skeleton(['hips', -1], ['thigh', 0], ['toe', 1], ['tail', 0], ['tip', 3]),

@@ -33,7 +33,7 @@ describe('snapping to values', () => {
     expect(0.37 + snapValue(0.37, 0.2, 0.25)).toBeCloseTo(0.5, 12);
   });
 
-  it('keeps a move if there is no step', () => {
+  it('snapping to values keeps a move if there is no step', () => {
     expect(snapValue(1, 0.123, 0)).toBe(0.123);
   });
 

@@ -127,7 +127,7 @@ describe('a press in the viewport', () => {
     expect(picked).toEqual([[8, 0]]);
   });
 
-  it('with the right button never picks', () => {
+  it('a press in the viewport with the right button never picks', () => {
     const { pointer, picked } = page(undefined);
     pointer('pointerdown', 10, 10, { button: 2 });
     pointer('pointerup', 10, 10, { button: 2 });

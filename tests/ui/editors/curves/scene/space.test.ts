@@ -39,7 +39,7 @@ describe('the space of the curves', () => {
     );
   });
 
-  it('keeps the point under the pointer while zooming', () => {
+  it('the space of the curves keeps the point under the pointer while zooming', () => {
     fc.assert(
       fc.property(anySpace, number(0, 400), number(22, 222), number(0.2, 5), number(0.2, 5), (s, x, y, ft, fv) => {
         const next = zoom(s, x, y, ft, fv);
@@ -55,7 +55,7 @@ describe('the space of the curves', () => {
     expect(yOf(next, metres, valueAt(SPACE, metres, 100))).toBeCloseTo(88, 9);
   });
 
-  it('keeps a direction that is not zoomed or panned, to the bit', () => {
+  it('the space of the curves keeps a direction that is not zoomed or panned, to the bit', () => {
     expect(zoom(SPACE, 100, 100, 1, 2).window).toBe(SPACE.window);
     expect(zoom(SPACE, 100, 100, 2, 1).axes).toBe(SPACE.axes);
     expect(pan(SPACE, 5, 0).axes).toBe(SPACE.axes);

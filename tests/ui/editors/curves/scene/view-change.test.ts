@@ -38,13 +38,13 @@ describe('from one view of the curves to another', () => {
     );
   });
 
-  it('is undefined once an axis was fitted separately, unless no line uses it', () => {
+  it('from one view of the curves to another is undefined once an axis was fitted separately, unless no line uses it', () => {
     const fitted = { ...SPREAD, axes: { ...SPREAD.axes, length: { low: 0, high: 100 } } };
     expect(movedBetween(SPREAD, fitted, LINES)).toBeUndefined();
     expect(movedBetween(SPREAD, fitted, [line(0, 'angle')])).toEqual({ scaleX: 1, scaleY: 1, x: 0, y: 0 });
   });
 
-  it('is undefined if the image would be scaled too much', () => {
+  it('from one view of the curves to another is undefined if the image would be scaled too much', () => {
     expect(movedBetween(SPREAD, zoom(SPREAD, 200, 100, 0.2, 1), LINES)).toBeUndefined();
     expect(movedBetween(SPREAD, zoom(SPREAD, 200, 100, 1, 5), LINES)).toBeUndefined();
   });

@@ -84,7 +84,7 @@ describe('the other handle', () => {
     expect([true, false].map((equal) => movesBoth('alone', equal, none))).toEqual([false, false]);
   });
 
-  it('stays with Alt and follows with Ctrl, whatever the option', () => {
+  it('the other handle stays with Alt and follows with Ctrl, whatever the option', () => {
     for (const mode of ['auto', 'alone', 'together'] as const) {
       expect(movesBoth(mode, true, { alt: true, ctrl: false })).toBe(false);
       expect(movesBoth(mode, false, { alt: false, ctrl: true })).toBe(true);
