@@ -299,6 +299,14 @@ it('a key acts in the panel under the mouse, which is marked, and never on keys 
       expect(await keys(page, ARM.rz)).not.toEqual(before);
       await page.keyboard.press('Control+z');
       expect(await keys(page, ARM.rz)).toEqual(before);
+      // A finger in the panel with the focus overrides a mouse that rests in another.
+      await page.mouse.move(stage.x + 0.8 * stage.width, stage.y + 0.8 * stage.height);
+      await expect.poll(() => viewport.getAttribute('data-active')).toBe('');
+      await timeline.dispatchEvent('pointerdown', { pointerType: 'touch', pointerId: 7, bubbles: true });
+      await expect.poll(() => timeline.getAttribute('data-active')).toBe('');
+      expect(await viewport.getAttribute('data-active')).toBeNull();
+      await page.mouse.move(box.x + 0.6 * box.width, box.y + 0.3 * box.height);
+
       // The mouse goes away, and the focus comes back by keyboard: it has the keys again.
       await page.mouse.move(stage.x + 0.8 * stage.width, stage.y + 0.8 * stage.height);
       await expect.poll(() => viewport.getAttribute('data-active')).toBe('');

@@ -101,6 +101,7 @@ function pressOf(event: PointerEvent): PointerEventInit {
 }
 
 /** Commands of the page that would otherwise open a dialog of the browser: open, save, find a command, duplicate. */
-function isBrowserCommand({ key, ctrlKey, metaKey, altKey }: KeyboardEvent): boolean {
-  return (ctrlKey || metaKey) && !altKey && /^[oskd]$/i.test(key);
+function isBrowserCommand({ key, ctrlKey, metaKey, altKey, shiftKey }: KeyboardEvent): boolean {
+  // With Shift only saving is ours: others are the browser's, like its developer tools.
+  return (ctrlKey || metaKey) && !altKey && (shiftKey ? /^s$/i : /^[oskd]$/i).test(key);
 }

@@ -7,7 +7,7 @@
 /** Panels with keys of their own that change something. */
 const POINTED = '[data-panel=viewport],[data-panel=outliner],[data-panel=timeline]';
 
-/** Entered by the mouse since the focus moved last. */
+/** Entered by the mouse, or pressed with anything, since the focus moved last. */
 let pointed: HTMLElement | undefined;
 
 /** The panel around an element. */
@@ -42,15 +42,19 @@ export function watchActivePanel(signal: AbortSignal): void {
   window.addEventListener('focusin', moved, options);
   // The element that gets the focus isn't known yet.
   window.addEventListener('focusout', () => queueMicrotask(mark), options);
+  const point = (target: EventTarget | null) => {
+    pointed = target instanceof Element ? (target.closest<HTMLElement>(POINTED) ?? undefined) : undefined;
+    mark();
+  };
+  // A finger or a pen takes over from a mouse that rests elsewhere, also where the focus is already.
+  window.addEventListener('pointerdown', ({ target }) => point(target), options);
   window.addEventListener(
     'pointerover',
     (event) => {
       // A layout that changes below a resting mouse is no movement, and a drag belongs to where it began.
       const rests = event.clientX === x && event.clientY === y;
       [x, y] = [event.clientX, event.clientY];
-      if (rests || event.pointerType !== 'mouse' || event.buttons !== 0 || !(event.target instanceof Element)) return;
-      pointed = event.target.closest<HTMLElement>(POINTED) ?? undefined;
-      mark();
+      if (!rests && event.pointerType === 'mouse' && event.buttons === 0) point(event.target);
     },
     options,
   );
