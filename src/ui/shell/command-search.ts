@@ -47,6 +47,7 @@ export function commandSearch(wb: Uses<'actions' | 'settings'>, close: () => voi
       input.value,
       (a) => longLabel(wb, a),
       (a) => TRAVELS.includes(a.id),
+      ({ also = '' }) => also,
     ).slice(0, MAX_SHOWN);
     list.replaceChildren(...found.map((action) => row(wb, action, () => run(action))));
     if (!found.length) list.append(element('li', { class: 'empty' }, 'No matching command'));
@@ -83,11 +84,12 @@ const TRAVELS: readonly string[] = ['edit.undo', 'edit.redo'];
 /** With its menu: "Hidden" alone says nothing. */
 function longLabel(wb: Uses<'actions'>, action: Action): string {
   const label = (TRAVELS.includes(action.id) && action.name) || actionLabel(wb, action);
-  return `${action.menu?.replace('/', ' ') ?? action.group} ${label} ${action.also ?? ''}`;
+  return `${action.menu?.replace('/', ' ') ?? action.group} ${label}`;
 }
 
 /**
- * Actions whose label has every typed word; first those with words that start so.
+ * Actions whose label, or other words for it, have every typed word; first those with words that start so, in the label
+ * before the other words.
  *
  * @param isLast sorts behind other matches, so that nobody undoes by accident
  */
@@ -96,15 +98,22 @@ export function findActions<A>(
   typed: string,
   label: (action: A) => string,
   isLast: (action: A) => boolean = () => false,
+  also: (action: A) => string = () => '',
 ): A[] {
   const words = typed.toLowerCase().split(/\s+/).filter(Boolean);
   const scored: { readonly action: A; readonly score: number }[] = [];
   for (const action of actions) {
-    const text = label(action).toLowerCase();
-    if (!words.every((word) => text.includes(word))) continue;
-    const begins = words.filter((word) => text.split(/[^\p{L}\p{N}]+/u).some((part) => part.startsWith(word))).length;
-    scored.push({ action, score: begins });
+    const own = label(action).toLowerCase();
+    const other = also(action).toLowerCase();
+    if (!words.every((word) => own.includes(word) || other.includes(word))) continue;
+    scored.push({ action, score: 2 * beginnings(own, words) + beginnings(other, words) });
   }
   const place = ({ action }: { readonly action: A }) => (words.length && isLast(action) ? 1 : 0);
   return scored.sort((a, b) => b.score - a.score || place(a) - place(b)).map(({ action }) => action);
+}
+
+/** How many of the typed words a word of the text starts with. */
+function beginnings(text: string, typed: readonly string[]): number {
+  const parts = text.split(/[^\p{L}\p{N}]+/u);
+  return typed.filter((word) => parts.some((part) => part.startsWith(word))).length;
 }

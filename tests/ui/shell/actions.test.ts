@@ -198,6 +198,20 @@ describe('findActions', () => {
     expect(found('na')).toEqual(['Joint names']);
   });
 
+  it('finds actions by other words too, behind those that are called so', () => {
+    const theme = (typed: string) =>
+      findActions(
+        ['View Shadow', 'View Theme Light'],
+        typed,
+        (label) => label,
+        () => false,
+        (label) => (label === 'View Shadow' ? 'light ground' : ''),
+      );
+    expect(theme('light')).toEqual(['View Theme Light', 'View Shadow']);
+    expect(theme('ground')).toEqual(['View Shadow']);
+    expect(theme('view light')).toEqual(['View Theme Light', 'View Shadow']);
+  });
+
   it('sorts actions to come last behind equal matches, but before worse ones', () => {
     const undoLast = (typed: string) =>
       findActions(
