@@ -10,7 +10,6 @@ import type { ChannelKeys } from '../model/session.ts';
 import { indexIn, listOf } from './arguments.ts';
 import { changeCharacter, requireCharacter } from './characters.ts';
 import type { EditedChannel } from './keys/arrange.ts';
-import { countKeys } from './keys/selection.ts';
 import { refuseMoved } from './refuse-moved.ts';
 import { CommandError, type Edit } from './store.ts';
 import { requireTake, withTake } from './takes.ts';
@@ -143,10 +142,4 @@ export function requireKeyable(clip: ChannelClip, channels: readonly number[]): 
 function followsSamples(count: number): string {
   const what = count === 1 ? 'This curve is sampled' : `${count} curves are sampled`;
   return `${what}. Convert to keys first: Keys > Samples.`;
-}
-
-/** "key", "3 keys"; for labels. */
-export function keyCountText(keys: readonly ChannelKeys[]): string {
-  const count = countKeys(keys);
-  return count === 1 ? 'key' : `${count} keys`;
 }

@@ -291,7 +291,7 @@ describe('a part that was made here', () => {
     await page.saver.saveChanged();
     const bytes = page.text('crab.skel')?.length;
     expect(page.store.document.characters[0].sources).toEqual([{ name: 'crab.skel', path: 'crab.skel', bytes }]);
-    expect(page.store.undoLabel).toBe('New character');
+    expect(page.store.undoLabel).toBe('New skeleton character');
     page.change(limited);
     expect(page.names()).toEqual(['crab.skel']);
     await page.saver.saveChanged();

@@ -183,7 +183,7 @@ it('keeps a pinned point where it is while a slider moves what is above it, in o
     await drawn(page);
     expect((await jointPlace(page, 'hip'))[1]).toBeCloseTo(hip[1] - 0.2, 9);
     expect(apart(await jointPlace(page, 'foot_l'), foot)).toBeLessThan(1e-3);
-    expect(await undoLabel(page)).toBe('Set ty of hip');
+    expect(await undoLabel(page)).toBe('Move hip (ty)');
     // By keyboard, many small steps; further than the leg reaches, and back.
     for (const key of ['ArrowDown', 'ArrowDown', 'ArrowUp']) await field.press(key);
     expect(apart(await jointPlace(page, 'foot_l'), foot)).toBeLessThan(1e-3);

@@ -2,7 +2,9 @@ import { readdirSync } from 'node:fs';
 import { describe, expect, it } from 'vitest';
 import { COMMANDS_BY_ID } from '../../src/edit/commands/all.ts';
 import { COMMANDS_AT_HAND, FETCHED_IDS } from '../../src/edit/commands/at-hand.ts';
+import { LABEL_LENGTH } from '../../src/edit/step-names.ts';
 import { CommandError, Store } from '../../src/edit/store.ts';
+import type { Document } from '../../src/model/document.ts';
 import { character, documentOf } from '../helpers/builders.ts';
 import { expectEdit } from '../helpers/expect-edit.ts';
 import { COMMANDS_HERE } from './any-command.ts';
@@ -77,4 +79,57 @@ describe('every command', () => {
       expect(error.message).toMatch(/^\S.*[.:?]$/s);
     }
   });
+
+  it.each(all)('$id names its undo step by what it changes', ({ command, given }) => {
+    const label = command.label(given.document, given.args as never);
+    expect(label).toMatch(/^[A-Z]/);
+    expect(label.length).toBeLessThanOrEqual(LABEL_LENGTH);
+    const store = new Store(given.document);
+    store.apply(command, given.args as never);
+    // A count, or a name from the document, the arguments or the result.
+    const names = namesIn([given.document, given.args, store.document]);
+    const isNamed = /\b\d+ \w/.test(label) || names.some((name) => wordsOf(label).includes(wordsOf(name)));
+    expect(isNamed, `"${label}" says on what`).toBe(true);
+  });
+
+  it.each(all)('$id cuts long names in its undo step', ({ command, given }) => {
+    const { document, args } = longNamed([given.document, given.args]);
+    const label = command.label(document, args as never);
+    expect(label.length, label).toBeLessThanOrEqual(LABEL_LENGTH);
+    expect(label).not.toContain(LONG);
+  });
 });
+
+const LONG = 'of a character from another program with a very long name';
+
+/** All names of at least two letters, whatever they are of. */
+function namesIn(value: unknown): string[] {
+  if (typeof value !== 'object' || value === null || ArrayBuffer.isView(value)) return [];
+  return Object.entries(value).flatMap(([key, one]) =>
+    key === 'name' && typeof one === 'string' && one.length > 1 ? [one] : namesIn(one),
+  );
+}
+
+/** With a space on either side, so that only whole words are found. */
+function wordsOf(text: string): string {
+  return ` ${text.replace(/[^\w]+/g, ' ').trim()} `;
+}
+
+/** Copies with a long ending on each name, except those of DOFs, which are the program's own. */
+function longNamed([document, args]: readonly [Document, object]): {
+  readonly document: Document;
+  readonly args: object;
+} {
+  const longer = (value: unknown): unknown => {
+    if (typeof value !== 'object' || value === null || ArrayBuffer.isView(value)) return value;
+    if (Array.isArray(value)) return value.map(longer);
+    return Object.fromEntries(
+      Object.entries(value).map(([key, one]) => [
+        key,
+        key === 'name' && typeof one === 'string' ? `${one} ${LONG}` : longer(one),
+      ]),
+    );
+  };
+  // The same shapes, with other names.
+  return { document: longer(document) as Document, args: longer(args) as object };
+}

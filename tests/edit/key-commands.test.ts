@@ -221,19 +221,25 @@ describe('the Edit menu', () => {
   const keys = [{ channel: 0, indices: [0, 1] }];
   const one = [{ channel: 0, indices: [0] }];
   it.each([
-    ['Move 2 keys', moveKeys.label(start, { characterId, keys, seconds: 1 })],
-    ['Move key', moveKeys.label(start, { characterId, keys: one, seconds: 1 })],
-    ['Insert key', insertKeys.label(start, { characterId, channels: [0], timeSeconds: 0 })],
-    ['Delete 2 keys', removeKeys.label(start, { characterId, keys, timeSeconds: 0 })],
-    ['Set 2 keys to smooth', setTangents.label(start, { characterId, keys, side: 'both', kind: 'smooth' })],
-    ['Set key to flat after', setTangents.label(start, { characterId, keys: one, side: 'out', kind: 'flat' })],
-    ['Set value of key', setKeys.label(start, { characterId, keys: one, value: 1 })],
+    ['Move 2 keys on tx of joint0', moveKeys.label(start, { characterId, keys, seconds: 1 })],
+    ['Move key on tx of joint0', moveKeys.label(start, { characterId, keys: one, seconds: 1 })],
+    ['Insert key on tx of joint0', insertKeys.label(start, { characterId, channels: [0], timeSeconds: 0 })],
+    ['Delete 2 keys on tx of joint0', removeKeys.label(start, { characterId, keys, timeSeconds: 0 })],
     [
-      'Cycle with offset after',
+      'Set 2 keys on tx of joint0 to smooth',
+      setTangents.label(start, { characterId, keys, side: 'both', kind: 'smooth' }),
+    ],
+    [
+      'Set key on tx of joint0 to flat after',
+      setTangents.label(start, { characterId, keys: one, side: 'out', kind: 'flat' }),
+    ],
+    ['Set value of key on tx of joint0', setKeys.label(start, { characterId, keys: one, value: 1 })],
+    [
+      'Set tx of joint0 to cycle with offset after',
       setExtrapolation.label(start, { characterId, channels: [0], side: 'out', extrapolation: 'cycle_offset' }),
     ],
     [
-      'Paste 2 keys',
+      'Paste 2 keys on hero',
       pasteKeys.label(start, { characterId, copied: copyKeys(walk, keys), timeSeconds: 0, mode: 'merge' }),
     ],
   ])('the Edit menu says "%s"', (meant, label) => {

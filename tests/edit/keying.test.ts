@@ -140,11 +140,11 @@ describe('pose.key over a take', () => {
     const label = (dofs?: number[]) =>
       keyPose.label(documentOf(walking), { characterId: 'c1', timeSeconds: 0, ...(dofs && { dofs }) });
     expect([label(), label([4]), label([6, 7, 8]), label([0, 1, 2, 3, 4, 5]), label([3, 6])]).toEqual([
-      'Key pose',
+      'Key pose of Wasp the first',
       'Key ry of hip',
       'Key leg',
       'Key hip',
-      'Key 2 DOFs',
+      'Key 2 joints',
     ]);
   });
 

@@ -34,9 +34,15 @@ describe('pose.setDofs', () => {
   });
 
   it('pose.setDofs names what it sets', () => {
-    const label = (index: number) =>
-      setDofs.label(still, { characterId: 'c1', dofs: [{ index, value: 0 }], timeSeconds: 0 });
-    expect([label(0), label(3), label(6)]).toEqual(['Set tx of hip', 'Set rx of hip', 'Set morph smile']);
+    const label = (...indices: number[]) =>
+      setDofs.label(still, { characterId: 'c1', dofs: indices.map((index) => ({ index, value: 0 })), timeSeconds: 0 });
+    expect([label(0), label(3), label(6)]).toEqual(['Move hip (tx)', 'Rotate hip (rx)', 'Set morph smile']);
+    expect([label(3, 4, 5), label(0, 1), label(0, 3), label(3, 6)]).toEqual([
+      'Rotate hip',
+      'Move hip',
+      'Pose hip',
+      'Pose 2 DOFs',
+    ]);
   });
 
   it('refuses a DOF that is not there, and values that are no numbers', () => {

@@ -22,9 +22,9 @@ describe('Store', () => {
   it('names the steps that undo and redo would take', () => {
     const store = new Store(start);
     store.apply(renameCharacter, rename('b'));
-    expect([store.undoLabel, store.redoLabel]).toEqual(['Rename a', undefined]);
+    expect([store.undoLabel, store.redoLabel]).toEqual(['Rename a to b', undefined]);
     store.undo();
-    expect([store.undoLabel, store.redoLabel]).toEqual([undefined, 'Rename a']);
+    expect([store.undoLabel, store.redoLabel]).toEqual([undefined, 'Rename a to b']);
   });
 
   it('Store makes no step of a command that changes nothing', () => {

@@ -20,6 +20,7 @@ import { changeCharacter, requireCharacter } from '../characters.ts';
 import { allKeys } from '../keys/selection.ts';
 import { refuseMoved } from '../refuse-moved.ts';
 import { filteringAngles } from '../samples/euler-filter.ts';
+import { curvesIn } from '../step-names.ts';
 import { type Command, CommandError, type Edit } from '../store.ts';
 import { withTake } from '../takes.ts';
 
@@ -39,7 +40,7 @@ export interface Simplify extends OfChannels {
 /** Fewer keys, with the curve within tolerance everywhere; see `channels/simplify.ts` for the method. */
 export const simplify: Command<Simplify, Edit> = {
   id: 'channels.simplify',
-  label: (_document, { channels }) => `Simplify ${curves(channels)}`,
+  label: (document, { characterId, channels }) => `Simplify ${curvesIn(document, characterId, channels)}`,
   run: (document, args) => edited(document, args, simplified(document, args)),
 };
 
@@ -53,7 +54,7 @@ export interface Resample extends OfChannels, Resampling {}
 /** A key on every frame; see `channels/resample.ts`. */
 export const resample: Command<Resample, Edit> = {
   id: 'channels.resample',
-  label: (_document, { channels }) => `Resample ${curves(channels)}`,
+  label: (document, { characterId, channels }) => `Resample ${curvesIn(document, characterId, channels)}`,
   run: (document, args) => edited(document, args, resampled(document, args)),
 };
 
@@ -65,7 +66,7 @@ export function resamplePreview(document: Document, args: Resample): Reduction {
 /** Removes jumps of angles, in keys and samples, keeping the rotations; see `samples/euler-filter.ts`. */
 export const eulerFilter: Command<OfChannels, Edit> = {
   id: 'channels.eulerFilter',
-  label: () => 'Euler filter',
+  label: (document, { characterId, channels }) => `Euler filter on ${curvesIn(document, characterId, channels)}`,
   run: (document, args) => runToEnd(eulerFilterSteps(document, args)).edit,
 };
 
@@ -105,7 +106,7 @@ export interface BakeExtrapolation extends OfChannels {
 /** Bakes extrapolation to keys; see `channels/bake-extrapolation.ts`. */
 export const bakeExtrapolation: Command<BakeExtrapolation, Edit> = {
   id: 'channels.bakeExtrapolation',
-  label: (_document, { channels }) => `Bake extrapolation of ${curves(channels)}`,
+  label: (document, { characterId, channels }) => `Bake extrapolation of ${curvesIn(document, characterId, channels)}`,
   run: (document, args) => edited(document, args, baked(document, args)),
 };
 
@@ -134,7 +135,7 @@ export interface MakeLoop extends OfChannels {
 /** Makes the end meet the start, `cycle` on both sides; see `channels/make-loop.ts`. */
 export const makeLoop: Command<MakeLoop, Edit> = {
   id: 'channels.makeLoop',
-  label: (_document, { channels }) => `Make ${curves(channels)} loop`,
+  label: (document, { characterId, channels }) => `Make ${curvesIn(document, characterId, channels)} loop`,
   run(document, args) {
     const clip = clipOf(document, args.characterId);
     const { keepOffset = false } = args;
@@ -247,8 +248,4 @@ function interval(from: unknown, to: unknown): readonly [number, number] {
   const end = finiteNumber(to, '"to"');
   if (start > end) throw new CommandError(`The range ends at ${end} s, before it starts at ${start} s.`);
   return [start, end];
-}
-
-function curves(channels: readonly number[]): string {
-  return channels.length === 1 ? 'a curve' : `${channels.length} curves`;
 }

@@ -1,9 +1,10 @@
 /** Commands on whole characters: which exist, which skin and take are shown, and their placements. */
-import type { Character, Document, Placement } from '../../model/document.ts';
+import type { Character, Placement } from '../../model/document.ts';
 import { finiteNumber, indexIn, listOf, text } from '../arguments.ts';
 import { changeCharacter, requireCharacter } from '../characters.ts';
 import { sameValue } from '../delta.ts';
 import { withoutDriver } from '../drivers.ts';
+import { characterIn, cutName, SHORT_NAME } from '../step-names.ts';
 import { type Command, CommandError } from '../store.ts';
 import { withoutUnkeyed } from '../unkeyed.ts';
 
@@ -13,7 +14,7 @@ interface OfCharacter {
 
 export const removeCharacter: Command<OfCharacter> = {
   id: 'character.remove',
-  label: (document, { characterId }) => `Remove ${nameOf(document, characterId)}`,
+  label: (document, { characterId }) => `Remove ${characterIn(document, characterId)}`,
   run(document, { characterId }) {
     const gone = requireCharacter(document, characterId);
     return { ...document, characters: document.characters.filter((c) => c !== gone) };
@@ -22,7 +23,8 @@ export const removeCharacter: Command<OfCharacter> = {
 
 export const renameCharacter: Command<OfCharacter & { readonly name: string }> = {
   id: 'character.rename',
-  label: (document, { characterId }) => `Rename ${nameOf(document, characterId)}`,
+  label: (document, { characterId, name }) =>
+    `Rename ${characterIn(document, characterId, SHORT_NAME)} to ${cutName(name, SHORT_NAME)}`,
   run: (document, { characterId, name }) =>
     changeCharacter(document, characterId, (c) => (c.name === text(name, 'The name') ? c : { ...c, name })),
 };
@@ -31,7 +33,7 @@ export const renameCharacter: Command<OfCharacter & { readonly name: string }> =
 export const showSkin: Command<OfCharacter & { readonly skin: number }> = {
   id: 'character.showSkin',
   label: (document, { characterId, skin }) =>
-    `Show skin ${requireCharacter(document, characterId).skins[skin]?.name ?? skin}`,
+    `Show skin ${cutName(requireCharacter(document, characterId).skins[skin]?.name ?? String(skin))}`,
   run: (document, { characterId, skin }) =>
     changeCharacter(document, characterId, (c) => {
       indexIn(skin, 0, c.skins.length, 'skin');
@@ -43,7 +45,9 @@ export const showSkin: Command<OfCharacter & { readonly skin: number }> = {
 export const showClip: Command<OfCharacter & { readonly clip: number }> = {
   id: 'character.showClip',
   label: (document, { characterId, clip }) =>
-    clip < 0 ? 'Show no take' : `Show take ${requireCharacter(document, characterId).clips[clip]?.name ?? clip}`,
+    clip < 0
+      ? `Show ${characterIn(document, characterId)} without a take`
+      : `Show take ${cutName(requireCharacter(document, characterId).clips[clip]?.name ?? String(clip))}`,
   run: (document, { characterId, clip }) =>
     changeCharacter(document, characterId, (c) => {
       indexIn(clip, -1, c.clips.length, 'take');
@@ -54,7 +58,7 @@ export const showClip: Command<OfCharacter & { readonly clip: number }> = {
 
 export const setTimeOffset: Command<OfCharacter & { readonly seconds: number }> = {
   id: 'character.setTimeOffset',
-  label: (document, { characterId }) => `Set start time of ${nameOf(document, characterId)}`,
+  label: (document, { characterId }) => `Set start time of ${characterIn(document, characterId)}`,
   run(document, { characterId, seconds }) {
     finiteNumber(seconds, 'The start time');
     return changeCharacter(document, characterId, (c) =>
@@ -66,7 +70,7 @@ export const setTimeOffset: Command<OfCharacter & { readonly seconds: number }> 
 /** Moves, rotates or scales one instance of a character. */
 export const placeCharacter: Command<OfCharacter & { readonly index: number; readonly placement: Placement }> = {
   id: 'character.place',
-  label: (document, { characterId }) => `Move ${nameOf(document, characterId)}`,
+  label: (document, { characterId }) => `Move ${characterIn(document, characterId)}`,
   run: (document, { characterId, index, placement }) =>
     changeCharacter(document, characterId, (c) => {
       indexIn(index, 0, c.placements.length, 'placement');
@@ -79,7 +83,7 @@ export const placeCharacter: Command<OfCharacter & { readonly index: number; rea
 /** Adds an instance of a character, sharing its data. */
 export const addCopy: Command<OfCharacter & { readonly placement: Placement }> = {
   id: 'character.addCopy',
-  label: (document, { characterId }) => `Duplicate instance of ${nameOf(document, characterId)}`,
+  label: (document, { characterId }) => `Duplicate instance of ${characterIn(document, characterId)}`,
   run: (document, { characterId, placement }) =>
     changeCharacter(document, characterId, (c) => {
       checkPlacement(placement);
@@ -89,7 +93,7 @@ export const addCopy: Command<OfCharacter & { readonly placement: Placement }> =
 
 export const removeCopy: Command<OfCharacter & { readonly index: number }> = {
   id: 'character.removeCopy',
-  label: (document, { characterId }) => `Remove instance of ${nameOf(document, characterId)}`,
+  label: (document, { characterId }) => `Remove instance of ${characterIn(document, characterId)}`,
   run: (document, { characterId, index }) =>
     changeCharacter(document, characterId, (c: Character) => {
       indexIn(index, 0, c.placements.length, 'placement');
@@ -98,10 +102,6 @@ export const removeCopy: Command<OfCharacter & { readonly index: number }> = {
       return { ...c, placements: c.placements.filter((_, i) => i !== index) };
     }),
 };
-
-function nameOf(document: Document, id: string): string {
-  return requireCharacter(document, id).name;
-}
 
 function checkPlacement(placement: Placement): void {
   const { position, turn, scale } = placement ?? {};

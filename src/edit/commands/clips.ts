@@ -9,6 +9,7 @@ import { INTERPOLATIONS, type Interpolation } from '../../model/samples.ts';
 import { indexIn, oneOf, text } from '../arguments.ts';
 import { changeCharacter, requireCharacter } from '../characters.ts';
 import { rangeFrom } from '../key-dofs.ts';
+import { cutName, SHORT_NAME } from '../step-names.ts';
 import { type Command, CommandError } from '../store.ts';
 import { fileInTheWay, newTakeName, requireTake, uniqueTakeName, withNewTake, withTake } from '../takes.ts';
 import { withoutUnkeyed } from '../unkeyed.ts';
@@ -64,7 +65,8 @@ export interface CreateClip {
 /** Creates a take without keys, at rest in the current pose, and shows it. */
 export const createClip: Command<CreateClip> = {
   id: 'clip.create',
-  label: () => 'New take',
+  label: (document, { characterId, name }) =>
+    `New take ${cutName(name ?? newTakeName(requireCharacter(document, characterId)))}`,
   run: (document, { characterId, range, name }) =>
     changeCharacter(document, characterId, (c) => {
       if (!c.skeleton) throw new CommandError(`${c.name} has no skeleton, and its channels need DOFs.`);
@@ -76,7 +78,7 @@ export const createClip: Command<CreateClip> = {
 /** The name is also the file's, so it must differ from the character's other takes and from their files. */
 export const renameClip: Command<OfTake & { readonly name: string }> = {
   id: 'clip.rename',
-  label: (document, args) => `Rename ${nameOf(document, args)}`,
+  label: (document, args) => `Rename ${nameOf(document, args, SHORT_NAME)} to ${cutName(args.name.trim(), SHORT_NAME)}`,
   run: (document, { characterId, clip, name }) =>
     changeCharacter(document, characterId, (c) => {
       const index = takeIndex(c, clip);
@@ -123,8 +125,8 @@ function takeIndex(character: Character, clip: number | undefined): number {
   return character.shownClip;
 }
 
-function nameOf(document: Document, { characterId, clip }: OfTake): string {
+function nameOf(document: Document, { characterId, clip }: OfTake, length?: number): string {
   const character = requireCharacter(document, characterId);
   const take = clip === undefined ? shownClip(character) : character.clips[clip];
-  return take?.name ?? 'take';
+  return cutName(take?.name ?? 'take', length);
 }

@@ -8,6 +8,7 @@ import { finiteNumber, indexIn } from '../arguments.ts';
 import { changeCharacter, requireCharacter } from '../characters.ts';
 import { boundAnew } from '../rig/apply.ts';
 import type { Rigging } from '../rig/rigging.ts';
+import { jointIn } from '../step-names.ts';
 import { type Command, CommandError } from '../store.ts';
 
 /** If a link moves a joint and skins are to stay, they are rebound (`rig/rigging.ts`). */
@@ -35,7 +36,7 @@ export interface FollowedDof {
 export const setCouple: Command<SetCouple> = {
   id: 'rig.setCouple',
   label(document, { characterId, joint, dof, follows }) {
-    const own = jointName(requireCharacter(document, characterId).skeleton, joint);
+    const own = jointIn(requireCharacter(document, characterId), joint);
     return `${follows ? 'Link' : 'Unlink'} ${dof} of ${own}`;
   },
   run(document: Document, args) {

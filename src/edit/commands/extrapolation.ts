@@ -3,6 +3,7 @@ import { EXTRAPOLATIONS, type Extrapolation } from '../../model/clip.ts';
 import { oneOf } from '../arguments.ts';
 import { checkedChannels, clipOf, keyable, type OfChannels, withClipChannels } from '../channel-edits.ts';
 import { TANGENT_SIDES, type TangentSide } from '../keys/tangents.ts';
+import { curvesIn } from '../step-names.ts';
 import type { Command } from '../store.ts';
 
 /** Names for labels. */
@@ -23,7 +24,8 @@ export interface SetExtrapolation extends OfChannels {
 /** Keys and their selection are unchanged. Sampled channels hold their ends and are skipped. */
 export const setExtrapolation: Command<SetExtrapolation> = {
   id: 'channels.setExtrapolation',
-  label: (_document, { side, extrapolation }) => `${EXTRAPOLATION_NAMES[extrapolation]} ${WHERE[side]}`,
+  label: (document, { characterId, channels, side, extrapolation }) =>
+    `Set ${curvesIn(document, characterId, channels)} to ${EXTRAPOLATION_NAMES[extrapolation].toLowerCase()} ${WHERE[side]}`,
   run(document, { characterId, channels, side, extrapolation }) {
     oneOf(side, TANGENT_SIDES, '"side"');
     oneOf(extrapolation, EXTRAPOLATIONS, '"extrapolation"');

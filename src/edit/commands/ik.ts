@@ -10,6 +10,7 @@ import { jointName } from '../../model/joint-name.ts';
 import type { Skeleton } from '../../model/skeleton.ts';
 import { finiteNumber, indexIn, listOf, oneOf } from '../arguments.ts';
 import { changeCharacter, requireCharacter } from '../characters.ts';
+import { characterIn, jointIn } from '../step-names.ts';
 import { type Command, CommandError } from '../store.ts';
 
 interface OfIk {
@@ -30,8 +31,7 @@ export interface AddPin extends OfIk {
 /** Appends a pin. Refuses a point that is already pinned. */
 export const pinPoint: Command<AddPin> = {
   id: 'ik.pin',
-  label: (document, { characterId, joint }) =>
-    `Pin ${jointName(requireCharacter(document, characterId).skeleton, joint)}`,
+  label: (document, { characterId, joint }) => `Pin ${jointIn(requireCharacter(document, characterId), joint)}`,
   run: (document, { characterId, joint, point, weight = 1, holdsOrientation = false }) =>
     change(document, characterId, (ik, skeleton) => {
       const pin: Pin = {
@@ -63,7 +63,10 @@ export const unpin: Command<RemovePins> = {
 
 export const clearPins: Command<OfIk> = {
   id: 'ik.clearPins',
-  label: () => 'Remove all pins',
+  label(document, { characterId }) {
+    const { length } = ikOf(requireCharacter(document, characterId)).pins;
+    return `Remove ${length === 1 ? '1 pin' : `${length} pins`} of ${characterIn(document, characterId)}`;
+  },
   run: (document, { characterId }) =>
     change(document, characterId, (ik) => (ik.pins.length ? { ...ik, pins: [] } : ik)),
 };
@@ -143,7 +146,7 @@ export interface SetRootFree extends OfIk {
 export const setRootFree: Command<SetRootFree> = {
   id: 'ik.setRootFree',
   label: (document, { characterId, isFree }) =>
-    `${isFree ? 'Allow root of' : 'Keep root of'} ${requireCharacter(document, characterId).name} ${isFree ? 'to move' : 'in place'}`,
+    `${isFree ? 'Allow root of' : 'Keep root of'} ${characterIn(document, characterId)} ${isFree ? 'to move' : 'in place'}`,
   run: (document, { characterId, isFree }) =>
     change(document, characterId, (ik) => {
       const rootIsFree = oneOf(isFree, [true, false], '"isFree"');
@@ -218,10 +221,10 @@ function sameStiffness(a: readonly StiffJoint[], b: readonly StiffJoint[]): bool
 /** `foot_l`, `2 pins`; for labels, so it also handles missing pins. */
 export function pinnedNames(character: Character, ids: readonly number[]): string {
   const pinned = ikOf(character).pins.filter(({ id }) => ids.includes(id));
-  if (pinned.length === 1) return jointName(character.skeleton, pinned[0].joint);
+  if (pinned.length === 1) return jointIn(character, pinned[0].joint);
   return `${pinned.length} points`;
 }
 
 function jointNames(character: Character, joints: readonly number[]): string {
-  return joints.length === 1 ? jointName(character.skeleton, joints[0]) : `${joints.length} joints`;
+  return joints.length === 1 ? jointIn(character, joints[0]) : `${joints.length} joints`;
 }

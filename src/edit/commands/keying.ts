@@ -1,14 +1,12 @@
 /** Keying poses. */
 import { dofCountOf, poseAt } from '../../evaluate/pose.ts';
-import { type Character, shownClip } from '../../model/document.ts';
-import { characterDofs } from '../../model/dofs.ts';
-import { jointName } from '../../model/joint-name.ts';
+import { shownClip } from '../../model/document.ts';
 import { finiteNumber, indexIn, listOf } from '../arguments.ts';
 import { keyable } from '../channel-edits.ts';
 import { changeCharacter, requireCharacter } from '../characters.ts';
 import { type KeyOptions, keyDofs } from '../key-dofs.ts';
+import { characterIn, dofsIn } from '../step-names.ts';
 import type { Command, Edit } from '../store.ts';
-import { dofName } from './pose.ts';
 
 export interface KeyPose extends KeyOptions {
   readonly characterId: string;
@@ -25,7 +23,10 @@ export interface KeyPose extends KeyOptions {
  */
 export const keyPose: Command<KeyPose, Edit> = {
   id: 'pose.key',
-  label: (document, { characterId, dofs }) => `Key ${whatIsKeyed(requireCharacter(document, characterId), dofs)}`,
+  label: (document, { characterId, dofs }) =>
+    dofs === undefined
+      ? `Key pose of ${characterIn(document, characterId)}`
+      : `Key ${dofsIn(requireCharacter(document, characterId), dofs)}`,
   run(document, { characterId, dofs, timeSeconds, ...options }) {
     const character = requireCharacter(document, characterId);
     finiteNumber(timeSeconds, '"timeSeconds"');
@@ -44,14 +45,3 @@ export const keyPose: Command<KeyPose, Edit> = {
     return { document: changeCharacter(document, characterId, () => keyed), keys };
   },
 };
-
-/** `pose`, `rx of hip`, `hip`, `4 DOFs`. */
-function whatIsKeyed(character: Character, dofs: readonly number[] | undefined): string {
-  if (dofs === undefined) return 'pose';
-  if (dofs.length === 1) return dofName(character, dofs[0]);
-  const all = characterDofs(character.skeleton, character.morphs);
-  const joints = new Set(dofs.map((dof) => all[dof]?.joint));
-  const [joint = -1] = joints;
-  if (joints.size !== 1 || joint < 0) return `${dofs.length} DOFs`;
-  return jointName(character.skeleton, joint);
-}

@@ -10,7 +10,6 @@ import {
   checkedKeys,
   clipOf,
   keyable,
-  keyCountText,
   type OfChannels,
   type OfKeys,
   requireKeyable,
@@ -26,6 +25,7 @@ import { withKeysRemoved } from '../keys/remove.ts';
 import { rippleRoom, withKeysRippled } from '../keys/ripple.ts';
 import { withKeysScaled } from '../keys/scale.ts';
 import { type TypedKey, withKeysSet, withKeysSnapped } from '../keys/set.ts';
+import { curvesIn, keysIn } from '../step-names.ts';
 import { type Command, CommandError, type Edit } from '../store.ts';
 
 export interface AtTime {
@@ -42,7 +42,10 @@ export interface NewKeyAt extends AtTime, KeyPlacing {}
  */
 export const insertKeys: Command<OfChannels & NewKeyAt, Edit> = {
   id: 'keys.insert',
-  label: (_document, { channels }) => (channels.length === 1 ? 'Insert key' : `Insert ${channels.length} keys`),
+  label: (document, { characterId, channels }) =>
+    channels.length === 1
+      ? `Insert key on ${curvesIn(document, characterId, channels)}`
+      : `Insert ${channels.length} keys`,
   run(document, { characterId, channels, timeSeconds, ...placing }) {
     const clip = clipOf(document, characterId);
     const time = finiteNumber(timeSeconds, '"timeSeconds"');
@@ -72,7 +75,7 @@ export interface AddKey extends NewKeyAt {
  */
 export const addKey: Command<AddKey, Edit> = {
   id: 'keys.add',
-  label: () => 'Add key',
+  label: (document, { characterId, channel }) => `Add key on ${curvesIn(document, characterId, [channel])}`,
   run(document, { characterId, channel: index, timeSeconds, value, tangents = 'smooth', ...placing }) {
     const clip = clipOf(document, characterId);
     indexIn(index, 0, clip.channels.length, 'channel');
@@ -104,7 +107,7 @@ export interface MoveKeysArgs extends OfKeys {
 
 export const moveKeys: Command<MoveKeysArgs, Edit> = {
   id: 'keys.move',
-  label: (_document, { keys }) => `Move ${keyCountText(keys)}`,
+  label: (document, { characterId, keys }) => `Move ${keysIn(document, characterId, keys)}`,
   run(document, { characterId, keys, seconds, values, onCollision = 'replace' }) {
     finiteNumber(seconds, '"seconds"');
     oneOf(onCollision, COLLISIONS, '"onCollision"');
@@ -128,7 +131,7 @@ export interface ScaleKeysArgs extends OfKeys {
 
 export const scaleKeys: Command<ScaleKeysArgs, Edit> = {
   id: 'keys.scale',
-  label: (_document, { keys }) => `Scale ${keyCountText(keys)}`,
+  label: (document, { characterId, keys }) => `Scale ${keysIn(document, characterId, keys)}`,
   run(document, args) {
     const { characterId, keys, pivotValues, onCollision = 'replace' } = args;
     const pivotSeconds = finiteNumber(args.pivotSeconds, '"pivotSeconds"');
@@ -146,9 +149,9 @@ export const scaleKeys: Command<ScaleKeysArgs, Edit> = {
 /** Exact numbers, as typed. A time can only be set for one key per channel, otherwise refused. */
 export const setKeys: Command<OfKeys & TypedKey, Edit> = {
   id: 'keys.set',
-  label(_document, { keys, timeSeconds, value }) {
+  label(document, { characterId, keys, timeSeconds, value }) {
     const what = timeSeconds !== undefined ? 'time' : value !== undefined ? 'value' : 'slope';
-    return `Set ${what} of ${keyCountText(keys)}`;
+    return `Set ${what} of ${keysIn(document, characterId, keys)}`;
   },
   run(document, { characterId, keys, timeSeconds, value, slopeIn, slopeOut }) {
     const typed = { timeSeconds, value, slopeIn, slopeOut };
@@ -178,7 +181,7 @@ export interface SnapKeys extends OfKeys {
 /** Moves keys to the nearest frame. */
 export const snapKeys: Command<SnapKeys, Edit> = {
   id: 'keys.snap',
-  label: (_document, { keys }) => `Snap ${keyCountText(keys)} to frames`,
+  label: (document, { characterId, keys }) => `Snap ${keysIn(document, characterId, keys)} to frames`,
   run(document, { characterId, keys, framesPerSecond, offsetSeconds = 0 }) {
     if (finiteNumber(framesPerSecond, '"framesPerSecond"') <= 0) {
       throw new CommandError(`The frame rate must be greater than 0, found ${framesPerSecond}.`);
@@ -196,7 +199,7 @@ export const snapKeys: Command<SnapKeys, Edit> = {
  */
 export const removeKeys: Command<OfKeys & AtTime, Edit> = {
   id: 'keys.remove',
-  label: (_document, { keys }) => `Delete ${keyCountText(keys)}`,
+  label: (document, { characterId, keys }) => `Delete ${keysIn(document, characterId, keys)}`,
   run(document, { characterId, keys, timeSeconds }) {
     const time = finiteNumber(timeSeconds, '"timeSeconds"');
     const clip = clipOf(document, characterId);
@@ -216,7 +219,7 @@ export const removeKeys: Command<OfKeys & AtTime, Edit> = {
  */
 export const rippleKeys: Command<OfKeys & { readonly seconds: number }, Edit> = {
   id: 'keys.ripple',
-  label: (_document, { keys }) => `Ripple ${keyCountText(keys)}`,
+  label: (document, { characterId, keys }) => `Ripple ${keysIn(document, characterId, keys)}`,
   run(document, { characterId, keys, seconds }) {
     finiteNumber(seconds, '"seconds"');
     const clip = clipOf(document, characterId);

@@ -8,8 +8,8 @@ import { dofsOf } from '../../model/joint-types.ts';
 import { type Limit, UNLIMITED } from '../../model/skeleton.ts';
 import { finiteNumber, indexIn } from '../arguments.ts';
 import { changeCharacter, requireCharacter } from '../characters.ts';
+import { dofIn } from '../step-names.ts';
 import { type Command, CommandError } from '../store.ts';
-import { dofName } from './pose.ts';
 
 export interface OfDof {
   readonly characterId: string;
@@ -43,9 +43,7 @@ function withLimit(document: Document, characterId: string, dof: number, limit: 
     indexIn(dof, 0, all.length, 'DOF');
     const { joint, takesLimits } = all[dof];
     if (!skeleton || !takesLimits) {
-      throw new CommandError(
-        `${dofName(character, dof)} can’t have limits. Only joint DOFs other than quaternions can.`,
-      );
+      throw new CommandError(`${dofIn(character, dof)} can’t have limits. Only joint DOFs other than quaternions can.`);
     }
     const { motion, limits } = skeleton.joints[joint];
     const own = dof - firstDofs(skeleton)[joint];
@@ -58,5 +56,5 @@ function withLimit(document: Document, characterId: string, dof: number, limit: 
 }
 
 function nameOf(document: Document, { characterId, dof }: OfDof): string {
-  return dofName(requireCharacter(document, characterId), dof);
+  return dofIn(requireCharacter(document, characterId), dof);
 }

@@ -3,6 +3,7 @@ import { finiteNumber, listOf, oneOf } from '../arguments.ts';
 import { clipOf, requireKeyable, withClipChannels } from '../channel-edits.ts';
 import { checkPlacing } from '../check-placing.ts';
 import { type CopiedKeys, PASTE_MODES, type Paste, withKeysPasted } from '../keys/clipboard.ts';
+import { characterIn } from '../step-names.ts';
 import { type Command, CommandError, type Edit } from '../store.ts';
 
 export interface PasteKeys extends Paste {
@@ -12,9 +13,9 @@ export interface PasteKeys extends Paste {
 
 export const pasteKeys: Command<PasteKeys, Edit> = {
   id: 'keys.paste',
-  label(_document, { copied }) {
+  label(document, { characterId, copied }) {
     const count = copied.channels.reduce((sum, c) => sum + c.times.length, 0);
-    return count === 1 ? 'Paste key' : `Paste ${count} keys`;
+    return `Paste ${count === 1 ? '1 key' : `${count} keys`} on ${characterIn(document, characterId)}`;
   },
   run(document, { characterId, copied, timeSeconds, into, mode, outsideCycle, bakedRange }) {
     const clip = clipOf(document, characterId);

@@ -16,10 +16,10 @@ import { channelOf, dofCountOf, poseAt } from '../../evaluate/pose.ts';
 import { movedDofs } from '../../evaluate/retarget/moved-dofs.ts';
 import { type Character, type Document, shownClip } from '../../model/document.ts';
 import { type CharacterDof, characterDofs, type DofValue, filePose, restPose } from '../../model/dofs.ts';
-import { jointName } from '../../model/joint-name.ts';
 import { finiteNumber, listOf, oneOf } from '../arguments.ts';
 import { changeCharacter, requireCharacter } from '../characters.ts';
 import { type KeyOptions, keyDofs } from '../key-dofs.ts';
+import { characterIn, dofsIn, poseLabel } from '../step-names.ts';
 import { type Command, CommandError, type Edit } from '../store.ts';
 import { withTake } from '../takes.ts';
 import { countUnkeyed, documentWithoutUnkeyed, unkeyedAt, withoutUnkeyed, withUnkeyed } from '../unkeyed.ts';
@@ -38,8 +38,8 @@ export const setDofs: Command<SetDofs, Document | Edit> = {
   id: 'pose.setDofs',
   label(document, { characterId, dofs, key }) {
     const character = requireCharacter(document, characterId);
-    const verb = key ? 'Key' : 'Set';
-    return dofs.length === 1 ? `${verb} ${dofName(character, dofs[0].index)}` : `${verb} pose`;
+    const indices = dofs.map(({ index }) => index);
+    return key ? `Key ${dofsIn(character, indices)}` : poseLabel(character, indices);
   },
   run: (document, { characterId, dofs, timeSeconds, key }) =>
     setValues(document, characterId, timeSeconds, key, (character) => {
@@ -67,7 +67,8 @@ export interface ResetPose {
 
 export const resetPose: Command<ResetPose, Document | Edit> = {
   id: 'pose.reset',
-  label: (_document, { to }) => (to === 'file' ? 'Reset to file pose' : 'Reset to zero pose'),
+  label: (document, { characterId, to }) =>
+    `Reset ${characterIn(document, characterId)} to ${to === 'file' ? 'file pose' : 'zero pose'}`,
   run: (document, { characterId, to, timeSeconds, key }) =>
     setValues(document, characterId, timeSeconds, key, (character) => {
       const make = oneOf(to, ['file', 'zero'], '"to"') === 'file' ? filePose : restPose;
@@ -77,7 +78,8 @@ export const resetPose: Command<ResetPose, Document | Edit> = {
 
 export const setClamping: Command<{ readonly characterId: string; readonly clamps: boolean }> = {
   id: 'pose.setClamping',
-  label: (_document, { clamps }) => (clamps ? 'Enforce limits' : 'Ignore limits'),
+  label: (document, { characterId, clamps }) =>
+    `${clamps ? 'Enforce' : 'Ignore'} limits of ${characterIn(document, characterId)}`,
   run: (document, { characterId, clamps }) =>
     changeCharacter(document, characterId, (c) =>
       c.clampsToLimits === oneOf(clamps, [true, false], '"clamps"') ? c : { ...c, clampsToLimits: clamps },
@@ -170,12 +172,4 @@ export function withinLimit({ limit, unit }: CharacterDof, value: number): numbe
   // Weights beyond 0 and 1 exaggerate a morph deliberately; limits with min > max don't apply.
   if (unit === 'weight' || limit.min > limit.max) return value;
   return Math.min(limit.max, Math.max(limit.min, value));
-}
-
-/** `rx of hip`, `morph smile`; for labels, so it also handles missing DOFs. */
-export function dofName(character: Character, index: number): string {
-  const dof = characterDofs(character.skeleton, character.morphs)[index];
-  if (!dof) return `DOF ${index}`;
-  if (dof.joint < 0) return `morph ${dof.name}`;
-  return `${dof.name} of ${jointName(character.skeleton, dof.joint)}`;
 }

@@ -6,7 +6,6 @@ import { compileSkeleton } from '../../evaluate/kinematics.ts';
 import { dofCountOf, poseAt } from '../../evaluate/pose.ts';
 import type { Character, Document } from '../../model/document.ts';
 import { characterDofs, jointDofCount, rootDofCount } from '../../model/dofs.ts';
-import { jointName } from '../../model/joint-name.ts';
 import type { NamedValue, PoseByNames, PosedJoint } from '../../model/pose-by-names.ts';
 import type { NamedPose } from '../../model/poses.ts';
 import type { Skeleton } from '../../model/skeleton.ts';
@@ -18,6 +17,7 @@ import { takePose } from '../pose/by-names.ts';
 import { addPoses, freePoseName, nextPoseName, withPoses } from '../pose/library.ts';
 import { counterpartOf, mirroredPose } from '../pose/mirror.ts';
 import { partnersByName } from '../pose/sides.ts';
+import { characterIn, cutName, jointIn, SHORT_NAME } from '../step-names.ts';
 import { type Command, CommandError, type Edit } from '../store.ts';
 import { setValues, withinLimit } from './pose.ts';
 
@@ -40,8 +40,8 @@ export const mirrorPose: Command<MirrorPose, Document | Edit> = {
   id: 'poses.mirror',
   label(document, { characterId, joint, way }) {
     const skeleton = requireSkeleton(document, characterId);
-    if (joint === undefined || !skeleton.joints[joint]) return 'Mirror pose';
-    const name = jointName(skeleton, joint);
+    if (joint === undefined || !skeleton.joints[joint]) return `Mirror pose of ${characterIn(document, characterId)}`;
+    const name = jointIn({ skeleton }, joint);
     return way === 'swap' ? `Mirror pose of ${name}` : `Copy pose of ${name} to the other side`;
   },
   run(document, { characterId, joint, way, timeSeconds, key }) {
@@ -72,7 +72,7 @@ export interface PastePose extends AtMoment {
 /** Skips joints, DOFs and morphs that the character lacks; DOFs that the pose does not contain are not changed. */
 export const pastePose: Command<PastePose, Document | Edit> = {
   id: 'poses.paste',
-  label: () => 'Paste pose',
+  label: (document, { characterId }) => `Paste pose on ${characterIn(document, characterId)}`,
   run: (document, { characterId, pose, timeSeconds, key }) =>
     setValues(document, characterId, timeSeconds, key, (character) => {
       const { values } = takePose(character, checkedPose(pose));
@@ -88,15 +88,21 @@ export const keepPose: Command<{
   readonly timeSeconds: number;
 }> = {
   id: 'poses.keep',
-  label: () => 'Save to pose library',
+  label: (document, { characterId, name }) =>
+    `Save ${cutName(keptName(requireCharacter(document, characterId), name))} to pose library`,
   run: (document, { characterId, name, timeSeconds }) =>
     changeCharacter(document, characterId, (character) => {
       finiteNumber(timeSeconds, '"timeSeconds"');
       const poses = character.poses ?? [];
-      const free = name === undefined ? nextPoseName(poses) : freePoseName(poses, text(name, 'The name').trim());
+      const free = keptName(character, name);
       return withPoses(character, [...poses, { name: free, values: Array.from(shownAt(character, timeSeconds)) }]);
     }),
 };
+
+/** The unused name of a pose that is saved. */
+function keptName({ poses = [] }: Character, name: string | undefined): string {
+  return name === undefined ? nextPoseName(poses) : freePoseName(poses, text(name, 'The name').trim());
+}
 
 interface OfPose {
   readonly characterId: string;
@@ -106,7 +112,8 @@ interface OfPose {
 
 export const renamePose: Command<OfPose & { readonly name: string }> = {
   id: 'poses.rename',
-  label: (document, { characterId, pose }) => `Rename ${requirePose(document, characterId, pose).name}`,
+  label: (document, { characterId, pose, name }) =>
+    `Rename ${poseIn(document, characterId, pose, SHORT_NAME)} to ${cutName(name.trim(), SHORT_NAME)}`,
   run: (document, { characterId, pose, name }) =>
     changeCharacter(document, characterId, (character) => {
       const before = requirePose(document, characterId, pose);
@@ -126,7 +133,7 @@ export const renamePose: Command<OfPose & { readonly name: string }> = {
 export const removePoses: Command<{ readonly characterId: string; readonly poses: readonly number[] }> = {
   id: 'poses.remove',
   label: (document, { characterId, poses }) =>
-    poses.length === 1 ? `Remove ${requirePose(document, characterId, poses[0]).name}` : `Remove ${poses.length} poses`,
+    poses.length === 1 ? `Remove ${poseIn(document, characterId, poses[0])}` : `Remove ${poses.length} poses`,
   run: (document, { characterId, poses }) =>
     changeCharacter(document, characterId, (character) => {
       const gone = new Set(listOf(poses, '"poses"'));
@@ -149,7 +156,7 @@ export interface ApplyPose extends OfPose, AtMoment {
 export const applyPose: Command<ApplyPose, Document | Edit> = {
   id: 'poses.apply',
   label(document, { characterId, pose, share = 1 }) {
-    const { name } = requirePose(document, characterId, pose);
+    const name = poseIn(document, characterId, pose);
     return share === 1 ? `Apply ${name}` : `Blend to ${name}`;
   },
   run(document, { characterId, pose, share = 1, joint, timeSeconds, key }) {
@@ -177,7 +184,8 @@ export const applyPose: Command<ApplyPose, Document | Edit> = {
 /** Adds poses from a file to the library; existing ones are not added again. */
 export const addToLibrary: Command<{ readonly characterId: string; readonly poses: readonly PoseByNames[] }> = {
   id: 'poses.add',
-  label: (_document, { poses }) => (poses.length === 1 ? `Add pose ${poses[0].name}` : `Add ${poses.length} poses`),
+  label: (_document, { poses }) =>
+    poses.length === 1 ? `Add pose ${cutName(poses[0].name)}` : `Add ${poses.length} poses`,
   run: (document, { characterId, poses }) =>
     changeCharacter(document, characterId, (c) => addPoses(c, listOf(poses, '"poses"').map(checkedPose))),
 };
@@ -232,6 +240,11 @@ function requireSkeleton(document: Document, characterId: string): Skeleton {
   const { skeleton, name } = requireCharacter(document, characterId);
   if (!skeleton) throw new CommandError(`${name} has no skeleton.`);
   return skeleton;
+}
+
+/** The pose's name, for labels. */
+function poseIn(document: Document, characterId: string, pose: number, length?: number): string {
+  return cutName(requirePose(document, characterId, pose).name, length);
 }
 
 function requirePose(document: Document, characterId: string, pose: number): NamedPose {

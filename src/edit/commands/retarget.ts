@@ -20,6 +20,7 @@ import { sameValue } from '../delta.ts';
 import { driverSource, withoutDriver } from '../drivers.ts';
 import { refuseTooMany } from '../samples/most-frames.ts';
 import { jointRotations, unrollTriples } from '../samples/rotations.ts';
+import { characterIn, cutName, SHORT_NAME } from '../step-names.ts';
 import { type Command, CommandError } from '../store.ts';
 import { takeNameOf, uniqueTakeName } from '../takes.ts';
 import { unkeyedAt, withoutUnkeyed, withUnkeyed } from '../unkeyed.ts';
@@ -41,7 +42,7 @@ export const setRetarget: Command<SetRetarget> = {
   id: 'retarget.set',
   label: (document, { characterId, sourceId }) => {
     const source = requireCharacter(document, sourceId);
-    return `Retarget ${driverSource(source)?.clip.name ?? 'take'} to ${requireCharacter(document, characterId).name}`;
+    return `Retarget ${takeOf(driverSource(source))} to ${characterIn(document, characterId, SHORT_NAME)}`;
   },
   run: (document, { characterId, sourceId, pairs, options }) => {
     const from = requireCharacter(document, text(sourceId, '"sourceId"'));
@@ -77,7 +78,7 @@ export interface ChangeRetarget extends OfDriven {
 /** Changes pairs or options; omitted ones are kept. */
 export const changeRetarget: Command<ChangeRetarget> = {
   id: 'retarget.change',
-  label: (document, { characterId }) => `Change retargeting of ${requireCharacter(document, characterId).name}`,
+  label: (document, { characterId }) => `Change retargeting of ${characterIn(document, characterId)}`,
   run: (document, { characterId, pairs, options }) =>
     changeCharacter(document, characterId, (c) => {
       const driver = requireDriver(c);
@@ -94,8 +95,8 @@ export const changeRetarget: Command<ChangeRetarget> = {
 export const clearRetarget: Command<OfDriven> = {
   id: 'retarget.clear',
   label: (document, { characterId }) => {
-    const { driver, name } = requireCharacter(document, characterId);
-    return `Stop retargeting ${driver?.source.clip.name ?? 'take'} to ${name}`;
+    const { driver } = requireCharacter(document, characterId);
+    return `Stop retargeting ${takeOf(driver?.source)} to ${characterIn(document, characterId, SHORT_NAME)}`;
   },
   run: (document, { characterId }) =>
     changeCharacter(document, characterId, (c) => {
@@ -115,8 +116,8 @@ export interface BakeRetarget extends OfDriven {
 export const bakeRetarget: Command<BakeRetarget> = {
   id: 'retarget.bake',
   label: (document, { characterId }) => {
-    const { driver, name } = requireCharacter(document, characterId);
-    return `Bake ${driver?.source.clip.name ?? 'take'} into ${name}`;
+    const { driver } = requireCharacter(document, characterId);
+    return `Bake ${takeOf(driver?.source)} into ${characterIn(document, characterId, SHORT_NAME)}`;
   },
   run: (document, { characterId, framesPerSecond, name }) =>
     changeCharacter(document, characterId, (c) => {
@@ -204,4 +205,8 @@ function checkedOptions({ scale, reference, plantsFeet }: RetargetOptions): Reta
         : oneOf(reference, ['automatic', 'rest'] as const, '"reference"'),
     plantsFeet: oneOf(plantsFeet, [true, false], '"plantsFeet"'),
   };
+}
+
+function takeOf(source: { readonly clip: { readonly name: string } } | undefined): string {
+  return cutName(source?.clip.name ?? 'take', SHORT_NAME);
 }

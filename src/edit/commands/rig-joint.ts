@@ -16,13 +16,14 @@ import { intoSpace, localPivot, turnedAs, withPivots } from '../rig/places.ts';
 import { restAtOffsets } from '../rig/remap-skin.ts';
 import type { RenameJoint, SetBox, SetFilePose, SetLength, SetMotion, SetOffset } from '../rig/rigging.ts';
 import { requireSkeleton, type ShownPose, shownAt } from '../rig/shown.ts';
+import { characterIn, cutName, SHORT_NAME } from '../step-names.ts';
 import { type Command, CommandError, type Edit } from '../store.ts';
 
 export const renameJoint: Command<RenameJoint, Document | Edit> = {
   id: 'rig.rename',
   label(document, { characterId, joint, name }) {
-    const before = calledIn(document, characterId, joint);
-    return name ? `Rename ${before} to ${name}` : `Clear name of ${before}`;
+    const before = calledIn(document, characterId, joint, name ? SHORT_NAME : undefined);
+    return name ? `Rename ${before} to ${cutName(name, SHORT_NAME)}` : `Clear name of ${before}`;
   },
   run(document, args) {
     const name = checkedName(args.name);
@@ -83,7 +84,8 @@ export const setMotion: Command<SetMotion, Document | Edit> = {
   id: 'rig.setMotion',
   label(document, args) {
     const lost = keysLostBy(document, args);
-    return `Set type of ${calledIn(document, args.characterId, args.joint)}${lost === undefined ? '' : `, losing ${lost}`}`;
+    const name = calledIn(document, args.characterId, args.joint, lost === undefined ? undefined : SHORT_NAME);
+    return `Set type of ${name}${lost === undefined ? '' : `, losing ${lost}`}`;
   },
   run(document, args) {
     const { characterId, joint: index } = args;
@@ -186,7 +188,7 @@ export const setFilePose: Command<SetFilePose, Document | Edit> = {
   id: 'rig.setFilePose',
   label: (document, { characterId, joint }) =>
     joint === undefined
-      ? `Set file pose of ${requireCharacter(document, characterId).name}`
+      ? `Set file pose of ${characterIn(document, characterId)}`
       : `Set file pose of ${calledIn(document, characterId, joint)}`,
   run(document, args) {
     const { characterId, joint: only } = args;

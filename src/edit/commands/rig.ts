@@ -28,29 +28,41 @@ import {
   SKIN_MODES,
 } from '../rig/rigging.ts';
 import { type Branch, branchesOf } from '../rig/tree.ts';
+import { characterIn, cutName, SHORT_NAME } from '../step-names.ts';
 import { type Command, CommandError, type Edit } from '../store.ts';
 
 /** A new character of one joint; or the first joint of a character that has a skin or a take but no skeleton yet. */
 export const createRig: Command<CreateRig, Document | Edit> = {
   id: 'rig.create',
   makesCharacter: true,
-  label: (document, { characterId }) =>
-    characterId === undefined ? 'New character' : `Create skeleton of ${requireCharacter(document, characterId).name}`,
+  label: (document, { characterId, name }) =>
+    characterId === undefined
+      ? `New skeleton ${cutName(newName(document, name))}`
+      : `Create skeleton of ${characterIn(document, characterId)}`,
   run(document, { name, characterId, skin = 'follows' }) {
     if (name !== undefined) text(name, 'The name');
     const stays = oneOf(skin, SKIN_MODES, '"skin"') === 'stays';
     if (characterId !== undefined) return begun(document, characterId, stays);
-    // Replaces the opening example, as opening files does.
-    const { unused, charactersMade } = document;
-    const base = document.isOpeningSample ? { ...EMPTY_DOCUMENT, unused, charactersMade } : document;
+    const base = withoutExample(document);
+    const { charactersMade } = base;
     const id = `c${charactersMade + 1}`;
-    const own = name ?? freeName(namesIn(base), 'character', '');
+    const own = newName(document, name);
     const made = withSkeleton(newCharacter(id, own), { name: own, joints: [newRoot('root')] });
     const placed = { ...made, placements: [placeBeside(base.characters, made)] };
     const next = { ...base, characters: [...base.characters, placed], charactersMade: charactersMade + 1 };
     return { document: next, keys: [], selected: { characterId: id, joint: 0 } };
   },
 };
+
+/** The document that a new character is added to: it replaces the opening example, as opening files does. */
+function withoutExample(document: Document): Document {
+  const { unused, charactersMade } = document;
+  return document.isOpeningSample ? { ...EMPTY_DOCUMENT, unused, charactersMade } : document;
+}
+
+function newName(document: Document, name: string | undefined): string {
+  return name ?? freeName(namesIn(withoutExample(document)), 'character', '');
+}
 
 /** Names of its characters and of their skeletons, which files are named after. */
 function namesIn({ characters }: Document): ReadonlySet<string> {
@@ -99,7 +111,7 @@ export const addJoint: Command<AddJoint, Document | Edit> = {
 export const reparentJoint: Command<ReparentJoint, Document | Edit> = {
   id: 'rig.reparent',
   label: (document, { characterId, joint, parent }) =>
-    `Parent ${calledIn(document, characterId, joint)} to ${calledIn(document, characterId, parent)}`,
+    `Parent ${calledIn(document, characterId, joint, SHORT_NAME)} to ${calledIn(document, characterId, parent, SHORT_NAME)}`,
   run(document, args) {
     const { characterId, joint: index, parent, before } = args;
     const { character, skeleton, joint } = findJoint(document, characterId, index);

@@ -20,6 +20,7 @@ import { resampling } from '../samples/resample.ts';
 import { reversing } from '../samples/reverse.ts';
 import { jointRotations } from '../samples/rotations.ts';
 import { type SampleFilter, smoothing } from '../samples/smooth.ts';
+import { cutName } from '../step-names.ts';
 import { type Command, CommandError, type Edit } from '../store.ts';
 import { requireTake, uniqueTakeName, withTake } from '../takes.ts';
 import { withoutUnkeyed } from '../unkeyed.ts';
@@ -226,5 +227,5 @@ function ownTake(character: Character): ChannelClip {
 }
 
 function nameOf(document: Document, { characterId }: OfSamples): string {
-  return shownClip(requireCharacter(document, characterId))?.name ?? 'take';
+  return cutName(shownClip(requireCharacter(document, characterId))?.name ?? 'take');
 }

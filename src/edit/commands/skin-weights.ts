@@ -15,6 +15,7 @@ import type { Skeleton } from '../../model/skeleton.ts';
 import { bindingCount, type Skin, vertexCount } from '../../model/skin.ts';
 import { finiteNumber, indexIn, oneOf } from '../arguments.ts';
 import { changeCharacter, requireCharacter } from '../characters.ts';
+import { cutName } from '../step-names.ts';
 import { type Command, CommandError } from '../store.ts';
 
 /**
@@ -56,7 +57,7 @@ export const autoWeights: Command<AutoWeights> = {
   id: 'skin.autoWeights',
   label(document, args) {
     const { skins, shownSkin } = requireCharacter(document, args.characterId);
-    return `Automatic weights of ${skins[args.skin ?? shownSkin]?.name ?? 'the skin'}`;
+    return `Automatic weights of ${cutName(skins[args.skin ?? shownSkin]?.name ?? 'the skin')}`;
   },
   run: (document, args) => runToEnd(autoWeightsSteps(document, args)).document,
 };

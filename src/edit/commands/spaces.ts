@@ -4,7 +4,8 @@ import { liftOntoGround } from '../../evaluate/space.ts';
 import { type Character, LENGTH_UNITS, type Space, shownClip } from '../../model/document.ts';
 import { poseForPositions, positionsTaken, withPositions } from '../../model/position-channels.ts';
 import { finiteNumber, listOf, oneOf } from '../arguments.ts';
-import { changeCharacter, requireCharacter } from '../characters.ts';
+import { changeCharacter } from '../characters.ts';
+import { characterIn } from '../step-names.ts';
 import { type Command, CommandError } from '../store.ts';
 import { withoutUnkeyed } from '../unkeyed.ts';
 
@@ -14,7 +15,7 @@ interface OfCharacter {
 
 export const setSpace: Command<OfCharacter & { readonly space: Space }> = {
   id: 'character.setSpace',
-  label: (document, { characterId }) => `Set space of ${requireCharacter(document, characterId).name}`,
+  label: (document, { characterId }) => `Set space of ${characterIn(document, characterId)}`,
   run: (document, { characterId, space }) =>
     changeCharacter(document, characterId, (c) => {
       const next = checked(space);
@@ -45,7 +46,7 @@ function sameSpace(a: Space, b: Space): boolean {
 export const setPositionChannels: Command<OfCharacter & { readonly positions: 'replace' | 'add' }> = {
   id: 'skeleton.setPositionChannels',
   label: (document, { characterId, positions }) => {
-    const { name } = requireCharacter(document, characterId);
+    const name = characterIn(document, characterId);
     return positions === 'add' ? `Add positions of ${name} to offsets` : `Replace offsets of ${name} with positions`;
   },
   run: (document, { characterId, positions }) =>
@@ -72,7 +73,7 @@ function onTheGround(character: Character): Character {
 export const setHidden: Command<{ readonly ids: readonly string[]; readonly hidden: boolean }> = {
   id: 'character.setHidden',
   label(document, { ids, hidden }) {
-    const what = ids.length === 1 ? requireCharacter(document, ids[0]).name : `${ids.length} characters`;
+    const what = ids.length === 1 ? characterIn(document, ids[0]) : `${ids.length} characters`;
     return `${hidden ? 'Hide' : 'Show'} ${what}`;
   },
   run(document, { ids, hidden }) {

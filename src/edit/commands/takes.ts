@@ -9,6 +9,7 @@ import { finiteNumber, indexIn, listOf } from '../arguments.ts';
 import { requireCharacter } from '../characters.ts';
 import { driverSource, withoutDriver } from '../drivers.ts';
 import { extentOf } from '../place-beside.ts';
+import { characterIn, cutName, SHORT_NAME } from '../step-names.ts';
 import { type Command, CommandError } from '../store.ts';
 import { withoutUnkeyed } from '../unkeyed.ts';
 
@@ -103,7 +104,8 @@ export const arrange: Command<{ readonly characterIds: readonly string[]; readon
  */
 export const overlayTakes: Command<{ readonly first: TakeRef; readonly second: TakeRef }> = {
   id: 'takes.overlay',
-  label: (document, { first, second }) => `Compare ${nameOf(document, first)} with ${nameOf(document, second)}`,
+  label: (document, { first, second }) =>
+    `Compare ${nameOf(document, first, SHORT_NAME)} with ${nameOf(document, second, SHORT_NAME)}`,
   run(document, { first, second }) {
     if (!first || !second) throw new CommandError('Comparing needs two takes.');
     if (first.characterId === second.characterId) return shown(document, takesIn(document, [first]), true);
@@ -128,7 +130,7 @@ export const overlayTakes: Command<{ readonly first: TakeRef; readonly second: T
  */
 export const endOverlay: Command<{ readonly before: readonly Character[]; readonly overlaid: readonly Character[] }> = {
   id: 'takes.endOverlay',
-  label: () => 'Stop comparing',
+  label: (_document, { before, overlaid }) => `Stop comparing ${comparedNames(before, overlaid)}`,
   run(document, { before, overlaid }) {
     listOf(before, 'The characters before');
     listOf(overlaid, 'The characters compared');
@@ -329,11 +331,19 @@ function takesIn(document: Document, takes: readonly TakeRef[]): ReadonlyMap<str
   return found;
 }
 
-function nameOf(document: Document, { characterId, clip }: TakeRef): string {
+function nameOf(document: Document, { characterId, clip }: TakeRef, length?: number): string {
   const character = requireCharacter(document, characterId);
-  return character.clips[clip]?.name ?? character.name;
+  return cutName(character.clips[clip]?.name ?? character.name, length);
+}
+
+/** `walk and run`; without takes the names of their characters. */
+function comparedNames(before: readonly Character[], overlaid: readonly Character[]): string {
+  const was = new Map(before.map((c) => [c.id, c]));
+  const compared = overlaid.filter((c) => !c.isHidden && was.has(c.id));
+  if (compared.length > 2) return `${compared.length} takes`;
+  return compared.map((c) => cutName(shownClip(c)?.name ?? c.name, SHORT_NAME)).join(' and ') || 'takes';
 }
 
 function namesOf(document: Document, ids: readonly string[]): string {
-  return ids.length === 1 ? requireCharacter(document, ids[0]).name : `${ids.length} takes`;
+  return ids.length === 1 ? characterIn(document, ids[0]) : `${ids.length} takes`;
 }

@@ -1,7 +1,7 @@
 /** Tangents of keys: by kind, as a number, unified or broken. */
 import { TANGENT_KINDS, type TangentKind } from '../../model/clip.ts';
 import { finiteNumber, oneOf } from '../arguments.ts';
-import { changeTangents, keyCountText, type OfKeys } from '../channel-edits.ts';
+import { changeTangents, type OfKeys } from '../channel-edits.ts';
 import {
   setSlope,
   setTangentKind,
@@ -10,6 +10,7 @@ import {
   withTangentsBroken,
   withTangentsUnified,
 } from '../keys/tangents.ts';
+import { keysIn } from '../step-names.ts';
 import type { Command, Edit } from '../store.ts';
 
 interface OfSide extends OfKeys {
@@ -19,7 +20,8 @@ interface OfSide extends OfKeys {
 /** `fixed` keeps the current slope as a number. */
 export const setTangents: Command<OfSide & { readonly kind: TangentKind }, Edit> = {
   id: 'keys.setTangents',
-  label: (_document, { keys, side, kind }) => `Set ${keyCountText(keys)} to ${kind}${where(side)}`,
+  label: (document, { characterId, keys, side, kind }) =>
+    `Set ${keysIn(document, characterId, keys)} to ${kind}${where(side)}`,
   run(document, { characterId, keys, side, kind }) {
     oneOf(side, TANGENT_SIDES, '"side"');
     const code = TANGENT_KINDS.indexOf(oneOf(kind, TANGENT_KINDS, '"kind"'));
@@ -30,7 +32,7 @@ export const setTangents: Command<OfSide & { readonly kind: TangentKind }, Edit>
 /** Value per second. */
 export const setSlopes: Command<OfSide & { readonly slope: number }, Edit> = {
   id: 'keys.setSlopes',
-  label: (_document, { keys, side }) => `Set slope of ${keyCountText(keys)}${where(side)}`,
+  label: (document, { characterId, keys, side }) => `Set slope of ${keysIn(document, characterId, keys)}${where(side)}`,
   run(document, { characterId, keys, side, slope }) {
     oneOf(side, TANGENT_SIDES, '"side"');
     finiteNumber(slope, '"slope"');
@@ -40,13 +42,13 @@ export const setSlopes: Command<OfSide & { readonly slope: number }, Edit> = {
 
 export const unifyTangents: Command<OfKeys, Edit> = {
   id: 'keys.unify',
-  label: (_document, { keys }) => `Unify tangents of ${keyCountText(keys)}`,
+  label: (document, { characterId, keys }) => `Unify tangents of ${keysIn(document, characterId, keys)}`,
   run: (document, { characterId, keys }) => changeTangents(document, { characterId, keys }, withTangentsUnified),
 };
 
 export const breakTangents: Command<OfKeys, Edit> = {
   id: 'keys.break',
-  label: (_document, { keys }) => `Break tangents of ${keyCountText(keys)}`,
+  label: (document, { characterId, keys }) => `Break tangents of ${keysIn(document, characterId, keys)}`,
   run: (document, { characterId, keys }) => changeTangents(document, { characterId, keys }, withTangentsBroken),
 };
 

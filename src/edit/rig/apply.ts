@@ -1,9 +1,9 @@
 /** What all rigging commands share: find the joint, change the skeleton, and rebind skins that are to stay. */
 import { type Character, type Document, findCharacter } from '../../model/document.ts';
-import { jointName } from '../../model/joint-name.ts';
 import type { Joint, Skeleton } from '../../model/skeleton.ts';
 import { finiteNumber, indexIn, oneOf } from '../arguments.ts';
 import { changeCharacter, requireCharacter } from '../characters.ts';
+import { jointIn } from '../step-names.ts';
 import type { Edit } from '../store.ts';
 import { withSkinsStaying } from './bind.ts';
 import { changedJoints, type JointMap } from './joint-map.ts';
@@ -80,7 +80,7 @@ export function withJoint(
   return rigged(document, rigging, changedJoints(skeleton, joints), rigging.joint, then);
 }
 
-/** The name of a joint for labels and messages, whether it exists or not. */
-export function calledIn(document: Document, characterId: string, joint: number): string {
-  return jointName(findCharacter(document, characterId)?.skeleton, joint);
+/** The name of a joint for labels, whether it exists or not. */
+export function calledIn(document: Document, characterId: string, joint: number, length?: number): string {
+  return jointIn({ skeleton: findCharacter(document, characterId)?.skeleton }, joint, length);
 }

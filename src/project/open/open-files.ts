@@ -5,10 +5,12 @@
  * All or nothing for each character: if one of the files that belong together has an error or does not fit, none of
  * them is opened and the character is unchanged. Other characters in the same drop are not affected.
  */
+
 import { newCharacter } from '../../edit/new-character.ts';
 import { placeBeside } from '../../edit/place-beside.ts';
 import { sameJoints } from '../../edit/pose/same-joints.ts';
 import { withSourcePairs } from '../../edit/rig/by-joint.ts';
+import { cutName } from '../../edit/step-names.ts';
 import { type Diagnostic, hasErrors, withoutPlace } from '../../model/diagnostic.ts';
 import { type Character, type Document, EMPTY_DOCUMENT, findCharacter, type UnusedFile } from '../../model/document.ts';
 import {
@@ -334,7 +336,10 @@ function sameFiles(a: readonly UnusedFile[], b: readonly UnusedFile[]): boolean 
   return a.length === b.length && a.every((u, i) => u.file === b[i].file);
 }
 
+/** Characters of a file's name in the undo step. */
+const FILE_LENGTH = 40;
+
 function openLabel(files: readonly ParsedFile[]): string {
-  const first = files[0]?.source.name ?? 'files';
+  const first = cutName(files[0]?.source.name ?? 'files', FILE_LENGTH);
   return files.length > 1 ? `Open ${first} and ${files.length - 1} more` : `Open ${first}`;
 }

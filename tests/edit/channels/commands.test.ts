@@ -71,7 +71,7 @@ describe('simplifying curves', () => {
 
   it('names itself by the number of curves', () => {
     expect(simplify.label(before, args)).toBe('Simplify 5 curves');
-    expect(simplify.label(before, { ...args, channels: [3] })).toBe('Simplify a curve');
+    expect(simplify.label(before, { ...args, channels: [3] })).toBe('Simplify rx of joint0');
   });
 
   it('refuses no tolerance, a reversed range and a channel that is not there', () => {

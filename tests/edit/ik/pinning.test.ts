@@ -88,7 +88,7 @@ describe('letting go', () => {
     expect(store.undoLabel).toBeUndefined();
     store.apply(pinPoint, TIP);
     store.apply(clearPins, of);
-    expect(store.undoLabel).toBe('Remove all pins');
+    expect(store.undoLabel).toBe('Remove 1 pin of hero');
     expect(store.document.characters[0]).toMatchObject(before);
     expect(store.document.characters[0]).not.toHaveProperty('ik');
   });

@@ -151,7 +151,7 @@ describe('runAction', () => {
     runAction(wb, 'pose.holdLimits');
     expect(wb.store.document.characters[0].clampsToLimits).toBe(false);
     const undo = actionsOf(wb).find((a) => a.id === 'edit.undo');
-    expect(typeof undo?.label === 'function' && undo.label(wb)).toBe('Undo ignore limits');
+    expect(typeof undo?.label === 'function' && undo.label(wb)).toBe('Undo ignore limits of wasp');
     runAction(wb, 'edit.undo');
     expect(wb.store.document.characters[0].clampsToLimits).toBe(true);
   });

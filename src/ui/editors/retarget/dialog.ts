@@ -5,6 +5,7 @@
 import { bakeRetarget, clearRetarget, setRetarget } from '../../../edit/commands/retarget.ts';
 import { driverSource, possibleSources } from '../../../edit/drivers.ts';
 import { pause, play } from '../../../edit/playback.ts';
+import { cutName, SHORT_NAME } from '../../../edit/step-names.ts';
 import { CommandError } from '../../../edit/store.ts';
 import { Trial } from '../../../edit/trial.ts';
 import { retargetPlan } from '../../../evaluate/retarget/make-plan.ts';
@@ -209,11 +210,15 @@ export function retargetDialog(
     ),
   );
   bake.addEventListener('click', () =>
-    end(() => bakeRetarget.run(made(), { characterId: target.id }), `Bake ${sourceTake()} into ${target.name}`),
+    end(
+      () => bakeRetarget.run(made(), { characterId: target.id }),
+      `Bake ${cutName(sourceTake(), SHORT_NAME)} into ${cutName(target.name, SHORT_NAME)}`,
+    ),
   );
   body.addEventListener('submit', (event) => {
     event.preventDefault();
-    if (!apply.disabled) end(made, `Retarget ${sourceTake()} to ${target.name}`);
+    if (!apply.disabled)
+      end(made, `Retarget ${cutName(sourceTake(), SHORT_NAME)} to ${cutName(target.name, SHORT_NAME)}`);
   });
   targets.value = target.id;
   showSources();

@@ -118,6 +118,8 @@ export function toolDialog<A>(
   });
   // The original document is the reference, whatever is previewed.
   const { base } = trial;
+  /** The undo step's name. */
+  let called = name;
   /** Counts requests: steps of an older one stop. */
   let asked = 0;
   /** Steps are running; when they are done, the dialog applies and closes. */
@@ -157,6 +159,7 @@ export function toolDialog<A>(
     if (trial.over) return;
     try {
       const args = tool.args(answers);
+      called = command.label(base, args);
       if (tool.steps) {
         result.classList.remove('wrong');
         warn();
@@ -190,7 +193,7 @@ export function toolDialog<A>(
     if (keep && !tool.steps) preview();
     unsubscribe();
     if (!keep) return trial.putBack();
-    trial.keep();
+    trial.keep(called);
     if (warned.textContent) wb.messages.note(warned.textContent, 'warning');
   };
   const unsubscribe = wb.dialog.subscribe((shown) => {

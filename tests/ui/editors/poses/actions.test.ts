@@ -16,7 +16,7 @@ describe('poses by menus and keys', () => {
     await runAction(wb, 'pose.paste');
     expect(wb.store.document.characters[1].pose[0]).toBe(1);
     expect(wb.messages.list.get().at(-1)?.text).toContain('“arm_l” and 1 more');
-    expect(wb.store.undoLabel).toBe('Paste pose');
+    expect(wb.store.undoLabel).toBe('Paste pose on crab');
   });
 
   it('mirroring applies to the whole pose, or from the selected joint down', async () => {

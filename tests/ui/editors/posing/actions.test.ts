@@ -158,6 +158,6 @@ describe('the active DOF', () => {
     press('+', 'viewport');
     press('-', 'viewport');
     expect(wb.store.document.characters[0].pose[6]).toBeCloseTo(Math.PI / 180, 12);
-    expect(wb.store.undoLabel).toBe('Set rx of leg');
+    expect(wb.store.undoLabel).toBe('Rotate leg (rx)');
   });
 });

@@ -25,7 +25,7 @@ describe('keying from the menu', () => {
     runAction(wb, 'key.pose');
     expect(keyCounts(wb)).toEqual(new Array(9).fill(1));
     expect(wasp(wb).clips[0]).toMatchObject({ name: 'test_anim', range: [0, 4] });
-    expect(wb.store.undoLabel).toBe('Key pose');
+    expect(wb.store.undoLabel).toBe('Key pose of wasp');
     wb.store.undo();
     expect(wasp(wb)).toBe(bare);
   });

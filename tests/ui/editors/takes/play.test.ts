@@ -208,7 +208,7 @@ describe('two takes that are compared', () => {
     const comparison = wb.timeline.takes.comparison.get();
     wb.store.apply(renameCharacter, { characterId: 'a', name: 'mine' });
     runAction(wb, 'take.compare');
-    expect(wb.store.undoLabel).toBe('Stop comparing');
+    expect(wb.store.undoLabel).toBe('Stop comparing a and b');
     expect(seen()).toEqual(['a', 'b', 'c']);
     expect(wb.store.document.characters[0].name).toBe('mine');
     expect(wb.transport.get().range).toEqual([0, 4]);
