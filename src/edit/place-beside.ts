@@ -4,7 +4,7 @@ import { compileSkin, skinMatrices } from '../evaluate/deform.ts';
 import { compileSkeleton, worldMatrices } from '../evaluate/kinematics.ts';
 import { dofCountOf, poseAt } from '../evaluate/pose.ts';
 import { applySpace } from '../evaluate/space.ts';
-import { hasBox } from '../model/boxes.ts';
+import { areBoxesOversized, hasBox } from '../model/boxes.ts';
 import { type Character, DEFAULT_PLACEMENT, type Placement, shownClip, shownSkin } from '../model/document.ts';
 import type { SourceFile } from '../model/files.ts';
 import { perObject } from '../model/per-object.ts';
@@ -27,14 +27,16 @@ const SAME_ROW = 0.2;
  *
  * Uses positions at the start of each clip: a character that starts elsewhere on the ground (motion capture) is aligned
  * by its root. Figures of one file keep their relative positions.
+ *
+ * @param scale of its placement, unless it is placed with others of its file
  */
-export function placeBeside(others: readonly Character[], character: Character): Placement {
+export function placeBeside(others: readonly Character[], character: Character, scale = 1): Placement {
   const leaderOf = leadersOf(others);
   const together = leaderOf(character);
   if (together !== character) return together.placements[0];
   const last = others.at(-1);
-  if (!last) return DEFAULT_PLACEMENT;
-  const own = extentOf(character);
+  if (!last) return { ...DEFAULT_PLACEMENT, scale };
+  const own = scaled(extentOf(character), scale);
   const depth = character.space ? own.depth : 0;
   const row = rowOf(leaderOf(last));
   const figures = others.filter((o) => {
@@ -58,11 +60,11 @@ export function placeBeside(others: readonly Character[], character: Character):
   const isFull = new Set(figures.map(leaderOf)).size >= MAX_IN_ROW;
   const x = isFull ? left - own.min : right + GAP * widest - own.min;
   const z = isFull ? row + ROW_STEP * largest - depth : row - depth;
-  return { ...DEFAULT_PLACEMENT, position: [rounded(x), 0, rounded(z)] };
+  return { ...DEFAULT_PLACEMENT, position: [rounded(x), 0, rounded(z)], scale };
 }
 
 /** Maps a captured figure to the first of `others` from the same file, and everything else to itself. */
-function leadersOf(others: readonly Character[]): (character: Character) => Character {
+export function leadersOf(others: readonly Character[]): (character: Character) => Character {
   const first = new Map<SourceFile, Character>();
   for (const other of others) {
     if (!other.space) continue;
@@ -94,8 +96,14 @@ export interface Extent {
   readonly max: number;
   /** Position of its root along the scene's z. */
   readonly depth: number;
+  /** Along the scene's y. */
+  readonly height: number;
   /** The longest side of its bounding box. */
   readonly size: number;
+}
+
+function scaled({ min, max, depth, height, size }: Extent, by: number): Extent {
+  return { min: by * min, max: by * max, depth: by * depth, height: by * height, size: by * size };
 }
 
 /** Scratch; never escapes. */
@@ -111,6 +119,7 @@ function measure(character: Character): Extent {
   const most = [-Infinity, -Infinity, -Infinity];
   let depth = 0;
   const { skeleton, morphs, space } = character;
+  const skin = shownSkin(character);
   const reachTo = (x: number, y: number, z: number) => {
     applySpace(space, x, y, z, at);
     for (let k = 0; k < 3; k++) {
@@ -121,19 +130,28 @@ function measure(character: Character): Extent {
   const world = skeleton && new Float64Array(16 * skeleton.joints.length);
   if (skeleton && world) {
     worldMatrices(compileSkeleton(skeleton), dofs, world);
+    // Others aren't drawn: a default box may be larger than the whole skin.
+    const areDrawn = !skin && !areBoxesOversized(skeleton);
     skeleton.joints.forEach((joint, j) => {
-      const { box } = joint;
+      const { min, max } = joint.box;
+      const isBoxed = areDrawn && hasBox(joint);
       // Extent of box and bone as if along x: an upper bound for any rotation.
-      const boxReach = hasBox(joint) ? Math.max(...box.min.map(Math.abs), ...box.max.map(Math.abs)) : 0;
+      const boxReach = isBoxed ? Math.max(...min.map(Math.abs), ...max.map(Math.abs)) : 0;
       const reach = Math.max(boxReach, joint.length ?? 0);
-      const o = 16 * j + 12;
-      reachTo(world[o] - reach, world[o + 1], world[o + 2]);
-      reachTo(world[o] + reach, world[o + 1], world[o + 2]);
+      const o = 16 * j;
+      reachTo(world[o + 12] - reach, world[o + 13], world[o + 14]);
+      reachTo(world[o + 12] + reach, world[o + 13], world[o + 14]);
+      for (let corner = 0; isBoxed && corner < 8; corner++) {
+        const x = corner & 1 ? max[0] : min[0];
+        const y = corner & 2 ? max[1] : min[1];
+        const z = corner & 4 ? max[2] : min[2];
+        const along = (k: number) => world[o + k] * x + world[o + 4 + k] * y + world[o + 8 + k] * z + world[o + 12 + k];
+        reachTo(along(0), along(1), along(2));
+      }
     });
     applySpace(space, world[12], world[13], world[14], at);
     depth = at[2];
   }
-  const skin = shownSkin(character);
   if (skin) {
     const compiled = compileSkin(skin);
     const matrices = world && new Float64Array(16 * compiled.matrixCount);
@@ -146,6 +164,6 @@ function measure(character: Character): Extent {
   const [min] = least;
   const [max] = most;
   return min <= max
-    ? { min, max, depth, size: Math.max(...most.map((m, k) => m - least[k])) }
-    : { min: 0, max: 0, depth, size: 0 };
+    ? { min, max, depth, height: most[1] - least[1], size: Math.max(...most.map((m, k) => m - least[k])) }
+    : { min: 0, max: 0, depth, height: 0, size: 0 };
 }

@@ -337,6 +337,13 @@ const ARGUMENTS: Readonly<Record<string, (s: Situation) => object | undefined>> 
     characterId: character.id,
     index: dice.below(character.placements.length),
   }),
+  'characters.sameHeight': ({ dice, character, others }) => ({
+    characterIds: dice.some([character, ...others].map(({ id }) => id)),
+    like: character.id,
+  }),
+  'characters.ownHeights': ({ dice, character, others }) => ({
+    characterIds: dice.some([character, ...others].map(({ id }) => id)),
+  }),
   'character.setSpace': ({ dice, character }) => ({
     characterId: character.id,
     space: { up: dice.pick(['y', 'z']), unit: dice.pick(['asIs', 'inches']), lift: dice.below(2) },

@@ -84,6 +84,8 @@ function driven({ skeleton, clips: [own], name, pose, clampsToLimits, timeOffset
 }
 const DRIVEN = driven(bee('c2'));
 
+const UNEQUAL = documentOf(HERO, bee('c2', { placements: [{ ...DEFAULT_PLACEMENT, scale: 5 }] }));
+
 const OVERLAID: readonly Character[] = [BEES.characters[0], { ...BEES.characters[1], placements: [DEFAULT_PLACEMENT] }];
 
 const SLEEVE: Document = documentOf(
@@ -181,6 +183,12 @@ export const CASES: Readonly<Record<string, EditCase>> = {
     args: { ...WHO, index: 1 },
     idle: { ...WHO, index: 2 },
   },
+  'characters.sameHeight': {
+    document: UNEQUAL,
+    args: { ...BOTH, like: 'c1' },
+    idle: { characterIds: [], like: 'c1' },
+  },
+  'characters.ownHeights': { document: UNEQUAL, args: BOTH, idle: { characterIds: [] } },
   'takes.show': {
     document: TWO,
     args: { takes: [{ ...WHO, clip: 1 }], alone: true },

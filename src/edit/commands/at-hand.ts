@@ -17,6 +17,7 @@ import {
 } from './characters.ts';
 import { createClip, duplicateClip, removeClip, renameClip, setClipRange, setInterpolation } from './clips.ts';
 import { setExtrapolation } from './extrapolation.ts';
+import { ownHeights, sameHeight } from './heights.ts';
 import { keyPose } from './keying.ts';
 import { clearLimit, setLimit } from './limits.ts';
 import { discardUnkeyed, resetPose, setClamping, setDofs } from './pose.ts';
@@ -49,6 +50,8 @@ const COMMANDS: readonly Command<never, Document | Edit>[] = [
   placeCharacter,
   addCopy,
   removeCopy,
+  sameHeight,
+  ownHeights,
 ];
 
 export const COMMANDS_AT_HAND: ReadonlyMap<string, Command<never, Document | Edit>> = new Map(

@@ -1,6 +1,7 @@
 /** Actions on the document and its selection. */
 
 import { addCopy, removeCharacter } from '../../edit/commands/characters.ts';
+import { ownHeights, sameHeight } from '../../edit/commands/heights.ts';
 import { resetPose, setClamping } from '../../edit/commands/pose.ts';
 import { setHidden } from '../../edit/commands/spaces.ts';
 import { DEFAULT_PLACEMENT } from '../../model/document.ts';
@@ -13,6 +14,9 @@ import { NO_CHARACTER, needs } from '../state/needs.ts';
 import type { Action, Uses } from '../state/workbench.ts';
 
 const hasCharacter = needs(NO_CHARACTER, (wb: Uses<'store'>) => currentCharacter(wb) !== undefined);
+const idsOf = (wb: Uses<'store'>) => wb.store.document.characters.map((c) => c.id);
+const hasSeveral = (wb: Uses<'store'>) => wb.store.document.characters.length > 1;
+const needsSeveral = needs('This compares several characters. Open another one first.', hasSeveral);
 
 export const EDIT_ACTIONS: readonly Action[] = [
   {
@@ -104,6 +108,37 @@ export const EDIT_ACTIONS: readonly Action[] = [
     },
   },
   {
+    id: 'characters.sameHeight',
+    name: 'Same height',
+    unchanged: 'All characters have the same height already.',
+    label: (wb) => (hasSeveral(wb) ? `Same height as ${currentCharacter(wb)?.name ?? ''}` : 'Same height'),
+    group: 'Edit',
+    menu: 'Edit',
+    section: 2,
+    also: 'scale size normalise compare',
+    enabled: needsSeveral,
+    run(wb) {
+      const character = currentCharacter(wb);
+      if (!character) return;
+      wb.store.apply(sameHeight, { characterIds: idsOf(wb), like: character.id });
+      wb.viewport.frameAll();
+    },
+  },
+  {
+    id: 'characters.ownHeights',
+    unchanged: 'All characters have the height of their files already.',
+    label: 'Own heights',
+    group: 'Edit',
+    menu: 'Edit',
+    section: 2,
+    also: 'scale size reset original',
+    enabled: needsSeveral,
+    run(wb) {
+      wb.store.apply(ownHeights, { characterIds: idsOf(wb) });
+      wb.viewport.frameAll();
+    },
+  },
+  {
     id: 'character.remove',
     name: 'Remove character',
     label: (wb) => `Remove ${currentCharacter(wb)?.name ?? 'character'}`,
@@ -186,12 +221,11 @@ function lowerFirst(text: string): string {
  */
 function travel(wb: Uses<'store' | 'messages'>, way: 'undo' | 'redo'): void {
   const label = way === 'undo' ? wb.store.undoLabel : wb.store.redoLabel;
-  const idsOf = () => wb.store.document.characters.map((c) => c.id).join();
-  const before = idsOf();
+  const before = idsOf(wb).join();
   wb.messages.leaveBehind(wb.messages.said);
   if (way === 'undo') wb.store.undo();
   else wb.store.redo();
-  if (label === undefined || idsOf() === before) return;
+  if (label === undefined || idsOf(wb).join() === before) return;
   wb.messages.note(way === 'undo' ? `Undone: ${label}. Redo restores it.` : `Redone: ${label}.`);
 }
 

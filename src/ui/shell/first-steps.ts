@@ -56,7 +56,8 @@ export function areShown({ settings, store, posing }: Uses<'store' | 'settings' 
 
 /** How many of the steps are done after a change, of which `done` were before. */
 export function stepsDone(done: number, now: Seen, before: Seen): number {
-  if (done === 0) return now.selection.joint === undefined ? 0 : 1;
+  if (done < 2 && now.selection.joint === undefined) return 0;
+  if (done === 0) return 1;
   // Opening others is none of the steps.
   const changed = now.document.characters.flatMap((c) => {
     const was = findCharacter(before.document, c.id);

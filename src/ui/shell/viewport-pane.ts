@@ -24,6 +24,7 @@ import { itemOf } from '../state/menu-entries.ts';
 import { setActionTooltip } from '../state/tooltips.ts';
 import type { Uses, Workbench } from '../state/workbench.ts';
 import { firstSteps } from './first-steps.ts';
+import { heightsNote } from './heights-note.ts';
 import { keptSession } from './kept-session.ts';
 import { messageLine } from './message-line.ts';
 import { modeTools } from './mode-tools.ts';
@@ -64,6 +65,7 @@ export function viewportPane(wb: Workbench, signal: AbortSignal): HTMLElement {
       weightsNote(wb),
       keptSession(wb),
       firstSteps(wb),
+      heightsNote(wb),
       messageLine(wb),
     ),
   );

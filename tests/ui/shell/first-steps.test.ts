@@ -17,8 +17,13 @@ it('first steps are done one after the other: a joint selected, posed, keyed', (
   expect(stepsDone(2, at(keyed, 2), at(posed, 2))).toBe(3);
 });
 
+it('first steps ask for a joint again once it is deselected, unless it was posed', () => {
+  expect(stepsDone(1, at(start), at(start, 2))).toBe(0);
+  expect(stepsDone(2, at(posed), at(posed, 2))).toBe(2);
+});
+
 it('first steps are not done by what changes nothing', () => {
-  expect(stepsDone(1, at(start), at(start, 2))).toBe(1);
+  expect(stepsDone(1, at(start, 3), at(start, 2))).toBe(1);
   expect(stepsDone(2, at(posed, 2), at(posed, 2))).toBe(2);
 });
 

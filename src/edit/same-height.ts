@@ -1,0 +1,88 @@
+/**
+ * Characters of very different sizes, shown equally tall by the scale of their placements: skeletons, skins and takes
+ * are left alone. They are placed side by side again, since the gaps between them were made for their own sizes.
+ *
+ *     scale = height of the reference as placed / own height
+ */
+import type { Character, Placement } from '../model/document.ts';
+import { sameValue } from './delta.ts';
+import { extentOf, leadersOf, placeBeside } from './place-beside.ts';
+
+/** Something flat counts as this part of its longest side. */
+const MIN_PART_OF_SIZE = 0.25;
+
+/**
+ * Before its placement, at the start of its take; 0 if nothing of it has a size. Figures of one file, which keep their
+ * relative sizes, have that of the tallest.
+ */
+function heightsOf(characters: readonly Character[]): (character: Character) => number {
+  const leaderOf = leadersOf(characters);
+  const heights = new Map<Character, number>();
+  for (const character of characters) {
+    const { height, size } = extentOf(character);
+    const leader = leaderOf(character);
+    heights.set(leader, Math.max(heights.get(leader) ?? 0, height, MIN_PART_OF_SIZE * size));
+  }
+  return (character) => heights.get(leaderOf(character)) ?? 0;
+}
+
+/** The smallest and the largest height of these characters as placed; undefined if none of them has one. */
+export function spreadOfHeights(characters: readonly Character[]): readonly [least: number, most: number] | undefined {
+  const heightOf = heightsOf(characters);
+  const placed = characters.map((c) => heightOf(c) * c.placements[0].scale).filter((height) => height > 0);
+  return placed.length > 0 ? [Math.min(...placed), Math.max(...placed)] : undefined;
+}
+
+/**
+ * Scales these characters to the height of one of `all` as placed; those without a height keep their scale. Undefined if
+ * it has none itself.
+ */
+export function withSameHeight(
+  all: readonly Character[],
+  these: readonly Character[],
+  reference: Character,
+): readonly Character[] | undefined {
+  const heightOf = heightsOf(all);
+  const target = heightOf(reference) * reference.placements[0].scale;
+  if (!(target > 0)) return undefined;
+  return sideBySide(all, these, (character) => {
+    const height = heightOf(character);
+    return height > 0 ? target / height : character.placements[0].scale;
+  });
+}
+
+/** Scales these characters to the size that their files give. */
+export function withOwnHeights(all: readonly Character[], these: readonly Character[]): readonly Character[] {
+  return sideBySide(all, these, () => 1);
+}
+
+/**
+ * Scales and places these characters, beside the others and each other. Further instances keep their position relative
+ * to the first. The same list if nothing changes.
+ */
+function sideBySide(
+  all: readonly Character[],
+  these: readonly Character[],
+  scaleOf: (character: Character) => number,
+): readonly Character[] {
+  const placed = all.filter((character) => !these.includes(character));
+  const next = all.map((character) => {
+    if (!these.includes(character)) return character;
+    const after = putAt(character, placeBeside(placed, character, scaleOf(character)));
+    placed.push(after);
+    return after;
+  });
+  return next.every((character, i) => character === all[i]) ? all : next;
+}
+
+function putAt(character: Character, { position, scale }: Placement): Character {
+  const [first] = character.placements;
+  if (scale === first.scale && sameValue(position, first.position)) return character;
+  const by = scale / first.scale;
+  const placements = character.placements.map((p, i): Placement => {
+    if (i === 0) return { ...p, position, scale };
+    const at = (k: 0 | 1 | 2) => position[k] + by * (p.position[k] - first.position[k]);
+    return { ...p, position: [at(0), at(1), at(2)], scale: by * p.scale };
+  });
+  return { ...character, placements };
+}

@@ -1,0 +1,63 @@
+/** Offers *Same height* when the visible characters are of very different sizes; until dismissed or another is opened. */
+import { spreadOfHeights } from '../../edit/same-height.ts';
+import type { Character } from '../../model/document.ts';
+import { button, element, setText } from '../kit/dom.ts';
+import { icon } from '../kit/icons.ts';
+import { shown } from '../kit/number-text.ts';
+import { runAction } from '../state/action.ts';
+import type { Uses } from '../state/workbench.ts';
+
+/** The largest is more than this many times as tall as the smallest. */
+const FAR_APART = 4;
+
+export function heightsNote(wb: Uses<'store' | 'actions'>): HTMLElement {
+  const text = element('span', { class: 'message-text', role: 'status' });
+  let dismissed = '';
+  let measured: readonly Character[] = [];
+  const note = element(
+    'section',
+    { class: 'message-line heights-note', 'aria-label': 'Heights' },
+    text,
+    button('Same height', { class: 'link' }, 'Same height', () => runAction(wb, 'characters.sameHeight')),
+    button('Dismiss', { class: 'tool small' }, icon('close'), () => {
+      dismissed = idsOf(measured);
+      show();
+    }),
+  );
+  const show = () => {
+    const offer = idsOf(measured) === dismissed ? undefined : heightsText(measured);
+    note.hidden = offer === undefined;
+    setText(text, offer ?? '');
+  };
+  const follow = () => {
+    const visible = wb.store.document.characters.filter((c) => !c.isHidden);
+    // A pose or a key doesn't change the size: measuring takes longer than that.
+    if (visible.length === measured.length && visible.every((c, i) => isAlike(c, measured[i]))) return;
+    measured = visible;
+    show();
+  };
+  wb.store.subscribe(follow);
+  follow();
+  show();
+  return note;
+}
+
+/** `Heights from 0.02 to 60`; undefined if they are similar. */
+export function heightsText(characters: readonly Character[]): string | undefined {
+  const [least, most] = spreadOfHeights(characters) ?? [1, 1];
+  return most > FAR_APART * least ? `The characters are ${shown(least)} to ${shown(most)} tall.` : undefined;
+}
+
+function isAlike(a: Character, b: Character): boolean {
+  return (
+    a.id === b.id &&
+    a.placements === b.placements &&
+    a.space === b.space &&
+    a.skeleton === b.skeleton &&
+    a.skins === b.skins
+  );
+}
+
+function idsOf(characters: readonly Character[]): string {
+  return characters.map((c) => c.id).join();
+}
