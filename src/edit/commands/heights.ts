@@ -3,6 +3,7 @@ import type { Character, Document } from '../../model/document.ts';
 import { listOf } from '../arguments.ts';
 import { requireCharacter } from '../characters.ts';
 import { withOwnHeights, withSameHeight } from '../same-height.ts';
+import { characterIn } from '../step-names.ts';
 import { type Command, CommandError } from '../store.ts';
 
 interface OfCharacters {
@@ -12,7 +13,7 @@ interface OfCharacters {
 /** Scales characters to the height of `like` as placed, side by side. */
 export const sameHeight: Command<OfCharacters & { readonly like: string }> = {
   id: 'characters.sameHeight',
-  label: (document, { like }) => `Same height as ${requireCharacter(document, like).name}`,
+  label: (document, { like }) => `Same height as ${characterIn(document, like)}`,
   run(document, { characterIds, like }) {
     const these = listed(document, characterIds);
     const reference = requireCharacter(document, like);
@@ -25,7 +26,8 @@ export const sameHeight: Command<OfCharacters & { readonly like: string }> = {
 /** Shows characters in the size that their files give, side by side. */
 export const ownHeights: Command<OfCharacters> = {
   id: 'characters.ownHeights',
-  label: () => 'Own heights',
+  label: (document, { characterIds }) =>
+    `Own height of ${characterIds.length === 1 ? characterIn(document, characterIds[0]) : `${characterIds.length} characters`}`,
   run: (document, { characterIds }) =>
     placed(document, withOwnHeights(document.characters, listed(document, characterIds))),
 };
