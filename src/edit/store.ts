@@ -8,6 +8,7 @@
 import { type Channel, type ChannelClip, keysOf } from '../model/clip.ts';
 import type { Document } from '../model/document.ts';
 import { EMPTY_DOCUMENT, findCharacter, shownClip } from '../model/document.ts';
+import { othersKept } from '../model/selected-joints.ts';
 import type { ChannelKeys, Selection } from '../model/session.ts';
 import { NOTHING_SELECTED } from '../model/session.ts';
 import { sameValue } from './delta.ts';
@@ -271,7 +272,7 @@ function stateAfter(before: State, change: Document | Change | Edit, document: D
   const { keys, selected }: Partial<Edit> = isChange(change) ? change : {};
   const kept = selectionKept(before, document, keys);
   const about = selected && document !== before.document ? withJoint(kept, selected) : kept;
-  return { document, selection: withoutLostJoint(about, document) };
+  return { document, selection: withoutLostJoints(about, before.document, document) };
 }
 
 /** The same object if that joint, and no vertex, is already selected. Keys stay selected for the same character. */
@@ -282,12 +283,18 @@ function withJoint(selection: Selection, { characterId, joint }: SelectedJoint):
   return { characterId, ...(joint !== undefined && { joint }), ...(keys && { keys }) };
 }
 
-/** If the selected joint was removed, its character stays selected. */
-function withoutLostJoint(selection: Selection, document: Document): Selection {
+/** If the active joint was removed, its character stays selected; others stay while they are the same joints. */
+function withoutLostJoints(selection: Selection, before: Document, document: Document): Selection {
   const { characterId, joint } = selection;
   if (characterId === undefined || joint === undefined) return selection;
-  const { length = 0 } = findCharacter(document, characterId)?.skeleton?.joints ?? [];
-  return joint < length ? selection : { characterId };
+  const skeleton = findCharacter(document, characterId)?.skeleton;
+  if (!skeleton || joint >= skeleton.joints.length) return { characterId };
+  const { others, ...alone } = selection;
+  const was = findCharacter(before, characterId)?.skeleton;
+  if (!others) return selection;
+  const kept = was ? othersKept(others, was, skeleton) : [];
+  if (kept === others) return selection;
+  return kept.length ? { ...alone, others: kept } : alone;
 }
 
 /** @param keys that the change selects */

@@ -8,7 +8,10 @@ export interface Selection {
   readonly characterId?: string;
   /** Which instance of the character was picked; absent if that does not matter, as in a list. */
   readonly placement?: number;
+  /** The active joint: the last of the selected ones. */
   readonly joint?: number;
+  /** The other selected joints, in the order of selection, each once. Absent: none, as without `joint`. */
+  readonly others?: readonly number[];
   readonly vertex?: number;
   /** Keys of the take that the character shows; absent if none is selected. */
   readonly keys?: readonly ChannelKeys[];

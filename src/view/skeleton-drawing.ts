@@ -90,6 +90,8 @@ export class SkeletonDrawing {
   private withBones: readonly boolean[] = [];
   private scratch = new Float64Array(0);
   private selection: Selection = {};
+  /** Of the selected character; the active joint excluded. */
+  private others: readonly number[] = [];
   private hovered: JointRef | undefined;
   private theme: StageTheme | undefined;
   private display: Display = DEFAULT_DISPLAY;
@@ -153,7 +155,10 @@ export class SkeletonDrawing {
       // The balls' part of the shadow isn't noticeable.
       kind.mesh.castShadow = kind.mesh.receiveShadow && !(isLight && kind === balls);
     }
-    this.markers.show(this.selected?.placementCount ?? 0, display.boxes !== 'hidden');
+    const marked = this.selected;
+    const { others = [] } = selection;
+    this.others = others.filter((joint) => marked !== undefined && joint < marked.nodes.jointCount);
+    this.markers.show(marked?.placementCount ?? 0, display.boxes !== 'hidden', this.others.length);
     this.paint();
   }
 
@@ -219,6 +224,11 @@ export class SkeletonDrawing {
     }
     if (isMarked) {
       this.markers.fill(p, joints[joint], sizes, scale, world, 16 * joint);
+      const { others } = this;
+      for (let k = 0; k < others.length; k++) {
+        const o = 3 * (first + others[k]);
+        this.markers.fillOther(p * others.length + k, positions[o], positions[o + 1], positions[o + 2]);
+      }
     }
   }
 
@@ -322,7 +332,7 @@ export class SkeletonDrawing {
     this.markers.setTheme(theme);
   }
 
-  /** Sets the colours of all instances: selected, hovered, and others. */
+  /** Sets the colours of all instances: active, selected, hovered, and others. */
   private paint(): void {
     const { theme, display, hovered, selection } = this;
     if (!theme) return;
@@ -334,19 +344,27 @@ export class SkeletonDrawing {
       box: new Color(theme.box),
       bone: new Color(theme.bone),
       selected: new Color(theme.selected),
+      selectedToo: new Color(theme.selectedToo),
       hovered: new Color(theme.hovered),
       comparedFirst: new Color(theme.comparedFirst),
       comparedSecond: new Color(theme.comparedSecond),
       selectedLine: rawColor(theme.selected),
+      selectedTooLine: rawColor(theme.selectedToo),
       hoveredLine: rawColor(theme.hovered),
     };
     for (const drawn of this.drawn) {
       const { characterId, firstInstance, placementCount, nodes, tint } = drawn;
       const ownLine = tint ? rawColor(theme[tint]) : line;
-      const chosen = characterId === selection.characterId ? selection.joint : undefined;
+      const isSelected = characterId === selection.characterId;
+      const active = isSelected ? selection.joint : undefined;
+      const others = new Set(isSelected ? this.others : []);
       for (let p = 0; p < placementCount; p++) {
         const under = hovered?.characterId === characterId && hovered.placement === p ? hovered.joint : undefined;
-        const markOf = (joint: number) => (joint === chosen ? 'selected' : joint === under ? 'hovered' : undefined);
+        const markOf = (joint: number) => {
+          if (joint === active) return 'selected';
+          if (joint === under) return 'hovered';
+          return others.has(joint) ? 'selectedToo' : undefined;
+        };
         for (let n = 0; n < nodes.count; n++) {
           const i = firstInstance + p * nodes.count + n;
           const mark = n < nodes.jointCount ? markOf(n) : undefined;

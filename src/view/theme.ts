@@ -36,7 +36,10 @@ export interface StageTheme {
   /** Edges of boxes. */
   readonly boxEdge: string;
   readonly boxEdgeOpacity: number;
+  /** The active joint. */
   readonly selected: string;
+  /** Joints selected with it. */
+  readonly selectedToo: string;
   readonly selectedLabel: string;
   /** The circle around a picked vertex, and a DOF's handle without an axis: the accent. */
   readonly vertex: string;
@@ -74,6 +77,7 @@ export const STAGE_THEMES: Readonly<Record<ThemeName, StageTheme>> = {
     boxEdge: '#b4c2d1',
     boxEdgeOpacity: 0.6,
     selected: '#ff9a3c',
+    selectedToo: '#c4762e',
     selectedLabel: '#ffad5e',
     vertex: '#a594ff',
     hovered: '#ffd9ad',
@@ -104,6 +108,7 @@ export const STAGE_THEMES: Readonly<Record<ThemeName, StageTheme>> = {
     boxEdge: '#3d4f63',
     boxEdgeOpacity: 0.62,
     selected: '#e8700a',
+    selectedToo: '#a8561a',
     selectedLabel: '#9c4600',
     vertex: '#5b46d6',
     hovered: '#f2a861',

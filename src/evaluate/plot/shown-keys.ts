@@ -1,6 +1,6 @@
 /**
  * The keys that the transport shows and steps through: those of the selected character's take, or of all shown takes;
- * if a joint is selected, its own keys are the ones that count.
+ * if joints are selected, their own keys are the ones that count.
  *
  * Transport times are clip times minus the character's offset. Nothing is merged or sorted beforehand: for a clip with
  * millions of keys this costs a binary search per channel, and one pass over its times when drawn (`key-buckets.ts`).
@@ -10,6 +10,7 @@ import type { Channel } from '../../model/clip.ts';
 import { type Character, type Document, findCharacter, rangeOfClips, shownClip } from '../../model/document.ts';
 import { firstDofs } from '../../model/dofs.ts';
 import { dofsOf } from '../../model/joint-types.ts';
+import { jointsIn } from '../../model/selected-joints.ts';
 import type { Selection } from '../../model/session.ts';
 import { silentChannels } from '../retarget/moved-dofs.ts';
 
@@ -18,7 +19,7 @@ export interface ShownChannel {
   /** Seconds, ascending. */
   readonly times: Float64Array;
   readonly offsetSeconds: number;
-  /** Of the selected joint, or everything if none is selected. */
+  /** Of the selected joints, or everything if none is selected. */
   readonly meant: boolean;
 }
 
@@ -30,7 +31,7 @@ export function shownKeys(document: Document, selection: Selection): ShownChanne
   for (const character of characters) {
     const clip = shownClip(character);
     if (!clip) continue;
-    const isMeant = meantChannels(character, character === selected ? selection.joint : undefined, clip.channels);
+    const isMeant = meantChannels(character, character === selected ? jointsIn(selection) : [], clip.channels);
     const silent = silentChannels(character);
     clip.channels.forEach((channel, i) => {
       if (channel.kind === 'keys' && i >= silent)
@@ -40,16 +41,21 @@ export function shownKeys(document: Document, selection: Selection): ShownChanne
   return shown;
 }
 
-function meantChannels(character: Character, joint: number | undefined, channels: readonly Channel[]) {
+function meantChannels(character: Character, joints: readonly number[], channels: readonly Channel[]) {
   const all = () => true;
-  const selected = joint === undefined ? undefined : character.skeleton?.joints[joint];
-  if (!selected || !character.skeleton || joint === undefined) return all;
-  // Root translation belongs to the root joint, as in the inspector.
-  const first = joint === 0 ? 0 : firstDofs(character.skeleton)[joint];
-  const end = firstDofs(character.skeleton)[joint] + dofsOf(selected.motion).length;
-  const isMeant = (channel: number) => channel >= first && channel < end;
-  // If the joint has no keys, all keys count.
-  return channels.some((c, i) => isMeant(i) && c.kind === 'keys') ? isMeant : all;
+  const { skeleton } = character;
+  if (!skeleton || joints.length === 0) return all;
+  const firsts = firstDofs(skeleton);
+  const meant = new Set<number>();
+  for (const joint of joints) {
+    const selected = skeleton.joints[joint];
+    if (!selected) continue;
+    // Root translation belongs to the root joint, as in the inspector.
+    const end = firsts[joint] + dofsOf(selected.motion).length;
+    for (let channel = joint === 0 ? 0 : firsts[joint]; channel < end; channel++) meant.add(channel);
+  }
+  // If the joints have no keys, all keys count.
+  return channels.some((c, i) => meant.has(i) && c.kind === 'keys') ? (channel: number) => meant.has(channel) : all;
 }
 
 /** Times closer than this are the same, so that stepping does not find its own starting key. */

@@ -19,11 +19,13 @@ import type { Action, Workbench } from '../state/workbench.ts';
 import { EDIT_ACTIONS } from './edit-actions.ts';
 import { FILE_ACTIONS, keptActions, sampleActions } from './file-actions.ts';
 import { PAGE_ACTIONS } from './page-actions.ts';
+import { SELECT_ACTIONS } from './select-actions.ts';
 
 /** Static actions, in menu order. */
 export const ACTIONS: readonly Action[] = [
   ...FILE_ACTIONS,
   ...EDIT_ACTIONS,
+  ...SELECT_ACTIONS,
   ...POSE_ACTIONS,
   ...POSING_ACTIONS,
   ...IK_ACTIONS,

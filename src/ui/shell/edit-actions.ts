@@ -6,7 +6,6 @@ import { resetPose, setClamping } from '../../edit/commands/pose.ts';
 import { setHidden } from '../../edit/commands/spaces.ts';
 import { DEFAULT_PLACEMENT } from '../../model/document.ts';
 import { NOTHING_SELECTED } from '../../model/session.ts';
-import type { Joint } from '../../model/skeleton.ts';
 import { autoKey } from '../editors/posing/pose-edits.ts';
 import { currentCharacter } from '../state/action.ts';
 import { addKeyed } from '../state/add-keys.ts';
@@ -155,60 +154,6 @@ export const EDIT_ACTIONS: readonly Action[] = [
       wb.store.select(NOTHING_SELECTED);
     },
   },
-  {
-    id: 'select.parent',
-    unchanged: 'The selected joint has no parent.',
-    label: 'Select parent',
-    group: 'Select',
-    menu: 'Edit/Select',
-    shortcuts: ['Up'],
-    repeats: true,
-    enabled: hasCharacter,
-    run: (wb) => walk(wb, (joints, joint) => joints[joint].parent),
-  },
-  {
-    id: 'select.child',
-    unchanged: 'The selected joint has no child.',
-    label: 'Select first child',
-    group: 'Select',
-    menu: 'Edit/Select',
-    shortcuts: ['Down'],
-    repeats: true,
-    enabled: hasCharacter,
-    // Pre-order: a first child directly follows its parent.
-    run: (wb) => walk(wb, (joints, joint) => (joints[joint + 1]?.parent === joint ? joint + 1 : -1)),
-  },
-  {
-    id: 'select.previousSibling',
-    unchanged: 'The selected joint has no sibling.',
-    label: 'Select previous sibling',
-    group: 'Select',
-    menu: 'Edit/Select',
-    shortcuts: ['Shift+Left'],
-    repeats: true,
-    enabled: hasCharacter,
-    run: (wb) => walk(wb, (joints, joint) => sibling(joints, joint, -1)),
-  },
-  {
-    id: 'select.nextSibling',
-    unchanged: 'The selected joint has no sibling.',
-    label: 'Select next sibling',
-    group: 'Select',
-    menu: 'Edit/Select',
-    shortcuts: ['Shift+Right'],
-    repeats: true,
-    enabled: hasCharacter,
-    run: (wb) => walk(wb, (joints, joint) => sibling(joints, joint, 1)),
-  },
-  {
-    id: 'select.nothing',
-    label: 'Deselect all',
-    group: 'Select',
-    menu: 'Edit/Select',
-    section: 1,
-    enabled: needs('Nothing is selected.', (wb) => wb.store.selection.characterId !== undefined),
-    run: (wb) => wb.store.select(NOTHING_SELECTED),
-  },
 ];
 
 function lowerFirst(text: string): string {
@@ -234,23 +179,4 @@ function reset(wb: Uses<'store' | 'transport' | 'timeline' | 'settings'>, to: 'f
   if (!character) return;
   const { timeSeconds } = wb.transport.get();
   addKeyed(wb, resetPose, { characterId: character.id, to, timeSeconds, key: autoKey(wb) });
-}
-
-/** Selects another joint from the selected one; the root first. A result of −1 or undefined changes nothing. */
-function walk(wb: Uses<'store'>, step: (joints: readonly Joint[], joint: number) => number): void {
-  const character = currentCharacter(wb);
-  const joints = character?.skeleton?.joints;
-  if (!character || !joints?.length) return;
-  const { selection } = wb.store;
-  const from = selection.characterId === character.id ? selection.joint : undefined;
-  const to = from === undefined ? 0 : step(joints, from);
-  if (to >= 0 && to < joints.length) wb.store.select({ characterId: character.id, joint: to });
-}
-
-/** The previous or next sibling, cyclically. */
-function sibling(joints: readonly Joint[], joint: number, step: 1 | -1): number {
-  const parent = joints[joint].parent;
-  const siblings: number[] = [];
-  for (let j = Math.max(0, parent); j < joints.length; j++) if (joints[j].parent === parent) siblings.push(j);
-  return siblings[(siblings.indexOf(joint) + step + siblings.length) % siblings.length];
 }

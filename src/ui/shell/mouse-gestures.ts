@@ -18,6 +18,7 @@ export const MOUSE_GESTURES: readonly MouseGestures[] = [
       ['Pan', 'right drag or Shift+drag'],
       ['Dolly', 'wheel'],
       ['Pick a joint or vertex', 'click'],
+      ['Add a joint to the selection, or remove it', 'Shift+click or Ctrl+click'],
       ['Only select and orbit', 'Q: the select tool'],
       ['Zoom the time ruler', 'wheel'],
       ['Pan the time ruler', 'Shift+wheel'],
@@ -26,10 +27,20 @@ export const MOUSE_GESTURES: readonly MouseGestures[] = [
     ],
   },
   {
+    where: 'Mouse in the outliner',
+    lines: [
+      ['Select a joint', 'click'],
+      ['Add it to the selection, or remove it', 'Ctrl+click'],
+      ['Select all joints from the last one', 'Shift+click'],
+      ['Menu', 'right click'],
+    ],
+  },
+  {
     where: 'Mouse in IK mode',
     lines: [
       ['Pin a point, or remove a pin', 'click'],
       ['Select a joint or a pin', 'Shift+click'],
+      ['Add a joint to the selection, or remove it', 'Ctrl+click'],
       ['… on a touchscreen', 'long press'],
       ['Move a pin', 'drag it'],
       ['… in depth', 'Alt+drag or right drag'],
@@ -48,6 +59,7 @@ export const MOUSE_GESTURES: readonly MouseGestures[] = [
     where: 'Mouse in rig mode',
     lines: [
       ['Select a joint', 'click it or its bone'],
+      ['Add it to the selection, or remove it', 'Shift+click'],
       ['Move it', 'drag'],
       ['… in depth', 'right drag or Alt+drag'],
       ['… in fine steps', 'Shift+drag'],

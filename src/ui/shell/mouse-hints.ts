@@ -50,6 +50,8 @@ const ELSEWHERE: Readonly<Record<Exclude<MouseArea, 'viewport' | 'curves' | 'dop
   ],
   tree: [
     ['Select', 'click'],
+    ['Add or remove', 'Ctrl+click'],
+    ['Select up to here', 'Shift+click'],
     ['Frame', 'double-click'],
     ['Menu', 'right click'],
   ],
@@ -80,7 +82,7 @@ function inViewport(place: MousePlace): readonly MouseHint[] {
 }
 
 function inSelect({ joint }: MousePlace): readonly MouseHint[] {
-  if (joint !== undefined) return [[`Select ${joint}`, 'click'], ...CAMERA];
+  if (joint !== undefined) return [[`Select ${joint}`, 'click'], ['Add or remove', 'Shift+click'], ...CAMERA];
   return [...CAMERA, ['Select a joint', 'click']];
 }
 
@@ -98,8 +100,8 @@ function inFk(place: MousePlace, isHandle: boolean): readonly MouseHint[] {
   return [
     [`Rotate or move ${joint}`, 'drag'],
     [`Select ${joint}`, 'click'],
+    ['Add or remove', 'Shift+click'],
     ['Orbit', 'Alt+drag'],
-    ['Pan', 'right drag'],
   ];
 }
 
@@ -116,8 +118,8 @@ function inIk({ joint }: MousePlace, isHandle: boolean): readonly MouseHint[] {
     return [
       [`Pin ${joint}`, 'click'],
       ['Move it while pins hold', 'drag'],
-      ['In depth', 'Alt+drag'],
       ['Select it', 'Shift+click'],
+      ['Add or remove', 'Ctrl+click'],
     ];
   }
   return [...CAMERA, ['Pin a point of the character', 'click']];
@@ -136,6 +138,7 @@ function inRig({ joint, isAdding }: MousePlace, isHandle: boolean): readonly Mou
       ['In depth', 'Alt+drag'],
       ['Snap', 'Ctrl+drag'],
       ['Add child', 'Ctrl+click'],
+      ['Add to selection', 'Shift+click'],
     ];
   }
   return [...CAMERA, ['Edit a joint', 'click']];

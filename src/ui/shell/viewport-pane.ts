@@ -3,7 +3,7 @@
  * at its bottom. Pointer input goes to the mode's tool; what that doesn't use picks, or moves the camera.
  */
 import { type Character, type Document, shownSkin } from '../../model/document.ts';
-import { type Display, NOTHING_SELECTED, type Selection } from '../../model/session.ts';
+import type { Display, Selection } from '../../model/session.ts';
 import { modeBar } from '../editors/posing/mode-bar.ts';
 import {
   areBoxesVisible,
@@ -21,6 +21,7 @@ import { toolbar } from '../kit/roving.ts';
 import { setTooltip } from '../kit/tooltip.ts';
 import { actionsOf, currentCharacter, isChecked, runAction } from '../state/action.ts';
 import { itemOf } from '../state/menu-entries.ts';
+import { addsToSelection, selectHit } from '../state/select-joints.ts';
 import { setActionTooltip } from '../state/tooltips.ts';
 import type { Uses, Workbench } from '../state/workbench.ts';
 import { firstSteps } from './first-steps.ts';
@@ -82,13 +83,7 @@ function handTools(wb: Workbench, signal: AbortSignal): void {
   listenToCanvas(
     wb.viewport.canvas,
     modeTools(wb, signal),
-    ({ clientX, clientY }) => {
-      const hit = wb.viewport.pick(clientX, clientY);
-      // A click on the ground deselects the joint; the character stays selected.
-      const { characterId } = wb.store.selection;
-      const otherwise = characterId === undefined ? NOTHING_SELECTED : { characterId };
-      wb.store.select(hit ?? otherwise);
-    },
+    (at) => selectHit(wb, wb.viewport.pick(at.clientX, at.clientY), addsToSelection(wb, at)),
     signal,
     (isTools) => wb.viewport.takePointer(isTools),
   );

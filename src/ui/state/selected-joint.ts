@@ -1,5 +1,6 @@
-/** The selected joint, for menus, tools and panels. */
+/** The selected joints, for menus, tools and panels. */
 import { type Character, findCharacter } from '../../model/document.ts';
+import { jointsIn } from '../../model/selected-joints.ts';
 import type { Skeleton } from '../../model/skeleton.ts';
 import type { Uses } from './workbench.ts';
 
@@ -11,6 +12,7 @@ export interface ResolvedJoint {
   readonly joint: number;
 }
 
+/** The active one. */
 export function selectedJoint(wb: Uses<'store'>): ResolvedJoint | undefined {
   const { characterId, joint } = wb.store.selection;
   return resolvedJoint(wb, characterId, joint);
@@ -32,4 +34,26 @@ export function resolvedJoint(
 export function selectedJointOf(wb: Uses<'store'>, characterId: string): number | undefined {
   const selected = selectedJoint(wb);
   return selected?.character.id === characterId ? selected.joint : undefined;
+}
+
+/** Selected joints that exist. */
+export interface ResolvedJoints {
+  readonly character: Character;
+  readonly skeleton: Skeleton;
+  /** Indices in the order of selection, the active one last; at least one. */
+  readonly joints: readonly number[];
+}
+
+/** All of them. */
+export function selectedJoints(wb: Uses<'store'>): ResolvedJoints | undefined {
+  const active = selectedJoint(wb);
+  if (!active) return undefined;
+  const { character, skeleton } = active;
+  return { character, skeleton, joints: jointsIn(wb.store.selection).filter((j) => skeleton.joints[j]) };
+}
+
+/** Their indices, if they belong to that character; the active one last. */
+export function selectedJointsOf(wb: Uses<'store'>, characterId: string): readonly number[] {
+  const selected = selectedJoints(wb);
+  return selected?.character.id === characterId ? selected.joints : [];
 }

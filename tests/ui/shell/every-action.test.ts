@@ -34,6 +34,7 @@ interface Given {
 }
 
 const joint = (wb: Workbench) => wb.store.select({ characterId: 'c1', joint: 1 });
+const joints = (wb: Workbench) => wb.store.select({ characterId: 'c1', joint: 1, others: [3] });
 const keys = (wb: Workbench) => {
   wb.store.select({ characterId: 'c1', joint: 1, keys: [{ channel: 6, indices: [1] }] });
   wb.timeline.copied = copyKeys(walking.clips[0], [{ channel: 7, indices: [0, 1] }]);
@@ -65,6 +66,21 @@ const STATES: Readonly<Record<string, Given>> = {
     prepare(wb) {
       keys(wb);
       wb.store.select({ characterId: 'c1', joint: 2 });
+    },
+  },
+  'several selected joints': { document: documentOf(walking), prepare: joints },
+  'several selected joints in rig mode': {
+    document: documentOf(bare),
+    prepare(wb) {
+      joints(wb);
+      wb.posing.mode.set('rig');
+    },
+  },
+  'several selected joints in IK mode': {
+    document: documentOf(walking),
+    prepare(wb) {
+      joints(wb);
+      wb.posing.mode.set('ik');
     },
   },
   'a character without a take': { document: documentOf(bare), prepare: joint },

@@ -12,7 +12,7 @@ it('every area says what the mouse does, in every mode', () => {
 
 it('over a joint a click does what the mode does', () => {
   const at = { area: 'viewport', cursor: '', joint: 'knee' } as const;
-  expect(whats({ ...at, mode: 'fk' })).toEqual(['Rotate or move knee', 'Select knee', 'Orbit', 'Pan']);
+  expect(whats({ ...at, mode: 'fk' })).toEqual(['Rotate or move knee', 'Select knee', 'Add or remove', 'Orbit']);
   expect(whats({ ...at, mode: 'select' })).toContain('Select knee');
   expect(whats({ ...at, mode: 'ik' })).toContain('Pin knee');
   expect(whats({ ...at, mode: 'rig' })).toContain('Move knee');

@@ -37,7 +37,7 @@ export class DopeNames {
   private rows: readonly DopeRow[] = [];
   private readonly list: WindowedList<NameRow>;
   private focusedKey: string | undefined;
-  private selectedJoint: number | undefined;
+  private selectedJoints: readonly number[] = [];
 
   constructor(
     private readonly events: NameEvents,
@@ -80,8 +80,8 @@ export class DopeNames {
   }
 
   /** Updates counts and marks of the rows in view. */
-  refresh(selectedJoint: number | undefined): void {
-    this.selectedJoint = selectedJoint;
+  refresh(selectedJoints: readonly number[]): void {
+    this.selectedJoints = selectedJoints;
     this.list.each((row, index) => this.mark(row, this.rows[index]));
   }
 
@@ -111,7 +111,7 @@ export class DopeNames {
   }
 
   private mark({ element: made, count }: NameRow, row: DopeRow): void {
-    setAttribute(made, 'aria-selected', String(row.joint !== undefined && row.joint === this.selectedJoint));
+    setAttribute(made, 'aria-selected', String(row.joint !== undefined && this.selectedJoints.includes(row.joint)));
     const { keys, selected } = this.countKeys(row);
     const words = selected ? `${selected} of ${plural(keys, 'key')} selected` : plural(keys, 'key');
     if (count.getAttribute('aria-label') === words) return;

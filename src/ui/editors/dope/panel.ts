@@ -7,6 +7,7 @@ import { keyCount, selectedCount, spanOf } from '../../../edit/keys/row-keys.ts'
 import { allKeys, NO_KEY_SELECTION, unionKeys } from '../../../edit/keys/selection.ts';
 import { withSelectedKeys } from '../../../edit/store.ts';
 import { compileChannels, compileClip } from '../../../evaluate/compiled-clip.ts';
+import { jointsIn } from '../../../model/selected-joints.ts';
 import { element, setAttribute, setText } from '../../kit/dom.ts';
 import { HAS_KEYS } from '../../kit/focus.ts';
 import { oncePerFrame } from '../../kit/frame.ts';
@@ -211,7 +212,7 @@ class DopePanel implements TimelineTab, SheetPointerHost {
     ) {
       this.meet(before !== undefined);
     }
-    this.names.refresh(this.currentJoint());
+    this.names.refresh(this.currentJoints());
     this.redraw();
   }
 
@@ -226,9 +227,10 @@ class DopePanel implements TimelineTab, SheetPointerHost {
     if (isAnother || shared < whole / 2) this.fitAll();
   }
 
-  private currentJoint(): number | undefined {
+  /** The selected joints of the character; the active one is the last. */
+  private currentJoints(): readonly number[] {
     const { selection } = this.wb.store;
-    return selection.characterId === this.take?.character.id ? selection.joint : undefined;
+    return selection.characterId === this.take?.character.id ? jointsIn(selection) : [];
   }
 
   /** All keys and the clip's range, seconds of the transport. */
@@ -249,10 +251,11 @@ class DopePanel implements TimelineTab, SheetPointerHost {
 
   private jointSpan(): readonly [number, number] | undefined {
     const { take } = this;
-    const joint = this.currentJoint();
-    if (!take || joint === undefined) return undefined;
-    const row = this.rows.find((r) => r.kind === 'joint' && r.joint === joint);
-    const span = row && spanOf(take.clip.channels, allKeys(take.clip, row.channels));
+    const joints = this.currentJoints();
+    if (!take || joints.length === 0) return undefined;
+    const rows = this.rows.filter((r) => r.kind === 'joint' && r.joint !== undefined && joints.includes(r.joint));
+    const channels = rows.flatMap((row) => row.channels);
+    const span = channels.length ? spanOf(take.clip.channels, allKeys(take.clip, channels)) : undefined;
     const offset = take.character.timeOffsetSeconds;
     return span && [span[0] - offset, span[1] - offset];
   }
@@ -314,7 +317,7 @@ class DopePanel implements TimelineTab, SheetPointerHost {
       sheet: this.sheet(),
       curves: take ? compileClip(take.clip) : NO_CURVES,
       selected: this.selected(),
-      selectedJoint: this.currentJoint(),
+      selectedJoints: this.currentJoints(),
       range,
       framesPerSecond,
       inFrames: this.wb.settings.get().timeDisplay === 'frames',

@@ -30,11 +30,11 @@ export function drawSheetGround(
   sheet: Sheet,
   index: number,
   row: DopeRow,
-  selectedJoint: number | undefined,
+  selectedJoints: readonly number[],
   colours: DopeColours,
 ): void {
   const top = rowTop(sheet, index);
-  const chosen = row.joint !== undefined && row.joint === selectedJoint;
+  const chosen = row.joint !== undefined && selectedJoints.includes(row.joint);
   if (chosen || row.kind === 'channel') {
     g.fillStyle = chosen ? colours.selectedQuiet : colours.field;
     // Fainter than the name, so that the keys on it stay visible.

@@ -120,7 +120,7 @@ export class DopePicture {
     end: number,
   ): void {
     const { sheet, rows } = scene;
-    for (let i = first; i < end; i++) drawSheetGround(g, sheet, i, rows[i], scene.selectedJoint, colours);
+    for (let i = first; i < end; i++) drawSheetGround(g, sheet, i, rows[i], scene.selectedJoints, colours);
     const top = rowTop(sheet, first);
     const bottom = first < end ? rowTop(sheet, end - 1) + sheet.rowHeight : top;
     const outside = { ...colours, outside: translucent(colours.outside, 0.7) };

@@ -10,7 +10,7 @@ export interface DopeScene extends SheetKeys {
   readonly curves: CompiledClip;
   readonly selected: readonly ChannelKeys[];
   /** Its rows are emphasised. */
-  readonly selectedJoint: number | undefined;
+  readonly selectedJoints: readonly number[];
   /** Playback range, seconds of the transport. */
   readonly range: readonly [number, number];
   readonly framesPerSecond: number;

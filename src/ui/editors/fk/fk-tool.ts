@@ -2,7 +2,8 @@
  * The FK tool. What a press grabs, in this order:
  *
  *     a handle of the gizmo       its DOF, which becomes active
- *     a bone, or skin around it   its joint, which is selected; dragged up and down: the active DOF
+ *     a bone, or skin around it   its joint, which is selected, or becomes the active one of those selected; dragged up
+ *                                 and down: the active DOF
  *     the ball within the rings   rotates the selected joint freely
  *     anything else               the camera
  */
@@ -10,6 +11,7 @@ import type { HandleId } from '../../../evaluate/handles/joint-handles.ts';
 import { findCharacter } from '../../../model/document.ts';
 import type { Selection } from '../../../model/session.ts';
 import type { Hit } from '../../../view/viewport.ts';
+import { activateJoint, addsToSelection, selectHit } from '../../state/select-joints.ts';
 import { type ResolvedJoint, resolvedJoint, selectedJoint } from '../../state/selected-joint.ts';
 import type { Workbench } from '../../state/workbench.ts';
 import { activeDof, chooseDof } from '../posing/active-dof.ts';
@@ -137,7 +139,6 @@ class FkTool implements ModeTool {
     make: (grip: FkGrip) => Mover | undefined,
     under: Hit | 'nothing',
   ): CanvasDrag {
-    const { characterId } = joint;
     /** The selection that the drag has replaced. */
     let before: Selection | undefined;
     return this.gizmo.drag({
@@ -150,7 +151,8 @@ class FkTool implements ModeTool {
       make,
       ended: (now, isUnmoved) => {
         if (!now && before) this.reselect(before);
-        if (now && isUnmoved) this.wb.store.select(under === 'nothing' ? { characterId } : under);
+        if (now && isUnmoved)
+          selectHit(this.wb, under === 'nothing' ? undefined : under, addsToSelection(this.wb, now));
       },
     });
   }
@@ -164,7 +166,7 @@ class FkTool implements ModeTool {
     const { store, viewport } = this.wb;
     const { selection } = store;
     if (selection.characterId !== characterId || selection.joint !== joint) {
-      store.select({ characterId, joint, ...(placement !== undefined && { placement }) });
+      activateJoint(this.wb, { characterId, joint, ...(placement !== undefined && { placement }) });
       return selection;
     }
     const character = findCharacter(store.document, characterId);

@@ -3,6 +3,7 @@
  *
  *     click          pins the visible point there, or unpins it
  *     Shift+click    selects the joint, and the pin
+ *     Ctrl+click     adds the joint to the selection, or removes it
  *     drag           a pin or any other point; other pins hold
  *     Alt, right     in depth; the right button only on a pin, as it pans elsewhere
  *     long press     on touch: as Shift+click; a second finger drags in depth
@@ -16,6 +17,7 @@ import { perObject } from '../../../model/per-object.ts';
 import type { HandleHit } from '../../../view/gizmo/handle-at.ts';
 import { PinOverlay } from '../../../view/pins/pin-overlay.ts';
 import { Readout } from '../../kit/readout.ts';
+import { addsToSelection, selectHit } from '../../state/select-joints.ts';
 import { type ResolvedJoint, selectedJoint } from '../../state/selected-joint.ts';
 import type { Workbench } from '../../state/workbench.ts';
 import { SelectedGizmo } from '../fk/selected-gizmo.ts';
@@ -122,7 +124,8 @@ class IkTool implements ModeTool {
       const { character, placement } = pin;
       const { id, joint, point } = pin.pin;
       return this.begin({ characterId: character.id, placement, joint, point, pin: id }, at, () => {
-        if (at.button === 0) unpinByHand(this.wb, { characterId: character.id, pin: id });
+        if (addsToSelection(this.wb, at)) selectHit(this.wb, { characterId: character.id, placement, joint }, true);
+        else if (at.button === 0) unpinByHand(this.wb, { characterId: character.id, pin: id });
       });
     }
     if (at.button !== 0) return undefined;
@@ -130,7 +133,10 @@ class IkTool implements ModeTool {
     if (!seen) return undefined;
     const { characterId, placement, joint, natural } = seen;
     const grip = { characterId, placement, joint, point: natural?.point ?? seen.point };
-    return this.begin(grip, at, () => this.pin(seen));
+    return this.begin(grip, at, () => {
+      if (addsToSelection(this.wb, at)) selectHit(this.wb, { characterId, placement, joint }, true);
+      else this.pin(seen);
+    });
   }
 
   click(at: CanvasPointer): boolean {

@@ -4,6 +4,7 @@ import { duplicateClip, removeClip, renameClip } from '../../../edit/commands/cl
 import { setHidden } from '../../../edit/commands/spaces.ts';
 import { type Character, type Document, findCharacter } from '../../../model/document.ts';
 import type { PartKind } from '../../../model/files.ts';
+import { jointsIn, withJoints, withJointToggled } from '../../../model/selected-joints.ts';
 import type { Selection } from '../../../model/session.ts';
 import { element } from '../../kit/dom.ts';
 import { icon } from '../../kit/icons.ts';
@@ -13,6 +14,7 @@ import { actionsOf, currentCharacter, runAction } from '../../state/action.ts';
 import { attempt } from '../../state/attempt.ts';
 import { itemOf } from '../../state/menu-entries.ts';
 import { onDemand } from '../../state/on-demand.ts';
+import { selectedJointsOf } from '../../state/selected-joint.ts';
 import { splitter } from '../../state/splitter.ts';
 import type { Uses, Workbench } from '../../state/workbench.ts';
 import { movedEntries } from '../retarget/moved.ts';
@@ -51,6 +53,8 @@ export function outliner(wb: Workbench): HTMLElement {
       show();
     },
     select: (row) => select(wb, row),
+    toggleSelected: (row) => toggleSelected(wb, row),
+    selectRange: (rows) => selectRange(wb, rows),
     activate: (row) => activate(wb, row),
     doubleClick: (row) => (row.kind === 'character' ? startRename(row) : activate(wb, row)),
     menu: (row, at) => rowMenu(wb, row, at, startRename),
@@ -64,7 +68,7 @@ export function outliner(wb: Workbench): HTMLElement {
     if (event.key === 'Delete' && row?.kind !== 'character') {
       event.preventDefault();
       if (isJoint) {
-        select(wb, row);
+        if (!isSelected(wb, row)) select(wb, row);
         void runAction(wb, event.shiftKey ? 'rigging.deleteBranch' : 'rigging.delete');
       }
     }
@@ -100,7 +104,7 @@ export function outliner(wb: Workbench): HTMLElement {
     let opened = foldOthers(document, character);
     if (!character || selection.joint === undefined) {
       if (opened) show();
-      return tree.select(character && characterKey(character.id));
+      return tree.select(character ? [characterKey(character.id)] : []);
     }
     for (const key of keysAbove(character, selection.joint)) {
       if (folds.get(key) === true) continue;
@@ -109,7 +113,7 @@ export function outliner(wb: Workbench): HTMLElement {
       opened = true;
     }
     if (opened) show();
-    tree.select(jointKey(character.id, selection.joint));
+    tree.select(jointsIn(selection).map((joint) => jointKey(character.id, joint)));
   };
 
   function startRename(row: OutlineRow): void {
@@ -269,6 +273,28 @@ const PART_KINDS: Partial<Record<OutlineRow['kind'], PartKind>> = { skin: 'skin'
 function select(wb: Uses<'store'>, { kind, characterId, index }: OutlineRow): void {
   if (kind === 'joint') wb.store.select({ characterId, joint: index });
   else if (kind === 'character' || wb.store.selection.characterId !== characterId) wb.store.select({ characterId });
+}
+
+function isSelected(wb: Uses<'store'>, { kind, characterId, index }: OutlineRow): boolean {
+  return kind === 'joint' && selectedJointsOf(wb, characterId).includes(index);
+}
+
+/** Only joints can be selected together. */
+function toggleSelected(wb: Uses<'store'>, row: OutlineRow): void {
+  const { kind, characterId, index } = row;
+  if (kind === 'joint') wb.store.select(withJointToggled(wb.store.selection, { characterId, joint: index }));
+  else select(wb, row);
+}
+
+/** The joints among these rows that belong to the character of the last one. */
+function selectRange(wb: Uses<'store'>, rows: readonly OutlineRow[]): void {
+  const last = rows.at(-1);
+  if (last?.kind === 'joint') {
+    const { characterId } = last;
+    const joints = rows.filter((row) => row.kind === 'joint' && row.characterId === characterId);
+    const indices = joints.map(({ index }) => index);
+    wb.store.select(withJoints({ characterId }, indices));
+  } else if (last) select(wb, last);
 }
 
 function activate(wb: Uses<'store' | 'viewport'>, row: OutlineRow): void {

@@ -9,6 +9,10 @@ export interface TreeEvents {
   toggle(row: OutlineRow, open: boolean): void;
   /** A row was reached by arrow keys or a click. */
   select(row: OutlineRow): void;
+  /** Ctrl+click or Ctrl+Space: a row is selected with the others, or deselected. */
+  toggleSelected(row: OutlineRow): void;
+  /** Shift+click or Shift+arrows: exactly these rows are selected, and the last one is active. */
+  selectRange(rows: readonly OutlineRow[]): void;
   /** Enter, or a click on an alternative that isn't shown. */
   activate(row: OutlineRow): void;
   doubleClick(row: OutlineRow): void;
@@ -48,12 +52,20 @@ export function rowTyped(rows: readonly Pick<OutlineRow, 'label'>[], focused: nu
 }
 
 export class Tree {
-  readonly element = element('div', { role: 'tree', class: 'tree', tabindex: 0 });
+  readonly element = element('div', {
+    role: 'tree',
+    'aria-multiselectable': 'true',
+    class: 'tree',
+    tabindex: 0,
+  });
   private readonly space = element('div', { class: 'tree-space', role: 'presentation' });
   private rows: readonly OutlineRow[] = [];
   private places = new Map<string, number>();
   private readonly list: WindowedList<WindowedRow>;
-  private selectedKey: string | undefined;
+  private selected: ReadonlySet<string> = new Set();
+  private activeKey: string | undefined;
+  /** Where a range begins. */
+  private anchorKey: string | undefined;
   private focusedKey: string | undefined;
   private meantKey: string | undefined;
   /** Letters go to rows while the focus came by keyboard; after a click they are the page's shortcuts. */
@@ -105,12 +117,16 @@ export class Tree {
     this.drawAnew();
   }
 
-  /** Selects a row and scrolls it into view. */
-  select(key: string | undefined): void {
-    this.selectedKey = key;
-    if (key !== undefined) {
-      this.focusedKey = key;
-      this.reveal(key);
+  /** Selects rows, and scrolls to the active one, the last. */
+  select(keys: readonly string[]): void {
+    const before = this.activeKey;
+    const isRange = this.anchorKey !== undefined && keys.length > 1 && keys.includes(this.anchorKey);
+    this.selected = new Set(keys);
+    this.activeKey = keys.at(-1);
+    if (!isRange) this.anchorKey = this.activeKey;
+    if (this.activeKey !== undefined && this.activeKey !== before) {
+      this.focusedKey = this.activeKey;
+      this.reveal(this.activeKey);
     }
     this.mark();
   }
@@ -145,7 +161,8 @@ export class Tree {
   }
 
   private markRow(made: HTMLElement, { key }: OutlineRow): void {
-    made.setAttribute('aria-selected', String(key === this.selectedKey));
+    made.setAttribute('aria-selected', String(this.selected.has(key)));
+    made.classList.toggle('selected-too', this.selected.has(key) && key !== this.activeKey);
     made.classList.toggle('meant', key === this.meantKey);
     setTooltip(made, key === this.meantKey ? MEANT : undefined);
   }
@@ -184,6 +201,8 @@ export class Tree {
     if (!row) return;
     const onTwisty = event.target instanceof Element && event.target.closest('.twisty') !== null;
     if (row.expandable && (onTwisty || row.kind === 'group')) this.events.toggle(row, !row.expanded);
+    else if (event.shiftKey) this.extendTo(row);
+    else if (event.ctrlKey || event.metaKey) this.toggleSelected(row);
     else this.moveTo(row);
     // A click activates an alternative; arrow keys only move to it.
     if (row.shown === false) this.events.activate(row);
@@ -198,14 +217,37 @@ export class Tree {
     const row = this.rowAt(event);
     if (!row) return;
     event.preventDefault();
-    this.moveTo(row);
+    // The menu of one of several selected rows is for all of them.
+    if (this.selected.has(row.key)) this.focusOn(row);
+    else this.moveTo(row);
     this.events.menu(row, { x: event.clientX, y: event.clientY });
   }
 
   private moveTo(row: OutlineRow | undefined): void {
     if (!row) return;
     this.events.select(row);
-    // Last, since the selection may be another row: the character of a skin.
+    this.anchorKey = row.key;
+    this.focusOn(row);
+  }
+
+  /** Selects the rows from where the range began. */
+  private extendTo(row: OutlineRow | undefined): void {
+    if (!row) return;
+    const anchor = this.placeOf(this.anchorKey);
+    const [from, to] = [anchor < 0 ? this.placeOf(row.key) : anchor, this.placeOf(row.key)];
+    const rows = this.rows.slice(Math.min(from, to), Math.max(from, to) + 1);
+    this.events.selectRange(from > to ? rows.reverse() : rows);
+    this.focusOn(row);
+  }
+
+  private toggleSelected(row: OutlineRow): void {
+    this.events.toggleSelected(row);
+    this.anchorKey = row.key;
+    this.focusOn(row);
+  }
+
+  /** After selecting, since the selection may be another row: the character of a skin. */
+  private focusOn(row: OutlineRow): void {
     this.focusedKey = row.key;
     this.reveal(row.key);
     this.mark();
@@ -232,13 +274,21 @@ export class Tree {
   }
 
   private onKey(event: KeyboardEvent): void {
-    if (event.target !== this.element || event.ctrlKey || event.metaKey || event.altKey) return;
+    if (event.target !== this.element || event.altKey) return;
     const index = Math.max(0, this.placeOf(this.focusedKey));
     const row = this.rows[index];
     if (!row) return;
     const to = rowAfterKey(event.key, index, this.rows.length, this.list.page);
+    if (event.ctrlKey || event.metaKey) {
+      if (to !== undefined && event.key.startsWith('Arrow')) this.focusOn(this.rows[to]);
+      else if (event.key === ' ') this.toggleSelected(row);
+      else return;
+      event.preventDefault();
+      return;
+    }
     if (to !== undefined) {
-      this.moveTo(this.rows[to]);
+      if (event.shiftKey) this.extendTo(this.rows[to]);
+      else this.moveTo(this.rows[to]);
       event.preventDefault();
       return;
     }

@@ -51,7 +51,7 @@ export const POSING_ACTIONS: readonly Action[] = [
     run(wb) {
       if (wb.posing.mode.get() === 'rig') wb.posing.mode.set('fk');
       else if (wb.posing.mode.get() === 'select') switchSelect(wb);
-      else if (wb.store.selection.characterId !== undefined) wb.store.select(NOTHING_SELECTED);
+      else deselect(wb);
     },
   },
   dofKey('posing.nextDof', 'Next DOF of joint', ['V'], (wb) => chooseNextDof(wb, 1)),
@@ -63,6 +63,14 @@ export const POSING_ACTIONS: readonly Action[] = [
   turn('posing.turnLeft', 'Orbit left, or step back while playing', 'Left', -1),
   turn('posing.turnRight', 'Orbit right, or step forward while playing', 'Right', 1),
 ];
+
+/** Of several joints the active one stays, once. */
+function deselect({ store }: Uses<'store'>): void {
+  const { selection } = store;
+  const { others, ...active } = selection;
+  if (others) store.select(active);
+  else if (selection.characterId !== undefined) store.select(NOTHING_SELECTED);
+}
 
 /** From FK to IK; from any other mode to FK. */
 export function switchKinematics(wb: Uses<'posing'>): void {

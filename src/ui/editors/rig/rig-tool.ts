@@ -12,6 +12,7 @@ import { isTextField } from '../../kit/focus.ts';
 import { currentCharacter } from '../../state/action.ts';
 import { attempt } from '../../state/attempt.ts';
 import { pausePlayback } from '../../state/pause-playback.ts';
+import { activateJoint, addsToSelection, selectHit } from '../../state/select-joints.ts';
 import { selectedJoint } from '../../state/selected-joint.ts';
 import type { Workbench } from '../../state/workbench.ts';
 import { type CanvasDrag, type CanvasPointer, CLICK_PIXELS } from '../viewport/canvas-tools.ts';
@@ -73,13 +74,22 @@ export function rigTool(wb: Workbench): ModeTool {
   const wantsJoint = (at: CanvasPointer) => state.adding.get() || at.ctrlKey || at.metaKey;
 
   /** @param copy index of the instance; default: the one with the handles */
-  const select = (joint: number, copy?: number) => {
+  const pickOf = (joint: number, copy?: number) => {
     const character = currentCharacter(wb);
-    if (!character) return;
-    const picked = viewport.pickedCopy(character);
-    const placement = copy ?? picked;
-    if (selectedJoint(wb)?.joint === joint && placement === picked) return;
-    store.select({ characterId: character.id, placement, joint });
+    return character && { characterId: character.id, placement: copy ?? viewport.pickedCopy(character), joint };
+  };
+  /** A click. */
+  const select = (at: CanvasPointer, joint: number, copy?: number) => {
+    const pick = pickOf(joint, copy);
+    if (pick) selectHit(wb, pick, addsToSelection(wb, at));
+  };
+  /** Before a drag. */
+  const activate = (joint: number, copy?: number) => {
+    const pick = pickOf(joint, copy);
+    const character = currentCharacter(wb);
+    if (!pick || !character) return;
+    if (selectedJoint(wb)?.joint === joint && pick.placement === viewport.pickedCopy(character)) return;
+    activateJoint(wb, pick);
   };
 
   const addAt = (at: CanvasPointer): void => {
@@ -166,17 +176,24 @@ export function rigTool(wb: Workbench): ModeTool {
         return rigged && start(rigged);
       };
       if (other) {
-        const take = () => select(other.joint, other.placement);
-        return onceMoved(at, take, () => dragNow((rigged) => dragFreely(wb, rigged, other.joint, at)), take);
+        return onceMoved(
+          at,
+          () => activate(other.joint, other.placement),
+          () => dragNow((rigged) => dragFreely(wb, rigged, other.joint, at)),
+          (now) => select(now, other.joint, other.placement),
+        );
       }
       if (!part || (byRight && part.kind !== 'joint')) return undefined;
       const drag = (joint: number, start: (rigged: Rigged) => CanvasDrag) =>
         onceMoved(
           at,
-          () => select(joint),
+          () => activate(joint),
           () => dragNow(start),
           // Arrows and faces react to drags only: clicks pass through.
-          (now) => (part.kind !== 'joint' && wantsJoint(now) ? addAt(now) : select(joint)),
+          (now) => {
+            if (part.kind === 'joint') select(now, joint);
+            else if (wantsJoint(now)) addAt(now);
+          },
         );
       switch (part.kind) {
         case 'joint':
@@ -200,17 +217,18 @@ export function rigTool(wb: Workbench): ModeTool {
       }
       const part = partUnder(at);
       if (part?.kind === 'bone') {
-        select(part.joint);
+        select(at, part.joint);
         return true;
       }
       const hit = viewport.pick(at.clientX, at.clientY);
       const current = currentCharacter(wb);
+      const adds = addsToSelection(wb, at);
       if (hit?.joint !== undefined) {
         const { characterId, placement, joint } = hit;
-        store.select({ characterId, placement, joint });
+        selectHit(wb, { characterId, placement, joint }, adds);
       }
       // Keeps the character selected.
-      else if (current) store.select({ characterId: current.id });
+      else if (current && !adds) store.select({ characterId: current.id });
       return true;
     },
     hover(at) {

@@ -10,6 +10,7 @@ import { jointName } from '../../../model/joint-name.ts';
 import { dofsOf } from '../../../model/joint-types.ts';
 import type { Morph } from '../../../model/morph.ts';
 import { perPair } from '../../../model/per-object.ts';
+import { jointsIn } from '../../../model/selected-joints.ts';
 import type { Selection } from '../../../model/session.ts';
 import type { DofUnit, Skeleton } from '../../../model/skeleton.ts';
 import type { TimelineView } from '../../state/timeline.ts';
@@ -70,20 +71,24 @@ export function listedChannels(character: Character, selection: Selection, setti
 }
 
 /**
- * The channels of the selected joint. Without one, those of the root and the morphs: where the character goes and what
+ * The channels of the selected joints. Without one, those of the root and the morphs: where the character goes and what
  * its face does, without the thicket of all its joints. Undefined if no joint is selected and none of those is animated.
  */
 export function selectedChannels(character: Character, selection: Selection): readonly number[] | undefined {
-  const joint = selection.characterId === character.id ? selection.joint : undefined;
-  const [first, end] = channelsOfJoint(character, joint ?? 0);
-  const channels = Array.from({ length: end - first }, (_, i) => first + i);
-  if (joint !== undefined) return channels;
+  const joints = selection.characterId === character.id ? jointsIn(selection) : [];
+  if (joints.length > 0) return [...joints].sort((a, b) => a - b).flatMap((joint) => jointChannels(character, joint));
+  const channels = jointChannels(character, 0);
   dofsFor(character).forEach((dof, channel) => {
     if (dof.joint < 0) channels.push(channel);
   });
   const clip = shownClip(character);
   const silent = silentChannels(character);
   return channels.some((c) => c >= silent && clip && spanOfChannel(clip, c)) ? channels : undefined;
+}
+
+function jointChannels(character: Character, joint: number): number[] {
+  const [first, end] = channelsOfJoint(character, joint);
+  return Array.from({ length: end - first }, (_, i) => first + i);
 }
 
 /** Channels of all DOFs, and those of the take past them. */

@@ -1,0 +1,165 @@
+/** Actions that select joints from those selected. */
+
+import { withJoints } from '../../model/selected-joints.ts';
+import { NOTHING_SELECTED } from '../../model/session.ts';
+import type { Joint } from '../../model/skeleton.ts';
+import { currentCharacter } from '../state/action.ts';
+import { NO_CHARACTER, NO_SKELETON, needs } from '../state/needs.ts';
+import { selectedJoints, selectedJointsOf } from '../state/selected-joint.ts';
+import type { Action, Uses } from '../state/workbench.ts';
+
+const hasCharacter = needs(NO_CHARACTER, (wb: Uses<'store'>) => currentCharacter(wb) !== undefined);
+const hasSkeleton = needs(NO_SKELETON, (wb: Uses<'store'>) => currentCharacter(wb)?.skeleton !== undefined);
+const hasJoint = needs('Select a joint first.', (wb: Uses<'store'>) => selectedJoints(wb) !== undefined);
+
+export const SELECT_ACTIONS: readonly Action[] = [
+  {
+    id: 'select.parent',
+    unchanged: 'The selected joint has no parent.',
+    label: 'Select parent',
+    group: 'Select',
+    menu: 'Edit/Select',
+    shortcuts: ['Up'],
+    repeats: true,
+    enabled: hasCharacter,
+    run: (wb) => walk(wb, (joints, joint) => joints[joint].parent),
+  },
+  {
+    id: 'select.child',
+    unchanged: 'The selected joint has no child.',
+    label: 'Select first child',
+    group: 'Select',
+    menu: 'Edit/Select',
+    shortcuts: ['Down'],
+    repeats: true,
+    enabled: hasCharacter,
+    // Pre-order: a first child directly follows its parent.
+    run: (wb) => walk(wb, (joints, joint) => (joints[joint + 1]?.parent === joint ? joint + 1 : -1)),
+  },
+  {
+    id: 'select.previousSibling',
+    unchanged: 'The selected joint has no sibling.',
+    label: 'Select previous sibling',
+    group: 'Select',
+    menu: 'Edit/Select',
+    shortcuts: ['Shift+Left'],
+    repeats: true,
+    enabled: hasCharacter,
+    run: (wb) => walk(wb, (joints, joint) => sibling(joints, joint, -1)),
+  },
+  {
+    id: 'select.nextSibling',
+    unchanged: 'The selected joint has no sibling.',
+    label: 'Select next sibling',
+    group: 'Select',
+    menu: 'Edit/Select',
+    shortcuts: ['Shift+Right'],
+    repeats: true,
+    enabled: hasCharacter,
+    run: (wb) => walk(wb, (joints, joint) => sibling(joints, joint, 1)),
+  },
+  {
+    id: 'select.hierarchy',
+    unchanged: 'All descendants of the selected joints are selected already.',
+    label: 'Select hierarchy',
+    detail: 'The selected joints and all their descendants',
+    group: 'Select',
+    menu: 'Edit/Select',
+    section: 1,
+    enabled: hasJoint,
+    run: selectHierarchy,
+  },
+  {
+    id: 'select.mirrored',
+    unchanged: 'The selected joints have no counterparts on the other side.',
+    label: 'Select mirrored joints',
+    detail: 'Those on the other side, instead',
+    group: 'Select',
+    menu: 'Edit/Select',
+    section: 1,
+    enabled: hasJoint,
+    run: selectMirrored,
+  },
+  {
+    id: 'select.allJoints',
+    unchanged: 'All joints are selected already.',
+    label: 'Select all joints',
+    group: 'Select',
+    menu: 'Edit/Select',
+    section: 1,
+    shortcuts: ['Ctrl+A'],
+    panel: 'outliner',
+    enabled: hasSkeleton,
+    run: selectAll,
+  },
+  {
+    id: 'select.nothing',
+    label: 'Deselect all',
+    group: 'Select',
+    menu: 'Edit/Select',
+    section: 2,
+    enabled: needs('Nothing is selected.', (wb) => wb.store.selection.characterId !== undefined),
+    run: (wb) => wb.store.select(NOTHING_SELECTED),
+  },
+];
+
+/**
+ * Selects other joints from each of the selected ones; the root first. A joint from which a step gives −1 or undefined
+ * is left out, unless all are: then nothing changes.
+ */
+function walk(wb: Uses<'store'>, step: (joints: readonly Joint[], joint: number) => number): void {
+  const character = currentCharacter(wb);
+  const joints = character?.skeleton?.joints;
+  if (!character || !joints?.length) return;
+  const from = selectedJointsOf(wb, character.id);
+  const to = from.length === 0 ? [0] : from.map((joint) => step(joints, joint));
+  selectThese(
+    wb,
+    character.id,
+    to.filter((joint) => joint >= 0 && joint < joints.length),
+  );
+}
+
+/** The previous or next sibling, cyclically. */
+function sibling(joints: readonly Joint[], joint: number, step: 1 | -1): number {
+  const parent = joints[joint].parent;
+  const siblings: number[] = [];
+  for (let j = Math.max(0, parent); j < joints.length; j++) if (joints[j].parent === parent) siblings.push(j);
+  return siblings[(siblings.indexOf(joint) + step + siblings.length) % siblings.length];
+}
+
+/** Adds the descendants; the active joint stays active. */
+function selectHierarchy(wb: Uses<'store'>): void {
+  const selected = selectedJoints(wb);
+  if (!selected) return;
+  const { character, skeleton, joints } = selected;
+  const isInside = new Set(joints);
+  skeleton.joints.forEach(({ parent }, joint) => {
+    if (isInside.has(parent)) isInside.add(joint);
+  });
+  if (isInside.size > joints.length) selectThese(wb, character.id, [...isInside, ...joints.slice(-1)]);
+}
+
+async function selectMirrored(wb: Uses<'store'>): Promise<void> {
+  const { counterpartOf } = await import('../../edit/pose/mirror.ts');
+  const selected = selectedJoints(wb);
+  if (!selected) return;
+  const { character, skeleton, joints } = selected;
+  const others = joints.flatMap((joint) => counterpartOf(skeleton, joint) ?? []);
+  if (others.some((other, i) => other !== joints[i])) selectThese(wb, character.id, others);
+}
+
+function selectAll(wb: Uses<'store'>): void {
+  const character = currentCharacter(wb);
+  const count = character?.skeleton?.joints.length ?? 0;
+  if (!character || selectedJointsOf(wb, character.id).length === count) return;
+  const active = selectedJointsOf(wb, character.id).slice(-1);
+  selectThese(wb, character.id, [...Array(count).keys(), ...active]);
+}
+
+/** The same selection if these are selected already, in this order; or if there are none. */
+function selectThese(wb: Uses<'store'>, characterId: string, joints: readonly number[]): void {
+  const before = selectedJointsOf(wb, characterId);
+  const isSame = before.length === joints.length && before.every((joint, i) => joint === joints[i]);
+  if (joints.length > 0 && !isSame) wb.store.select(withJoints({ characterId }, joints));
+}
