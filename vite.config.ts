@@ -7,10 +7,11 @@ import { availableParallelism } from 'node:os';
 import type { Plugin, UserConfig } from 'vite';
 import { defineConfig, type TestProjectInlineConfiguration } from 'vitest/config';
 import { givenFiles } from './src/cli/given-files.ts';
+import { offline } from './vite.offline.ts';
 import { leanThree } from './vite.three.ts';
 
 const page: UserConfig = {
-  plugins: [leanThree()],
+  plugins: [leanThree(), offline()],
   build: {
     sourcemap: true,
     // Size before gzip: three.js alone has 490 kB, 124 kB gzipped.

@@ -4,6 +4,7 @@ import { savingMarks } from './app/autosave/saving-marks.ts';
 import { DiskHandles } from './app/disk-handles.ts';
 import { fileActions } from './app/file-actions.ts';
 import { followRange } from './app/follow-range.ts';
+import { offerInstalling } from './app/installing.ts';
 import { markUnsaved } from './app/leaving.ts';
 import { Opener } from './app/opening.ts';
 import { SampleDisplay } from './app/sample-display.ts';
@@ -15,11 +16,14 @@ import { Store } from './edit/store.ts';
 import { fetchFiles, filesInQuery } from './io/address.ts';
 import * as disk from './io/disk-files.ts';
 import { download } from './io/download.ts';
+import { onLaunched } from './io/launched.ts';
 import { observable } from './ui/kit/observable.ts';
 import { startFirstPicture } from './ui/shell/first-picture.ts';
 import { restOfPage } from './ui/shell/rest-of-page.ts';
 import type { KeptOffer } from './ui/state/kept-offer.ts';
 import { Messages } from './ui/state/messages.ts';
+import { NOT_OFFLINE, type Offline } from './ui/state/offline.ts';
+import { whenIdle } from './ui/state/on-demand.ts';
 import { Posing } from './ui/state/posing.ts';
 import { rememberedSettings } from './ui/state/settings.ts';
 import { Timeline } from './ui/state/timeline.ts';
@@ -81,6 +85,7 @@ const workbench: Workbench = {
     framesPerSecond: () => transport.get().framesPerSecond,
   }),
   kept: observable<KeptOffer | undefined>(undefined),
+  offline: observable<Offline>(NOT_OFFLINE),
 };
 
 followRange(store, transport);
@@ -93,6 +98,7 @@ opener.subscribe(({ given, files }) => {
   }
 });
 markUnsaved(workbench.files, window);
+offerInstalling(workbench.offline, window);
 const forever = new AbortController().signal;
 const theme = startFirstPicture(root, workbench, forever);
 viewport.setFramesPerSecond(transport.get().framesPerSecond);
@@ -116,7 +122,26 @@ const rest = restOfPage(root, opening, ({ mountWorkbench }) =>
   mountWorkbench(root, workbench, { theme, setActions }, forever),
 );
 window.marrow = scriptingApi(workbench, opener, rest);
+onLaunched((files) => void opener.open(() => files), window);
 void beginAutosave({ ...workbench, opener, worker, saving: savingMarks(unsaved, handles) }, opening);
+
+// Only the built page has a service worker.
+if (import.meta.env.PROD && 'serviceWorker' in navigator) void opening.then(() => whenIdle(workbench, storePage));
+
+/** Stores the page for working offline. What fails in it isn't needed. */
+async function storePage(): Promise<void> {
+  const module = await import('./app/offline.ts').catch(() => undefined);
+  await module?.startOffline({
+    offline: workbench.offline,
+    workers: navigator.serviceWorker,
+    reload: () => location.reload(),
+    onReturn: (listener) =>
+      document.addEventListener('visibilitychange', () => {
+        if (document.visibilityState === 'visible') listener();
+      }),
+    nowMs: Date.now,
+  });
+}
 
 /** The opening example: a walking character. */
 function openSample() {

@@ -22,6 +22,8 @@ const MAY_IMPORT: Readonly<Record<string, readonly string[]>> = {
   worker: ['project', 'formats', 'evaluate', ...BASE],
   io: ['worker', 'formats', ...BASE],
   view: ['evaluate', ...BASE],
+  // The service worker.
+  offline: [],
   // Widgets that any page could have.
   'ui/kit': [...BASE],
   // What panels share: the workbench, settings, actions found by their ids.
@@ -40,6 +42,7 @@ const MAY_IMPORT: Readonly<Record<string, readonly string[]>> = {
     'ui/kit',
     'view',
     'io',
+    'offline',
     'worker',
     'project',
     'formats',
@@ -159,7 +162,9 @@ describe('the files of src', () => {
         if (file.endsWith('.ts')) texts.set(folder + file.replaceAll('\\', '/'), readFileSync(join(at, file), 'utf8'));
       }
     }
-    texts.set('vite.config.ts', readFileSync(fileURLToPath(new URL('../vite.config.ts', import.meta.url)), 'utf8'));
+    for (const file of ['vite.config.ts', 'vite.offline.ts']) {
+      texts.set(file, readFileSync(fileURLToPath(new URL(`../${file}`, import.meta.url)), 'utf8'));
+    }
     const filesNaming = new Map<string, number>();
     for (const text of texts.values()) {
       for (const name of new Set(text.match(/[\w$]+/g))) filesNaming.set(name, (filesNaming.get(name) ?? 0) + 1);

@@ -6,7 +6,7 @@
  * undefined.
  */
 import { fetchFiles } from './address.ts';
-import { fromFileList, type GivenFile, givenFile, inFolder, inNaturalOrder, versionOf } from './given.ts';
+import { fromFileList, fromHandles, type GivenFile, givenFile, inFolder, inNaturalOrder, versionOf } from './given.ts';
 
 /*
  * The parts of the API used here, which TypeScript's DOM library omits because not every browser has them. Those for
@@ -73,8 +73,7 @@ export async function pickFiles(): Promise<readonly GivenFile[]> {
   const handles = await picked(() => window.showOpenFilePicker?.({ multiple: true }));
   if (handles === 'cancelled') return [];
   if (!handles) return pickByInput(false);
-  const files = handles.map(async (handle) => givenFile(handle.name, await handle.getFile(), handle));
-  return inNaturalOrder(await Promise.all(files));
+  return fromHandles(handles);
 }
 
 export async function pickFolder(): Promise<readonly GivenFile[]> {

@@ -31,6 +31,16 @@ export function versionOf({ lastModified, size }: File): string {
   return `${lastModified} ${size}`;
 }
 
+/** Files, and everything in folders. */
+export async function fromHandles(
+  handles: readonly (FileSystemFileHandle | FileSystemDirectoryHandle)[],
+): Promise<readonly GivenFile[]> {
+  const found = handles.map(async (handle) =>
+    handle.kind === 'directory' ? inFolder(handle) : [givenFile(handle.name, await handle.getFile(), handle)],
+  );
+  return inNaturalOrder((await Promise.all(found)).flat());
+}
+
 /** From a file input, with folders if a folder was picked. */
 export function fromFileList(list: Iterable<File>): readonly GivenFile[] {
   return inNaturalOrder([...list].map((file) => givenFile(file.webkitRelativePath || file.name, file)));

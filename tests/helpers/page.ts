@@ -38,6 +38,8 @@ export interface PageOptions {
   readonly firstVisit?: boolean;
   /** Runs in the page before any of its own scripts. */
   readonly before?: () => void;
+  /** With the page's service worker; by default there is none, so that no test reads what another has stored. */
+  readonly serviceWorker?: boolean;
   /** Another folder than `dist/`. */
   readonly folder?: string;
   /** Problems that this test causes intentionally; all others fail it. */
@@ -50,6 +52,10 @@ export interface OpenPage {
   readonly url: string;
   /** Console errors, uncaught errors, failed and foreign requests so far. */
   readonly problems: readonly string[];
+  /** Replaces files next to the page. */
+  serve(files: ExtraFiles): void;
+  /** Ends the page's server, for this test. */
+  stopServer(): Promise<void>;
   /** Another tab of the same browser profile, at the same address; its problems count too. */
   openAnother(query?: string): Promise<Page>;
 }
@@ -96,6 +102,7 @@ export async function withPage(body: (open: OpenPage) => Promise<void>, options:
     // Camera moves are then immediate, and nothing plays by itself.
     reducedMotion: options.fullMotion ? 'no-preference' : 'reduce',
     hasTouch: options.touch ?? false,
+    serviceWorkers: options.serviceWorker ? 'allow' : 'block',
   });
   try {
     const problems: string[] = [];
@@ -110,7 +117,12 @@ export async function withPage(body: (open: OpenPage) => Promise<void>, options:
       return another;
     };
     const page = await openAnother(options.query);
-    await body({ page, url: server.url, problems, openAnother });
+    const serve = (files: ExtraFiles) => server.serve(files, options.walking ? {} : STILL);
+    const stopServer = () => {
+      servers.delete(folder);
+      return server.close();
+    };
+    await body({ page, url: server.url, problems, serve, stopServer, openAnother });
     const unexpected = problems.filter((problem) => !options.expected?.test(problem));
     if (unexpected.length > 0) throw new Error(`The page complained:\n${unexpected.join('\n')}`);
   } finally {

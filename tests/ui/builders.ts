@@ -9,6 +9,7 @@ import { observable } from '../../src/ui/kit/observable.ts';
 import { pageActions } from '../../src/ui/shell/actions.ts';
 import type { KeptOffer } from '../../src/ui/state/kept-offer.ts';
 import { Messages } from '../../src/ui/state/messages.ts';
+import { NOT_OFFLINE, type Offline } from '../../src/ui/state/offline.ts';
 import { Posing } from '../../src/ui/state/posing.ts';
 import { DEFAULT_SETTINGS } from '../../src/ui/state/settings.ts';
 import { Timeline } from '../../src/ui/state/timeline.ts';
@@ -105,6 +106,7 @@ export function workbench(document: Document = EMPTY_DOCUMENT, playback: Partial
     loading: observable<Loading | undefined>(undefined),
     dialog: observable<DialogName | undefined>(undefined),
     kept: observable<KeptOffer | undefined>(undefined),
+    offline: observable<Offline>(NOT_OFFLINE),
     files: {
       open: () => {},
       openSample: () => {},

@@ -8,8 +8,12 @@ export const TEXTURE_EXTENSIONS = ['bmp', 'png', 'jpg', 'jpeg', 'webp'] as const
 /** MIME types that are not called after the extension. */
 const TYPES: Readonly<Record<string, string>> = { jpg: 'jpeg' };
 
+/** @param extension of images, in lower case */
+export function textureMime(extension: string): string {
+  return `image/${TYPES[extension] ?? extension}`;
+}
+
 export function textureReader(fileName: string): Reader<Texture> {
-  const extension = fileName.slice(fileName.lastIndexOf('.') + 1).toLowerCase();
-  const mime = `image/${TYPES[extension] ?? extension}`;
+  const mime = textureMime(fileName.slice(fileName.lastIndexOf('.') + 1).toLowerCase());
   return bytesReader(fileName, (bytes) => ({ name: fileName, mime, bytes }));
 }

@@ -1,8 +1,9 @@
 /** The About dialog. */
 import type { DialogContent } from '../kit/dialog.ts';
 import { element } from '../kit/dom.ts';
+import type { Uses } from '../state/workbench.ts';
 
-export function aboutDialog(): DialogContent {
+export function aboutDialog(wb: Uses<'offline'>): DialogContent {
   const body = element(
     'div',
     { class: 'about' },
@@ -13,6 +14,21 @@ export function aboutDialog(): DialogContent {
     ),
     element('p', {}, 'Drop .bvh, .skel, .skin, .morph, .anim and .rig files anywhere, in folders or a zip.'),
     element('p', {}, 'Everything runs in this page. Nothing is uploaded.'),
+    worksOffline(wb),
   );
   return { title: 'About Marrow', body, kind: 'about-dialog' };
+}
+
+/** Appears as soon as it does. */
+function worksOffline({ offline }: Uses<'offline'>): HTMLElement {
+  const line = element('p', {}, 'Works offline: the page is stored in this browser.');
+  const show = () => {
+    line.hidden = !offline.get().isReady;
+  };
+  const stop = offline.subscribe(() => {
+    show();
+    if (!line.isConnected) stop();
+  });
+  show();
+  return line;
 }

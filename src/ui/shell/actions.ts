@@ -18,7 +18,7 @@ import { VIEW_ACTIONS } from '../editors/viewport/actions.ts';
 import type { Action, Workbench } from '../state/workbench.ts';
 import { EDIT_ACTIONS } from './edit-actions.ts';
 import { FILE_ACTIONS, keptActions, sampleActions } from './file-actions.ts';
-import { PAGE_ACTIONS } from './page-actions.ts';
+import { offlineActions, PAGE_ACTIONS } from './page-actions.ts';
 import { SELECT_ACTIONS } from './select-actions.ts';
 
 /** Static actions, in menu order. */
@@ -42,7 +42,7 @@ export const ACTIONS: readonly Action[] = [
   ...PAGE_ACTIONS,
 ];
 
-/** All current actions, including examples and sessions left by an earlier page. */
+/** All current actions, including examples, sessions left by an earlier page, and new versions. */
 export function pageActions(wb: Workbench): readonly Action[] {
-  return [...ACTIONS, ...keptActions(wb), ...sampleActions(wb)];
+  return [...ACTIONS, ...keptActions(wb), ...sampleActions(wb), ...offlineActions(wb)];
 }

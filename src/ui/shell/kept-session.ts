@@ -12,9 +12,9 @@ import type { Uses } from '../state/workbench.ts';
 import { contentText, whenText } from './kept-text.ts';
 
 export function keptSession(wb: Uses<'kept'>): HTMLElement {
-  const line = element('section', { class: 'kept-session', 'aria-label': 'Unsaved work' });
+  const line = element('section', { class: 'offer', 'aria-label': 'Unsaved work' });
   // Announced when it appears; the buttons outside aren't read again with each change.
-  const text = element('span', { class: 'kept-text', role: 'status' });
+  const text = element('span', { class: 'offer-text', role: 'status' });
   const show = () => {
     const offer = wb.kept.get();
     const isShown = offer !== undefined && !offer.isPutOff;
@@ -50,12 +50,12 @@ export function keptSession(wb: Uses<'kept'>): HTMLElement {
     const restoring = offer.isAside ? 'Restore. Replaces what is open; undo brings that back' : 'Restore';
     line.replaceChildren(
       text,
-      button(restoring, { class: 'kept-restore' }, 'Restore', () => offer.restore(work.id)),
+      button(restoring, { class: 'offer-accept' }, 'Restore', () => offer.restore(work.id)),
       button('Discard', { class: 'link' }, 'Discard', () => offer.discard(work.id)),
       others.length > 0 && !offer.isAside ? olderButton(offer, others) : '',
       close,
     );
-    if (offer.isAskedFor) line.querySelector<HTMLElement>('.kept-restore')?.focus();
+    if (offer.isAskedFor) line.querySelector<HTMLElement>('.offer-accept')?.focus();
   };
   wb.kept.subscribe(show);
   show();

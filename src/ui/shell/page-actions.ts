@@ -98,10 +98,40 @@ export const PAGE_ACTIONS: readonly Action[] = [
     label: `About Marrow ${VERSION}`,
     group: 'Page',
     menu: 'Help',
-    section: 1,
+    section: 2,
     run: (wb) => wb.dialog.set('about'),
   },
 ];
+
+/** As long as there is something to install, or a new version. */
+export function offlineActions(wb: Uses<'offline'>): Action[] {
+  const { install, newVersion } = wb.offline.get();
+  const found: Action[] = [];
+  if (install) {
+    found.push({
+      id: 'help.install',
+      label: 'Install Marrow…',
+      detail: 'With a window of its own, to open files from the system',
+      group: 'Page',
+      menu: 'Help',
+      section: 1,
+      also: 'app desktop offline',
+      run: () => install(),
+    });
+  }
+  if (newVersion) {
+    found.push({
+      id: 'help.newVersion',
+      label: 'Reload for new version',
+      group: 'Page',
+      menu: 'Help',
+      section: 1,
+      also: 'update',
+      run: () => newVersion.reload(),
+    });
+  }
+  return found;
+}
 
 function panelKey(id: string, label: string, shortcut: string, step: 1 | -1): Action {
   return { id, label, group: 'Page', shortcuts: [shortcut], quiet: true, run: () => focusNextRegion(step) };

@@ -29,6 +29,7 @@ import { heightsNote } from './heights-note.ts';
 import { keptSession } from './kept-session.ts';
 import { messageLine } from './message-line.ts';
 import { modeTools } from './mode-tools.ts';
+import { newVersion } from './new-version.ts';
 import { pinsInFk } from './pins-in-fk.ts';
 
 const TOGGLES = ['bones', 'axes', 'names', 'normals', 'ghosts', 'grid', 'shadow', 'orthographic'] as const;
@@ -65,6 +66,7 @@ export function viewportPane(wb: Workbench, signal: AbortSignal): HTMLElement {
       missingNote(wb),
       weightsNote(wb),
       keptSession(wb),
+      newVersion(wb),
       firstSteps(wb),
       heightsNote(wb),
       messageLine(wb),

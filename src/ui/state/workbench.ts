@@ -12,6 +12,7 @@ import type { Observable } from '../kit/observable.ts';
 import type { KeptOffer } from './kept-offer.ts';
 import type { GroupName, MenuName } from './menus.ts';
 import type { Messages } from './messages.ts';
+import type { Offline } from './offline.ts';
 import type { Posing } from './posing.ts';
 import type { Settings } from './settings.ts';
 import type { Bindable } from './shortcuts.ts';
@@ -68,6 +69,7 @@ export interface Workbench {
   readonly files: FileActions;
   /** Sessions left by an earlier page, on offer. */
   readonly kept: Observable<KeptOffer | undefined>;
+  readonly offline: Observable<Offline>;
 }
 
 /**
