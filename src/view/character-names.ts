@@ -1,23 +1,22 @@
 /**
  * Where characters' names are placed: above the highest joint, centred on the mean of all joints. (The highest joint
- * may be a hand now and a head then; a name jumping between them couldn't be read.)
+ * may be a hand now and a head then; a name jumping between them couldn't be read.) Of a character that is only a few
+ * pixels tall the name is what can be seen, and clicked.
  */
 import type { Matrix4 } from 'three';
 import type { DrawnSkeleton } from './drawn-skeletons.ts';
 
-/** CSS pixels. Smaller characters get no name, as it would cover them. */
-const MIN_HEIGHT = 22;
 /** From the highest joint to the middle of the name, plus a part of the height for skull or hat. */
 const GAP = 11;
 const HEAD = 0.05;
 /** Keeps names below the tools at the top of the viewport, in front of the face if necessary. */
-const MIN_Y = 56;
+export const MIN_Y = 56;
 /** Joints looked at; of more, every second or third. */
 const MAX_JOINTS = 48;
 
 /**
- * Writes x and y of the middle of the name, in CSS pixels, to `out`; false if it isn't in view. Uses the first
- * placement. Allocates nothing.
+ * Writes to `out` x and y of the middle of the name, then the highest and the lowest y of the character, all in CSS
+ * pixels; false if it isn't in view. Uses the first placement. Allocates nothing.
  *
  * @param positions x y z of each instance of the skeleton drawing
  */
@@ -49,8 +48,9 @@ export function placeName(
     top = Math.min(top, down);
     bottom = Math.max(bottom, down);
   }
-  if (!(bottom - top >= MIN_HEIGHT)) return false;
   out[0] = sum / count;
   out[1] = Math.max(MIN_Y, top - GAP - HEAD * (bottom - top));
-  return out[0] >= 0 && out[0] <= width && out[1] < bottom && out[1] <= height;
+  out[2] = top;
+  out[3] = bottom;
+  return out[0] >= 0 && out[0] <= width && bottom >= 0 && out[1] <= Math.max(bottom, MIN_Y) && top <= height;
 }

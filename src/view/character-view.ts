@@ -23,6 +23,7 @@ import {
 } from 'three';
 import { posedBounds } from '../evaluate/bounds.ts';
 import { NO_TRAVEL, placementMatrix } from '../evaluate/placements.ts';
+import { skinParts } from '../evaluate/shapes/skin-parts.ts';
 import { upAxis } from '../evaluate/space.ts';
 import { runToEnd, type Steps } from '../evaluate/steps.ts';
 import { carrierOf, groundTravel } from '../evaluate/travel.ts';
@@ -105,6 +106,15 @@ export class CharacterView {
   /** One per placement; none without a skin, or while a large one is being prepared. */
   get skinnedMeshes(): readonly MarrowSkinnedMesh[] {
     return this.skin?.isShown ? this.skin.meshes : [];
+  }
+
+  /** See `SkinShape`. */
+  get skinParts(): Float64Array | undefined {
+    return this.skin?.isShown ? skinParts(this.skin.skin) : undefined;
+  }
+
+  get skinMatrices(): Float64Array | undefined {
+    return this.skin?.matrices;
   }
 
   /** Every DOF at the time of the last `seek` (see `model/dofs.ts`), clamped. */

@@ -24,8 +24,18 @@ export interface PosedSkeleton {
   /** 16 numbers per placement. */
   readonly placements: Float64Array;
   readonly hasSkin: boolean;
+  /** Absent without a skin. */
+  readonly skinShape?: SkinShape;
   /** Overrides the joints' own colours. */
   readonly tint?: Tint | undefined;
+}
+
+/** Where a skin is, roughly, in the current pose. */
+export interface SkinShape {
+  /** See `evaluate/shapes/skin-parts.ts`; undefined while it isn't shown. */
+  readonly skinParts: Float64Array | undefined;
+  /** W·B⁻¹, 16 numbers per joint; undefined if nothing moves it. */
+  readonly skinMatrices: Float64Array | undefined;
 }
 
 /** A skeleton with its range of instances. */

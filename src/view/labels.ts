@@ -2,30 +2,40 @@
  * Names of joints and characters, on a 2D canvas over the scene: crisp at any scale, in any script, without an element
  * per name. A name that would overlap one already drawn is left out. The hovered joint's name comes first, then
  * the selected one's; then those of characters, the selected one first and the others in a fixed order, so that dancers who
- * pass each other don't make names flicker; then joints, nearest first.
+ * pass each other don't make names flicker; then joints: those in front, nearest first, then, dimmed, those behind a
+ * skin or a box (`label-cover.ts`).
  */
 import { type Camera, Matrix4 } from 'three';
 import { jointName } from '../model/joint-name.ts';
 import type { Display, Selection } from '../model/session.ts';
-import { placeName } from './character-names.ts';
+import { MIN_Y, placeName } from './character-names.ts';
 import { type DrawnSkeleton, instanceOf, type JointRef, jointAt } from './drawn-skeletons.ts';
+import type { LabelCover } from './label-cover.ts';
+import { type Candidates, LabelChoice, LabelLayout, LINE_HEIGHT } from './label-layout.ts';
 import { type Name, NameSprites } from './name-sprites.ts';
 import type { StageTheme } from './theme.ts';
 
-/** CSS pixels. */
-const LINE_HEIGHT = 15;
 /** Positions tried for a character's name in a crowd before it is left out. */
-const NAME_LINES = 3;
+const NAME_LINES = 6;
 /** Gap between a joint and its name. */
 const BESIDE = 8;
-/** Maximum number of names at once. */
-const LIMIT = 120;
 /** Maximum number of joints considered. */
 const CANDIDATES = 4096;
 /** Longer names are truncated. */
 const MAX_LETTERS = 40;
 /** Maximum length of the character's name before a joint's. */
 const MAX_BEFORE = 28;
+/** CSS pixels. The joints of smaller characters aren't named: their names would cover them. */
+const MIN_SIZE = 24;
+/** Characters smaller than this are marked with a dot. */
+const DOT_BELOW = 8;
+const DOT_RADIUS = 2.5;
+/** Shorter lines from a name to its character aren't drawn. */
+const MIN_LEADER = 6;
+/** Opacity of the names of covered joints. */
+const COVERED = 0.45;
+/** CSS pixels between a name and the edge of the viewport. */
+const EDGE = 6;
 
 export class Labels {
   readonly canvas = document.createElement('canvas');
@@ -46,19 +56,25 @@ export class Labels {
   /** In the order of `drawn`; empty for a single character, or if names are off. */
   private characterNames: Name[] = [];
   private selectedCharacter = -1;
-  private readonly place = new Float64Array(2);
+  /** Under the pointer. */
+  private hoveredCharacter: string | undefined;
+  private readonly place = new Float64Array(4);
   private wrote = false;
   private readonly toClip = new Matrix4();
   /** Screen x, y and depth of each candidate. */
   private readonly screen = new Float32Array(3 * CANDIDATES);
-  private readonly order = new Uint32Array(CANDIDATES);
-  private readonly boxes = new Float32Array(4 * LIMIT);
-  private written = 0;
+  /** Index in `names`, and instance, of each candidate. */
+  private readonly named = new Uint32Array(CANDIDATES);
+  private readonly instances = new Uint32Array(CANDIDATES);
+  private readonly layout = new LabelLayout();
+  private readonly choice = new LabelChoice(CANDIDATES);
+  private readonly candidates: ReturnType<Labels['jointCandidates']>;
 
   constructor() {
     const pen = this.canvas.getContext('2d');
     if (!pen) throw new Error('This browser gives no 2D canvas.');
     this.pen = pen;
+    this.candidates = this.jointCandidates();
     this.canvas.setAttribute('aria-hidden', 'true');
     this.canvas.style.cssText = 'position:absolute;inset:0;width:100%;height:100%;pointer-events:none';
   }
@@ -99,10 +115,16 @@ export class Labels {
     this.selectedCharacter = drawn.findIndex((d) => d.characterId === selection.characterId);
   }
 
-  /** Call every frame. @param positions x y z of each instance of the skeleton drawing */
-  draw(camera: Camera, positions: Float64Array): void {
-    const { pen, theme } = this;
+  /**
+   * Call every frame.
+   *
+   * @param positions x y z of each instance of the skeleton drawing
+   * @param cover filled for this frame; undefined if nothing covers joints
+   */
+  draw(camera: Camera, positions: Float64Array, cover: LabelCover | undefined): void {
+    const { pen, theme, layout } = this;
     const nothing = !this.showsAll && this.always.length === 0 && this.characterNames.length === 0;
+    layout.begin();
     if (!theme || (nothing && !this.wrote)) return;
     pen.clearRect(0, 0, this.canvas.width, this.canvas.height);
     // Chromium may keep showing the old content of a canvas that is only cleared.
@@ -111,33 +133,44 @@ export class Labels {
     if (nothing) return;
     this.toClip.multiplyMatrices(camera.projectionMatrix, camera.matrixWorldInverse);
 
-    this.written = 0;
     for (const instance of this.always) this.writeAlways(instance, positions, theme);
     this.writeCharacters(positions, theme);
-    if (!this.showsAll) return;
+    if (this.showsAll) this.writeJoints(positions, theme, cover);
+  }
+
+  /** Id of the character whose name is at a point of the viewport, as last drawn. */
+  characterAt(x: number, y: number): string | undefined {
+    return this.drawn[this.layout.ownerAt(x, y)]?.characterId;
+  }
+
+  /** Highlights a character's name; undefined for none. */
+  hoverCharacter(characterId: string | undefined): void {
+    this.hoveredCharacter = characterId;
+  }
+
+  private writeJoints(positions: Float64Array, theme: StageTheme, cover: LabelCover | undefined): void {
+    const { screen, candidates } = this;
     // Only the first instance of each character: a crowd would repeat the same names.
     let firstName = 0;
     let count = 0;
     for (const { firstInstance, skeleton } of this.drawn) {
+      const first = count;
+      let [left, right, top, bottom] = [Infinity, -Infinity, Infinity, -Infinity];
       for (let j = 0; j < skeleton.joints.length && count < CANDIDATES; j++) {
-        if (this.project(positions, firstInstance + j, count)) {
-          this.order[count] = firstName + j;
-          count++;
-        }
+        if (!this.project(positions, firstInstance + j, count)) continue;
+        left = Math.min(left, screen[3 * count]);
+        right = Math.max(right, screen[3 * count]);
+        top = Math.min(top, screen[3 * count + 1]);
+        bottom = Math.max(bottom, screen[3 * count + 1]);
+        this.named[count] = firstName + j;
+        this.instances[count] = firstInstance + j;
+        count++;
       }
+      if (skeleton.joints.length > 1 && right - left < MIN_SIZE && bottom - top < MIN_SIZE) count = first;
       firstName += skeleton.joints.length;
     }
-    // Nearest first; a selection sort will do for so few.
-    for (let n = 0; n < count && this.written < LIMIT; n++) {
-      let best = -1;
-      for (let i = 0; i < count; i++) {
-        if (this.screen[3 * i + 2] < Infinity && (best < 0 || this.screen[3 * i + 2] < this.screen[3 * best + 2]))
-          best = i;
-      }
-      if (best < 0) break;
-      this.screen[3 * best + 2] = Infinity;
-      this.write(this.names[this.order[best]], this.screen[3 * best] + BESIDE, this.screen[3 * best + 1], theme.label);
-    }
+    Object.assign(candidates, { count, positions, cover, color: theme.label });
+    this.choice.choose(candidates);
   }
 
   private writeCharacters(positions: Float64Array, theme: StageTheme): void {
@@ -146,8 +179,9 @@ export class Labels {
     if (first >= 0) this.writeCharacter(first, positions, theme.selectedLabel);
     for (let c = 0; c < names.length; c++) {
       if (c === first) continue;
-      const { tint } = this.drawn[c];
-      this.writeCharacter(c, positions, tint ? theme[tint] : theme.label);
+      const { tint, characterId } = this.drawn[c];
+      const color = characterId === this.hoveredCharacter ? theme.selectedLabel : tint ? theme[tint] : theme.label;
+      this.writeCharacter(c, positions, color);
     }
   }
 
@@ -155,10 +189,67 @@ export class Labels {
     const { place } = this;
     if (!placeName(this.drawn[c], positions, this.toClip, this.width, this.height, place)) return;
     const name = this.characterNames[c];
+    const left = Math.min(this.width - EDGE - name.width, Math.max(EDGE, place[0] - name.width / 2));
     // Above a name that is already there.
-    for (let line = 0; line < NAME_LINES; line++) {
-      if (this.write(name, place[0] - name.width / 2, place[1] - line * LINE_HEIGHT, color)) return;
+    for (let y = place[1]; y > place[1] - NAME_LINES * LINE_HEIGHT && y >= MIN_Y; y -= LINE_HEIGHT) {
+      if (!this.write(name, left, y, color, c)) continue;
+      this.pointFrom(y, color);
+      return;
     }
+  }
+
+  /** From a name at the height `y` to its character at `place`, if that is far away or tiny. */
+  private pointFrom(y: number, color: string): void {
+    const { pen, place, ratio } = this;
+    const [x, , top, bottom] = place;
+    const from = y + LINE_HEIGHT / 2;
+    const isDot = bottom - top < DOT_BELOW;
+    const isLeading = top - from >= MIN_LEADER && (isDot || y < place[1]);
+    if (!isDot && !isLeading) return;
+    pen.setTransform(ratio, 0, 0, ratio, 0, 0);
+    pen.beginPath();
+    if (isLeading) {
+      pen.moveTo(x, from);
+      pen.lineTo(x, isDot ? (top + bottom) / 2 - DOT_RADIUS : top);
+    }
+    pen.strokeStyle = color;
+    pen.lineWidth = 1;
+    pen.stroke();
+    if (isDot) {
+      pen.beginPath();
+      pen.arc(x, (top + bottom) / 2, DOT_RADIUS, 0, 2 * Math.PI);
+      pen.fillStyle = color;
+      pen.fill();
+    }
+    pen.setTransform(1, 0, 0, 1, 0, 0);
+  }
+
+  /** The joints that may be named in a frame. */
+  private jointCandidates() {
+    const { screen, layout, instances, pen } = this;
+    const nameOf = (i: number) => this.names[this.named[i]];
+    const candidates = {
+      count: 0,
+      positions: new Float64Array(0) as Float64Array,
+      cover: undefined as LabelCover | undefined,
+      color: '',
+      depthOf: (i: number) => screen[3 * i + 2],
+      hasRoom(i: number) {
+        const { text, width } = nameOf(i);
+        return text !== '' && layout.hasRoom(Math.round(screen[3 * i] + BESIDE), Math.round(screen[3 * i + 1]), width);
+      },
+      isCovered(i: number) {
+        const { cover, positions } = candidates;
+        const o = 3 * instances[i];
+        return cover?.isCovered(instances[i], positions[o], positions[o + 1], positions[o + 2]) ?? false;
+      },
+      put: (i: number, isCovered: boolean) => {
+        pen.globalAlpha = isCovered ? COVERED : 1;
+        this.write(nameOf(i), screen[3 * i] + BESIDE, screen[3 * i + 1], candidates.color);
+        pen.globalAlpha = 1;
+      },
+    };
+    return candidates satisfies Candidates;
   }
 
   private writeAlways(instance: number, positions: Float64Array, theme: StageTheme): void {
@@ -187,24 +278,13 @@ export class Labels {
   }
 
   /** Returns whether there was room. @param x of the first letter @param y of the middle of the line */
-  private write(name: Name, x: number, y: number, color: string): boolean {
-    const { text, width } = name;
-    if (text === '' || this.written >= LIMIT) return false;
+  private write(name: Name, x: number, y: number, color: string, owner = -1): boolean {
+    const { layout } = this;
     const left = Math.round(x);
-    const top = Math.round(y) - LINE_HEIGHT / 2;
-    const { boxes } = this;
-    for (let b = 0; b < this.written; b++) {
-      const o = 4 * b;
-      const apart =
-        left > boxes[o + 2] || left + width < boxes[o] || top > boxes[o + 3] || top + LINE_HEIGHT < boxes[o + 1];
-      if (!apart) return false;
-    }
-    const o = 4 * this.written++;
-    boxes[o] = left - 4;
-    boxes[o + 1] = top;
-    boxes[o + 2] = left + width + 4;
-    boxes[o + 3] = top + LINE_HEIGHT;
-    this.sprites.draw(this.pen, name, color, left, Math.round(y));
+    const middle = Math.round(y);
+    if (name.text === '' || !layout.hasRoom(left, middle, name.width)) return false;
+    layout.take(left, middle, name.width, owner);
+    this.sprites.draw(this.pen, name, color, left, middle);
     return true;
   }
 

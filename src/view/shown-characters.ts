@@ -103,7 +103,16 @@ export class ShownCharacters {
       const { id, name, skeleton } = character;
       const hasSkin = shownSkin(character) !== undefined;
       const world = view.worldMatrices;
-      posed.push({ characterId: id, name, skeleton, world, placements, hasSkin, tint: tints.get(id) });
+      posed.push({
+        characterId: id,
+        name,
+        skeleton,
+        world,
+        placements,
+        hasSkin,
+        ...(hasSkin && { skinShape: view }),
+        tint: tints.get(id),
+      });
     }
     return posed;
   }

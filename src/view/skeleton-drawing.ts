@@ -240,6 +240,9 @@ export class SkeletonDrawing {
     return true;
   }
 
+  /** Whether the boxes of `drawn[d]` are drawn with faces. An arrow function, since it is passed on. */
+  readonly hasSolidBoxes = (d: number): boolean => this.withBoxes[d] && this.kinds.faces.mesh.visible;
+
   /** The joint of an instance; for an End Site, the one that it ends. */
   jointAt(instance: number): JointRef | undefined {
     return jointAt(this.drawn, instance);

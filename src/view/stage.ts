@@ -11,7 +11,7 @@
  * The map is fitted to the characters, so their size doesn't matter.
  */
 import {
-  type Box3,
+  Box3,
   BufferAttribute,
   BufferGeometry,
   type Camera,
@@ -39,6 +39,11 @@ const RIM = new Vector3(0.62, 0.55, -0.85).normalize();
 
 /** Side of the shadow map in pixels. */
 const SHADOW_MAP = 2048;
+/**
+ * The shadow covers this many times the distance from the camera to its target, around that: beside a giant, a small
+ * character that is framed has one too.
+ */
+const SHADOW_REACH = 2;
 /** The fitted size changes in these steps, so that edges don't crawl while a character moves. */
 const SIZE_STEP = 1.2;
 
@@ -56,6 +61,7 @@ export class Stage {
   private readonly right = new Vector3();
   private readonly up = new Vector3();
   private readonly centre = new Vector3();
+  private readonly near = new Box3();
 
   constructor(renderer: WebGLRenderer) {
     renderer.toneMapping = NeutralToneMapping;
@@ -97,17 +103,19 @@ export class Stage {
   }
 
   /**
-   * Fits the shadow to `box`, its caster, in the world. The map is a square perpendicular to the light, in the depth
-   * from the box's nearest point to where the light meets the ground below it.
+   * Fits the shadow to `box`, its casters in the world, as far as they are near what the camera looks at. The map is a
+   * square perpendicular to the light, in the depth from the casters' nearest point to where the light meets the ground
+   * below them.
    */
-  fitShadow(box: Box3): void {
-    const { key, ground, sphere, centre } = this;
+  fitShadow(box: Box3, target: Vector3, distance: number): void {
+    const { key, ground, sphere, centre, near } = this;
     if (!key.castShadow || box.isEmpty()) {
       ground.visible = false;
       return;
     }
     ground.visible = true;
-    box.getBoundingSphere(sphere);
+    near.setFromCenterAndSize(target, centre.setScalar(2 * SHADOW_REACH * distance)).intersect(box);
+    (near.isEmpty() ? box : near).getBoundingSphere(sphere);
     const radius = SIZE_STEP ** Math.ceil(Math.log(Math.max(sphere.radius, 1e-9) * 1.08) / Math.log(SIZE_STEP));
     // Snapped to whole texels, for the same reason.
     const texel = (2 * radius) / SHADOW_MAP;

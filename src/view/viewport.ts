@@ -21,6 +21,7 @@ import { Ghosts } from './ghosts.ts';
 import { Grid } from './grid.ts';
 import { Hovering } from './hovering.ts';
 import { JointFollower } from './joint-follower.ts';
+import { LabelCover } from './label-cover.ts';
 import { Labels } from './labels.ts';
 import { Orientation } from './orientation.ts';
 import { type Overlay, Overlays } from './overlay.ts';
@@ -77,6 +78,7 @@ export class Viewport {
   private readonly follower = new JointFollower();
   private readonly picked = new PickedCopy();
   private readonly labels = new Labels();
+  private readonly labelCover = new LabelCover();
   private readonly orientation: Orientation;
   private readonly picker: Picker;
   private readonly overlays: Overlays;
@@ -188,12 +190,16 @@ export class Viewport {
     if (this.queued === 0 && !this.disposed) this.queued = requestAnimationFrame(this.draw);
   }
 
-  /** What is under a point of the page, by the document's ids. */
+  /** What is under a point of the page, by the document's ids; a character alone under its name. */
   pick(clientX: number, clientY: number): Hit | undefined {
     const scene = this.pickScene();
     if (!scene) return undefined;
     const { left, top } = this.canvas.getBoundingClientRect();
-    const hit = this.picker.pick(scene, clientX - left, clientY - top);
+    const named = this.labels.characterAt(clientX - left, clientY - top);
+    const hit =
+      named === undefined
+        ? this.picker.pick(scene, clientX - left, clientY - top)
+        : { characterId: named, placement: 0 };
     return hit && { ...hit, characterId: characterIdOf(hit.characterId) };
   }
 
@@ -427,7 +433,9 @@ export class Viewport {
       'pointerleave',
       () => {
         this.hovering.pointer = undefined;
+        this.labels.hoverCharacter(undefined);
         this.hover(undefined);
+        this.requestRender();
       },
       { signal },
     );
@@ -507,14 +515,22 @@ export class Viewport {
     const { camera } = rig;
     if (display.grid) grid.update(rig);
     stage.light(camera);
-    stage.fitShadow(content);
+    stage.fitShadow(content, rig.target, rig.distance);
     this.hoverPointer();
     this.overlays.update(camera, this.height);
     renderer.info.reset();
     renderer.render(stage.scene, camera);
-    this.labels.draw(camera, this.skeletons.positions);
+    this.labels.draw(camera, this.skeletons.positions, this.coverOfLabels());
     this.orientation.update(camera);
   };
+
+  /** What covers joints whose names are drawn. */
+  private coverOfLabels(): LabelCover | undefined {
+    const { display, skeletons, labelCover, rig } = this;
+    if (!display.names) return undefined;
+    labelCover.fill(skeletons.drawn, rig.camera, isOpaque(display.skin), skeletons.hasSolidBoxes);
+    return labelCover;
+  }
 
   private pickScene(): PickScene | undefined {
     if (this.width === 0 || this.renderer.getContext().isContextLost()) return undefined;
@@ -544,8 +560,10 @@ export class Viewport {
     const { pointer } = hovering;
     hovering.pointer = undefined;
     if (!pointer || hovering.isTaken || this.rig.handling || !this.canHover) return;
-    const scene = this.pickScene();
-    if (scene) this.highlight(hovering.jointAt(picker, scene, pointer.x, pointer.y));
+    const named = this.labels.characterAt(pointer.x, pointer.y);
+    this.labels.hoverCharacter(named);
+    const scene = named === undefined ? this.pickScene() : undefined;
+    this.highlight(scene && hovering.jointAt(picker, scene, pointer.x, pointer.y));
   }
 
   /** Returns whether that changed anything. */

@@ -21,7 +21,7 @@ function place(points: readonly (readonly [number, number])[]): number[] | undef
     },
   ]);
   const positions = Float64Array.from(points.flatMap(([x, y]) => [x, y, 0]));
-  const out = new Float64Array(2);
+  const out = new Float64Array(4);
   return placeName(drawn, positions, toClip, 1000, 1000, out) ? [...out] : undefined;
 }
 
@@ -46,28 +46,34 @@ describe('the name of a character', () => {
       [0, -1],
       [0, 1],
     ]);
-    expect(there?.map((v, i) => v - (here?.[i] ?? 0))).toEqual([expect.closeTo(100, 6), expect.closeTo(-100, 6)]);
+    const moved = [100, -100, -100, -100].map((pixels) => expect.closeTo(pixels, 6));
+    expect(there?.map((v, i) => v - (here?.[i] ?? 0))).toEqual(moved);
   });
 
-  it('the name of a character is left out where the character is a dot, or out of the picture', () => {
-    expect(
-      place([
-        [0, 0],
-        [0, 0.1],
-      ]),
-    ).toBeUndefined();
+  it('the name of a character is above it even where that is a dot', () => {
+    const [x, y, top, bottom] = place([
+      [1, 0],
+      [1, 0.01],
+    ]) ?? [0, 0, 0, 0];
+    expect([x, top, bottom]).toEqual([600, expect.closeTo(499, 6), expect.closeTo(500, 6)]);
+    expect(y).toBeLessThan(top - 8);
+  });
+
+  it('the name of a character is left out where the character is out of the picture', () => {
     expect(
       place([
         [7, 0],
         [7, 2],
       ]),
     ).toBeUndefined();
-    expect(
-      place([
-        [0, 6],
-        [0, 9],
-      ]),
-    ).toBeUndefined();
+    for (const y of [6, -9]) {
+      expect(
+        place([
+          [0, y],
+          [0, y + 3],
+        ]),
+      ).toBeUndefined();
+    }
   });
 
   it('the name of a character stays below the upper edge where only the head is out of the picture', () => {

@@ -107,7 +107,7 @@ export const EDIT_ACTIONS: readonly Action[] = [
     },
   },
   {
-    id: 'characters.sameHeight',
+    id: 'edit.sameHeight',
     name: 'Same height',
     unchanged: 'All characters have the same height already.',
     label: (wb) => (hasSeveral(wb) ? `Same height as ${currentCharacter(wb)?.name ?? ''}` : 'Same height'),
@@ -124,7 +124,7 @@ export const EDIT_ACTIONS: readonly Action[] = [
     },
   },
   {
-    id: 'characters.ownHeights',
+    id: 'edit.ownHeights',
     unchanged: 'All characters have the height of their files already.',
     label: 'Own heights',
     group: 'Edit',

@@ -18,7 +18,7 @@ export function heightsNote(wb: Uses<'store' | 'actions'>): HTMLElement {
     'section',
     { class: 'message-line heights-note', 'aria-label': 'Heights' },
     text,
-    button('Same height', { class: 'link' }, 'Same height', () => runAction(wb, 'characters.sameHeight')),
+    button('Same height', { class: 'link' }, 'Same height', () => runAction(wb, 'edit.sameHeight')),
     button('Dismiss', { class: 'tool small' }, icon('close'), () => {
       dismissed = idsOf(measured);
       show();
@@ -45,8 +45,10 @@ export function heightsNote(wb: Uses<'store' | 'actions'>): HTMLElement {
 /** `Heights from 0.02 to 60`; undefined if they are similar. */
 export function heightsText(characters: readonly Character[]): string | undefined {
   const [least, most] = spreadOfHeights(characters) ?? [1, 1];
-  return most > FAR_APART * least ? `The characters are ${shown(least)} to ${shown(most)} tall.` : undefined;
+  return most > FAR_APART * least ? `The characters are ${rough(least)} to ${rough(most)} tall.` : undefined;
 }
+
+const rough = (height: number) => shown(Number(height.toPrecision(2)));
 
 function isAlike(a: Character, b: Character): boolean {
   return (
