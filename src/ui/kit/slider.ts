@@ -29,6 +29,15 @@ export interface SliderOptions {
   readonly suffix?: string;
   /** Units that may be typed after a number. */
   readonly units?: Units;
+  /** For several values, of which it shows one: typing the number that it shows is a change too. */
+  readonly isForSeveral?: boolean;
+}
+
+/** What is typed in a slider's field. */
+export interface Typed {
+  readonly text: string;
+  /** The value that `+=5` changes. */
+  readonly from: number;
 }
 
 interface Binding {
@@ -43,6 +52,7 @@ export class Slider extends NumberController {
   /** The value that `+=5` changes. */
   private base = 0;
   private takenBack: (() => void) | undefined;
+  private typing: Typed | undefined;
 
   /** @param refuse told why the input was refused or clamped */
   constructor(
@@ -76,7 +86,7 @@ export class Slider extends NumberController {
         event.stopImmediatePropagation();
         const typed = parseNumber(this.$input.value, options.units, this.base);
         if (typed === undefined) this.takeBack();
-        else this.setValue(this._clamp(typed));
+        else this.setTyped(this._clamp(typed));
       },
       { capture: true },
     );
@@ -119,6 +129,18 @@ export class Slider extends NumberController {
   onTakenBack(callback: () => void): this {
     this.takenBack = callback;
     return this;
+  }
+
+  /** In `onChange`: the text, if that was typed; undefined for a drag or a step. */
+  get typed(): Typed | undefined {
+    return this.typing;
+  }
+
+  private setTyped(value: number): void {
+    this.typing = { text: this.$input.value, from: this.base };
+    if (this.object.options.isForSeveral && Object.is(value, this.object.value)) this._callOnChange();
+    else this.setValue(value);
+    this.typing = undefined;
   }
 
   /** The text so far isn't what is meant: `20` of `20 km`. */

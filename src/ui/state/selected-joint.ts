@@ -1,7 +1,9 @@
 /** The selected joints, for menus, tools and panels. */
 import { type Character, findCharacter } from '../../model/document.ts';
+import { jointName } from '../../model/joint-name.ts';
 import { jointsIn } from '../../model/selected-joints.ts';
 import type { Skeleton } from '../../model/skeleton.ts';
+import { plural } from '../kit/number-text.ts';
 import type { Uses } from './workbench.ts';
 
 /** A joint that exists. */
@@ -56,4 +58,9 @@ export function selectedJoints(wb: Uses<'store'>): ResolvedJoints | undefined {
 export function selectedJointsOf(wb: Uses<'store'>, characterId: string): readonly number[] {
   const selected = selectedJoints(wb);
   return selected?.character.id === characterId ? selected.joints : [];
+}
+
+/** `leg_l`, or `3 joints`. */
+export function jointsText(skeleton: Skeleton | undefined, joints: readonly number[]): string {
+  return joints.length === 1 ? jointName(skeleton, joints[0]) : plural(joints.length, 'joint');
 }

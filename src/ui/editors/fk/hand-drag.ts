@@ -3,13 +3,13 @@
  * stops, and the pose at that time is edited. One undo step; Escape cancels it.
  */
 import { setDofs } from '../../../edit/commands/pose.ts';
-import { findCharacter } from '../../../model/document.ts';
+import { type Character, findCharacter } from '../../../model/document.ts';
 import { characterDofs } from '../../../model/dofs.ts';
-import { jointName } from '../../../model/joint-name.ts';
 import { addKeyed } from '../../state/add-keys.ts';
 import { HandEdit } from '../../state/hand-edit.ts';
 import { pausePlayback } from '../../state/pause-playback.ts';
 import type { BesideDofs } from '../../state/posing.ts';
+import { jointsText } from '../../state/selected-joint.ts';
 import type { Uses, Workbench } from '../../state/workbench.ts';
 import { autoKey } from '../posing/pose-edits.ts';
 import { tellFollows } from '../posing/tell-follows.ts';
@@ -57,9 +57,10 @@ export function handDrag(
       if (!mover) return;
       const moved = mover(at);
       beside ??= wb.posing.beside?.(characterId, constrainedDofs(wb, { characterId, joint }, moved));
-      const dofs = beside?.at(moved.dofs) ?? moved.dofs;
+      const own = [...moved.dofs, ...moved.others];
+      const dofs = beside?.at(own) ?? own;
       const { timeSeconds } = wb.transport.get();
-      const label = () => `${moved.verb} ${jointName(findCharacter(wb.store.document, characterId)?.skeleton, joint)}`;
+      const label = () => dragLabel(findCharacter(wb.store.document, characterId), joint, moved);
       const command = { ...setDofs, label };
       const args = { characterId, dofs, timeSeconds, key: autoKey(wb) };
       edit.preview(command, args, () => addKeyed(wb, command, args));
@@ -91,13 +92,20 @@ export function handDrag(
 function constrainedDofs(
   { store }: Uses<'store'>,
   { characterId, joint }: DraggedJoint,
-  { verb, dofs }: DragResult,
+  { verb, dofs, others }: DragResult,
 ): readonly number[] {
-  const own = dofs.map(({ index }) => index);
+  const own = [...dofs, ...others].map(({ index }) => index);
   const skeleton = findCharacter(store.document, characterId)?.skeleton;
   if (verb !== 'Rotate' || !skeleton) return own;
-  const angles = characterDofs(skeleton, []).flatMap((dof, index) =>
-    dof.joint === joint && dof.unit === 'angle' ? [index] : [],
-  );
+  const all = characterDofs(skeleton, []);
+  const joints = new Set([joint, ...others.map(({ index }) => all[index].joint)]);
+  const angles = all.flatMap((dof, index) => (joints.has(dof.joint) && dof.unit === 'angle' ? [index] : []));
   return [...new Set([...own, ...angles])];
+}
+
+/** `Rotate leg_l`, `Rotate 3 joints`. */
+function dragLabel(character: Character | undefined, joint: number, { verb, others }: DragResult): string {
+  const all = characterDofs(character?.skeleton, []);
+  const joints = new Set([joint, ...others.map(({ index }) => all[index].joint)]);
+  return `${verb} ${jointsText(character?.skeleton, [...joints])}`;
 }

@@ -1,8 +1,9 @@
 /**
  * Converts pointer motion to DOF values: one mover for each kind of handle, created for the pose when a drag begins.
  */
+import { matchingDofs, sameChange } from '../../../edit/pose/same-change.ts';
 import { DraggedValue, type HandWants } from '../../../evaluate/handles/dragged-value.ts';
-import { Turning } from '../../../evaluate/handles/free-turn.ts';
+import { freeTurn, Turning } from '../../../evaluate/handles/free-turn.ts';
 import {
   type Handle,
   type HandleId,
@@ -33,7 +34,10 @@ import type { CanvasPointer } from '../viewport/canvas-tools.ts';
 export interface DragResult {
   /** What it does to the joint, for the name of its undo step. */
   readonly verb: 'Rotate' | 'Move' | 'Scale' | 'Shear';
+  /** Of the active joint. */
   readonly dofs: readonly DofValue[];
+  /** Of the other selected joints. */
+  readonly others: readonly DofValue[];
   /** For the gizmo. */
   readonly handle: DraggedHandle;
   /** DOFs at their limits, or beyond them. */
@@ -46,7 +50,10 @@ export type Mover = (at: CanvasPointer) => DragResult;
 
 /** Where a drag begins. */
 export interface FkGrip {
+  /** The active joint. */
   readonly selected: ResolvedJoint;
+  /** Joints selected with it, which change by the same amounts. */
+  readonly others: readonly number[];
   /** The pose at that time. */
   readonly dofs: Float64Array;
   /** 16 numbers, from the character's space to the world. */
@@ -149,7 +156,7 @@ function boneMeasure({ kind, centre, reach, range }: Handle, { sight, at }: FkGr
   return (x, y) => perPixel * up(x, y);
 }
 
-function dofMover(handle: Handle, { selected, dofs }: FkGrip, measure: Measure, sticks: boolean): Mover {
+function dofMover(handle: Handle, { selected, others, dofs }: FkGrip, measure: Measure, sticks: boolean): Mover {
   const { character, skeleton } = selected;
   const { dof, range, id, kind } = handle;
   const verb = VERBS[kind];
@@ -157,52 +164,67 @@ function dofMover(handle: Handle, { selected, dofs }: FkGrip, measure: Measure, 
   const step = snapStep(characterDofs(skeleton, [])[dof], skeleton);
   const limits = { min: range.min, max: range.max, hold: character.clampsToLimits };
   const dragged = new DraggedValue(from, limits, step, sticks);
+  const matching = matchingDofs(skeleton, others, dof);
   return (at) => {
     const { value, stop } = dragged.by(measure(at.clientX, at.clientY), wantsOf(at));
     const stops = stop ? [{ dof, limit: range[stop] }] : [];
-    return { verb, dofs: [{ index: dof, value }], handle: { id, from, stop }, stops };
+    const own = { index: dof, value };
+    return { verb, dofs: [own], others: sameChange(dofs, own, matching), handle: { id, from, stop }, stops };
   };
 }
 
 /** About an axis that stays as it was at the press. */
 function freeMover(id: HandleId, axis: Handle['axis'], measure: Measure, joint: JointHandles, grip: FkGrip): Mover {
-  const turning = turningOf(joint, grip);
+  const turnings = turningsOf(joint, grip);
   const angle = new DraggedValue(0, { min: 1, max: 0, hold: false }, SNAP_ANGLE, true);
   let turned = 0;
   return (at) => {
     const { value } = angle.by(measure(at.clientX, at.clientY), wantsOf(at));
-    turning?.by(axis, value - turned);
+    for (const turning of turnings) turning.by(axis, value - turned);
     turned = value;
-    return { ...freeResult(id, turning, grip), turned };
+    return { ...freeResult(id, turnings, grip), turned };
   };
 }
 
 function rollMover(joint: JointHandles, grip: FkGrip): Mover {
   const { sight, radius, at } = grip;
-  const turning = turningOf(joint, grip);
+  const turnings = turningsOf(joint, grip);
   const roll = rollMeasure(sight, joint.pivot, BALL_PART * radius, at.clientX, at.clientY);
   return (next) => {
     const by = roll(next.clientX, next.clientY);
-    if (by) turning?.by(by.axis, wantsOf(next).fine ? 0.1 * by.angle : by.angle);
-    return freeResult({ kind: 'ball' }, turning, grip);
+    const angle = by && (wantsOf(next).fine ? 0.1 * by.angle : by.angle);
+    if (by && angle !== undefined) for (const turning of turnings) turning.by(by.axis, angle);
+    return freeResult({ kind: 'ball' }, turnings, grip);
   };
 }
 
-function turningOf(
-  { freeTurn }: JointHandles,
-  { selected: { skeleton }, dofs, placement }: FkGrip,
-): Turning | undefined {
-  return freeTurn && new Turning(skeleton, freeTurn, dofs, worldOf(skeleton, dofs), placement);
+/** That of the active joint first, then those of the others that can turn freely. */
+function turningsOf(
+  { freeTurn: own }: JointHandles,
+  { selected: { skeleton }, others, dofs, placement }: FkGrip,
+): readonly Turning[] {
+  if (!own) return [];
+  const world = worldOf(skeleton, dofs);
+  const turns = [own, ...others.flatMap((joint) => freeTurn(skeleton, joint) ?? [])];
+  return turns.map((turn) => new Turning(skeleton, turn, dofs, world, placement));
 }
 
-function freeResult(id: HandleId, turning: Turning | undefined, { selected: { skeleton } }: FkGrip): DragResult {
+function valuesOf({ turn, result }: Turning): DofValue[] {
+  return turn.dofs.map((index, i) => ({ index, value: result[i] }));
+}
+
+function freeResult(
+  id: HandleId,
+  [own, ...others]: readonly Turning[],
+  { selected: { skeleton } }: FkGrip,
+): DragResult {
   const all: readonly CharacterDof[] = characterDofs(skeleton, []);
-  const values = turning?.result ?? [];
-  const dofs = (turning?.turn.dofs ?? []).map((index, i) => ({ index, value: values[i] }));
+  const dofs = own ? valuesOf(own) : [];
   const stops = dofs.flatMap(({ index, value }) => {
     const { min, max } = all[index].limit;
     if (min > max || (value > min && value < max)) return [];
     return [{ dof: index, limit: value <= min ? min : max }];
   });
-  return { verb: 'Rotate', dofs, handle: { id, from: 0, stop: undefined }, stops };
+  const handle = { id, from: 0, stop: undefined };
+  return { verb: 'Rotate', dofs, others: others.flatMap(valuesOf), handle, stops };
 }

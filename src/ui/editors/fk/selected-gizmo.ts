@@ -5,7 +5,7 @@ import type { DraggedHandle, GizmoState } from '../../../view/gizmo/gizmo-look.t
 import type { HandleHit } from '../../../view/gizmo/handle-at.ts';
 import { JointGizmo } from '../../../view/gizmo/joint-gizmo.ts';
 import { Readout } from '../../kit/readout.ts';
-import { type ResolvedJoint, selectedJoint } from '../../state/selected-joint.ts';
+import { type ResolvedJoint, selectedJoint, selectedJoints } from '../../state/selected-joint.ts';
 import type { Workbench } from '../../state/workbench.ts';
 import { shownDofs } from '../posing/active-dof.ts';
 import type { CanvasDrag, CanvasPointer } from '../viewport/canvas-tools.ts';
@@ -132,7 +132,8 @@ export class SelectedGizmo {
     const dofs = shownDofs(wb, selected.character);
     const placement = placed.slice();
     const radius = gizmo.radiusOf(handlesOf({ selected, dofs, placement }));
-    return { selected, dofs, placement, sight: wb.viewport.eye, radius, at };
+    const others = selectedJoints(wb)?.joints.slice(0, -1) ?? [];
+    return { selected, others, dofs, placement, sight: wb.viewport.eye, radius, at };
   }
 
   private show(moved: DragResult, at: CanvasPointer): void {

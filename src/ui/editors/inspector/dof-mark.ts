@@ -22,24 +22,25 @@ export class DofMark {
 
   /**
    * @param row has the state as `data-driver`
+   * @param dofs keyed together; the first one's state is shown
    * @param name of the DOF for screen readers: `rx of leg_fl`
    */
   constructor(
     private readonly wb: Uses<'store' | 'transport' | 'timeline' | 'settings' | 'messages'>,
     private readonly row: HTMLElement,
     private readonly characterId: string,
-    private readonly dof: number,
+    private readonly dofs: readonly number[],
     private readonly name: string,
   ) {
     // Not a tab stop: Tab moves from number to number, and the row's menu does the same by keyboard.
     const mark = button(`Key ${name}`, { class: 'mark', tabindex: -1 }, undefined, () =>
-      toggleKey(wb, characterId, dof),
+      toggleKey(wb, characterId, dofs),
     );
     this.element = keepsFocusElsewhere(mark);
   }
 
   show(character: Character): void {
-    const state = dofState(this.wb, character, this.dof);
+    const state = dofState(this.wb, character, this.dofs[0]);
     if (this.row.dataset.driver === state) return;
     this.row.dataset.driver = state;
     setTooltip(this.element, TITLES[state]);
@@ -71,15 +72,16 @@ export function dofState(wb: Uses<'transport'>, character: Character, dof: numbe
   return isKeyedNow(wb, character, dof) ? 'keyed' : 'driven';
 }
 
-/** Keys the DOF as shown; deletes the key if it is already keyed so. */
+/** Keys the DOFs as shown; deletes their keys if all are keyed so already. */
 export function toggleKey(
   wb: Uses<'store' | 'transport' | 'timeline' | 'settings' | 'messages'>,
   characterId: string,
-  dof: number,
+  dofs: readonly number[],
 ): void {
   const character = findCharacter(wb.store.document, characterId);
   if (!character?.skeleton) return;
-  if (dofState(wb, character, dof) === 'keyed') deleteKeysNow(wb, character, [dof]);
+  const each = [...dofs].sort((a, b) => a - b);
+  if (each.every((dof) => dofState(wb, character, dof) === 'keyed')) deleteKeysNow(wb, character, each);
   // Refused if the joint is retargeted from another character.
-  else attempt(wb.messages, () => keyNow(wb, characterId, [dof]));
+  else attempt(wb.messages, () => keyNow(wb, characterId, each));
 }

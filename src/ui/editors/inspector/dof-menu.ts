@@ -1,6 +1,7 @@
 /** The context menu of a DOF's row: its keys, its curve, its limits. */
 import { clearLimit, setLimit } from '../../../edit/commands/limits.ts';
-import { channelOf, dofCountOf, isDriven, poseAt } from '../../../evaluate/pose.ts';
+import { inTurn } from '../../../edit/in-turn.ts';
+import { channelOf, isDriven } from '../../../evaluate/pose.ts';
 import { silentChannels } from '../../../evaluate/retarget/moved-dofs.ts';
 import { coupleOf } from '../../../model/couples.ts';
 import { type Character, findCharacter } from '../../../model/document.ts';
@@ -11,25 +12,30 @@ import type { Slider } from '../../kit/slider.ts';
 import { addKeyed } from '../../state/add-keys.ts';
 import { openPanel } from '../../state/panels.ts';
 import type { Uses } from '../../state/workbench.ts';
-import { autoKey, deleteAllKeys, deleteKeysNow, isKeyedNow, keyNow, setOne } from '../posing/pose-edits.ts';
+import { shownDofs } from '../posing/active-dof.ts';
+import { autoKey, deleteAllKeys, deleteKeysNow, isKeyedNow, keyNow, setOwn } from '../posing/pose-edits.ts';
 import { editLimits } from '../rig/limit-editor.ts';
 
-/** @param at pointer position; absent if opened by keyboard in the row's number */
+/**
+ * @param dofs of the row: one, or the same of several joints, which the entries are for; the first is the shown one
+ * @param at pointer position; absent if opened by keyboard in the row's number
+ */
 export function openDofMenu(
   wb: Uses<'store' | 'transport' | 'timeline' | 'posing' | 'settings'>,
   slider: Slider,
   characterId: string,
-  index: number,
+  dofs: readonly number[],
   at: { readonly x: number; readonly y: number } | undefined,
 ): void {
   const character = findCharacter(wb.store.document, characterId);
-  const dof = character && characterDofs(character.skeleton, character.morphs)[index];
+  const dof = character && characterDofs(character.skeleton, character.morphs)[dofs[0]];
   if (!dof) return;
-  const list = entries(wb, slider, character, index, dof);
-  if (at) openMenu(at, list, { label: dof.name });
+  const list = entries(wb, slider, character, dofs, dof);
+  const label = dofs.length === 1 ? dof.name : `${dof.name} of ${dofs.length} joints`;
+  if (at) openMenu(at, list, { label });
   else {
     openMenu(slider.$name.getBoundingClientRect(), list, {
-      label: dof.name,
+      label,
       opener: slider.$input,
       focusFirst: true,
     });
@@ -40,47 +46,84 @@ function entries(
   wb: Uses<'store' | 'transport' | 'timeline' | 'posing' | 'settings'>,
   slider: Slider,
   character: Character,
-  index: number,
+  [index, ...others]: readonly number[],
   dof: CharacterDof,
 ): readonly MenuEntry[] {
   const { id } = character;
   const item = (label: string, enabled: boolean, run: () => void): MenuEntry => ({ kind: 'item', label, enabled, run });
-  const hasKeys = isDriven(character, index) && channelOf(character, index) !== undefined;
-  const value = shownValue(wb, character, index);
-  const inFile = filePose(character.skeleton, character.morphs.length)[index] ?? 0;
+  const all = characterDofs(character.skeleton, character.morphs);
+  const each = [index, ...others].sort((a, b) => a - b);
+  const isForSeveral = others.length > 0;
+  const keys = isForSeveral ? 'keys' : 'key';
+  const withKeys = each.filter((one) => isDriven(character, one) && channelOf(character, one) !== undefined);
+  const hasKeys = withKeys.length > 0;
+  const values = shownDofs(wb, character);
+  const inFile = filePose(character.skeleton, character.morphs.length);
   // A linked DOF has no value of its own.
   const isOwn = coupleOf(character.skeleton, index) === undefined;
-  const set = (value: number) => {
-    const own = { index, value };
-    const beside = wb.posing.beside?.(id, [index]);
+  const set = (wanted: (one: number) => number) => {
+    const own = [index, ...others].map((one) => ({ index: one, value: wanted(one) }));
+    const beside = wb.posing.beside?.(id, each);
     const { timeSeconds } = wb.transport.get();
-    const dofs = beside?.at([own]) ?? [own];
-    addKeyed(wb, setOne(own), { characterId: id, dofs, timeSeconds, key: autoKey(wb) });
+    const dofs = beside?.at(own) ?? own;
+    addKeyed(wb, setOwn(own), { characterId: id, dofs, timeSeconds, key: autoKey(wb) });
     beside?.shown();
   };
+  const fromFile = (one: number) => inFile[one] ?? 0;
+  const atRest = (one: number) => all[one].rest;
+  const isAnyOff = (wanted: (one: number) => number) => isOwn && each.some((one) => values[one] !== wanted(one));
   const list: MenuEntry[] = [
     // While retargeted, a key of its own would have no effect.
-    item('Key at current time', character.skeleton !== undefined && index >= silentChannels(character), () =>
-      keyNow(wb, id, [index]),
+    item(
+      'Key at current time',
+      character.skeleton !== undefined && each.every((one) => one >= silentChannels(character)),
+      () => keyNow(wb, id, each),
     ),
-    item('Delete key at current time', isKeyedNow(wb, character, index), () => deleteKeysNow(wb, character, [index])),
-    item('Delete all keys', hasKeys, () => deleteAllKeys(wb, character, index)),
+    item(
+      `Delete ${keys} at current time`,
+      each.some((one) => isKeyedNow(wb, character, one)),
+      () => deleteKeysNow(wb, character, each),
+    ),
+    item('Delete all keys', hasKeys, () => deleteAllKeys(wb, character, each)),
     { kind: 'line' },
-    item('Show curve', hasKeys, () => showCurve(wb, character, index)),
+    item(isForSeveral ? 'Show curves' : 'Show curve', hasKeys, () => showCurves(wb, character, withKeys)),
     { kind: 'line' },
-    item('Reset to file pose', isOwn && value !== inFile, () => set(inFile)),
-    item(`Reset to ${dof.rest === 0 ? 'zero' : 'one'}`, isOwn && value !== dof.rest, () => set(dof.rest)),
+    item('Reset to file pose', isAnyOff(fromFile), () => set(fromFile)),
+    item(`Reset to ${dof.rest === 0 ? 'zero' : 'one'}`, isAnyOff(atRest), () => set(atRest)),
   ];
-  if (!dof.takesLimits) return list;
-  const { min, max } = holds(dof.limit) ? dof.limit : UNLIMITED;
-  const limit = (next: Limit) => wb.store.apply(setLimit, { characterId: id, dof: index, ...next });
+  const limited = each.filter((one) => all[one].takesLimits);
+  if (limited.length === 0) return list;
+  const limitsOf = (one: number) => (holds(all[one].limit) ? all[one].limit : UNLIMITED);
+  const name = isForSeveral ? `${dof.name} of ${each.length} joints` : dof.name;
+  /** Each at its own value. */
+  const limit = (next: (one: number) => Limit) => {
+    const args = limited.map((one) => ({ characterId: id, dof: one, ...next(one) }));
+    wb.store.apply(inTurn(setLimit, `Set limits of ${name}`), args);
+  };
+  const clear = () => {
+    const args = limited.map((one) => ({ characterId: id, dof: one }));
+    wb.store.apply(inTurn(clearLimit, `Remove limits of ${name}`), args);
+  };
+  const canBeLower = limited.every((one) => values[one] <= limitsOf(one).max);
+  const canBeUpper = limited.every((one) => values[one] >= limitsOf(one).min);
   return [
     ...list,
     { kind: 'line' },
-    item('Set lower limit here', value <= max, () => limit({ min: value, max })),
-    item('Set upper limit here', value >= min, () => limit({ min, max: value })),
-    item('Edit limits…', true, () => editLimits(wb, slider, id, index)),
-    item('No limits', !isUnlimited(dof.limit), () => wb.store.apply(clearLimit, { characterId: id, dof: index })),
+    item('Set lower limit here', canBeLower, () => limit((one) => ({ min: values[one], max: limitsOf(one).max }))),
+    item('Set upper limit here', canBeUpper, () => limit((one) => ({ min: limitsOf(one).min, max: values[one] }))),
+    item('Edit limits…', true, () =>
+      editLimits(
+        wb,
+        slider,
+        id,
+        [index, ...others].filter((one) => limited.includes(one)),
+      ),
+    ),
+    item(
+      'No limits',
+      limited.some((one) => !isUnlimited(all[one].limit)),
+      clear,
+    ),
   ];
 }
 
@@ -89,17 +132,15 @@ function holds({ min, max }: Limit): boolean {
   return min <= max;
 }
 
-function shownValue(wb: Uses<'transport'>, character: Character, index: number): number {
-  const pose = new Float64Array(dofCountOf(character));
-  poseAt(character, wb.transport.get().timeSeconds, pose);
-  return pose[index];
-}
-
-/** Opens the curve editor with this curve isolated. */
-function showCurve(wb: Uses<'store' | 'timeline' | 'settings'>, character: Character, index: number): void {
+/** Opens the curve editor with these curves isolated. */
+function showCurves(
+  wb: Uses<'store' | 'timeline' | 'settings'>,
+  character: Character,
+  channels: readonly number[],
+): void {
   wb.store.select({ ...wb.store.selection, characterId: character.id });
   wb.timeline.isolate(undefined);
-  const hidden = wb.timeline.view.get().hidden.filter((c) => c !== index);
-  wb.timeline.change({ tab: 'curves', list: 'pinned', pinned: [index], hidden, filter: '' });
+  const hidden = wb.timeline.view.get().hidden.filter((c) => !channels.includes(c));
+  wb.timeline.change({ tab: 'curves', list: 'pinned', pinned: [...channels], hidden, filter: '' });
   openPanel(wb, 'timeline', true);
 }

@@ -1,15 +1,17 @@
 /** A slider for a DOF: its span, unit and limits, and whether keys or a change by hand determine it. */
 import type { GUI } from 'lil-gui';
+import { sameChange } from '../../../edit/pose/same-change.ts';
 import { isDriven } from '../../../evaluate/pose.ts';
 import { coupleOf, type DofCouple } from '../../../model/couples.ts';
 import { type Character, findCharacter, shownSkin } from '../../../model/document.ts';
 import { axisOfDof } from '../../../model/dof-axis.ts';
-import type { CharacterDof } from '../../../model/dofs.ts';
+import type { CharacterDof, DofValue } from '../../../model/dofs.ts';
 import { reachOf } from '../../../model/reach.ts';
 import { isUnlimited, type Limit, type Skeleton, UNLIMITED } from '../../../model/skeleton.ts';
+import type { Units } from '../../kit/arithmetic.ts';
 import { element } from '../../kit/dom.ts';
-import { MAX_DECIMALS, shown } from '../../kit/number-text.ts';
-import { Slider, type SliderOptions } from '../../kit/slider.ts';
+import { MAX_DECIMALS, parseNumber, shown } from '../../kit/number-text.ts';
+import { Slider, type SliderOptions, type Typed } from '../../kit/slider.ts';
 import { setTooltip } from '../../kit/tooltip.ts';
 import { addKeyed } from '../../state/add-keys.ts';
 import { shownPerUnit, typedUnits, unitText, withoutNoise } from '../../state/angles.ts';
@@ -19,8 +21,10 @@ import { pausePlayback } from '../../state/pause-playback.ts';
 import type { BesideDofs } from '../../state/posing.ts';
 import type { Settings } from '../../state/settings.ts';
 import type { Workbench } from '../../state/workbench.ts';
-import { autoKey, setOne } from '../posing/pose-edits.ts';
+import { shownDofs } from '../posing/active-dof.ts';
+import { autoKey, setOwn } from '../posing/pose-edits.ts';
 import { channelName, namedChannel, spokenName } from '../timeline/channels.ts';
+import { DifferMark } from './differ-mark.ts';
 import { DofMark } from './dof-mark.ts';
 import { openDofMenu } from './dof-menu.ts';
 import type { LiveRows } from './live-rows.ts';
@@ -31,7 +35,10 @@ export interface DofRowContext {
   readonly live: LiveRows;
 }
 
-/** @param prefix before the DOF's name in lists of several joints */
+/**
+ * @param prefix before the DOF's name in lists of several joints
+ * @param matching the same DOF of other selected joints: a drag changes all by the same amount, what is typed sets all
+ */
 export function addDofRow(
   { wb, edit, live }: DofRowContext,
   section: GUI,
@@ -39,20 +46,25 @@ export function addDofRow(
   index: number,
   dof: CharacterDof,
   prefix?: string,
+  matching: readonly number[] = [],
 ): Slider {
   const { angles } = wb.settings.get();
   const factor = shownPerUnit(dof.unit, angles);
-  const spoken = spokenName(namedChannel(character, index));
+  const together = [index, ...matching];
+  const isForSeveral = matching.length > 0;
+  const named = spokenName(namedChannel(character, index));
+  const spoken = isForSeveral ? `${dof.name} of ${together.length} joints` : named;
   const refuse = (reason: string) => {
     // After Escape, the typed text is discarded without a message.
     if (!edit.cancelled) wb.messages.note(reason, 'warning');
   };
-  const slider = new Slider(section, spoken, 0, sliderOptions(dof, character, angles), refuse);
+  const slider = new Slider(section, spoken, 0, { ...sliderOptions(dof, character, angles), isForSeveral }, refuse);
   const { id } = character;
-  const mark = new DofMark(wb, slider.domElement, id, index, spoken);
+  const mark = new DofMark(wb, slider.domElement, id, together, spoken);
   const name = element('span', { class: `dof-name ${axisClass(dof, character)}` }, shortName(dof, character));
   const names = [...(prefix ? [element('span', { class: 'dof-joint' }, prefix)] : []), name];
-  slider.$name.replaceChildren(mark.element, ...names);
+  const differ = new DifferMark(slider, dof, angles);
+  slider.$name.replaceChildren(mark.element, ...names, ...(isForSeveral ? [differ.element] : []));
   const unit = { angle: angles, length: lengthUnit(character), factor: '', weight: '' }[dof.unit];
   // Instead of the row's name, which has the mark's label too.
   slider.$input.removeAttribute('aria-labelledby');
@@ -77,30 +89,43 @@ export function addDofRow(
     const dofs = wb.viewport.character(id)?.dofs ?? now.pose;
     slider.showValue(withoutNoise((dofs[index] ?? 0) * factor));
     mark.show(now);
+    if (isForSeveral) differ.show(dofs, together);
   };
   // From the first change to the release, while pins hold.
   let beside: BesideDofs | undefined;
+  /** The pose when the first change was made. */
+  let from: Float64Array | undefined;
   slider.onChange((value: number) => {
     const now = findCharacter(wb.store.document, id);
     // Playback would overwrite the value with the next frame.
     const key = autoKey(wb);
     if (now && (key || isDriven(now, index))) pausePlayback(wb);
-    beside ??= wb.posing.beside?.(id, [index]);
-    const own = { index, value: value / factor };
+    beside ??= wb.posing.beside?.(id, together);
+    from ??= now && shownDofs(wb, now);
+    const one = { index, value: value / factor };
+    const { typed } = slider;
+    const units = typedUnits(dof.unit, angles);
+    const others = !from
+      ? []
+      : typed
+        ? typedValues(typed, from, one, matching, factor, units)
+        : sameChange(from, one, matching);
+    const own = [one, ...others];
     const { timeSeconds } = wb.transport.get();
-    const dofs = beside?.at([own]) ?? [own];
+    const dofs = beside?.at(own) ?? own;
     const args = { characterId: id, dofs, timeSeconds, key };
-    edit.preview(setOne(own), args, () => addKeyed(wb, setOne(own), args));
+    const command = setOwn(own);
+    edit.preview(command, args, () => addKeyed(wb, command, args));
     beside?.shown();
     if (edit.cancelled) update();
   });
   slider.onTakenBack(() => {
     edit.cancel();
-    beside = undefined;
+    beside = from = undefined;
   });
   slider.onFinishChange(() => {
     edit.commit();
-    beside = undefined;
+    beside = from = undefined;
     update();
   });
   slider.domElement.addEventListener('contextmenu', (event) => {
@@ -108,10 +133,32 @@ export function addDofRow(
     const byMouse = event.button === 2;
     if (byMouse && event.target === slider.$input && document.activeElement === slider.$input) return;
     event.preventDefault();
-    openDofMenu(wb, slider, id, index, byMouse ? { x: event.clientX, y: event.clientY } : undefined);
+    openDofMenu(wb, slider, id, together, byMouse ? { x: event.clientX, y: event.clientY } : undefined);
   });
   live.add(slider.domElement, update);
   return slider;
+}
+
+/**
+ * What is typed, for the other joints: a number sets all, `+=5` and `*2` change each from its own value.
+ *
+ * @param from the pose before the edit, in the DOFs' unit
+ * @param own the row's DOF; steps by arrow keys before the text have changed all by the same amount
+ * @param perUnit displayed units per unit of the DOFs
+ */
+export function typedValues(
+  typed: Typed,
+  from: ArrayLike<number>,
+  own: Pick<DofValue, 'index'>,
+  matching: readonly number[],
+  perUnit: number,
+  units: Units,
+): DofValue[] {
+  const stepped = typed.from - from[own.index] * perUnit;
+  return matching.flatMap((index) => {
+    const value = parseNumber(typed.text, units, from[index] * perUnit + stepped);
+    return value === undefined ? [] : { index, value: value / perUnit };
+  });
 }
 
 /**

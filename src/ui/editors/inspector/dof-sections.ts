@@ -1,5 +1,6 @@
-/** Sections of DOFs: the selected joint's, the root translation, the morphs, and the list of all. */
+/** Sections of DOFs: the selected joints', the root translation, the morphs, and the list of all. */
 import type { GUI } from 'lil-gui';
+import { matchingDofs } from '../../../edit/pose/same-change.ts';
 import type { Character } from '../../../model/document.ts';
 import { type CharacterDof, characterDofs, firstDofs, rootDofCount } from '../../../model/dofs.ts';
 import { jointName } from '../../../model/joint-name.ts';
@@ -7,6 +8,7 @@ import { dofsOf, motionHeading, motionText } from '../../../model/joint-types.ts
 import { element, setText } from '../../kit/dom.ts';
 import { plural, shown } from '../../kit/number-text.ts';
 import { removeControllers } from '../../kit/slider.ts';
+import { jointsText } from '../../state/selected-joint.ts';
 import { keyNameOf } from '../../state/tooltips.ts';
 import { addDofRow, type DofRowContext } from './dof-rows.ts';
 
@@ -45,8 +47,12 @@ export class DofSections {
     this.endObserver.observe(this.end);
   }
 
-  /** Rebuilds the rows, after the character, joint, angle unit or limits have changed. */
-  rebuild(character: Character | undefined, joint: number | undefined): void {
+  /**
+   * Rebuilds the rows, after the character, joints, angle unit or limits have changed.
+   *
+   * @param joints selected ones, the active one last
+   */
+  rebuild(character: Character | undefined, joints: readonly number[]): void {
     for (const section of [this.joint, this.root, this.morphs, this.all]) {
       for (const controller of section.controllers) this.context.live.remove(controller.domElement);
       removeControllers(section);
@@ -57,7 +63,7 @@ export class DofSections {
     this.end.remove();
     if (!character) return;
     const dofs = characterDofs(character.skeleton, character.morphs);
-    this.fillJoint(character, dofs, joint);
+    this.fillJoint(character, dofs, joints);
     const rootCount = character.skeleton ? rootDofCount(character.skeleton) : 0;
     this.fill(this.root, character, dofs, 0, rootCount);
     this.root.show(rootCount > 0);
@@ -86,19 +92,30 @@ export class DofSections {
     );
   }
 
-  private fillJoint(character: Character, dofs: readonly CharacterDof[], index: number | undefined): void {
-    const joint = index === undefined ? undefined : character.skeleton?.joints[index];
-    this.joint.show(character.skeleton !== undefined);
-    this.joint.$children.dataset.empty = joint
-      ? `${motionText(joint.motion, shown)}: no degrees of freedom.`
-      : 'Select a joint in the viewport or outliner to see its DOFs.';
-    this.joint.title(joint && index !== undefined ? jointName(character.skeleton, index) : 'Joint');
-    // Also with a picked vertex, whose details replace the joint's below.
-    if (joint) this.joint.$title.append(element('span', { class: 'title-note' }, motionHeading(joint.motion, shown)));
+  private fillJoint(character: Character, dofs: readonly CharacterDof[], joints: readonly number[]): void {
+    const { skeleton } = character;
+    const index = joints.at(-1);
+    const joint = index === undefined ? undefined : skeleton?.joints[index];
+    const others = joints.slice(0, -1);
+    this.joint.show(skeleton !== undefined);
+    this.joint.title(joint ? jointsText(skeleton, joints) : 'Joint');
     this.joint.domElement.classList.toggle('is-selected', joint !== undefined);
-    if (!joint || !character.skeleton || index === undefined) return;
-    const first = firstDofs(character.skeleton)[index];
-    this.fill(this.joint, character, dofs, first, dofsOf(joint.motion).length);
+    this.joint.$children.dataset.empty = 'Select a joint in the viewport or outliner to see its DOFs.';
+    if (!joint || !skeleton || index === undefined) return;
+    const heading = motionHeading(joint.motion, shown);
+    const note = others.length ? `active: ${jointName(skeleton, index)}` : heading;
+    // Also with a picked vertex, whose details replace the joint's below.
+    this.joint.$title.append(element('span', { class: 'title-note' }, note));
+    this.joint.$children.dataset.empty = others.length
+      ? 'The selected joints have no degree of freedom in common.'
+      : `${motionText(joint.motion, shown)}: no degrees of freedom.`;
+    const first = firstDofs(skeleton)[index];
+    for (let i = first; i < first + dofsOf(joint.motion).length; i++) {
+      const matching = matchingDofs(skeleton, others, i);
+      // Only those that all of them have.
+      if (matching.length === others.length)
+        addDofRow(this.context, this.joint, character, i, dofs[i], undefined, matching);
+    }
   }
 
   /** The first of them; the list of all has the rest. */

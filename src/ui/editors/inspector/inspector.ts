@@ -4,6 +4,7 @@
  */
 import { GUI } from 'lil-gui';
 import { type Character, findCharacter, shownClip } from '../../../model/document.ts';
+import { jointsIn } from '../../../model/selected-joints.ts';
 import { element } from '../../kit/dom.ts';
 import { oncePerFrame } from '../../kit/frame.ts';
 import { currentCharacter } from '../../state/action.ts';
@@ -47,9 +48,9 @@ export function fillInspector(wb: Workbench, panel: HTMLElement): void {
   const show = () => {
     const next = whatIsShown(wb);
     const target = findCharacter(wb.store.document, next.id);
-    const isSame = shown?.id === next.id && shown?.joint === next.joint;
+    const isSame = shown?.id === next.id && shown !== undefined && sameJoints(shown, next);
     const goBack = isSame ? placeIn(gui.$children) : undefined;
-    if (!shown || !sameDofs(shown, next)) dofs.rebuild(target, next.joint);
+    if (!shown || !sameDofs(shown, next)) dofs.rebuild(target, next.joints);
     if (!shown || !sameCharacterRows(shown, next)) character.rebuild(target);
     empty.hidden = target !== undefined;
     factsSection.show(target !== undefined);
@@ -57,7 +58,7 @@ export function fillInspector(wb: Workbench, panel: HTMLElement): void {
     character.update(target);
     dofs.showUnkeyed(target);
     ik.update();
-    rig(target, next.joint);
+    rig(target, next.joints.at(-1));
     facts.show();
     goBack?.();
     live.update();
@@ -110,7 +111,8 @@ function rigSection(wb: Workbench, edit: HandEdit, section: GUI) {
 /** What the rows depend on, by identity. */
 interface Shown {
   readonly id: string | undefined;
-  readonly joint: number | undefined;
+  /** Selected ones, the active one last. */
+  readonly joints: readonly number[];
   readonly skeleton: Character['skeleton'];
   readonly morphs: Character['morphs'] | undefined;
   readonly clamps: boolean;
@@ -126,7 +128,7 @@ function whatIsShown(wb: Uses<'store' | 'settings'>): Shown {
   const { selection } = wb.store;
   return {
     id: character?.id,
-    joint: selection.characterId === character?.id ? selection.joint : undefined,
+    joints: selection.characterId === character?.id ? jointsIn(selection) : [],
     skeleton: character?.skeleton,
     morphs: character?.morphs,
     clamps: character?.clampsToLimits ?? true,
@@ -142,12 +144,16 @@ function whatIsShown(wb: Uses<'store' | 'settings'>): Shown {
 function sameDofs(a: Shown, b: Shown): boolean {
   return (
     a.id === b.id &&
-    a.joint === b.joint &&
+    sameJoints(a, b) &&
     a.skeleton === b.skeleton &&
     a.morphs === b.morphs &&
     a.clamps === b.clamps &&
     a.angles === b.angles
   );
+}
+
+function sameJoints({ joints: a }: Shown, { joints: b }: Shown): boolean {
+  return a.length === b.length && a.every((joint, i) => joint === b[i]);
 }
 
 function sameCharacterRows(a: Shown, b: Shown): boolean {

@@ -3,6 +3,7 @@
  * or slider; on another joint, the DOF of the same name is active.
  */
 import { setDofs } from '../../../edit/commands/pose.ts';
+import { matchingDofs, sameChange } from '../../../edit/pose/same-change.ts';
 import { dofCountOf, poseAt } from '../../../evaluate/pose.ts';
 import { coupleOf } from '../../../model/couples.ts';
 import type { Character } from '../../../model/document.ts';
@@ -12,7 +13,7 @@ import { lengthStep } from '../../../model/reach.ts';
 import type { Skeleton } from '../../../model/skeleton.ts';
 import { addKeyed } from '../../state/add-keys.ts';
 import { pausePlayback } from '../../state/pause-playback.ts';
-import { type ResolvedJoint, selectedJoint } from '../../state/selected-joint.ts';
+import { type ResolvedJoint, selectedJoint, selectedJoints } from '../../state/selected-joint.ts';
 import type { Uses } from '../../state/workbench.ts';
 import { autoKey, jointDofs } from './pose-edits.ts';
 
@@ -69,7 +70,7 @@ export function shownDofs(wb: Uses<'transport'>, character: Character): Float64A
   return dofs;
 }
 
-/** Rotates the active DOF by a degree, or moves it by a small step. */
+/** Rotates the active DOF by a degree, or moves it by a small step; with it that of the other selected joints. */
 export function nudgeDof(wb: Uses<'store' | 'transport' | 'timeline' | 'posing' | 'settings'>, way: 1 | -1): void {
   const index = activeDof(wb);
   const selected = selectedJoint(wb);
@@ -77,9 +78,12 @@ export function nudgeDof(wb: Uses<'store' | 'transport' | 'timeline' | 'posing' 
   pausePlayback(wb);
   const { character, skeleton } = selected;
   const step = nudgeOf(characterDofs(skeleton, [])[index], skeleton);
-  const value = shownDofs(wb, character)[index] + way * step;
+  const shown = shownDofs(wb, character);
+  const own = { index, value: shown[index] + way * step };
+  const matching = matchingDofs(skeleton, selectedJoints(wb)?.joints ?? [], index);
+  const dofs = [own, ...sameChange(shown, own, matching)];
   const { timeSeconds } = wb.transport.get();
-  addKeyed(wb, setDofs, { characterId: character.id, dofs: [{ index, value }], timeSeconds, key: autoKey(wb) });
+  addKeyed(wb, setDofs, { characterId: character.id, dofs, timeSeconds, key: autoKey(wb) });
 }
 
 function nudgeOf({ unit }: CharacterDof, skeleton: Skeleton): number {

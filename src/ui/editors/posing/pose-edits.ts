@@ -35,9 +35,9 @@ export function autoKey(wb: Uses<'transport' | 'timeline' | 'settings'>): KeyOpt
   return wb.timeline.autoKey.get() ? keyOptions(wb) : undefined;
 }
 
-/** Sets one DOF with those that change with it (`Posing.beside`); the undo label names the one. */
-export function setOne(own: DofValue): typeof setDofs {
-  return { ...setDofs, label: (document, args) => setDofs.label(document, { ...args, dofs: [own] }) };
+/** Sets DOFs with those that change with them (`Posing.beside`); the undo label names only the former. */
+export function setOwn(dofs: readonly DofValue[]): typeof setDofs {
+  return { ...setDofs, label: (document, args) => setDofs.label(document, { ...args, dofs }) };
 }
 
 /** Stops what would take a pose set by hand back with the next frame; with auto-key, so that the shown frame is keyed. */
@@ -78,11 +78,14 @@ export function deleteKeysNow(wb: Uses<'store' | 'transport'>, character: Charac
     wb.store.apply(removeKeys, { characterId: character.id, keys, timeSeconds: clipTime(wb, character) });
 }
 
-/** Deletes every key of a DOF, which keeps its value. */
-export function deleteAllKeys(wb: Uses<'store' | 'transport'>, character: Character, dof: number): void {
-  const indices = [...keysOf(channelOf(character, dof)).times.keys()];
-  if (!indices.length) return;
-  const keys = [{ channel: dof, indices }];
+/** Deletes every key of these DOFs, which keep their values. */
+export function deleteAllKeys(wb: Uses<'store' | 'transport'>, character: Character, dofs: readonly number[]): void {
+  const each = [...dofs].sort((a, b) => a - b);
+  const keys = each.flatMap((channel) => {
+    const indices = [...keysOf(channelOf(character, channel)).times.keys()];
+    return indices.length ? [{ channel, indices }] : [];
+  });
+  if (!keys.length) return;
   wb.store.apply(removeKeys, { characterId: character.id, keys, timeSeconds: clipTime(wb, character) });
 }
 

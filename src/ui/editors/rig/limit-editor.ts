@@ -3,6 +3,7 @@
  * that typing never passes through unintended limits.
  */
 import { setLimit } from '../../../edit/commands/limits.ts';
+import { inTurn } from '../../../edit/in-turn.ts';
 import { findCharacter } from '../../../model/document.ts';
 import { characterDofs } from '../../../model/dofs.ts';
 import { type Limit, UNLIMITED } from '../../../model/skeleton.ts';
@@ -13,11 +14,19 @@ import type { Slider } from '../../kit/slider.ts';
 import { shownPerUnit, typedUnits, unitText, withoutNoise } from '../../state/angles.ts';
 import type { Uses } from '../../state/workbench.ts';
 
-export function editLimits(wb: Uses<'store' | 'settings'>, slider: Slider, characterId: string, index: number): void {
+/** @param dofs that get the limits; the fields show the first one's */
+export function editLimits(
+  wb: Uses<'store' | 'settings'>,
+  slider: Slider,
+  characterId: string,
+  dofs: readonly number[],
+): void {
+  const [index] = dofs;
   const character = findCharacter(wb.store.document, characterId);
   const dof = character && characterDofs(character.skeleton, character.morphs)[index];
   if (!dof) return;
   const { angles } = wb.settings.get();
+  const name = dofs.length === 1 ? dof.name : `${dof.name} of ${dofs.length} joints`;
   const factor = shownPerUnit(dof.unit, angles);
   const shown = (value: number, none: number) => (value === none ? '' : exact(withoutNoise(value * factor)));
   const field = (label: string, value: string) =>
@@ -37,21 +46,22 @@ export function editLimits(wb: Uses<'store' | 'settings'>, slider: Slider, chara
   const form = element(
     'form',
     { class: 'limit-form', method: 'dialog' },
-    element('span', { class: 'faint' }, `Limits of ${dof.name}`),
+    element('span', { class: 'faint' }, `Limits of ${name}`),
     min,
     element('span', { class: 'faint' }, '–'),
     max,
     element('span', { class: 'faint' }, unitText(dof.unit, angles).trim()),
     element('button', { type: 'submit', class: 'plain' }, 'Set'),
   );
-  const dialog = element('dialog', { class: 'limit-editor', 'aria-label': `Limits of ${dof.name}` }, form, said);
+  const dialog = element('dialog', { class: 'limit-editor', 'aria-label': `Limits of ${name}` }, form, said);
   form.addEventListener('submit', (event) => {
     event.preventDefault();
     const limit = typedLimit(min.value, max.value, factor, typedUnits(dof.unit, angles));
     if (typeof limit === 'string') said.textContent = limit;
     else {
       dialog.close();
-      wb.store.apply(setLimit, { characterId, dof: index, ...limit });
+      const each = dofs.map((one) => ({ characterId, dof: one, ...limit }));
+      wb.store.apply(inTurn(setLimit, `Set limits of ${name}`), each);
     }
   });
   dialog.addEventListener('close', () => dialog.remove());

@@ -35,6 +35,7 @@ function turning() {
       ({ clientX }) => ({
         verb: 'Rotate',
         dofs: [{ index: ROOT_RZ, value: RADIANS_PER_PIXEL * clientX }],
+        others: [],
         handle: { id: { kind: 'dof', dof: ROOT_RZ }, from: 0, stop: undefined },
         stops: [],
       }),

@@ -233,7 +233,7 @@ describe('the mark of a DOF', () => {
   it('distinguishes keyed now, keyed elsewhere, unkeyed changes, and free', () => {
     const { wb } = workbench(documentOf(bare));
     expect(state(wb)).toBe('free');
-    toggleKey(wb, 'c1', 4);
+    toggleKey(wb, 'c1', [4]);
     expect(state(wb)).toBe('keyed');
     at(wb, 1);
     expect(state(wb)).toBe('driven');
@@ -246,19 +246,19 @@ describe('the mark of a DOF', () => {
 
   it('keys an unkeyed change, and deletes the key again', () => {
     const { wb } = workbench(documentOf(bare));
-    toggleKey(wb, 'c1', 4);
+    toggleKey(wb, 'c1', [4]);
     at(wb, 1);
     wb.store.apply(setDofs, { characterId: 'c1', dofs: [{ index: 4, value: 1 }], timeSeconds: 1 });
-    toggleKey(wb, 'c1', 4);
+    toggleKey(wb, 'c1', [4]);
     expect(keysOf(wasp(wb).clips[0].channels[4]).values).toEqual(Float64Array.of(0, 1));
-    toggleKey(wb, 'c1', 4);
+    toggleKey(wb, 'c1', [4]);
     expect(keysOf(wasp(wb).clips[0].channels[4]).values).toEqual(Float64Array.of(0));
   });
 
   it('the mark of a DOF keeps the value of a channel that has lost its last key', () => {
     const { wb } = workbench(documentOf({ ...bare, pose: [0, 0, 0, 0, 0.5, 0, 0, 0, 0] }));
-    toggleKey(wb, 'c1', 4);
-    toggleKey(wb, 'c1', 4);
+    toggleKey(wb, 'c1', [4]);
+    toggleKey(wb, 'c1', [4]);
     expect(state(wb)).toBe('free');
     expect(wasp(wb).clips[0].channels[4]).toMatchObject({ kind: 'rest', value: 0.5 });
   });
