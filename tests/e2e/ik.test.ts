@@ -307,6 +307,10 @@ describeShared('the wasp of data/cse169', () => {
         moved = Math.max(moved, apart(await jointPlace(page, 'root'), body));
       }
       expect(moved).toBeGreaterThan(0.1);
+      // All the way round is where it began.
+      expect(apart(await jointPlace(page, 'root'), body)).toBeLessThan(1e-3);
+      await page.mouse.move(x + 25, y - 12);
+      await drawn(page);
       await page.mouse.up();
       expect(await undoLabel(page)).toMatch(/^Drag /);
       await page.evaluate(() => window.marrow.undo());

@@ -4,6 +4,7 @@
  *     const problem = ikProblem(skeleton, pins, pose, { stiffness });
  *     movePin(problem, 0, x, y, z);
  *     solve(problem, dofs, 'drag');        whenever the hand moves, from the current pose
+ *     solve(problem, dofs, 'rest');        where it stays: as exactly as possible, near the current pose
  *     solve(problem, dofs, 'settle');      on click or release: as exactly as possible, with restarts
  */
 import { applyConstraints } from '../kinematics.ts';
@@ -15,7 +16,7 @@ import { aimPins } from './reach.ts';
 import { isStraight, restart, shake } from './restarts.ts';
 import type { IkProblem, IkResult } from './state.ts';
 
-export type IkMode = 'drag' | 'settle';
+export type IkMode = 'drag' | 'rest' | 'settle';
 
 interface ModeOptions extends DescentOptions {
   readonly restarts: number;
@@ -25,8 +26,9 @@ interface ModeOptions extends DescentOptions {
 const NEAR_ENOUGH = 1e-4;
 
 const MODES: Readonly<Record<IkMode, ModeOptions>> = {
-  // The next frame continues where this one stops.
+  // The next step continues where this one stops.
   drag: { aim: NEAR_ENOUGH, iterations: 24, leastGain: 1e-3, restarts: 0 },
+  rest: { aim: NEAR_ENOUGH / 10, iterations: 60, leastGain: 1e-6, restarts: 0 },
   settle: { aim: NEAR_ENOUGH / 10, iterations: 150, leastGain: 1e-5, restarts: 32 },
 };
 

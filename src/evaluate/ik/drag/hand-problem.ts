@@ -1,7 +1,7 @@
 /**
  * The IK problem of one drag: owns the solver's problem, the current pose, the strength of the hand's pull, and the
- * iterations left; not when and how often it is solved (`Pull`). Each frame has a fixed budget of iterations,
- * independent of the clock, so that the same drag gives the same pose everywhere.
+ * iterations left; not when and how often it is solved (`Lead`). Budgets are iterations, independent of the clock, so
+ * that the same drag gives the same pose everywhere.
  *
  * If the point can't reach the hand, its pull decreases with distance, f² · gap = const. Pins weigh ten times as much
  * (a hundred times when squared), which would not be enough against a hand three metres away: feet would be pulled off
@@ -43,7 +43,7 @@ export class HandProblem {
   readonly holds: boolean;
   /** Position of the hand. */
   readonly hand = new Float64Array(3);
-  /** Iterations left in this frame; negative if the last solve exceeded the budget. */
+  /** Iterations left; negative if the last solve exceeded the budget. */
   left = Infinity;
   private readonly ownWeight: number;
   private readonly ownTurnWeight: number;
@@ -94,7 +94,9 @@ export class HandProblem {
 
   /** The next solve anticipates nothing: the pose doesn't follow from the last one. */
   forget(): void {
-    this.problem.foresight.isMet = false;
+    const { foresight } = this.problem;
+    foresight.isMet = false;
+    foresight.last.fill(0);
   }
 
   /** Updates positions for a pose that did not come from the solver. */

@@ -1,12 +1,11 @@
 /**
  * Straight legs don't bend when a hip is pushed down on pinned feet: to first order their length does not change. So
  * the whole pose is bent a little in either direction, and the result is kept if it helps. The solver does this for a
- * single chain; here the dragged point could move if it weren't for the pins. Repeated only after the hand has moved,
- * soon enough that little is missed.
+ * single chain; here the dragged point could move if it weren't for the pins.
  */
 import type { HandProblem } from './hand-problem.ts';
 
-/** The gap that triggers an attempt, and the hand's movement between two: fractions of the reach. */
+/** The gap that triggers an attempt: fraction of the reach. */
 const STUCK = 0.004;
 /** How far everything is bent: radians, fractions of the reach. */
 const SHAKE = 0.02;
@@ -14,8 +13,6 @@ const SHAKE = 0.02;
 const HELPS = 0.8;
 
 export class Shaking {
-  /** Position of the hand when the pose was last shaken. */
-  private readonly shakenAt = new Float64Array(3).fill(Infinity);
   private readonly stuck: Float64Array;
   private readonly helped: Float64Array;
 
@@ -24,20 +21,17 @@ export class Shaking {
     this.helped = new Float64Array(of.dofs.length);
   }
 
-  /** Whether the pose is stuck and has not been shaken near here. */
+  /** Whether the pose is stuck, and pins may be the cause. */
   get isDue(): boolean {
-    const { of, shakenAt } = this;
-    const { hand, reach } = of;
-    if (of.missing <= STUCK * reach) return false;
-    const since = Math.hypot(hand[0] - shakenAt[0], hand[1] - shakenAt[1], hand[2] - shakenAt[2]);
-    return !(since < STUCK * reach);
+    const { of } = this;
+    return of.holds && of.missing > STUCK * of.reach;
   }
 
+  /** Within the problem's iterations. */
   shake(): void {
-    const { of, shakenAt, stuck, helped } = this;
+    const { of, stuck, helped } = this;
     const { dofs } = of;
     const { count, dof, scale, lower, upper } = of.problem.variables;
-    shakenAt.set(of.hand);
     stuck.set(dofs);
     let least = HELPS * of.missing;
     let helps = false;

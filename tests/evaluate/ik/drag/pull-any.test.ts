@@ -15,8 +15,8 @@ import { anySkeleton, vec3 } from '../any-problem.ts';
 /** Of the reach: what the hand goes in a frame. */
 const STEP = 0.01;
 const STEPS = 15;
-/** Radians in a frame: what a drag calms itself to, and what putting the pins in order may add. */
-const NO_JUMP = 0.5;
+/** Radians in a frame: what the shown pose goes at most, twice if putting the pins in order needs it. */
+const NO_JUMP = 0.31;
 /** Of limits: rounding. */
 const NEAR = 1e-9;
 

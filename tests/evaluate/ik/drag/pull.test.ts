@@ -126,21 +126,16 @@ describe('a point that is pulled', () => {
     expect(most).toBeLessThan(0.2);
   });
 
-  it('reaches a hand that moved further than the budget of a frame, in later frames', () => {
+  it('reaches a hand that moved far in one frame, in at most two more', () => {
     const pull = pullOf(person(), HIPS);
-    const steps: number[] = [];
     const goal = [0.5, 0.5, 1.2] as const;
-    let frames = 0;
-    do {
-      const before = pull.dofs.slice();
-      pull.to(goal);
-      steps.push(Math.max(...pull.dofs.map((value, d) => Math.abs(value - before[d]))));
-      frames++;
-    } while (pull.isOnItsWay && frames < 200);
-    expect(frames).toBeGreaterThan(1);
-    expect(frames).toBeLessThan(200);
+    pull.to(goal);
+    for (let frame = 0; frame < 2; frame++) pull.goOn();
+    expect(pull.isOnItsWay).toBe(false);
+    const rest = pull.dofs.slice();
+    pull.goOn();
+    expect(pull.dofs).toEqual(rest);
     expect(pull.gaps().map(({ to }) => to)).toEqual([goal]);
-    expect(steps.at(-1)).toBeLessThan(0.2);
     for (const foot of [FOOT_L, FOOT_R])
       expect(apart(placeOf(pull.dofs, foot), placeOf(filePose(PERSON, 0), foot))).toBeLessThan(PIN_HOLDS * SIZE);
   });
