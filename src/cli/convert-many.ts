@@ -69,7 +69,7 @@ export async function convertMany(
 function openingOfFile({ absolute }: GivenPath): 'whole' | 'with others' | undefined {
   const format = formatOf(absolute);
   const opening = format && openingOf(format.kind);
-  if (!opening || opening.as === 'texture') return undefined;
+  if (!opening || opening.as === 'texture' || opening.as === 'dump') return undefined;
   return opening.as === 'characters' && !opening.takesParts ? 'whole' : 'with others';
 }
 

@@ -5,6 +5,7 @@
 import { closeSync, openSync, readSync, statSync } from 'node:fs';
 import { basename } from 'node:path';
 import { type Diagnostic, withoutPlace } from '../model/diagnostic.ts';
+import { isEmptyDump } from '../model/dump.ts';
 import type { BrokenFile, FileContent, FileKind, ParsedFile, SourceFile } from '../model/files.ts';
 import { type Format, formatOf } from '../project/codecs.ts';
 import { READABLE_EXTENSIONS } from '../project/kinds.ts';
@@ -55,7 +56,8 @@ export function loadFiles(args: readonly string[], folder: string): Loaded {
     diagnostics.push(...found);
     all.push({ name, kind, ...(content && { content }) });
     const source: SourceFile = { name, path: path.path, bytes };
-    if (content) files.push({ ...content, source });
+    if (content && isEmptyDump(content)) diagnostics.push(unknownFormat(name));
+    else if (content) files.push({ ...content, source });
     else if (kind !== 'unknown') broken.push({ kind, source });
   }
   return { all, files, broken, diagnostics };

@@ -1,5 +1,6 @@
 /** Results of reading: one model per file, whatever its format. */
 import type { ChannelClip } from './clip.ts';
+import type { Dump } from './dump.ts';
 import type { Morph } from './morph.ts';
 import type { PoseByNames } from './pose-by-names.ts';
 import type { PoseLibrary } from './poses.ts';
@@ -38,6 +39,8 @@ interface Contents {
   /** Whole characters, with everything they need inside the file. */
   readonly character: { readonly file: { readonly characters: readonly WholeCharacter[] } };
   readonly texture: { readonly file: { readonly texture: Texture } };
+  /** Numbers of another program, to be compared with a character. */
+  readonly dump: { readonly file: { readonly dump: Dump } };
 }
 
 export type FileKind = keyof Contents;

@@ -6,6 +6,7 @@ import { animReader } from '../formats/anim/read.ts';
 import { writeAnim } from '../formats/anim/write.ts';
 import { bvhReader } from '../formats/bvh/read.ts';
 import { writeBvh } from '../formats/bvh/write.ts';
+import { dumpReader } from '../formats/dump/read.ts';
 import { morphReader } from '../formats/morph/read.ts';
 import { writeMorph } from '../formats/morph/write.ts';
 import { poseReader } from '../formats/pose/read.ts';
@@ -50,6 +51,7 @@ const READERS: { readonly [K in FormatKind]: MakeReader<HeldBy<K>> } = {
   bvh: (name, byteLength) => mapped(bvhReader(name, byteLength), (figures) => ({ kind: 'bvh', figures })),
   pose: (name) => mapped(poseReader(name), (poses) => ({ kind: 'pose', poses })),
   texture: (name) => mapped(textureReader(name), (texture) => ({ kind: 'texture', texture })),
+  dump: (name) => mapped(dumpReader(name), (dump) => ({ kind: 'dump', dump })),
 };
 
 /** What saving in a kind of file takes. */

@@ -5,6 +5,7 @@
  * saved.
  */
 import { withoutUnkeyed } from '../edit/unkeyed.ts';
+import { DUMP_EXTENSIONS } from '../formats/dump/extensions.ts';
 import { TEXTURE_EXTENSIONS } from '../formats/texture/read.ts';
 import { axisAngleObstacle, savesAsAxisAngle } from '../model/axis-angle.ts';
 import { type ChannelClip, keysOf } from '../model/clip.ts';
@@ -132,6 +133,12 @@ export const KINDS = {
     label: 'image',
     content: 'texture',
   },
+  // Told by content; other texts with these extensions are read as dumps without numbers.
+  dump: {
+    extensions: DUMP_EXTENSIONS,
+    label: 'dump',
+    content: 'dump',
+  },
 } as const satisfies Readonly<Record<string, Kind>>;
 
 /** A kind of file: `skel` is the hierarchy form of a skeleton, `axskel` the axis-angle form. */
@@ -184,11 +191,11 @@ export interface PartOpening<C> {
 }
 
 /**
- * A list of other files; poses for a library; an image for a skin: opened by rules of their own. One more gets its rules
- * in `open/grouping.ts` and `open/open-files.ts`.
+ * A list of other files; poses for a library; an image for a skin; numbers to compare with a character: opened by rules
+ * of their own. One more gets its rules in `open/grouping.ts` and `open/open-files.ts`.
  */
 export interface OtherOpening {
-  readonly as: 'rig' | 'poses' | 'texture';
+  readonly as: 'rig' | 'poses' | 'texture' | 'dump';
 }
 
 /** What a file is in an opening. */
@@ -218,6 +225,7 @@ const OPENINGS: { readonly [K in FileKind]: Opening<ContentOf<K>> } = {
   pose: { as: 'poses' },
   character: { as: 'characters', characters: ({ characters }) => characters, takesParts: false },
   texture: { as: 'texture' },
+  dump: { as: 'dump' },
 };
 
 function bare(skeleton: Skeleton, clip?: ChannelClip): WholeCharacter {
@@ -280,6 +288,14 @@ const FACTS: { readonly [K in FileKind]: (content: ContentOf<K>) => Facts } = {
     textures: characters.flatMap(({ textures }) => textures.map(({ name }) => name)),
   }),
   texture: ({ texture: { mime, bytes } }) => ({ mime, bytes: bytes.length }),
+  dump: ({ dump: { blocks } }) => ({
+    blocks: blocks.map(({ holds, time, values, lines }) => ({
+      ...(holds && { holds }),
+      ...(time !== undefined && { time }),
+      rows: lines.length,
+      numbers: values.length,
+    })),
+  }),
 };
 
 /** In the order in which they are printed. */

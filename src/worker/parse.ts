@@ -5,6 +5,7 @@
 import { checkMorph } from '../evaluate/binding.ts';
 import { skinFacts } from '../evaluate/bounds.ts';
 import { type Diagnostic, withoutPlace } from '../model/diagnostic.ts';
+import { isEmptyDump } from '../model/dump.ts';
 import { type BrokenFile, folderOf, type ParsedFile, type SourceFile } from '../model/files.ts';
 import type { Morph } from '../model/morph.ts';
 import type { Skin } from '../model/skin.ts';
@@ -48,7 +49,8 @@ export async function parse(input: ParseInput, onProgress: (progress: Progress) 
       }
       const result = reader.end();
       diagnostics.push(...result.diagnostics);
-      if (result.value) files.push({ ...result.value, source });
+      if (result.value && isEmptyDump(result.value)) passedOver.push(source);
+      else if (result.value) files.push({ ...result.value, source });
       else broken.push({ kind: format.kind, source });
     } else passedOver.push(source);
   }

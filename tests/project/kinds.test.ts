@@ -42,6 +42,23 @@ const EXAMPLES: Readonly<Record<FormatKind, FileContent | GivenFile>> = {
     figures: [bvhFigure({ name: 'x', joints: [bvhJoint(-1, ['rx'], { name: 'hips' })] }, [[0], [5]])],
   },
   pose: { kind: 'pose', poses: [{ name: 'x', joints: [], weights: [] }] },
+  dump: {
+    bytes: 'world\n0 1 2\n',
+    content: {
+      kind: 'dump',
+      dump: {
+        name: 'x',
+        blocks: [
+          {
+            holds: 'world',
+            values: Float64Array.of(0, 1, 2),
+            starts: Uint32Array.of(0, 3),
+            lines: Uint32Array.of(2),
+          },
+        ],
+      },
+    },
+  },
   texture: {
     bytes: Uint8Array.of(1, 2),
     content: { kind: 'texture', texture: { name: 'x.bmp', mime: 'image/bmp', bytes: Uint8Array.of(1, 2) } },
@@ -54,7 +71,8 @@ describe('the list of kinds of files', () => {
     expect(formatOf('a/b.c/WASP.Walk.ANIM')?.kind).toBe('anim');
     expect(formatOf('skin')).toBeUndefined();
     expect(formatOf('head.BMP')?.kind).toBe('texture');
-    expect(formatOf('head.txt')).toBeUndefined();
+    expect(formatOf('head.txt')?.kind).toBe('dump');
+    expect(formatOf('head.md')).toBeUndefined();
   });
 
   it('the list of formats has each extension once', () => {

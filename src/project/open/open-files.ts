@@ -29,12 +29,17 @@ import { checkParts, withSource, withTextures, withWhole } from './assemble.ts';
 import { type FileGroup, groupFiles, isBroken, isRead, type LooseRole, namesFile, prefixFit } from './grouping.ts';
 import { fittingCharacter, givePoses, type PoseFile } from './poses.ts';
 
+/** A file with numbers of another program. */
+export type DumpFile = Extract<ParsedFile, { readonly kind: 'dump' }>;
+
 export interface OpenResult {
   /** The same object if nothing was opened. */
   readonly document: Document;
   readonly diagnostics: readonly Diagnostic[];
   /** Ids of new or changed characters. */
   readonly opened: readonly string[];
+  /** Numbers to compare with a character, which the caller chooses; the document has none of them. */
+  readonly dumps: readonly DumpFile[];
   /** Label of the undo entry: "Open wasp.skel and 2 more". */
   readonly label: string;
 }
@@ -69,6 +74,7 @@ class Opening {
   private readonly opened = new Set<string>();
   private readonly used = new Set<ParsedFile>();
   private readonly unused: UnusedFile[] = [];
+  private readonly dumps: DumpFile[] = [];
 
   constructor(
     private readonly document: Document,
@@ -77,7 +83,7 @@ class Opening {
     private readonly selectedId: string | undefined,
   ) {
     const { unused, charactersMade } = document;
-    const makesWay = document.isOpeningSample && !isOfPosesAlone([...files, ...broken]);
+    const makesWay = document.isOpeningSample && !isForCharacters([...files, ...broken]);
     this.base = makesWay ? { ...EMPTY_DOCUMENT, unused, charactersMade } : document;
     this.characters = this.base.characters;
     this.made = charactersMade;
@@ -100,6 +106,9 @@ class Opening {
       },
       // Given to skins at the end, together with those that were waiting.
       texture: () => undefined,
+      dump: (loose) => {
+        for (const file of loose) if (file.kind === 'dump') this.dumps.push(file);
+      },
     };
     // In this order. Its keys are the roles, which TypeScript types as strings.
     for (const role of Object.keys(openLoose) as LooseRole[]) openLoose[role](grouping.loose[role].filter(isRead));
@@ -123,6 +132,7 @@ class Opening {
     const rest = {
       diagnostics: this.diagnostics,
       opened: [...opened],
+      dumps: this.dumps,
       label: openLabel(changed.length ? changed : files),
     };
     if (opened.size === 0) {
@@ -281,9 +291,9 @@ class Opening {
   }
 }
 
-/** Whether the files are poses only, which show nothing by themselves. */
-function isOfPosesAlone(files: readonly { readonly kind: FileKind }[]): boolean {
-  return files.length > 0 && files.every(({ kind }) => kind === 'pose');
+/** Whether the files are poses or dumps only, which show nothing by themselves. */
+function isForCharacters(files: readonly { readonly kind: FileKind }[]): boolean {
+  return files.length > 0 && files.every(({ kind }) => kind === 'pose' || kind === 'dump');
 }
 
 function charactersIn(file: ParsedFile): readonly WholeCharacter[] {

@@ -25,6 +25,23 @@ function told(files: readonly ParsedFile[], before = documentOf(hero)): string |
   return unseenChanges(before, openFiles(before, files, [], before.characters[0]?.id).document, files);
 }
 
+const DUMP = {
+  kind: 'dump' as const,
+  dump: {
+    name: 'mine',
+    blocks: [{ values: Float64Array.of(1), starts: Uint32Array.of(0, 1), lines: Uint32Array.of(1) }],
+  },
+  source: { name: 'mine.txt', path: 'mine.txt', bytes: 1 },
+};
+
+describe('numbers of another program', () => {
+  it('change no document, are given to the caller, and are not passed over in silence', () => {
+    const { document, dumps, opened } = openFiles(EMPTY_DOCUMENT, [DUMP]);
+    expect([document, dumps, opened]).toEqual([EMPTY_DOCUMENT, [DUMP], []]);
+    expect(unseenChanges(EMPTY_DOCUMENT, document, [DUMP])).toContain('mine.txt has numbers of another program');
+  });
+});
+
 describe('opening files', () => {
   it('says nothing of a character that is new, or that gets its first skin or take', () => {
     expect(told([skelFile('a.skel', skeleton()), animFile('a.anim', walk)], EMPTY_DOCUMENT)).toBeUndefined();

@@ -1,0 +1,275 @@
+/**
+ * Dumps as JSON: what `marrow pose --json` and `marrow channels --json` print, or any object with `time`, `world`,
+ * `local`, `positions`, `vertices`, `normals`, `channels`, however deep; or lists of numbers alone. One text, or one per
+ * line.
+ *
+ *     matrices    16 numbers, or rows of numbers, or { elements }; in a list, by name, or of the items of a list
+ *     points      [x, y, z], { x, y, z }, or all numbers in one list
+ *     channels    a list per channel with `times` beside it; or items of { time, values }
+ */
+import type { DumpKind, DumpLabel } from '../../model/dump.ts';
+import type { Blocks } from './blocks.ts';
+
+/** Objects within objects that are searched. */
+const MAX_DEPTH = 8;
+
+type Json = Readonly<Record<string, unknown>>;
+
+/** @returns whether the text is JSON; nothing was read if not */
+export function readJson(text: string, blocks: Blocks): boolean {
+  if (!/^\s*[[{]/.test(text)) return false;
+  const whole = parse(text);
+  const documents = whole ? [whole] : linesOf(text);
+  if (!documents) return false;
+  for (const { value, line } of documents) new JsonDump(text, line, blocks).find(value, 0);
+  return true;
+}
+
+interface Parsed {
+  readonly value: unknown;
+  /** From 1. */
+  readonly line: number;
+}
+
+function parse(text: string, line = 1): Parsed | undefined {
+  const value = parsed(text) ?? parsed(text.replace(/([[,:\s])[-+]?(?:NaN|nan|Infinity|inf)(?=[\],}\s])/g, '$1null'));
+  return value && { ...value, line };
+}
+
+function parsed(text: string): { value: unknown } | undefined {
+  try {
+    return { value: JSON.parse(text) };
+  } catch {
+    return undefined;
+  }
+}
+
+function linesOf(text: string): Parsed[] | undefined {
+  const found: Parsed[] = [];
+  let line = 0;
+  for (const part of text.split('\n')) {
+    line++;
+    if (part.trim() === '') continue;
+    const one = /^\s*[[{]/.test(part) ? parse(part, line) : undefined;
+    if (!one) return undefined;
+    found.push(one);
+  }
+  return found;
+}
+
+const KEYS: readonly (readonly [RegExp, DumpKind])[] = [
+  [/^(world|global)(matrix|matrices|transforms?)?$/, 'world'],
+  [/^local(matrix|matrices|transforms?)?$/, 'local'],
+  [/^(joint)?positions?$/, 'positions'],
+  [/^(skin)?(vertices|vertexpositions|verts)$/, 'vertices'],
+  [/^(vertex)?normals?$/, 'normals'],
+  [/^channels?$/, 'channels'],
+];
+
+function kindOfKey(key: string): DumpKind | undefined {
+  const plain = key.toLowerCase().replace(/[^a-z]/g, '');
+  return KEYS.find(([pattern]) => pattern.test(plain))?.[1];
+}
+
+class JsonDump {
+  constructor(
+    private readonly text: string,
+    private readonly line: number,
+    private readonly blocks: Blocks,
+  ) {}
+
+  /** Reads every list under a key that names a kind. */
+  find(value: unknown, depth: number): void {
+    if (depth > MAX_DEPTH) return;
+    if (Array.isArray(value)) {
+      if (value.every(isObject)) {
+        this.items(value, depth);
+        return;
+      }
+      if (depth === 0) this.list(undefined, value, this.line);
+      return;
+    }
+    if (!isObject(value)) return;
+    const time = [value.time, value.t].find(isNumber);
+    if (time !== undefined) this.blocks.say({ time });
+    const joints = Object.keys(value).some((key) => /^(joints|bones)$/i.test(key));
+    for (const [key, inside] of Object.entries(value)) {
+      const kind = kindOfKey(key);
+      if (kind === 'channels') this.channels(inside, value);
+      // What stands beside the joints of a character are its vertices, as `marrow pose` prints them.
+      else if (kind && isList(inside))
+        this.list(joints && kind === 'positions' ? 'vertices' : kind, inside, this.lineOf(key));
+      else if (key !== 'diagnostics') this.find(inside, depth + 1);
+    }
+  }
+
+  /** Items such as joints: each kind of numbers that they have, in their order. Others are searched. */
+  private items(items: readonly Json[], depth: number): void {
+    const keys = new Map<string, DumpKind | undefined>();
+    for (const item of items.slice(0, 4)) {
+      for (const key of Object.keys(item)) {
+        const kind = kindOfKey(key) ?? (key === 'matrix' || key === 'elements' ? 'world' : undefined);
+        const inside = item[key];
+        if (kind && kind !== 'channels' && isOne(inside)) keys.set(key, kind === 'vertices' ? 'positions' : kind);
+      }
+    }
+    if (this.timed(items)) return;
+    if (keys.size === 0 && items.every((item) => pointOf(item))) {
+      this.blocks.say({ holds: undefined });
+      for (const item of items) this.row(item, this.line, labelOf(item));
+      return;
+    }
+    // Frames of a take have a time each; joints don't.
+    if (keys.size === 0 || items.some((item) => isNumber(item.time))) {
+      for (const item of items) this.find(item, depth + 1);
+      return;
+    }
+    for (const [key, kind] of keys) {
+      // A position per item is that of a joint or of a vertex; their number tells.
+      this.blocks.say({ holds: kind });
+      for (const item of items) this.row(item[key], this.lineOf(key), labelOf(item));
+    }
+  }
+
+  /** Items of a time and the values of all channels. @returns whether they are */
+  private timed(items: readonly unknown[]): boolean {
+    const rows = items.map((item) => {
+      const values = isObject(item) && isNumber(item.time) ? valuesOf(item) : undefined;
+      return values && isObject(item) ? [Number(item.time), ...values] : undefined;
+    });
+    if (rows.length === 0 || !rows.every((row) => row !== undefined)) return false;
+    this.blocks.say({ holds: 'channels', times: undefined, time: undefined });
+    for (const row of rows) this.blocks.row(row, this.line);
+    return true;
+  }
+
+  /** Matrices or points. */
+  private list(holds: DumpKind | undefined, list: unknown, line: number): void {
+    this.blocks.say({ holds, nesting: undefined, times: undefined });
+    if (Array.isArray(list)) {
+      if (list.every(isNumberOrNull)) this.row(list, line, null);
+      else for (const item of list) this.row(item, line, isObject(item) ? labelOf(item) : null);
+    } else if (isObject(list)) {
+      for (const [name, item] of Object.entries(list))
+        this.row(item, line, /^\d+$/.test(name) ? { index: Number(name) } : { name });
+    }
+  }
+
+  private row(item: unknown, line: number, label: DumpLabel | null): void {
+    const numbers: number[] = [];
+    const isNested = flatten(item, numbers);
+    if (numbers.length === 0) return;
+    if (numbers.length >= 12 || isNested) this.blocks.say({ nesting: isNested ? 'rows' : 'flat' });
+    this.blocks.row(numbers, line, label);
+  }
+
+  private channels(list: unknown, beside: Json): void {
+    const line = this.lineOf('channels');
+    const times = timesOf(beside);
+    this.blocks.say({ holds: 'channels', times });
+    if (Array.isArray(list)) {
+      if (this.timed(list)) return;
+      if (list.length > 0 && list.every(isNumberOrNull)) this.blocks.row(list.map(numberOf), line);
+      else
+        list.forEach((item, index) => {
+          this.channel(item, times, line, { index });
+        });
+    } else if (isObject(list)) {
+      Object.entries(list).forEach(([name, item], index) => {
+        const number = /(\d+)\D*$/.exec(name)?.[1];
+        this.channel(item, times, line, { index: number === undefined ? index : Number(number) });
+      });
+    }
+  }
+
+  private channel(item: unknown, times: Float64Array | undefined, line: number, label: DumpLabel): void {
+    if (isObject(item)) {
+      const own = timesOf(item);
+      const index = [item.index, item.channel].find(isNumber);
+      if (own) this.blocks.say({ times: own, channel: index ?? label.index });
+      const values = valuesOf(item);
+      if (values) this.blocks.row(values, line, { index: index ?? label.index ?? 0 });
+    } else {
+      const numbers: number[] = [];
+      // Pairs of a time and a value.
+      if (flatten(item, numbers) && !times) {
+        this.blocks.say({ channel: label.index });
+        for (let i = 0; i + 1 < numbers.length; i += 2) this.blocks.row([numbers[i], numbers[i + 1]], line);
+      } else this.blocks.row(numbers, line, label);
+    }
+  }
+
+  /** Of the first place of a key, from 1. */
+  private lineOf(key: string): number {
+    const at = this.text.indexOf(`"${key}"`);
+    let line = 1;
+    for (let i = this.text.indexOf('\n'); i >= 0 && i < at; i = this.text.indexOf('\n', i + 1)) line++;
+    return Math.max(line, this.line);
+  }
+}
+
+/** Appends all numbers within. @returns whether they were in lists within a list */
+function flatten(item: unknown, out: number[]): boolean {
+  if (isNumberOrNull(item)) out.push(numberOf(item));
+  else if (Array.isArray(item)) {
+    for (const inside of item) flatten(inside, out);
+    return item.some((inside) => Array.isArray(inside) || isObject(inside));
+  } else if (isObject(item)) {
+    const point = pointOf(item);
+    if (point) out.push(...point);
+    else
+      return flatten(
+        item.elements ?? item.data ?? item.matrix ?? item.position ?? Object.values(item).filter(isList),
+        out,
+      );
+  }
+  return false;
+}
+
+function pointOf({ x, y, z }: Json): number[] | undefined {
+  return isNumber(x) && isNumber(y) && isNumber(z) ? [x, y, z] : undefined;
+}
+
+function labelOf({ index, name }: Json): DumpLabel | null {
+  const label = { ...(isNumber(index) && { index }), ...(typeof name === 'string' && name !== '' && { name }) };
+  return 'index' in label || 'name' in label ? label : null;
+}
+
+function timesOf({ times, time }: Json): Float64Array | undefined {
+  const list = Array.isArray(times) ? times : Array.isArray(time) ? time : undefined;
+  return list?.every(isNumberOrNull) ? Float64Array.from(list, numberOf) : undefined;
+}
+
+function valuesOf({ values, value, channels }: Json): number[] | undefined {
+  const list = values ?? channels ?? (isNumber(value) ? [value] : value);
+  return Array.isArray(list) && list.every(isNumberOrNull) ? list.map(numberOf) : undefined;
+}
+
+/** Whether it can be the numbers of one joint: a list of numbers, or of short lists. */
+function isOne(value: unknown): boolean {
+  const numbers: number[] = [];
+  if (!isList(value)) return false;
+  flatten(value, numbers);
+  return [3, 12, 16].includes(numbers.length);
+}
+
+function isList(value: unknown): boolean {
+  return Array.isArray(value) || isObject(value);
+}
+
+function isObject(value: unknown): value is Json {
+  return typeof value === 'object' && value !== null && !Array.isArray(value);
+}
+
+function isNumber(value: unknown): value is number {
+  return typeof value === 'number';
+}
+
+/** Programs that have no JSON for NaN print null. */
+function isNumberOrNull(value: unknown): value is number | null {
+  return typeof value === 'number' || value === null;
+}
+
+function numberOf(value: number | null): number {
+  return value ?? Number.NaN;
+}

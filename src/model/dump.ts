@@ -1,0 +1,52 @@
+/**
+ * A dump: numbers that another program printed about a character, in the order of its file. Which joints, vertices or
+ * channels they are is decided with a character at hand (`lesson/fit-dump.ts`); here is only what the file says.
+ */
+
+/** What a dump can hold. Positions are those of joints. */
+export const DUMP_KINDS = ['world', 'local', 'positions', 'vertices', 'normals', 'channels'] as const;
+export type DumpKind = (typeof DUMP_KINDS)[number];
+
+export interface Dump {
+  /** Without folders and extension. */
+  readonly name: string;
+  /** Seconds, from the name: `walk@1.5.txt`. */
+  readonly time?: number;
+  /** Empty if the file has no numbers that could be of a character. */
+  readonly blocks: readonly DumpBlock[];
+}
+
+/** Whether a file that could be a dump by its name has no numbers for one, as a readme. */
+export function isEmptyDump(content: { readonly kind: string; readonly dump?: Dump }): boolean {
+  return content.kind === 'dump' && content.dump?.blocks.length === 0;
+}
+
+/** Consecutive numbers of one kind, at one time. */
+export interface DumpBlock {
+  /** As stated by a heading, a key or the format; absent: to be told from the numbers. */
+  readonly holds?: DumpKind;
+  /** Seconds, as stated. */
+  readonly time?: number;
+  /** Of a block headed `channel N`. */
+  readonly channel?: number;
+  /** Times of the values of each channel, if stated apart from them. */
+  readonly times?: Float64Array;
+  /** Names of columns, one per number of a row; those of labels are left out. */
+  readonly columns?: readonly string[];
+  /** How matrices are nested in JSON: 16 numbers in one list, or a list of rows. */
+  readonly nesting?: 'flat' | 'rows';
+  /** All numbers; NaN and infinities are kept, since programs print them. */
+  readonly values: Float64Array;
+  /** Row r has the values `starts[r]` up to (excluding) `starts[r + 1]`; one more than rows. */
+  readonly starts: Uint32Array;
+  /** Line of each row, from 1. */
+  readonly lines: Uint32Array;
+  /** One per row, if any has one. A row without a label continues the one before. */
+  readonly labels?: readonly (DumpLabel | null)[];
+}
+
+/** At least one of them. */
+export interface DumpLabel {
+  readonly index?: number;
+  readonly name?: string;
+}
