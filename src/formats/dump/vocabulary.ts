@@ -76,7 +76,7 @@ export function isLabelColumn(name: string): boolean {
 }
 
 /** `ch3`, `channel 3`, `value[3]`: 3. */
-export function channelOfColumn(name: string): number | undefined {
+function channelOfColumn(name: string): number | undefined {
   const found = /^(?:channel|chan|ch|curve|value|val|v|c|dof)?[\s_[(#]*(\d+)[\])]*$/.exec(name)?.[1];
   return found === undefined ? undefined : Number(found);
 }
