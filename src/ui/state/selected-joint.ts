@@ -64,3 +64,9 @@ export function selectedJointsOf(wb: Uses<'store'>, characterId: string): readon
 export function jointsText(skeleton: Skeleton | undefined, joints: readonly number[]): string {
   return joints.length === 1 ? jointName(skeleton, joints[0]) : plural(joints.length, 'joint');
 }
+
+/** `leg_l`, `3 joints`, or `selected joint` if none is. */
+export function selectedJointsText(wb: Uses<'store'>): string {
+  const selected = selectedJoints(wb);
+  return selected ? jointsText(selected.skeleton, selected.joints) : 'selected joint';
+}

@@ -3,7 +3,7 @@
 import { defaultIk } from '../../../model/ik.ts';
 import { currentCharacter } from '../../state/action.ts';
 import { NO_SKELETON, needs } from '../../state/needs.ts';
-import { selectedJoint } from '../../state/selected-joint.ts';
+import { selectedJoints, selectedJointsText } from '../../state/selected-joint.ts';
 import type { Action, Uses } from '../../state/workbench.ts';
 
 const MENU = 'Edit/Pins';
@@ -16,21 +16,24 @@ const hasPins = (wb: Uses<'store'>) => (ikOfCurrent(wb)?.pins.length ?? 0) > 0;
 const NO_PINS = 'The character has no pins.';
 const NO_JOINT = 'No joint is selected.';
 
-const hasJoint = (wb: Uses<'store'>) => selectedJoint(wb) !== undefined;
-const isPinned = (wb: Uses<'store'>) => {
-  const joint = selectedJoint(wb)?.joint;
-  return ikOfCurrent(wb)?.pins.some((pin) => pin.joint === joint) ?? false;
+const hasJoint = (wb: Uses<'store'>) => selectedJoints(wb) !== undefined;
+const isEach = (wb: Uses<'store'>, is: (joint: number) => boolean | undefined) =>
+  selectedJoints(wb)?.joints.every((joint) => is(joint) ?? false) ?? false;
+/** Whether each of the selected joints is. */
+const arePinned = (wb: Uses<'store'>) => {
+  const ik = ikOfCurrent(wb);
+  return isEach(wb, (joint) => ik?.pins.some((pin) => pin.joint === joint));
 };
-const isLocked = (wb: Uses<'store'>) => {
-  const joint = selectedJoint(wb)?.joint;
-  return ikOfCurrent(wb)?.stiff.some((one) => one.joint === joint && one.stiffness === undefined) ?? false;
+const areLocked = (wb: Uses<'store'>) => {
+  const ik = ikOfCurrent(wb);
+  return isEach(wb, (joint) => ik?.stiff.some((one) => one.joint === joint && one.stiffness === undefined));
 };
 
 export const IK_ACTIONS: readonly Action[] = [
   {
     id: 'ik.pinJoint',
-    name: 'Pin or unpin selected joint',
-    label: (wb) => (isPinned(wb) ? 'Unpin selected joint' : 'Pin selected joint'),
+    name: 'Pin or unpin selected joints',
+    label: (wb) => `${arePinned(wb) ? 'Unpin' : 'Pin'} ${selectedJointsText(wb)}`,
     group: 'Pose',
     menu: MENU,
     section: 1,
@@ -38,25 +41,26 @@ export const IK_ACTIONS: readonly Action[] = [
     enabled: hasJoint,
     whyNot: () => NO_JOINT,
     async run(wb) {
-      const { togglePin } = await edits();
-      const found = selectedJoint(wb);
-      if (found) togglePin(wb, found.character, found.joint);
+      const { togglePins } = await edits();
+      const found = selectedJoints(wb);
+      if (found) togglePins(wb, found.character, found.joints);
     },
   },
   {
     id: 'ik.lockJoint',
-    label: 'Lock selected joint',
+    name: 'Lock selected joints',
+    label: (wb) => `Lock ${selectedJointsText(wb)}`,
     group: 'Pose',
     menu: MENU,
     section: 1,
     shortcuts: ['Shift+Y'],
     enabled: hasJoint,
     whyNot: () => NO_JOINT,
-    checked: isLocked,
+    checked: areLocked,
     async run(wb) {
-      const { toggleLock } = await edits();
-      const found = selectedJoint(wb);
-      if (found) toggleLock(wb, found.character, found.joint);
+      const { toggleLocks } = await edits();
+      const found = selectedJoints(wb);
+      if (found) toggleLocks(wb, found.character, found.joints);
     },
   },
   {

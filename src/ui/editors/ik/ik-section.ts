@@ -2,11 +2,13 @@
  * The IK section of the inspector: whether the root may move, how the selected joint bends, and the list of pins. Shown
  * in IK mode, or if there are pins.
  */
+
 import type { GUI } from 'lil-gui';
 import { ikOf } from '../../../evaluate/ik/set-up.ts';
 import { type Character, findCharacter } from '../../../model/document.ts';
 import type { Pin } from '../../../model/ik.ts';
 import { jointName } from '../../../model/joint-name.ts';
+import { jointsIn } from '../../../model/selected-joints.ts';
 import { button, element, setAttribute, setText } from '../../kit/dom.ts';
 import { icon } from '../../kit/icons.ts';
 import { NumberField } from '../../kit/number-field.ts';
@@ -211,8 +213,8 @@ export class IkSection {
   }
 
   private bend(stiffness: number | 'locked' | 'usual'): void {
-    const { joint } = this.wb.store.selection;
-    if (this.characterId && joint !== undefined) stiffen(this.wb, this.characterId, joint, stiffness);
+    const joints = jointsIn(this.wb.store.selection);
+    if (this.characterId && joints.length > 0) stiffen(this.wb, this.characterId, joints, stiffness);
     this.update();
   }
 

@@ -1,11 +1,13 @@
 /** Pinning, unpinning and locking, for mouse, keys, menus and inspector. */
 import { clearPins, pinPoint, setPin, setRootFree, setStiffness, unpin } from '../../../edit/commands/ik.ts';
+import { inTurn } from '../../../edit/in-turn.ts';
 import { defaultPinPoint } from '../../../evaluate/ik/pin-points.ts';
 import { ikOf } from '../../../evaluate/ik/set-up.ts';
 import type { Vec3 } from '../../../math/vec3.ts';
 import { type Character, findCharacter, shownSkin } from '../../../model/document.ts';
 import { attempt } from '../../state/attempt.ts';
 import type { PinRef } from '../../state/ik-hand.ts';
+import { jointsText } from '../../state/selected-joint.ts';
 import type { Uses } from '../../state/workbench.ts';
 
 /**
@@ -33,18 +35,28 @@ export function letAllGo(wb: Uses<'store' | 'posing' | 'messages'>, characterId:
   wb.posing.ik.selected.set(undefined);
 }
 
-/** Pins a joint at its default point, or removes all its pins. */
-export function togglePin(wb: Uses<'store' | 'posing' | 'messages'>, character: Character, joint: number): void {
+/** Pins joints at their default points; removes all their pins if each has one. */
+export function togglePins(
+  wb: Uses<'store' | 'posing' | 'messages'>,
+  character: Character,
+  joints: readonly number[],
+): void {
   const { skeleton, id: characterId } = character;
   if (!skeleton) return;
-  const pins = ikOf(character).pins.filter((pin) => pin.joint === joint);
-  if (pins.length) attempt(wb.messages, () => wb.store.apply(unpin, { characterId, pins: pins.map(({ id }) => id) }));
-  else {
-    pinAt(wb, characterId, joint, defaultPinPoint(skeleton, joint, shownSkin(character)).point);
+  const pins = ikOf(character).pins.filter((pin) => joints.includes(pin.joint));
+  const free = joints.filter((joint) => !pins.some((pin) => pin.joint === joint));
+  if (free.length === 0) {
+    attempt(wb.messages, () => wb.store.apply(unpin, { characterId, pins: pins.map(({ id }) => id) }));
+    return;
+  }
+  const pointOf = (joint: number) => defaultPinPoint(skeleton, joint, shownSkin(character)).point;
+  const each = free.map((joint) => ({ characterId, joint, point: pointOf(joint) }));
+  attempt(wb.messages, () => {
+    wb.store.apply(inTurn(pinPoint, `Pin ${jointsText(skeleton, free)}`), each);
     // Pinned by key: select the pin, to continue by keys.
     const made = ikOf(findCharacter(wb.store.document, characterId) ?? character).pins.at(-1);
-    if (made) wb.posing.ik.selected.set({ characterId, pin: made.id });
-  }
+    if (made && joints.length === 1) wb.posing.ik.selected.set({ characterId, pin: made.id });
+  });
 }
 
 /**
@@ -60,19 +72,20 @@ export function selectPin(wb: Uses<'store' | 'posing'>, ref: PinRef, joint: numb
 export function stiffen(
   wb: Uses<'store' | 'messages'>,
   characterId: string,
-  joint: number,
+  joints: readonly number[],
   stiffness: number | 'locked' | 'usual',
 ): void {
-  attempt(wb.messages, () => wb.store.apply(setStiffness, { characterId, joints: [joint], stiffness }));
+  attempt(wb.messages, () => wb.store.apply(setStiffness, { characterId, joints, stiffness }));
 }
 
-export function isLocked(character: Character, joint: number): boolean {
+function isLocked(character: Character, joint: number): boolean {
   return ikOf(character).stiff.some((one) => one.joint === joint && one.stiffness === undefined);
 }
 
-/** Toggles between locked and default. */
-export function toggleLock(wb: Uses<'store' | 'messages'>, character: Character, joint: number): void {
-  stiffen(wb, character.id, joint, isLocked(character, joint) ? 'usual' : 'locked');
+/** Locks joints; if all are locked, restores their default. */
+export function toggleLocks(wb: Uses<'store' | 'messages'>, character: Character, joints: readonly number[]): void {
+  const areLocked = joints.every((joint) => isLocked(character, joint));
+  stiffen(wb, character.id, joints, areLocked ? 'usual' : 'locked');
 }
 
 export function freeRoot(wb: Uses<'store' | 'messages'>, characterId: string, isFree: boolean): void {

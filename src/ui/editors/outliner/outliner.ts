@@ -326,7 +326,17 @@ const CHARACTER_ACTIONS = [
   'pose.resetToZero',
   'pose.holdLimits',
 ];
-const JOINT_ACTIONS = ['view.frameSelection', 'draw.follow', 'draw.skin.heat'];
+const JOINT_ACTIONS = [
+  'key.joint',
+  'pose.copyJoints',
+  'pose.paste',
+  'pose.resetJoints',
+  'select.hierarchy',
+  'select.mirrored',
+  'view.frameSelection',
+  'draw.follow',
+  'draw.skin.heat',
+];
 
 function rowMenu(
   wb: Workbench,

@@ -5,13 +5,15 @@ import { jointName } from '../../../model/joint-name.ts';
 import { isMac } from '../../kit/keyboard.ts';
 import type { MenuEntry } from '../../kit/menu.ts';
 import { findAction, runAction } from '../../state/action.ts';
+import { jointsText, selectedJointsOf } from '../../state/selected-joint.ts';
 import { ariaShortcut, shortcutsFor, shortcutText } from '../../state/shortcuts.ts';
 import type { Workbench } from '../../state/workbench.ts';
 
 const edits = () => import('../rig/rig-edits.ts');
 
 /**
- * All of them in rig mode; otherwise only renaming and switching to rig mode.
+ * All of them in rig mode; otherwise renaming, pins and switching to rig mode. On one of several selected joints they
+ * are for all of these, except for what only one can have.
  *
  * @param joint index of the row's joint, which may not be selected yet
  */
@@ -34,7 +36,15 @@ export function jointEntries(
     const action = findAction(wb, id);
     return action && shortcutsFor(action, wb.settings.get())[0];
   };
-  const select = () => wb.store.select({ characterId: character.id, joint });
+  const selected = selectedJointsOf(wb, character.id);
+  const isSelected = selected.includes(joint);
+  const joints = isSelected ? selected : [joint];
+  const isForSeveral = joints.length > 1;
+  const select = () => {
+    if (!isSelected) wb.store.select({ characterId: character.id, joint });
+  };
+  /** `Pin 3 joints (IK)`, `Pin (IK)` for one. */
+  const what = isForSeveral ? ` ${jointsText(character.skeleton, joints)}` : '';
   if (wb.posing.mode.get() !== 'rig') {
     const rig = () => {
       select();
@@ -45,50 +55,68 @@ export function jointEntries(
       runAction(wb, id);
     };
     const { pins = [], stiff = [] } = character.ik ?? {};
-    const isPinned = pins.some((pin) => pin.joint === joint);
-    const isLocked = stiff.some((one) => one.joint === joint && one.stiffness === undefined);
+    const arePinned = joints.every((j) => pins.some((pin) => pin.joint === j));
+    const areLocked = joints.every((j) => stiff.some((one) => one.joint === j && one.stiffness === undefined));
     return [
       // The tree's own key.
       item('Rename', rename, 'F2'),
-      item(isPinned ? 'Unpin (IK)' : 'Pin (IK)', ofSelected('ik.pinJoint'), keyOf('ik.pinJoint')),
-      item(isLocked ? 'Unlock (IK)' : 'Lock (IK)', ofSelected('ik.lockJoint'), keyOf('ik.lockJoint')),
+      item(`${arePinned ? 'Unpin' : 'Pin'}${what} (IK)`, ofSelected('ik.pinJoint'), keyOf('ik.pinJoint')),
+      item(`${areLocked ? 'Unlock' : 'Lock'}${what} (IK)`, ofSelected('ik.lockJoint'), keyOf('ik.lockJoint')),
       item('Edit in rig mode', rig),
     ];
   }
   const doing = (label: string, run: (module: Awaited<ReturnType<typeof edits>>) => void, shortcut?: string) =>
-    item(label, () => void edits().then(run), shortcut);
-  const joints = character.skeleton?.joints ?? [];
+    item(
+      label,
+      () => {
+        select();
+        void edits().then(run);
+      },
+      shortcut,
+    );
+  const all = character.skeleton?.joints ?? [];
   const nameOf = (j: number) => jointName(character.skeleton, j);
   const parents: MenuEntry = {
     kind: 'menu',
     label: 'Parent to',
     entries: () => [
-      ...possibleParents(joints, joint).map(
+      ...possibleParents(all, joint).map(
         (parent): MenuEntry => ({
           kind: 'item',
           label: nameOf(parent),
           detail: undefined,
           enabled: true,
           radio: true,
-          checked: parent === joints[joint].parent,
+          checked: parent === all[joint].parent,
           run: () => void edits().then((m) => m.moveUnder(wb, character.id, { joint, parent })),
         }),
       ),
     ],
   };
-  const isRoot = joint === 0;
+  const oneParent: MenuEntry = {
+    kind: 'item',
+    label: 'Parent to',
+    detail: 'Select one joint',
+    enabled: false,
+    run: () => {},
+  };
+  const isRoot = joints.includes(0);
   return [
     item('Rename', rename, keyOf('rigging.rename')),
-    doing('Add child', (m) => m.addChild(wb, joint), keyOf('rigging.addChild')),
+    doing(
+      isForSeveral ? `Add child to ${nameOf(joints[joints.length - 1])}` : 'Add child',
+      (m) => m.addChild(wb),
+      keyOf('rigging.addChild'),
+    ),
     item('Add joints by clicking', () => {
       select();
       wb.posing.rig.adding.set(true);
     }),
-    doing('Mirror hierarchy across x', (m) => m.mirrorIt(wb, 'x', joint), keyOf('rigging.mirror.x')),
-    ...(isRoot ? [] : [parents]),
+    doing('Mirror hierarchy across x', (m) => m.mirrorSelected(wb, 'x'), keyOf('rigging.mirror.x')),
+    ...(isRoot ? [] : [isForSeveral ? oneParent : parents]),
     { kind: 'line' },
-    doing('Delete, keep children', (m) => m.removeIt(wb, 'stay', joint), keyOf('rigging.delete')),
-    doing('Delete with descendants', (m) => m.removeIt(wb, 'too', joint), keyOf('rigging.deleteBranch')),
+    doing(`Delete${what}, keep children`, (m) => m.removeSelected(wb, 'stay'), keyOf('rigging.delete')),
+    doing(`Delete${what} with descendants`, (m) => m.removeSelected(wb, 'too'), keyOf('rigging.deleteBranch')),
     { kind: 'line' },
   ];
 }

@@ -1,10 +1,9 @@
 /** Actions on whole poses: copy, paste, mirror, save. Their scripts are loaded on first use. */
 
-import { jointName } from '../../../model/joint-name.ts';
 import { currentCharacter } from '../../state/action.ts';
 import { NO_CHARACTER, NO_SKELETON, needs } from '../../state/needs.ts';
 import { openPanel } from '../../state/panels.ts';
-import { selectedJoint } from '../../state/selected-joint.ts';
+import { selectedJoints, selectedJointsText } from '../../state/selected-joint.ts';
 import type { Action, Uses } from '../../state/workbench.ts';
 
 const MENU = 'Edit/Pose';
@@ -12,10 +11,7 @@ const edits = () => import('./pose-edits.ts');
 const hasCharacter = needs(NO_CHARACTER, (wb: Uses<'store'>) => currentCharacter(wb) !== undefined);
 const hasSkeleton = needs(NO_SKELETON, (wb: Uses<'store'>) => currentCharacter(wb)?.skeleton !== undefined);
 
-function selectedName(wb: Uses<'store'>): string | undefined {
-  const selected = selectedJoint(wb);
-  return selected && jointName(selected.skeleton, selected.joint);
-}
+const hasJoint = needs('Select a joint first.', (wb: Uses<'store'>) => selectedJoints(wb) !== undefined);
 
 export const POSE_ACTIONS: readonly Action[] = [
   {
@@ -46,6 +42,29 @@ export const POSE_ACTIONS: readonly Action[] = [
     run: async (wb) => (await edits()).pasteCopied(wb),
   },
   {
+    id: 'pose.copyJoints',
+    name: 'Copy pose of selected joints',
+    label: (wb) => `Copy pose of ${selectedJointsText(wb)}`,
+    detail: 'Pasting it changes only these',
+    group: 'Edit',
+    menu: MENU,
+    section: 1,
+    enabled: hasJoint,
+    run: async (wb) => (await edits()).copyJoints(wb),
+  },
+  {
+    id: 'pose.resetJoints',
+    name: 'Reset selected joints to file pose',
+    label: (wb) => `Reset ${selectedJointsText(wb)} to file pose`,
+    unchanged: 'The selected joints are in the file pose already.',
+    group: 'Edit',
+    menu: MENU,
+    section: 1,
+    shortcuts: ['Alt+Shift+R'],
+    enabled: hasJoint,
+    run: async (wb) => (await edits()).resetJoints(wb),
+  },
+  {
     id: 'pose.mirror',
     label: 'Mirror pose',
     detail: 'Swaps left and right',
@@ -58,24 +77,24 @@ export const POSE_ACTIONS: readonly Action[] = [
   },
   {
     id: 'pose.mirrorBranch',
-    name: 'Mirror pose of selected joint',
-    label: (wb) => `Mirror pose of ${selectedName(wb) ?? 'selected joint'}`,
-    detail: 'Including its descendants',
+    name: 'Mirror pose of selected joints',
+    label: (wb) => `Mirror pose of ${selectedJointsText(wb)}`,
+    detail: 'Including all descendants',
     group: 'Edit',
     menu: MENU,
     section: 2,
-    enabled: needs('Select a joint first.', (wb) => selectedName(wb) !== undefined),
+    enabled: hasJoint,
     run: async (wb) => (await edits()).mirror(wb, 'swap', true),
   },
   {
     id: 'pose.copyToOther',
-    name: 'Copy pose of selected joint to other side',
-    label: (wb) => `Copy ${selectedName(wb) ?? 'selected joint'} to other side`,
+    name: 'Copy pose of selected joints to other side',
+    label: (wb) => `Copy ${selectedJointsText(wb)} to other side`,
     group: 'Edit',
     menu: MENU,
     section: 2,
     shortcuts: ['Alt+Shift+M'],
-    enabled: needs('Select a joint first.', (wb) => selectedName(wb) !== undefined),
+    enabled: hasJoint,
     run: async (wb) => (await edits()).mirror(wb, 'toOther', true),
   },
   {

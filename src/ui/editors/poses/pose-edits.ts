@@ -1,4 +1,6 @@
 /** Edits of whole poses, for menus, keys and the library. Loaded on first use. */
+
+import { setDofs } from '../../../edit/commands/pose.ts';
 import {
   type ApplyPose,
   applyPose,
@@ -9,25 +11,65 @@ import {
   renamePose,
 } from '../../../edit/commands/poses.ts';
 import { poseByNames, takePose } from '../../../edit/pose/by-names.ts';
+import { counterpartOf } from '../../../edit/pose/mirror.ts';
+import { CommandError, documentIn } from '../../../edit/store.ts';
 import { dofCountOf, poseAt } from '../../../evaluate/pose.ts';
+import { coupleOf } from '../../../model/couples.ts';
+import type { Character } from '../../../model/document.ts';
+import { filePose } from '../../../model/dofs.ts';
+import type { PoseByNames } from '../../../model/pose-by-names.ts';
+import type { Skeleton } from '../../../model/skeleton.ts';
 import { plural } from '../../kit/number-text.ts';
 import { currentCharacter } from '../../state/action.ts';
 import { addKeyed } from '../../state/add-keys.ts';
 import { attempt } from '../../state/attempt.ts';
 import { pausePlayback } from '../../state/pause-playback.ts';
-import { selectedJointOf } from '../../state/selected-joint.ts';
+import { jointsText, selectedJoints, selectedJointsOf } from '../../state/selected-joint.ts';
 import type { Uses } from '../../state/workbench.ts';
-import { autoKey } from '../posing/pose-edits.ts';
+import { autoKey, dofsOfJoints } from '../posing/pose-edits.ts';
 
 /** Copies the current pose. */
 export function copyPose(wb: Uses<'store' | 'transport' | 'posing' | 'messages'>): void {
   const character = currentCharacter(wb);
   if (!character) return;
+  wb.posing.copied.set({ pose: currentPose(wb, character), from: character.name });
+  wb.messages.note(`Copied the pose of ${character.name}.`);
+}
+
+/** Copies that of the selected joints only; the root's has the position of the character. */
+export function copyJoints(wb: Uses<'store' | 'transport' | 'posing' | 'messages'>): void {
+  const selected = selectedJoints(wb);
+  if (!selected) return;
+  const { character, skeleton, joints } = selected;
+  const { root, ...whole } = currentPose(wb, character);
+  const pose = {
+    ...whole,
+    ...(joints.includes(0) && root && { root }),
+    joints: whole.joints.filter((_, joint) => joints.includes(joint)),
+    weights: [],
+  };
+  const from = `${jointsText(skeleton, joints)} of ${character.name}`;
+  wb.posing.copied.set({ pose, from: joints.length === 1 ? jointsText(skeleton, joints) : from });
+  wb.messages.note(`Copied the pose of ${from}.`);
+}
+
+/** Resets the selected joints to the file pose. */
+export function resetJoints(wb: Uses<'store' | 'transport' | 'timeline' | 'settings' | 'messages'>): void {
+  const selected = selectedJoints(wb);
+  if (!selected) return;
+  const { character, skeleton, joints } = selected;
+  const inFile = filePose(skeleton, 0);
+  const own = dofsOfJoints(character, joints).filter((index) => !coupleOf(skeleton, index));
+  const dofs = own.map((index) => ({ index, value: inFile[index] ?? 0 }));
+  const label = `Reset ${jointsText(skeleton, joints)} to file pose`;
+  const command = { ...setDofs, label: () => label };
+  attempt(wb.messages, () => addKeyed(wb, command, { characterId: character.id, dofs, ...moment(wb) }));
+}
+
+function currentPose(wb: Uses<'transport'>, character: Character): PoseByNames {
   const values = new Float64Array(dofCountOf(character));
   poseAt(character, wb.transport.get().timeSeconds, values);
-  const pose = poseByNames(character, { name: character.name, values: Array.from(values) });
-  wb.posing.copied.set({ pose, from: character.name });
-  wb.messages.note(`Copied the pose of ${character.name}.`);
+  return poseByNames(character, { name: character.name, values: Array.from(values) });
 }
 
 /** Reports what did not match. */
@@ -44,7 +86,7 @@ export function pasteCopied(wb: Uses<'store' | 'transport' | 'timeline' | 'posin
   });
 }
 
-/** @param branch the selected joint and its descendants only */
+/** @param branch the selected joints and their descendants only */
 export function mirror(
   wb: Uses<'store' | 'transport' | 'timeline' | 'settings' | 'messages'>,
   way: 'swap' | 'toOther',
@@ -52,8 +94,40 @@ export function mirror(
 ): void {
   const character = currentCharacter(wb);
   if (!character) return;
-  const joint = branch ? selectedJointOf(wb, character.id) : undefined;
-  attempt(wb.messages, () => addKeyed(wb, mirrorPose, { characterId: character.id, joint, way, ...moment(wb) }));
+  const joints = branch ? selectedJointsOf(wb, character.id) : [];
+  const { skeleton } = character;
+  attempt(wb.messages, () => {
+    const args = { characterId: character.id, way, ...moment(wb) };
+    if (joints.length < 2 || !skeleton) return addKeyed(wb, mirrorPose, { ...args, joint: joints[0] });
+    const apart = apartFrom(skeleton, joints, way);
+    const text = jointsText(skeleton, joints);
+    const label = way === 'swap' ? `Mirror pose of ${text}` : `Copy pose of ${text} to the other side`;
+    const command: typeof mirrorPose = {
+      ...mirrorPose,
+      label: () => label,
+      run: (document, all) => apart.reduce((d, joint) => documentIn(mirrorPose.run(d, { ...all, joint })), document),
+    };
+    addKeyed(wb, command, args);
+  });
+}
+
+/**
+ * Those of the joints that must be mirrored, so that none is twice: not within the hierarchy of another one, and to swap
+ * sides only one of two counterparts.
+ */
+function apartFrom(skeleton: Skeleton, joints: readonly number[], way: 'swap' | 'toOther'): readonly number[] {
+  const isInside = (joint: number): boolean => {
+    const { parent } = skeleton.joints[joint];
+    return parent >= 0 && (joints.includes(parent) || isInside(parent));
+  };
+  const outermost = joints.filter((joint) => !isInside(joint));
+  const isDouble = (joint: number, i: number) => {
+    const other = counterpartOf(skeleton, joint);
+    return other !== undefined && other !== joint && outermost.indexOf(other) >= 0 && outermost.indexOf(other) < i;
+  };
+  if (way === 'toOther' && outermost.some(isDouble))
+    throw new CommandError('Both sides are selected. Select the joints of the side to copy.');
+  return outermost.filter((joint, i) => !isDouble(joint, i));
 }
 
 export function keep(wb: Uses<'store' | 'transport' | 'timeline' | 'settings' | 'messages'>): void {

@@ -9,12 +9,12 @@ import { type Character, shownClip } from '../../../model/document.ts';
 import { shown } from '../../kit/number-text.ts';
 import { currentCharacter } from '../../state/action.ts';
 import { NO_SKELETON, needs } from '../../state/needs.ts';
-import { selectedJointOf } from '../../state/selected-joint.ts';
+import { selectedJointsOf, selectedJointsText } from '../../state/selected-joint.ts';
 import type { NEW_KEY_TANGENTS } from '../../state/settings.ts';
 import { keyNameOf } from '../../state/tooltips.ts';
 import type { Action, Uses } from '../../state/workbench.ts';
 import { hasTake } from '../timeline/key-actions.ts';
-import { deleteKeysNow, jointDofs, keyNow, keysNow } from './pose-edits.ts';
+import { deleteKeysNow, dofsOfJoints, keyNow, keysNow } from './pose-edits.ts';
 
 const TANGENT_LABELS: Readonly<Record<(typeof NEW_KEY_TANGENTS)[number], string>> = {
   smooth: 'Smooth',
@@ -31,7 +31,7 @@ const shownTake = (wb: Uses<'store'>) => {
 export const KEYING_ACTIONS: readonly Action[] = [
   {
     id: 'key.changed',
-    label: 'Key changed values, else selected joint',
+    label: 'Key changed values, else selected joints',
     group: 'Keys',
     menu: 'Keys',
     shortcuts: ['K'],
@@ -50,12 +50,13 @@ export const KEYING_ACTIONS: readonly Action[] = [
   },
   {
     id: 'key.joint',
-    label: 'Key all DOFs of selected joint',
+    name: 'Key all DOFs of selected joints',
+    label: (wb) => `Key all DOFs of ${selectedJointsText(wb)}`,
     group: 'Keys',
     menu: 'Keys',
     shortcuts: ['Ctrl+Alt+K'],
     enabled: canKey,
-    run: (wb) => withJoint(wb, (character, dofs) => keyAndTell(wb, character, dofs)),
+    run: (wb) => withJoints(wb, (character, dofs) => keyAndTell(wb, character, dofs)),
   },
   {
     id: 'key.deleteHere',
@@ -68,12 +69,13 @@ export const KEYING_ACTIONS: readonly Action[] = [
   },
   {
     id: 'key.deleteJointHere',
-    label: 'Delete joint’s keys at current time',
+    name: 'Delete selected joints’ keys at current time',
+    label: (wb) => `Delete keys of ${selectedJointsText(wb)} at current time`,
     group: 'Keys',
     menu: 'Keys',
     shortcuts: ['Alt+Shift+K'],
     enabled: needs('There are no keys at the current time.', (wb) => hasKeysHere(wb)),
-    run: (wb) => withJoint(wb, (character, dofs) => deleteKeysNow(wb, character, dofs)),
+    run: (wb) => withJoints(wb, (character, dofs) => deleteKeysNow(wb, character, dofs)),
   },
   {
     id: 'key.dropUnkeyed',
@@ -188,15 +190,18 @@ function withCharacter(wb: Uses<'store'>, run: (character: Character) => void): 
 }
 
 /** A shortcut that silently does nothing without a selected joint would be confusing. */
-function withJoint(wb: Uses<'store' | 'messages'>, run: (character: Character, dofs: readonly number[]) => void): void {
+function withJoints(
+  wb: Uses<'store' | 'messages'>,
+  run: (character: Character, dofs: readonly number[]) => void,
+): void {
   const character = currentCharacter(wb);
-  const { characterId, joint } = wb.store.selection;
   if (!character) return;
-  if (joint === undefined || characterId !== character.id) wb.messages.note('Select a joint first.');
-  else run(character, jointDofs(character, joint));
+  const joints = selectedJointsOf(wb, character.id);
+  if (joints.length === 0) wb.messages.note('Select a joint first.');
+  else run(character, dofsOfJoints(character, joints));
 }
 
-/** What was changed by hand; if nothing was, the selected joint as it is. Neither keys what nobody has touched. */
+/** What was changed by hand; if nothing was, the selected joints as they are. Neither keys what nobody has touched. */
 function keyChanged(
   wb: Uses<'store' | 'transport' | 'timeline' | 'posing' | 'settings' | 'actions' | 'messages'>,
 ): void {
@@ -207,9 +212,9 @@ function keyChanged(
     keyAndTell(wb, character, posed);
     return;
   }
-  const joint = selectedJointOf(wb, character.id);
-  if (joint !== undefined) {
-    keyAndTell(wb, character, jointDofs(character, joint));
+  const joints = selectedJointsOf(wb, character.id);
+  if (joints.length > 0) {
+    keyAndTell(wb, character, dofsOfJoints(character, joints));
     return;
   }
   // No selection would help: the command says what moves the character, and what to do.
@@ -230,7 +235,8 @@ function keyAndTell(
   dofs?: readonly number[],
 ): void {
   if (dofs?.length === 0) {
-    wb.messages.note('The selected joint has no DOFs to key.');
+    const many = selectedJointsOf(wb, character.id).length > 1;
+    wb.messages.note(many ? 'The selected joints have no DOFs to key.' : 'The selected joint has no DOFs to key.');
     return;
   }
   const before = wb.store.document;

@@ -95,6 +95,11 @@ export function isKeyedNow(wb: Uses<'transport'>, character: Character, dof: num
   return channel?.kind === 'keys' && findKey(channel, clipTime(wb, character)) >= 0;
 }
 
+/** The DOFs of several joints, ascending. */
+export function dofsOfJoints(character: Character, joints: readonly number[]): readonly number[] {
+  return [...joints].sort((a, b) => a - b).flatMap((joint) => jointDofs(character, joint));
+}
+
 /** The DOFs of a joint, for the root including the root translation, as in inspector and timeline. */
 export function jointDofs(character: Character, joint: number): readonly number[] {
   const [first, end] = channelsOfJoint(character, joint);

@@ -4,7 +4,7 @@ import type { NamedAxis } from '../../../edit/rig/rigging.ts';
 import { currentCharacter } from '../../state/action.ts';
 import { NO_SKELETON, needs, reasonOf } from '../../state/needs.ts';
 import { isPanelOpen, openPanel } from '../../state/panels.ts';
-import { selectedJoint } from '../../state/selected-joint.ts';
+import { selectedJoint, selectedJointsText } from '../../state/selected-joint.ts';
 import type { Action, Uses } from '../../state/workbench.ts';
 
 const edits = () => import('./rig-edits.ts');
@@ -24,7 +24,7 @@ function inRig(action: Action): Action {
   };
 }
 
-/** For the selected joint. */
+/** For the selected joints. */
 function ofJoint(action: Omit<Action, 'group' | 'menu'> & Partial<Action>): Action {
   return inRig({
     group: 'Rig',
@@ -97,22 +97,24 @@ export const RIG_ACTIONS: readonly Action[] = [
       menu: 'Rig/Mirror hierarchy',
       section: 2,
       ...(axis === 'x' && { shortcuts: ['Shift+M'] }),
-      run: async (wb) => (await edits()).mirrorIt(wb, axis),
+      run: async (wb) => (await edits()).mirrorSelected(wb, axis),
     }),
   ),
   ofJoint({
     id: 'rigging.delete',
-    label: 'Delete joint, keep children',
+    name: 'Delete joints, keep children',
+    label: (wb) => `Delete ${selectedJointsText(wb)}, keep children`,
     section: 3,
     shortcuts: ['Delete'],
-    run: async (wb) => (await edits()).removeIt(wb, 'stay'),
+    run: async (wb) => (await edits()).removeSelected(wb, 'stay'),
   }),
   ofJoint({
     id: 'rigging.deleteBranch',
-    label: 'Delete joint and descendants',
+    name: 'Delete joints and descendants',
+    label: (wb) => `Delete ${selectedJointsText(wb)} and descendants`,
     section: 3,
     shortcuts: ['Shift+Delete'],
-    run: async (wb) => (await edits()).removeIt(wb, 'too'),
+    run: async (wb) => (await edits()).removeSelected(wb, 'too'),
   }),
   inRig({
     id: 'rigging.skinStays',

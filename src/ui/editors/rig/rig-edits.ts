@@ -1,17 +1,19 @@
 /** Edits of a skeleton from menus, keys and the tree: commands with the page's state filled in. */
 import { addJoint, createRig, mirrorJoint, removeJoint, reparentJoint } from '../../../edit/commands/rig.ts';
 import { renameJoint, setFilePose, setOffset } from '../../../edit/commands/rig-joint.ts';
+import { inTurn } from '../../../edit/in-turn.ts';
 import { inverseOf, snappedPoint, withoutDust } from '../../../edit/rig/dragged-places.ts';
 import type { NamedAxis, ReparentJoint, SetFilePose } from '../../../edit/rig/rigging.ts';
-import { documentIn, type Edit } from '../../../edit/store.ts';
+import { CommandError, documentIn, type Edit } from '../../../edit/store.ts';
 import { boxOf } from '../../../evaluate/bounds.ts';
 import { roundStep } from '../../../math/round-steps.ts';
 import { transformPoint, type Vec3 } from '../../../math/vec3.ts';
 import { type Character, type Document, findCharacter, shownSkin } from '../../../model/document.ts';
+import type { Skeleton } from '../../../model/skeleton.ts';
 import { currentCharacter } from '../../state/action.ts';
 import { attempt } from '../../state/attempt.ts';
 import { pausePlayback } from '../../state/pause-playback.ts';
-import { selectedJoint } from '../../state/selected-joint.ts';
+import { jointsText, selectedJointsOf } from '../../state/selected-joint.ts';
 import type { Uses, Workbench } from '../../state/workbench.ts';
 import { nameNote } from './joint-names.ts';
 import { riggedNow, scenePivot } from './rigged.ts';
@@ -94,50 +96,71 @@ function selectedIn(change: Document | Edit, before: Document): string | undefin
   return said ?? documentIn(change).characters.find((c) => !findCharacter(before, c.id))?.id;
 }
 
-/** Runs with the current character and joint; reports if there is none. */
-function withJoint(
+/** Runs with the current character and its selected joints, the active one last; reports if there are none. */
+function withJoints(
   wb: Uses<'store' | 'transport' | 'timeline' | 'settings' | 'messages'>,
-  joint: number | undefined,
-  run: (character: Character, joint: number) => void,
+  run: (character: Character, skeleton: Skeleton, joints: readonly number[]) => void,
 ): void {
   const character = currentCharacter(wb);
-  const meant = joint ?? selectedJoint(wb)?.joint;
-  if (!character?.skeleton || meant === undefined) {
+  const joints = character ? selectedJointsOf(wb, character.id) : [];
+  if (!character?.skeleton || joints.length === 0) {
     wb.messages.note('Select a joint first.');
     return;
   }
+  const { skeleton } = character;
   pausePlayback(wb);
-  attempt(wb.messages, () => run(character, meant));
+  attempt(wb.messages, () => run(character, skeleton, joints));
 }
 
-/** Adds and selects a child that continues the bone. */
-export function addChild(
-  wb: Uses<'store' | 'transport' | 'timeline' | 'posing' | 'settings' | 'messages'>,
-  joint?: number,
-): void {
-  withJoint(wb, joint, (character, parent) => wb.store.apply(addJoint, { ...rigging(wb, character), parent }));
+/** Adds and selects a child of the active joint that continues the bone. */
+export function addChild(wb: Uses<'store' | 'transport' | 'timeline' | 'posing' | 'settings' | 'messages'>): void {
+  withJoints(wb, (character, _skeleton, joints) => {
+    const parent = joints[joints.length - 1];
+    wb.store.apply(addJoint, { ...rigging(wb, character), parent });
+  });
 }
 
-export function removeIt(
+/** Deletes the selected joints. The parent of the first one is selected then, as after deleting one. */
+export function removeSelected(
   wb: Uses<'store' | 'transport' | 'timeline' | 'posing' | 'settings' | 'messages'>,
   children: 'too' | 'stay',
-  joint?: number,
 ): void {
-  withJoint(wb, joint, (character, meant) =>
-    wb.store.apply(removeJoint, { ...rigging(wb, character), joint: meant, children }),
-  );
+  withJoints(wb, (character, skeleton, joints) => {
+    const shared = { ...rigging(wb, character), children };
+    if (joints.length === 1) return wb.store.apply(removeJoint, { ...shared, joint: joints[0] });
+    const meant = children === 'too' ? outermost(skeleton, joints) : joints;
+    // From the last one, so that the indices of those before stay valid.
+    const each = [...meant].sort((a, b) => b - a).map((joint) => ({ ...shared, joint }));
+    const text = `Delete ${jointsText(skeleton, joints)}`;
+    const { parent } = skeleton.joints[Math.min(...meant)];
+    wb.store.apply(inTurn(removeJoint, children === 'too' ? `${text} and descendants` : text), each);
+    wb.store.select({ characterId: character.id, ...(parent >= 0 && { joint: parent }) });
+  });
 }
 
-export function mirrorIt(
+/** Mirrors the hierarchies of the selected joints. */
+export function mirrorSelected(
   wb: Uses<'store' | 'transport' | 'timeline' | 'posing' | 'settings' | 'messages'>,
   across: NamedAxis,
-  joint?: number,
 ): void {
-  withJoint(wb, joint, (character, meant) => {
+  withJoints(wb, (character, skeleton, joints) => {
     const before = wb.store.document;
-    wb.store.apply(mirrorJoint, { ...rigging(wb, character), joint: meant, across });
+    if (outermost(skeleton, joints).length > 1) {
+      throw new CommandError('Mirroring adds and renumbers joints. Select the joints of one hierarchy.');
+    }
+    const [joint] = outermost(skeleton, joints);
+    wb.store.apply(mirrorJoint, { ...rigging(wb, character), joint, across });
     if (wb.store.document === before) wb.messages.note('Both sides already match.');
   });
+}
+
+/** Those that aren't within the hierarchy of another one. */
+function outermost({ joints: all }: Skeleton, joints: readonly number[]): readonly number[] {
+  const isInside = (joint: number): boolean => {
+    const { parent } = all[joint];
+    return parent >= 0 && (joints.includes(parent) || isInside(parent));
+  };
+  return joints.filter((joint) => !isInside(joint));
 }
 
 export function moveUnder(

@@ -46,3 +46,18 @@ it('pins and locks a joint outside of rig mode, with labels that tell which', ()
   const stiffer = labels({ pins: [], stiff: [{ joint: 1, stiffness: 10 }], rootIsFree: true });
   expect(stiffer.slice(1, 3)).toEqual(['Pin (IK)', 'Lock (IK)']);
 });
+
+it('entries on one of several selected joints say how many they are for', () => {
+  const bones = skeleton(['hips', -1], ['leg_l', 0], ['leg_r', 0]);
+  const { wb } = workbench(documentOf(character({ skeleton: bones })));
+  wb.store.select({ characterId: 'c1', joint: 2, others: [1] });
+  const labels = (joint: number) =>
+    jointEntries(wb, wb.store.document.characters[0], joint, () => {}).flatMap((entry) =>
+      entry.kind === 'item' ? [entry.label] : [],
+    );
+  expect(labels(1)).toContain('Pin 2 joints (IK)');
+  // Not a selected one: only for itself.
+  expect(labels(0)).toContain('Pin (IK)');
+  wb.posing.mode.set('rig');
+  expect(labels(1)).toEqual(expect.arrayContaining(['Delete 2 joints, keep children', 'Add child to leg_r']));
+});
