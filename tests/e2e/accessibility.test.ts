@@ -112,7 +112,14 @@ const STATES: readonly (readonly [name: string, enter: (page: Page) => Promise<u
       await page.locator('.message-line').waitFor();
     },
   ],
-  ['a menu is open', (page) => click(page.locator('.all-menus:visible, .menu-titles:visible [role=menuitem]').first())],
+  [
+    'the viewport’s menu is open',
+    async (page) => {
+      await page.getByRole('application', { name: 'Viewport' }).focus();
+      await page.keyboard.press('Shift+F10');
+      await page.getByRole('menu').waitFor();
+    },
+  ],
   [
     'a dialog is open',
     async (page) => {

@@ -113,6 +113,7 @@ export function workbench(document: Document = EMPTY_DOCUMENT, playback: Partial
       samples: [{ id: 'walker', label: 'Walker', description: 'walks' }],
       drop: () => {},
       paste: () => {},
+      canReload: () => false,
       save: (id: string, kind: string) => void saved.push(`${id}.${kind}`),
     },
     viewport,

@@ -48,6 +48,19 @@ export function focusNextRegion(step: 1 | -1): void {
   if (region) firstStop(region)?.focus();
 }
 
+/** Marks a section of a panel by a name, for `focusSection`. */
+export const SECTION = 'data-section';
+
+/** Scrolls to a section and focuses its first cell of a table, else its first tab stop after the title. */
+export function focusSection(name: string): void {
+  // Tests of actions have no page.
+  if (typeof document === 'undefined') return;
+  const section = document.querySelector<HTMLElement>(`[${SECTION}="${name}"]`);
+  section?.scrollIntoView({ block: 'start' });
+  const cell = section?.querySelector<HTMLElement>('[role=gridcell][tabindex="0"]');
+  (cell ?? (section && firstStop(section)))?.focus({ preventScroll: true });
+}
+
 function firstStop(region: HTMLElement): HTMLElement | undefined {
   if (region.closest('[inert]')) return undefined;
   const stops = [...region.querySelectorAll<HTMLElement>(STOPS)].filter(

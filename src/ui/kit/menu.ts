@@ -48,6 +48,11 @@ export interface MenuOptions {
   onLeave?(step: -1 | 1): void;
 }
 
+/** Whether a key opens the context menu of what has the focus: the Menu key, or Shift+F10. */
+export function asksForMenu({ key, shiftKey, ctrlKey, altKey, metaKey }: KeyboardEvent): boolean {
+  return !ctrlKey && !altKey && !metaKey && (key === 'ContextMenu' || (key === 'F10' && shiftKey));
+}
+
 /** Pixels kept free at the window's edges. */
 const MARGIN = 4;
 const HOVER_OPENS_MS = 120;

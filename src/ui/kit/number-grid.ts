@@ -1,9 +1,18 @@
 /**
- * A table of aligned numbers that can each be copied exactly: click or Enter copies the number in full precision, arrow
- * keys move between numbers, and the whole table is one tab stop.
+ * A table of aligned numbers that are copied exactly, in full precision:
+ *
+ *     click, Enter, Ctrl+C   copies the number               arrows       to another number
+ *     Shift+Enter            its row                         Home, End    the first, last of its row; with Ctrl of all
+ *     Ctrl+Enter             the table
+ *     right click, Shift+F10 a menu of these
+ *
+ * The whole table is one tab stop. What was copied is announced.
  */
+import { announce, BLOCKED } from './announce.ts';
 import { copyText } from './clipboard.ts';
 import { element, setText } from './dom.ts';
+import { isMac } from './keyboard.ts';
+import { asksForMenu, type MenuEntry, openMenu } from './menu.ts';
 import { aligned, decimalsWithin, exact } from './number-text.ts';
 import { setTooltip } from './tooltip.ts';
 
@@ -47,7 +56,13 @@ export class NumberGrid {
     this.element.addEventListener('keydown', (event) => this.onKey(event));
     this.element.addEventListener('click', (event) => {
       const index = this.indexOf(event.target);
-      if (index >= 0) this.copy(index);
+      if (index >= 0) this.copy([index]);
+    });
+    this.element.addEventListener('contextmenu', (event) => {
+      const index = this.indexOf(event.target);
+      if (index < 0) return;
+      event.preventDefault();
+      this.openMenu(index, { x: event.clientX, y: event.clientY }, false);
     });
   }
 
@@ -69,18 +84,23 @@ export class NumberGrid {
 
   /** The table as text, exact, one line per row. */
   text(): string {
-    const { rows, columns, rowLabels } = this.options;
+    const { rows, rowLabels } = this.options;
     const lines: string[] = [];
     for (let r = 0; r < rows; r++) {
-      const numbers = Array.from(this.values.subarray(r * columns, (r + 1) * columns), exactOrNone).join(' ');
+      const numbers = this.rowText(r);
       lines.push(rowLabels ? `${rowLabels[r]} ${numbers}` : numbers);
     }
     return lines.join('\n');
   }
 
+  private rowText(row: number): string {
+    const { columns } = this.options;
+    return Array.from(this.values.subarray(row * columns, (row + 1) * columns), exactOrNone).join(' ');
+  }
+
   private cell(index: number): HTMLElement {
     const made = element('td', { role: 'gridcell', class: 'number', tabindex: -1 });
-    setTooltip(made, () => `${exactOrNone(this.values[index])}  (click or Enter copies it)`);
+    setTooltip(made, () => `${exactOrNone(this.values[index])}\n${HINT}`);
     this.cells.push(made);
     return made;
   }
@@ -89,11 +109,16 @@ export class NumberGrid {
     const index = this.indexOf(event.target);
     if (index < 0 || event.altKey) return;
     const command = event.ctrlKey || event.metaKey;
-    const { columns } = this.options;
-    const steps: Record<string, number> = { ArrowLeft: -1, ArrowRight: 1, ArrowUp: -columns, ArrowDown: columns };
-    if (!command && steps[event.key] !== undefined) this.focusAt(index + steps[event.key]);
-    else if (event.key === 'Enter' || (command && event.key.toLowerCase() === 'c')) this.copy(index);
-    else return;
+    const to = cellAfter(event, index, this.options);
+    if (to !== undefined) this.focusAt(to);
+    else if (event.key === 'Enter' && command) this.copyTable();
+    else if (event.key === 'Enter' && event.shiftKey) this.copyRow(index);
+    else if (event.key === 'Enter' || (command && !event.shiftKey && event.key.toLowerCase() === 'c'))
+      this.copy([index]);
+    else if (asksForMenu(event)) {
+      const { left, bottom } = this.cells[index].getBoundingClientRect();
+      this.openMenu(index, { x: left, y: bottom }, true);
+    } else return;
     event.preventDefault();
     event.stopPropagation();
   }
@@ -110,13 +135,66 @@ export class NumberGrid {
     to.focus();
   }
 
-  private copy(index: number): void {
-    const cell = this.cells[index];
-    void copyText(exactOrNone(this.values[index])).then((done) => {
-      cell.classList.toggle('copied', done);
-      setTimeout(() => cell.classList.remove('copied'), COPIED_MS);
+  private openMenu(index: number, at: { readonly x: number; readonly y: number }, focusFirst: boolean): void {
+    const item = (label: string, shortcut: string, run: () => void): MenuEntry => {
+      return { kind: 'item', label, enabled: true, shortcut: isMac ? shortcut.replace('Ctrl+', '⌘') : shortcut, run };
+    };
+    const entries = [
+      item('Copy number', 'Ctrl+C', () => this.copy([index])),
+      item('Copy row', 'Shift+Enter', () => this.copyRow(index)),
+      item('Copy table', 'Ctrl+Enter', () => this.copyTable()),
+    ];
+    openMenu(at, entries, { label: this.options.label, opener: this.cells[index], focusFirst });
+  }
+
+  private copyRow(index: number): void {
+    const { columns } = this.options;
+    const row = Math.floor(index / columns);
+    this.copy(
+      Array.from({ length: columns }, (_, c) => row * columns + c),
+      this.rowText(row),
+    );
+  }
+
+  private copyTable(): void {
+    this.copy([...this.cells.keys()], this.text());
+  }
+
+  /** @param text of the cells; default the number of the only one */
+  private copy(indices: readonly number[], text = exactOrNone(this.values[indices[0]])): void {
+    const cells = indices.map((index) => this.cells[index]);
+    void copyText(text).then((done) => {
+      announce(done ? `Copied ${indices.length === 1 ? text : `${indices.length} numbers`}` : BLOCKED);
+      for (const cell of cells) cell.classList.toggle('copied', done);
+      setTimeout(() => {
+        for (const cell of cells) cell.classList.remove('copied');
+      }, COPIED_MS);
     });
   }
+}
+
+const HINT = `Click or Enter copies it, Shift+Enter its row, ${isMac ? '⌘' : 'Ctrl+'}Enter the table`;
+
+/** The cell that a key moves to, in rows of `columns`: it stays within the table. Undefined for other keys. */
+export function cellAfter(
+  { key, ctrlKey, metaKey, shiftKey }: Pick<KeyboardEvent, 'key' | 'ctrlKey' | 'metaKey' | 'shiftKey'>,
+  index: number,
+  { rows, columns }: Pick<GridOptions, 'rows' | 'columns'>,
+): number | undefined {
+  if (shiftKey) return undefined;
+  const last = rows * columns - 1;
+  const first = index - (index % columns);
+  const isAll = ctrlKey || metaKey;
+  if (key === 'Home') return isAll ? 0 : first;
+  if (key === 'End') return isAll ? last : first + columns - 1;
+  if (isAll) return undefined;
+  const steps: Readonly<Record<string, number>> = {
+    ArrowLeft: index > first ? -1 : 0,
+    ArrowRight: index < first + columns - 1 ? 1 : 0,
+    ArrowUp: index >= columns ? -columns : 0,
+    ArrowDown: index + columns <= last ? columns : 0,
+  };
+  return steps[key] === undefined ? undefined : index + steps[key];
 }
 
 /** An infinite limit is copied as a word: no file has the number `Infinity`. */

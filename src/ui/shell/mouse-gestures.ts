@@ -19,6 +19,7 @@ export const MOUSE_GESTURES: readonly MouseGestures[] = [
       ['Dolly', 'wheel'],
       ['Pick a joint or vertex', 'click'],
       ['Add a joint to the selection, or remove it', 'Shift+click or Ctrl+click'],
+      ['Menu of what is there', 'right click, long press, or Shift+F10'],
       ['Only select and orbit', 'Q: the select tool'],
       ['Zoom the time ruler', 'wheel'],
       ['Pan the time ruler', 'Shift+wheel'],

@@ -1,6 +1,10 @@
 /** Actions for panels, theme, units and help. */
-import { focusNextRegion } from '../kit/focus.ts';
+import { jointName } from '../../model/joint-name.ts';
+import { focusNextRegion, focusSection } from '../kit/focus.ts';
+import { currentCharacter } from '../state/action.ts';
+import { NO_CHARACTER, needs } from '../state/needs.ts';
 import { isPanelOpen, openPanel } from '../state/panels.ts';
+import { selectedJoint } from '../state/selected-joint.ts';
 import type { Settings } from '../state/settings.ts';
 import type { Action, Uses } from '../state/workbench.ts';
 import { VERSION } from './version.ts';
@@ -39,6 +43,24 @@ export const PAGE_ACTIONS: readonly Action[] = [
     icon: 'clip',
     checked: (wb) => isPanelOpen(wb.settings.get(), 'timeline'),
     run: (wb) => openPanel(wb, 'timeline', !isPanelOpen(wb.settings.get(), 'timeline')),
+  },
+  {
+    id: 'page.details',
+    name: 'Show details of selection',
+    label(wb) {
+      const selected = selectedJoint(wb);
+      return `Show details of ${selected ? jointName(selected.skeleton, selected.joint) : 'selection'}`;
+    },
+    group: 'Page',
+    menu: 'View',
+    section: 3,
+    also: 'facts matrices numbers copy',
+    enabled: needs(NO_CHARACTER, (wb) => currentCharacter(wb) !== undefined),
+    run(wb) {
+      openPanel(wb, 'inspector', true);
+      wb.settings.update((s) => ({ ...s, folds: { ...s.folds, 'inspector/facts': true } }));
+      focusSection('facts');
+    },
   },
   {
     id: 'page.viewportOnly',

@@ -16,14 +16,16 @@ import {
 import { listenToCanvas } from '../editors/viewport/canvas-tools.ts';
 import { button, element, keepsFocusElsewhere, setAttribute, setText, uniqueId } from '../kit/dom.ts';
 import { icon } from '../kit/icons.ts';
-import { menuButton } from '../kit/menu.ts';
+import { asksForMenu, menuButton } from '../kit/menu.ts';
 import { toolbar } from '../kit/roving.ts';
 import { setTooltip } from '../kit/tooltip.ts';
 import { actionsOf, currentCharacter, isChecked, runAction } from '../state/action.ts';
 import { itemOf } from '../state/menu-entries.ts';
+import { onDemand } from '../state/on-demand.ts';
 import { addsToSelection, selectHit } from '../state/select-joints.ts';
 import { setActionTooltip } from '../state/tooltips.ts';
 import type { Uses, Workbench } from '../state/workbench.ts';
+import { emptyStage } from './empty-stage.ts';
 import { firstSteps } from './first-steps.ts';
 import { heightsNote } from './heights-note.ts';
 import { keptSession } from './kept-session.ts';
@@ -38,7 +40,7 @@ const TOGGLES = ['bones', 'axes', 'names', 'normals', 'ghosts', 'grid', 'shadow'
 const VIEWPORT_KEYS =
   'Up and down arrows select the parent or child joint, with Shift left and right the previous or next sibling; left ' +
   'and right orbit the view when paused. V chooses a DOF of the joint, plus and minus change it. F frames the ' +
-  'selection. F6 moves to the next panel, question mark lists all keys.';
+  'selection. Shift F10 opens a menu. F6 moves to the next panel, question mark lists all keys.';
 
 export function viewportPane(wb: Workbench, signal: AbortSignal): HTMLElement {
   const { viewport, viewportElement } = wb;
@@ -58,7 +60,7 @@ export function viewportPane(wb: Workbench, signal: AbortSignal): HTMLElement {
     { class: 'stage', 'aria-label': 'Viewport', 'data-panel': 'viewport' },
     viewportElement,
     keys,
-    emptyHint(wb),
+    emptyStage(wb),
     head,
     element(
       'div',
@@ -82,12 +84,29 @@ export function viewportPane(wb: Workbench, signal: AbortSignal): HTMLElement {
 
 /** What the mode's tool doesn't use picks. */
 function handTools(wb: Workbench, signal: AbortSignal): void {
+  const tool = modeTools(wb, signal);
+  const menus = () => onDemand(wb.messages, 'The viewport’s menu', () => import('./viewport-menu.ts'));
+  const { canvas } = wb.viewport;
+  canvas.addEventListener(
+    'keydown',
+    (event) => {
+      if (!asksForMenu(event)) return;
+      event.preventDefault();
+      event.stopPropagation();
+      void menus().then((module) => module?.openMenuByKey(wb));
+    },
+    { signal },
+  );
   listenToCanvas(
-    wb.viewport.canvas,
-    modeTools(wb, signal),
+    canvas,
+    tool,
     (at) => selectHit(wb, wb.viewport.pick(at.clientX, at.clientY), addsToSelection(wb, at)),
     signal,
     (isTools) => wb.viewport.takePointer(isTools),
+    (at) => {
+      const isSelected = tool()?.menu?.(at) ?? false;
+      void menus().then((module) => module?.openMenuAt(wb, at, isSelected));
+    },
   );
 }
 
@@ -148,26 +167,6 @@ function displayStrip(wb: Uses<'store' | 'actions' | 'settings'>): HTMLElement {
   });
   show();
   return strip;
-}
-
-function emptyHint(wb: Uses<'store' | 'actions' | 'files'>): HTMLElement {
-  const open = element('button', { type: 'button', class: 'link' }, 'open files');
-  open.addEventListener('click', () => wb.files.open());
-  const start = element('button', { type: 'button', class: 'link' }, 'start a skeleton');
-  start.addEventListener('click', () => runAction(wb, 'rigging.new'));
-  const hint = element(
-    'div',
-    { class: 'stage-hint' },
-    element('p', {}, 'Drop character files here'),
-    element('p', { class: 'faint' }, '.bvh .skel .skin .morph .anim .rig, a folder or a zip, or ', open),
-    element('p', { class: 'faint' }, 'or ', start),
-  );
-  const show = () => {
-    hint.hidden = wb.store.document.characters.length > 0;
-  };
-  wb.store.subscribe(show);
-  show();
-  return hint;
 }
 
 /** A hint when something is missing, or nothing that is shown can be visible. */

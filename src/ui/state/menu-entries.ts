@@ -45,7 +45,7 @@ function inSections(actions: readonly Action[]): Action[] {
   return [...actions].sort((a, b) => placeOf(a) - placeOf(b));
 }
 
-export function itemsOf(wb: Uses<'actions' | 'settings'>, actions: readonly Action[]): MenuEntry[] {
+function itemsOf(wb: Uses<'actions' | 'settings'>, actions: readonly Action[]): MenuEntry[] {
   const entries: MenuEntry[] = [];
   let before: Action | undefined;
   for (const action of actions) {
@@ -54,6 +54,28 @@ export function itemsOf(wb: Uses<'actions' | 'settings'>, actions: readonly Acti
     before = action;
   }
   return entries;
+}
+
+/**
+ * Entries of a context menu, with lines between the sections: actions by id, submenus of a menu by their path
+ * (`View/Skin`), and entries of its own. Ids of actions that don't exist are left out.
+ */
+export function sectionsOf(
+  wb: Uses<'actions' | 'settings'>,
+  sections: readonly (readonly (string | MenuEntry)[])[],
+): MenuEntry[] {
+  const actions = actionsOf(wb);
+  const entriesOf = (one: string | MenuEntry): MenuEntry[] => {
+    if (typeof one !== 'string') return [one];
+    const [, label] = one.split('/');
+    const within = label ? actions.filter((action) => action.menu === one) : [];
+    if (label && within.length) return [{ kind: 'menu', label, entries: () => itemsOf(wb, within) }];
+    return actions.filter((action) => action.id === one).map((action) => itemOf(wb, action));
+  };
+  return sections
+    .map((section) => section.flatMap(entriesOf))
+    .filter((entries) => entries.length > 0)
+    .flatMap((entries, i): MenuEntry[] => (i > 0 ? [{ kind: 'line' }, ...entries] : entries));
 }
 
 export function itemOf(wb: Uses<'actions' | 'settings'>, action: Action): MenuItem {

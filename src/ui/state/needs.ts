@@ -23,4 +23,5 @@ export function reasonOf<W>(test: ((wb: W) => boolean) | undefined, wb: W): stri
 }
 
 export const NO_CHARACTER = 'Open a character first.';
+export const NO_JOINT = 'Select a joint first.';
 export const NO_SKELETON = 'Open a character with a skeleton first.';

@@ -3,8 +3,7 @@ import { areSelected } from '../../../edit/keys/row-keys.ts';
 import { allKeys, countKeys, keysAtTime, unionKeys } from '../../../edit/keys/selection.ts';
 import { type MenuEntry, openMenu } from '../../kit/menu.ts';
 import { plural } from '../../kit/number-text.ts';
-import { actionsOf } from '../../state/action.ts';
-import { itemOf, itemsOf } from '../../state/menu-entries.ts';
+import { sectionsOf } from '../../state/menu-entries.ts';
 import type { Uses } from '../../state/workbench.ts';
 import { currentTake, selectedKeys, selectedKeysInView, selectKeys } from '../timeline/current-take.ts';
 import type { DopeRow } from '../timeline/dope-rows.ts';
@@ -57,7 +56,6 @@ function keysMenu(
         const clipSeconds = timeSeconds + take.character.timeOffsetSeconds;
         selectKeys(wb, keysAtTime(take.clip, rows[0].channels, clipSeconds));
       }),
-      { kind: 'line' },
     );
   }
   show(wb, KEY_IDS, own, at, 'Keys');
@@ -79,7 +77,6 @@ export function rowMenu(
     item('Add to selection', () => selectKeys(wb, unionKeys(selectedKeys(wb), keys)), count > 0),
     item('Insert keys at current time', () => insertAtPlayhead(wb, row.channels), row.channels.length > 0),
     item('Show curves', () => showCurves(wb, row.channels)),
-    { kind: 'line' },
   ];
   show(wb, EMPTY_IDS, own, at, name);
 }
@@ -91,18 +88,7 @@ function show(
   at: Place,
   label: string,
 ): void {
-  const actions = actionsOf(wb);
-  const entries: MenuEntry[] = [...first];
-  for (const ids of sections) {
-    if (entries.length && entries.at(-1)?.kind !== 'line') entries.push({ kind: 'line' });
-    for (const id of ids) {
-      const within = actions.filter((a) => a.menu === id);
-      const [, label] = id.split('/');
-      if (label && within.length) entries.push({ kind: 'menu', label, entries: () => itemsOf(wb, within) });
-      else entries.push(...actions.filter((a) => a.id === id).map((action) => itemOf(wb, action)));
-    }
-  }
-  openMenu(at, entries, { label });
+  openMenu(at, sectionsOf(wb, [first, ...sections]), { label });
 }
 
 function item(label: string, run: () => void, enabled = true): MenuEntry {

@@ -97,6 +97,12 @@ class FkTool implements ModeTool {
     return grab === 'ball' ? this.dragBall(hit, selected, at) : this.dragHandle(handle.id, selected, at);
   }
 
+  /** Handles are the selected joint's. */
+  menu(at: CanvasPointer): boolean {
+    const grab = grabOf(this.gizmo.at(at), () => this.whose(this.wb.viewport.pick(at.clientX, at.clientY)), at);
+    return grab === 'handle' || grab === 'ball';
+  }
+
   hover(at: CanvasPointer | undefined): string | undefined {
     this.over = at;
     return this.light();

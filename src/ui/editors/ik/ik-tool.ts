@@ -150,6 +150,12 @@ class IkTool implements ModeTool {
     return false;
   }
 
+  menu(at: CanvasPointer): boolean {
+    const pin = pinUnder(this.wb, at);
+    if (pin) selectPin(this.wb, { characterId: pin.character.id, pin: pin.pin.id }, pin.pin.joint, pin.placement);
+    return pin !== undefined;
+  }
+
   hover(at: CanvasPointer | undefined): string | undefined {
     this.looking = undefined;
     const pin = at && pinUnder(this.wb, at);

@@ -9,11 +9,8 @@
 import type { Vec3 } from '../../../math/vec3.ts';
 import { findCharacter } from '../../../model/document.ts';
 import type { Workbench } from '../../state/workbench.ts';
-import { type CanvasDrag, type CanvasPointer, CLICK_PIXELS } from '../viewport/canvas-tools.ts';
+import { type CanvasDrag, type CanvasPointer, CLICK_PIXELS, LONG_PRESS_MS } from '../viewport/canvas-tools.ts';
 import { HandPull, type IkGrip, type PullState } from './hand-pull.ts';
-
-/** Milliseconds of a long press. */
-export const LONG_PRESS_MS = 500;
 
 /** Schedules a call; returns a function that cancels it. */
 export type Later = (run: () => void, afterMs: number) => () => void;

@@ -1,4 +1,5 @@
 /** Facts in two columns, with tables of numbers between them; used by `joint-facts` and `vertex-facts`. */
+import { announce, BLOCKED } from '../../kit/announce.ts';
 import { copyText } from '../../kit/clipboard.ts';
 import { button, element, setText } from '../../kit/dom.ts';
 import { type GridOptions, NumberGrid } from '../../kit/number-grid.ts';
@@ -16,6 +17,7 @@ export class FactList {
   constructor(title: string) {
     const copyAll = button('Copy all', { class: 'link copy-all', tooltip: 'Copy all values' }, 'Copy all', () => {
       void copyText(this.text()).then((done) => {
+        announce(done ? `Copied ${title}` : BLOCKED);
         copyAll.textContent = done ? 'Copied' : 'Blocked';
         setTimeout(() => {
           copyAll.textContent = 'Copy all';

@@ -6,6 +6,7 @@ import { GUI } from 'lil-gui';
 import { type Character, findCharacter, shownClip } from '../../../model/document.ts';
 import { jointsIn } from '../../../model/selected-joints.ts';
 import { element } from '../../kit/dom.ts';
+import { SECTION } from '../../kit/focus.ts';
 import { oncePerFrame } from '../../kit/frame.ts';
 import { currentCharacter } from '../../state/action.ts';
 import { HandEdit } from '../../state/hand-edit.ts';
@@ -189,6 +190,11 @@ function rememberedSection(wb: Uses<'settings'>, gui: GUI, id: string, title: st
   const key = `inspector/${id}`;
   const section = gui.addFolder(title);
   section.open(wb.settings.get().folds[key] ?? open);
+  section.domElement.setAttribute(SECTION, id);
+  wb.settings.subscribe(({ folds }, before) => {
+    const isOpen = folds[key] ?? open;
+    if (folds[key] !== before.folds[key] && section._closed === isOpen) section.open(isOpen);
+  });
   section.onOpenClose((changed) => {
     if (changed !== section) return;
     wb.settings.update((s) => ({ ...s, folds: { ...s.folds, [key]: !section._closed } }));

@@ -106,9 +106,10 @@ function filesList(wb: Uses<'store'>): HTMLElement {
   const show = (document: Document) => {
     const rows = document.characters.flatMap((c) => c.sources.map((source) => fileRow('file', source, '')));
     const unused = document.unused.map(({ file, why }) => fileRow('unused', file.source, why));
-    const nothing = document.isOpeningSample
-      ? 'An example is open. It closes when you open your own files.'
-      : 'Files you open are listed here. Unused ones show the reason.';
+    const nothing =
+      document.isOpeningSample && document.characters.length > 0
+        ? 'An example is open. It closes when you open your own files.'
+        : 'Files you open are listed here. Unused ones show the reason.';
     list.replaceChildren(...rows, ...unused);
     if (!list.children.length) list.append(element('p', { class: 'empty' }, nothing));
   };

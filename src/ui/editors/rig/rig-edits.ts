@@ -1,6 +1,6 @@
 /** Edits of a skeleton from menus, keys and the tree: commands with the page's state filled in. */
 import { addJoint, createRig, mirrorJoint, removeJoint, reparentJoint } from '../../../edit/commands/rig.ts';
-import { renameJoint, setFilePose, setOffset } from '../../../edit/commands/rig-joint.ts';
+import { keysLostBy, renameJoint, setFilePose, setMotion, setOffset } from '../../../edit/commands/rig-joint.ts';
 import { inTurn } from '../../../edit/in-turn.ts';
 import { inverseOf, snappedPoint, withoutDust } from '../../../edit/rig/dragged-places.ts';
 import type { NamedAxis, ReparentJoint, SetFilePose } from '../../../edit/rig/rigging.ts';
@@ -9,7 +9,8 @@ import { boxOf } from '../../../evaluate/bounds.ts';
 import { roundStep } from '../../../math/round-steps.ts';
 import { transformPoint, type Vec3 } from '../../../math/vec3.ts';
 import { type Character, type Document, findCharacter, shownSkin } from '../../../model/document.ts';
-import type { Skeleton } from '../../../model/skeleton.ts';
+import { motionOfKind } from '../../../model/joint-types.ts';
+import type { Motion, Skeleton } from '../../../model/skeleton.ts';
 import { currentCharacter } from '../../state/action.ts';
 import { attempt } from '../../state/attempt.ts';
 import { pausePlayback } from '../../state/pause-playback.ts';
@@ -184,6 +185,36 @@ export function renameIt(
     const note = character && nameNote(character, joint);
     if (note) wb.messages.note(`${name}: ${note}`);
   });
+}
+
+/** Gives the selected joints another type, with that type's initial parameters; reports lost keys. */
+export function setType(
+  wb: Uses<'store' | 'transport' | 'timeline' | 'posing' | 'settings' | 'messages'>,
+  kind: Motion['kind'],
+): void {
+  withJoints(wb, (character, skeleton, joints) => {
+    const others = joints.filter((joint) => skeleton.joints[joint].motion.kind !== kind);
+    const motionFor = (joint: number) => motionOfKind(kind, skeleton.joints[joint].motion);
+    if (others.length === 1) return changeMotion(wb, character, others[0], motionFor(others[0]));
+    const shared = rigging(wb, character);
+    const each = others.map((joint) => ({ ...shared, joint, motion: motionFor(joint) }));
+    const lost = each.flatMap((args) => keysLostBy(wb.store.document, args) ?? []);
+    wb.store.apply(inTurn(setMotion, `Set type of ${jointsText(skeleton, others)}`), each);
+    if (lost.length) wb.messages.note(`Changing the types removed ${lost.join(', ')}. Undo restores them.`);
+  });
+}
+
+/** One undo step; reports lost keys. */
+export function changeMotion(
+  wb: Uses<'store' | 'transport' | 'posing' | 'messages'>,
+  character: Pick<Character, 'id'>,
+  joint: number,
+  motion: Motion,
+): void {
+  const args = { ...rigging(wb, character), joint, motion };
+  const lost = keysLostBy(wb.store.document, args);
+  wb.store.apply(setMotion, args);
+  if (lost !== undefined) wb.messages.note(`Changing the type of the joint removed ${lost}. Undo restores them.`);
 }
 
 /** @param joint absent: all of them */

@@ -5,15 +5,7 @@
  */
 import type { GUI } from 'lil-gui';
 import { reparentJoint } from '../../../edit/commands/rig.ts';
-import {
-  keysLostBy,
-  renameJoint,
-  setBox,
-  setFilePose,
-  setLength,
-  setMotion,
-  setOffset,
-} from '../../../edit/commands/rig-joint.ts';
+import { renameJoint, setBox, setFilePose, setLength, setMotion, setOffset } from '../../../edit/commands/rig-joint.ts';
 import { possibleParents } from '../../../edit/rig/parents.ts';
 import type { Command, Edit } from '../../../edit/store.ts';
 import { type Character, type Document, findCharacter } from '../../../model/document.ts';
@@ -32,6 +24,7 @@ import { addCoupleRow, coupleRow } from './couple-rows.ts';
 import { nameNote } from './joint-names.ts';
 import { limitRow } from './limit-rows.ts';
 import { motionRows, motionShape } from './motion-rows.ts';
+import { changeMotion } from './rig-edits.ts';
 import { rigging } from './rigging-args.ts';
 import {
   choiceRow,
@@ -162,11 +155,9 @@ export class RigSection {
   private addMotion(own: Joint): void {
     const rows = motionRows(this.context, own.motion, () => this.now()?.motion, {
       set: (motion: Motion) => {
-        const args = { ...this.args(), motion };
-        const lost = keysLostBy(this.wb.store.document, args);
-        this.apply(setMotion, args);
-        if (lost !== undefined)
-          this.wb.messages.note(`Changing the type of the joint removed ${lost}. Undo restores them.`);
+        const { characterId, joint } = this.args();
+        pausePlayback(this.wb);
+        attempt(this.wb.messages, () => changeMotion(this.wb, { id: characterId }, joint, motion));
       },
       preview: (motion: Motion) => this.preview(setMotion, { ...this.args(), motion }),
     });

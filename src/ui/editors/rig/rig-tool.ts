@@ -81,7 +81,8 @@ export function rigTool(wb: Workbench): ModeTool {
   /** A click. */
   const select = (at: CanvasPointer, joint: number, copy?: number) => {
     const pick = pickOf(joint, copy);
-    if (pick) selectHit(wb, pick, addsToSelection(wb, at));
+    // The right button's menu selects itself.
+    if (pick && at.button !== 2) selectHit(wb, pick, addsToSelection(wb, at));
   };
   /** Before a drag. */
   const activate = (joint: number, copy?: number) => {
@@ -230,6 +231,12 @@ export function rigTool(wb: Workbench): ModeTool {
       // Keeps the character selected.
       else if (current && !adds) store.select({ characterId: current.id });
       return true;
+    },
+    menu(at) {
+      const part = partUnder(at);
+      if (part?.kind === 'joint' || part?.kind === 'bone') activate(part.joint);
+      // Arrows and faces are the selected joint's.
+      return part !== undefined;
     },
     hover(at) {
       pointer = at;

@@ -1,7 +1,9 @@
 /** Actions for the timeline's display and options, and the tools for whole curves. */
 
 import { OUTSIDE_CYCLE } from '../../../edit/keys/cycle.ts';
-import { needs } from '../../state/needs.ts';
+import { NO_JOINT, needs } from '../../state/needs.ts';
+import { openPanel } from '../../state/panels.ts';
+import { selectedJoint, selectedJointsText } from '../../state/selected-joint.ts';
 import type { ChannelListKind, HandleMode, TimelineView } from '../../state/timeline.ts';
 import type { Action, CurveToolName, Uses, Workbench } from '../../state/workbench.ts';
 import { channelsToEdit, currentTake, selectedKeysInView } from './current-take.ts';
@@ -105,6 +107,20 @@ function move(id: string, label: string, shortcuts: readonly string[], run: (wb:
 }
 
 export const TIMELINE_ACTIONS: readonly Action[] = [
+  {
+    id: 'timeline.jointCurves',
+    name: 'Show curves of selected joints',
+    label: (wb) => `Show curves of ${selectedJointsText(wb)}`,
+    group: 'Curves',
+    menu: 'View',
+    section: 3,
+    enabled: needs(NO_JOINT, (wb) => selectedJoint(wb) !== undefined),
+    run(wb) {
+      openPanel(wb, 'timeline', true);
+      wb.timeline.isolate(undefined);
+      wb.timeline.change({ tab: 'curves', list: 'selected', filter: '' });
+    },
+  },
   curves('simplify', 'Simplify…', [], {
     menu: 'Keys/Curve tools',
     section: 15,

@@ -5,12 +5,16 @@
  *     press     the tool starts a drag until the release; or the camera orbits
  *     click     a press without motion that the tool didn't take: the tool's, or it picks
  *     hover     the tool may highlight something and set the cursor
+ *     menu      the right button without motion, or a finger held still that no tool has taken
  */
 import { CLICK_PIXELS } from '../../../view/camera-travel.ts';
-import { waitOutDrag } from '../../kit/keyboard.ts';
+import { isMac, waitOutDrag } from '../../kit/keyboard.ts';
 
 /** A press that moved further was a drag: for tools as for the camera. */
 export { CLICK_PIXELS };
+
+/** Milliseconds of a long press. */
+export const LONG_PRESS_MS = 500;
 
 /** The fields of a pointer event used; positions are client coordinates. */
 export type CanvasPointer = Pick<
@@ -34,6 +38,8 @@ export interface CanvasTool {
   press(at: CanvasPointer): CanvasDrag | undefined;
   /** Whether the tool has used the click; otherwise it picks. */
   click?(at: CanvasPointer): boolean;
+  /** A menu is about to open: whether something of the tool's own is there, which it has selected; otherwise it picks. */
+  menu?(at: CanvasPointer): boolean;
   /**
    * Undefined: the pointer has left. Returns the CSS cursor; undefined: the default. `grab` means that it is over one
    * of the tool's handles.
@@ -47,6 +53,7 @@ export interface CanvasTool {
  * @param pick a click that the tool didn't use
  * @param claim called with whether the tool has the pointer, over a handle or in a drag: nothing else is highlighted
  *   then
+ * @param menu opens the menu of what is there
  */
 export function listenToCanvas(
   canvas: HTMLCanvasElement,
@@ -54,9 +61,13 @@ export function listenToCanvas(
   pick: (at: CanvasPointer) => void,
   signal: AbortSignal,
   claim: (isTools: boolean) => void = () => {},
+  menu: (at: CanvasPointer) => void = () => {},
 ): void {
   let drag: { readonly of: CanvasDrag; readonly pointerId: number; readonly others: Set<number> } | undefined;
   let down: PointerEvent | undefined;
+  /** A press that opens the menu on release, unless it moves. */
+  let menuDown: PointerEvent | undefined;
+  let held: ReturnType<typeof setTimeout> | undefined;
 
   const onKey = (event: KeyboardEvent) => {
     if (event.key !== 'Escape') return waitOutDrag(event);
@@ -79,7 +90,8 @@ export function listenToCanvas(
     (event) => {
       if (event.target !== canvas) return;
       canvas.focus({ preventScroll: true });
-      down = undefined;
+      down = menuDown = undefined;
+      clearTimeout(held);
       if (drag) {
         // Other buttons or fingers during a drag don't reach the camera.
         event.stopPropagation();
@@ -89,9 +101,17 @@ export function listenToCanvas(
         }
         return;
       }
-      const of = event.isPrimary ? tool()?.press(event) : undefined;
+      if (event.isPrimary && asksForMenu(event)) menuDown = event;
+      const isMacMenu = menuDown !== undefined && event.button === 0;
+      const of = event.isPrimary && !isMacMenu ? tool()?.press(event) : undefined;
       if (!of) {
-        down = event.button === 0 && event.isPrimary ? event : undefined;
+        down = event.button === 0 && event.isPrimary && !isMacMenu ? event : undefined;
+        if (event.pointerType === 'touch' && down) {
+          held = setTimeout(() => {
+            down = undefined;
+            menu(event);
+          }, LONG_PRESS_MS);
+        }
         return;
       }
       event.stopPropagation();
@@ -105,6 +125,8 @@ export function listenToCanvas(
   canvas.addEventListener(
     'pointermove',
     (event) => {
+      if (menuDown && !isNear(event, menuDown)) menuDown = undefined;
+      if (down && !isNear(event, down)) clearTimeout(held);
       if (drag) {
         if (event.pointerId === drag.pointerId) drag.of.move(event);
       } else if (event.buttons === 0) {
@@ -121,19 +143,24 @@ export function listenToCanvas(
   canvas.addEventListener(
     'pointerup',
     (event) => {
+      clearTimeout(held);
+      const asked = menuDown?.pointerId === event.pointerId && isNear(event, menuDown);
       if (drag) {
         if (event.pointerId === drag.pointerId) finish()?.end(event);
         else lift(event);
-        return;
+      } else {
+        const from = down;
+        down = undefined;
+        if (from && isNear(event, from) && !tool()?.click?.(event)) pick(event);
       }
-      const from = down;
-      down = undefined;
-      if (!from || Math.hypot(event.clientX - from.clientX, event.clientY - from.clientY) > CLICK_PIXELS) return;
-      if (!tool()?.click?.(event)) pick(event);
+      if (!asked) return;
+      menuDown = undefined;
+      menu(event);
     },
     { signal },
   );
   const lost = (event: PointerEvent) => {
+    clearTimeout(held);
     if (event.pointerId === drag?.pointerId) finish()?.cancel();
     else lift(event);
   };
@@ -146,7 +173,19 @@ export function listenToCanvas(
     },
     { signal },
   );
-  signal.addEventListener('abort', () => finish()?.cancel());
-  // A tool's right drag must not open the browser's menu; the camera's never does.
+  signal.addEventListener('abort', () => {
+    clearTimeout(held);
+    finish()?.cancel();
+  });
+  // The page has a menu of its own here, which a right drag must not open.
   canvas.addEventListener('contextmenu', (event) => event.preventDefault(), { signal });
+}
+
+/** On a Mac also Ctrl+click. */
+function asksForMenu({ button, ctrlKey, pointerType }: PointerEvent): boolean {
+  return pointerType !== 'touch' && (button === 2 || (isMac && ctrlKey && button === 0));
+}
+
+function isNear(at: CanvasPointer, from: CanvasPointer): boolean {
+  return Math.hypot(at.clientX - from.clientX, at.clientY - from.clientY) <= CLICK_PIXELS;
 }

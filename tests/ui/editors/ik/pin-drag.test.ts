@@ -1,6 +1,6 @@
 import { afterEach, beforeEach, describe, expect, it, vi } from 'vitest';
-import { LONG_PRESS_MS, PinDrag } from '../../../../src/ui/editors/ik/pin-drag.ts';
-import type { CanvasPointer } from '../../../../src/ui/editors/viewport/canvas-tools.ts';
+import { PinDrag } from '../../../../src/ui/editors/ik/pin-drag.ts';
+import { type CanvasPointer, LONG_PRESS_MS } from '../../../../src/ui/editors/viewport/canvas-tools.ts';
 import { channel, clip, documentOf } from '../../builders.ts';
 import { apart, BODY_JOINT, body, HAND_L, ikPage } from './ik-page.ts';
 

@@ -1,5 +1,10 @@
 import { afterEach, beforeEach, describe, expect, it, vi } from 'vitest';
-import { type CanvasTool, CLICK_PIXELS, listenToCanvas } from '../../../../src/ui/editors/viewport/canvas-tools.ts';
+import {
+  type CanvasTool,
+  CLICK_PIXELS,
+  LONG_PRESS_MS,
+  listenToCanvas,
+} from '../../../../src/ui/editors/viewport/canvas-tools.ts';
 
 /** The part of a canvas that the router uses. */
 class FakeCanvas extends EventTarget {
@@ -34,6 +39,7 @@ function page(tool: CanvasTool | undefined) {
   const canvas = new FakeCanvas();
   const picked: number[][] = [];
   const claims: boolean[] = [];
+  const menus: number[][] = [];
   // Replaces the browser's canvas.
   const asCanvas = canvas as unknown as HTMLCanvasElement;
   listenToCanvas(
@@ -42,6 +48,7 @@ function page(tool: CanvasTool | undefined) {
     ({ clientX, clientY }) => void picked.push([clientX, clientY]),
     stop.signal,
     (isTools) => void claims.push(isTools),
+    ({ clientX, clientY }) => void menus.push([clientX, clientY]),
   );
   /** As in the browser: first the window, capturing, then the canvas, unless stopped. */
   const pointer = (type: string, x: number, y: number, more: object = {}) => {
@@ -62,7 +69,7 @@ function page(tool: CanvasTool | undefined) {
     window.dispatchEvent(event);
     return event.defaultPrevented;
   };
-  return { canvas, picked, claims, pointer, key };
+  return { canvas, picked, claims, menus, pointer, key };
 }
 
 /** Takes every press left of 100, and logs the calls. */
@@ -132,6 +139,77 @@ describe('a press in the viewport', () => {
     pointer('pointerdown', 10, 10, { button: 2 });
     pointer('pointerup', 10, 10, { button: 2 });
     expect(picked).toEqual([]);
+  });
+});
+
+describe('the menu of the viewport', () => {
+  afterEach(() => {
+    vi.useRealTimers();
+  });
+
+  it('the right button opens the viewport’s menu where it is released, unless it was dragged', () => {
+    const { pointer, menus, picked } = page(leftTool().tool);
+    const right = { button: 2, buttons: 2 };
+    pointer('pointerdown', 200, 10, right);
+    expect(menus).toEqual([]);
+    pointer('pointerup', 200 + CLICK_PIXELS, 10, right);
+    expect(menus).toEqual([[200 + CLICK_PIXELS, 10]]);
+    // A drag stays one, even if it ends where it began.
+    pointer('pointerdown', 200, 10, right);
+    pointer('pointermove', 250, 10, right);
+    pointer('pointermove', 200, 10, right);
+    pointer('pointerup', 200, 10, right);
+    expect(menus).toHaveLength(1);
+    expect(picked).toEqual([]);
+  });
+
+  it('the right button opens the viewport’s menu over something that it could drag, after the tool’s own end', () => {
+    const { tool, said } = leftTool();
+    const { pointer, menus } = page(tool);
+    const right = { button: 2, buttons: 2 };
+    pointer('pointerdown', 10, 10, right);
+    pointer('pointerup', 10, 10, right);
+    expect([said, menus]).toEqual([['end 10'], [[10, 10]]]);
+    pointer('pointerdown', 10, 10, right);
+    pointer('pointermove', 50, 10, right);
+    pointer('pointerup', 50, 10, right);
+    expect([said, menus.length]).toEqual([['end 10', 'move 50', 'end 50'], 1]);
+  });
+
+  it('a finger held still opens the viewport’s menu and picks nothing', () => {
+    vi.useFakeTimers();
+    const { pointer, menus, picked } = page(leftTool().tool);
+    const finger = { pointerType: 'touch', buttons: 1 };
+    pointer('pointerdown', 200, 10, finger);
+    vi.advanceTimersByTime(LONG_PRESS_MS);
+    pointer('pointerup', 200, 10, finger);
+    expect([menus, picked]).toEqual([[[200, 10]], []]);
+  });
+
+  it.each([
+    ['that moves', (pointer: ReturnType<typeof page>['pointer']) => pointer('pointermove', 240, 10, { buttons: 1 })],
+    [
+      'with a second one',
+      (pointer: ReturnType<typeof page>['pointer']) =>
+        pointer('pointerdown', 250, 10, { pointerType: 'touch', isPrimary: false, pointerId: 2 }),
+    ],
+    ['that is lifted', (pointer: ReturnType<typeof page>['pointer']) => pointer('pointerup', 200, 10)],
+    ['that the browser takes', (pointer: ReturnType<typeof page>['pointer']) => pointer('pointercancel', 200, 10)],
+  ])('a finger %s opens no menu in the viewport', (_how, what) => {
+    vi.useFakeTimers();
+    const { pointer, menus } = page(leftTool().tool);
+    pointer('pointerdown', 200, 10, { pointerType: 'touch' });
+    what(pointer);
+    vi.advanceTimersByTime(2 * LONG_PRESS_MS);
+    expect(menus).toEqual([]);
+  });
+
+  it('a finger on something that the tool drags is the tool’s', () => {
+    vi.useFakeTimers();
+    const { pointer, menus } = page(leftTool().tool);
+    pointer('pointerdown', 10, 10, { pointerType: 'touch' });
+    vi.advanceTimersByTime(2 * LONG_PRESS_MS);
+    expect(menus).toEqual([]);
   });
 });
 

@@ -1,0 +1,16 @@
+/** Sentences for screen readers only, about what is otherwise seen: a number that was copied. */
+import { element } from './dom.ts';
+
+export const BLOCKED = 'The browser blocked copying';
+
+let region: HTMLElement | undefined;
+
+/** Says it, also if it is the same again. */
+export function announce(text: string): void {
+  if (!region?.isConnected) {
+    region = element('div', { class: 'off-screen', role: 'status' });
+    document.body.append(region);
+  }
+  // The same text again would be no change.
+  region.textContent = region.textContent === text ? `${text}\u00a0` : text;
+}

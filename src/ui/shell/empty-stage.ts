@@ -1,0 +1,39 @@
+/** A card in the middle of the viewport while nothing is open: what to open, and how. */
+import { button, element } from '../kit/dom.ts';
+import { icon } from '../kit/icons.ts';
+import { menuButton } from '../kit/menu.ts';
+import { runAction } from '../state/action.ts';
+import { menuEntries } from '../state/menu-entries.ts';
+import { setActionTooltip } from '../state/tooltips.ts';
+import type { Uses } from '../state/workbench.ts';
+
+export function emptyStage(wb: Uses<'store' | 'actions' | 'settings' | 'loading'>): HTMLElement {
+  const run = (id: string) => () => void runAction(wb, id);
+  const open = button('Open files…', { class: 'plain primary' }, 'Open files…', run('file.open'));
+  setActionTooltip(wb, open, 'file.open', 'Open files…');
+  const examples = button('Examples', { class: 'plain' }, 'Examples', () => {});
+  examples.append(icon('fold'));
+  menuButton(examples, 'Examples', () => menuEntries(wb, 'Examples'));
+  const start = button('New skeleton', { class: 'plain' }, 'New skeleton', run('rigging.new'));
+  setActionTooltip(wb, start, 'rigging.new', 'New skeleton');
+  const card = element(
+    'section',
+    { class: 'empty-stage', 'aria-label': 'Nothing is open' },
+    element('h2', {}, 'Nothing is open'),
+    element('p', {}, 'Open a character to see it move, pose it and key it.'),
+    element('div', { class: 'empty-stage-buttons' }, open, examples, start),
+    element(
+      'p',
+      { class: 'faint' },
+      'Or drop files here: .skel .skin .morph .anim .bvh .pose .rig, a folder or a zip.',
+    ),
+  );
+  const show = () => {
+    // Open, or about to be.
+    card.hidden = wb.store.document.characters.length > 0 || wb.loading.get() !== undefined;
+  };
+  wb.store.subscribe(show);
+  wb.loading.subscribe(show);
+  show();
+  return card;
+}
