@@ -18,7 +18,7 @@ describe('the web app manifest', () => {
         .sort(),
     ).toEqual([...READABLE_EXTENSIONS].sort());
     expect(action).toBe('.');
-    expect(Object.keys(accept).filter((type) => !/^(application\/x-|image\/)[a-z]+$/.test(type))).toEqual([]);
+    expect(Object.keys(accept).filter((type) => !/^(application\/x-|image\/)[a-z0-9]+$/.test(type))).toEqual([]);
   });
 
   it('the web app manifest names icons of the sizes that they have', () => {

@@ -24,6 +24,9 @@ declare global {
   }
 }
 
+/** A page that draws little, and still has the examples that its service worker stores. */
+const SMALL = '?files=samples/cube.skel';
+
 const shown = (page: Page, name: string) =>
   page.waitForFunction((wanted) => window.marrow?.characters().some((c) => c.name === wanted), name);
 const controlled = (page: Page) => page.waitForFunction(() => navigator.serviceWorker.controller !== null);
@@ -104,7 +107,7 @@ describe('a new version of the page', () => {
         expect(await lookForVersion(page)).toBe('installed');
         await offer(page).getByText(`${OFFER} Unsaved changes can be restored`).waitFor();
 
-        const other = await openAnother();
+        const other = await openAnother(SMALL);
         expect(await buildOf(other)).toBeUndefined();
         await offer(other).getByText(OFFER).waitFor();
         await offer(other).getByRole('button', { name: 'Reload' }).click();
@@ -124,13 +127,13 @@ describe('a new version of the page', () => {
         });
         await offer(page).getByRole('button', { name: 'Reload' }).click();
         await expect.poll(() => asked).toEqual(['beforeunload']);
-        expect(await page.evaluate(() => window.marrow.characters().map(({ name }) => name))).toEqual(['arm']);
+        expect(await page.evaluate(() => window.marrow.characters().map(({ name }) => name))).toEqual(['cube', 'arm']);
         await offer(page).getByRole('button', { name: 'Reload' }).click();
         await page.waitForFunction(() => document.documentElement.dataset.build === 'next');
         expect(asked).toEqual(['beforeunload', 'beforeunload']);
         await page.getByRole('region', { name: 'Unsaved work' }).getByText('arm').waitFor();
       },
-      { serviceWorker: true, walking: true },
+      { serviceWorker: true, walking: true, query: SMALL },
     ));
 });
 
