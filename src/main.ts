@@ -17,6 +17,7 @@ import { fetchFiles, filesInQuery } from './io/address.ts';
 import * as disk from './io/disk-files.ts';
 import { download } from './io/download.ts';
 import { onLaunched } from './io/launched.ts';
+import { oncePerFrame } from './ui/kit/frame.ts';
 import { observable } from './ui/kit/observable.ts';
 import { startFirstPicture } from './ui/shell/first-picture.ts';
 import { restOfPage } from './ui/shell/rest-of-page.ts';
@@ -157,7 +158,7 @@ function openSample() {
 /** Reports missing WebGL2 in the page and stops. */
 function viewportIn(element: HTMLElement): Viewport {
   try {
-    return new Viewport(element, {
+    return new Viewport(element, (draw) => oncePerFrame(draw, 'draw'), {
       textureFailed: (_id, texture) =>
         messages.note(`The texture ${texture.name} can’t be read by this browser; drawn without texture.`, 'warning'),
     });

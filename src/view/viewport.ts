@@ -99,7 +99,8 @@ export class Viewport {
   private framesPerSecond = 30;
   private width = 0;
   private height = 0;
-  private queued = 0;
+  private isStale = false;
+  private readonly requestDraw: () => void;
   private disposed = false;
   /** Poses or the set of characters have changed since the last frame. */
   private posesChanged = true;
@@ -112,12 +113,18 @@ export class Viewport {
   /**
    * Fills `container` at any size.
    *
+   * @param inFrame makes of `draw` a request for the next frame, which calls it once, when the time of that frame and all
+   * that follows it is decided
    * @throws Error if the browser has no WebGL2
    */
   constructor(
     container: HTMLElement,
+    inFrame: (draw: (nowMs: number) => void) => () => void,
     private readonly events: ViewportEvents = {},
   ) {
+    this.requestDraw = inFrame((nowMs) => {
+      if (this.isStale) this.draw(nowMs);
+    });
     this.renderer = new WebGLRenderer({ antialias: true, stencil: false, powerPreference: 'high-performance' });
     const { renderer } = this;
     this.canvas = renderer.domElement;
@@ -187,7 +194,9 @@ export class Viewport {
 
   /** Requests a redraw with the next frame; several requests draw once. */
   requestRender(): void {
-    if (this.queued === 0 && !this.disposed) this.queued = requestAnimationFrame(this.draw);
+    if (this.disposed) return;
+    this.isStale = true;
+    this.requestDraw();
   }
 
   /** What is under a point of the page, by the document's ids; a character alone under its name. */
@@ -378,7 +387,7 @@ export class Viewport {
 
   dispose(): void {
     this.disposed = true;
-    cancelAnimationFrame(this.queued);
+    this.isStale = false;
     this.listening.abort();
     this.resizing.disconnect();
     const { characters, rig, grid, skeletons, trail, ghosts, vertexMarker, overlays, picker, stage } = this;
@@ -501,10 +510,8 @@ export class Viewport {
     ghosts.fill(display.ghosts ? entry?.character : undefined, display, timeSeconds, playedRange, framesPerSecond);
   }
 
-  /** Draws a frame if anything has changed. An arrow function, since it is passed to requestAnimationFrame. */
-  private readonly draw = (nowMs: number): void => {
-    cancelAnimationFrame(this.queued);
-    this.queued = 0;
+  private draw(nowMs: number): void {
+    this.isStale = false;
     const { renderer, rig, stage, grid, characters, display } = this;
     const { content } = characters;
     if (this.disposed || this.width === 0 || renderer.getContext().isContextLost()) return;
@@ -522,7 +529,7 @@ export class Viewport {
     renderer.render(stage.scene, camera);
     this.labels.draw(camera, this.skeletons.positions, this.coverOfLabels());
     this.orientation.update(camera);
-  };
+  }
 
   /** What covers joints whose names are drawn. */
   private coverOfLabels(): LabelCover | undefined {

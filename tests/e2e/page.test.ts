@@ -30,6 +30,48 @@ const openArm = async (page: Page) => {
   await shown(page, 'arm');
 };
 
+/**
+ * What shows the time, in each of some frames of playback at four times the speed: the field, then the labels of the
+ * playheads of scrubber and timeline, and the pose in the picture, as drawn.
+ */
+async function timesOfFrames(): Promise<number[][]> {
+  const { marrow } = window;
+  const labels = new Map<string, number>();
+  let drawn = Number.NaN;
+  const { prototype: canvas } = CanvasRenderingContext2D;
+  const { prototype: gl } = WebGL2RenderingContext;
+  const { fillText } = canvas;
+  const { drawElements } = gl;
+  canvas.fillText = function (this: CanvasRenderingContext2D, text, ...place) {
+    const panel = this.canvas.closest('.scrubber, .curve-plot, .dope-sheet');
+    // Of the ruler's labels only the playhead's is centred.
+    if (panel && this.textAlign === 'center') labels.set(panel.className, Number(text));
+    fillText.call(this, text, ...place);
+  };
+  gl.drawElements = function (this: WebGL2RenderingContext, ...what) {
+    drawn = 2 * marrow.characters()[0].dofs[3];
+    drawElements.call(this, ...what);
+  };
+  marrow.run('play.rate.4');
+  marrow.play();
+  const next = () => new Promise(requestAnimationFrame);
+  await next();
+  await next();
+  labels.clear();
+  await next();
+  await next();
+  const times: number[][] = [];
+  const field = document.querySelector<HTMLInputElement>('.time-field');
+  for (let frame = 0; frame < 15; frame++) {
+    times.push([Number(field?.value), ...labels.values(), drawn]);
+    await next();
+  }
+  marrow.pause();
+  Object.assign(canvas, { fillText });
+  Object.assign(gl, { drawElements });
+  return times;
+}
+
 describe('dropping', () => {
   it('takes a folder, and what is in its folders', () =>
     withPage(async ({ page }) => {
@@ -149,6 +191,16 @@ describe('by hand', () => {
       await page.locator('.viewport canvas[role=application]').focus();
       await page.keyboard.press(' ');
       await page.waitForFunction((then) => window.marrow.characters()[0].dofs[3] !== then, there);
+      for (const tab of ['Curves', 'Dope sheet']) {
+        await page.getByRole('tab', { name: tab }).click();
+        const times = await page.evaluate(timesOfFrames);
+        expect(new Set(times.map(([field]) => field)).size).toBeGreaterThan(5);
+        for (const [field, ...others] of times) {
+          expect(others).toHaveLength(3);
+          // Labels have two decimals.
+          for (const other of others) expect(Math.abs(other - field)).toBeLessThan(0.0056);
+        }
+      }
     }));
 });
 

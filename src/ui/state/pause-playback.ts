@@ -11,11 +11,13 @@ import type { Uses, Workbench } from './workbench.ts';
 type Parts = Pick<Workbench, 'store' | 'transport' | 'timeline' | 'settings'>;
 
 /**
- * Whether pausing snaps to a frame: if time is in frames, or if what plays is sampled, as then one wants to see those
- * frames.
+ * Whether pausing goes to the nearest frame. It rests on the time shown, to look at it: in seconds that may be any. Where
+ * frames are counted and snapped to, as in Maya and Blender, a pause between two of them would show a pose that no frame
+ * has, and from which the next step is no whole frame; and of samples one wants to see those that were captured.
  */
-export function stopsOnFrame({ store, settings }: Uses<'store' | 'settings'>): boolean {
-  return settings.get().timeDisplay === 'frames' || playsSamples(store.document);
+export function stopsOnFrame({ store, settings, timeline }: Uses<'store' | 'settings' | 'timeline'>): boolean {
+  const snapsFrames = settings.get().timeDisplay === 'frames' && timeline.view.get().snapsToFrames;
+  return snapsFrames || playsSamples(store.document);
 }
 
 /** Stops playback before a key is made at the current time. If paused, the time stays. */

@@ -114,12 +114,14 @@ describe('runAction', () => {
     expect(wb.transport.get().timeSeconds).toBe(0.5);
   });
 
-  it('pauses on a frame if time is in frames, and at the exact time if in seconds', () => {
+  it('pauses on a frame if time is in frames that are snapped to, else at the time that is shown', () => {
     const { wb } = walker();
-    for (const [timeDisplay, pausedAt] of [
-      ['seconds', 0.71],
-      ['frames', 21 / 30],
+    for (const [timeDisplay, snapsToFrames, pausedAt] of [
+      ['seconds', true, 0.71],
+      ['frames', true, 21 / 30],
+      ['frames', false, 0.71],
     ] as const) {
+      wb.timeline.change({ snapsToFrames });
       wb.settings.update((s) => ({ ...s, timeDisplay }));
       wb.transport.update((p) => ({ ...p, timeSeconds: 0.71, playing: true }));
       runAction(wb, 'play.toggle');

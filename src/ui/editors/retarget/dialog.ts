@@ -32,7 +32,7 @@ const PREVIEW_MS = 120;
 const MEASURED = 24;
 
 export function retargetDialog(
-  wb: Uses<'store' | 'transport' | 'settings' | 'messages' | 'dialog'>,
+  wb: Uses<'store' | 'transport' | 'timeline' | 'settings' | 'messages' | 'dialog'>,
   close: () => void,
 ): DialogContent {
   const { store } = wb;

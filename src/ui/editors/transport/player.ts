@@ -3,6 +3,7 @@
  * viewport is updated and unkeyed changes are discarded.
  */
 import { advance } from '../../../edit/playback.ts';
+import { oncePerFrame } from '../../kit/frame.ts';
 import type { Uses } from '../../state/workbench.ts';
 import { dropStale, followUnkeyed } from '../posing/unkeyed-values.ts';
 
@@ -15,23 +16,14 @@ export function startPlayer(
   signal: AbortSignal,
 ): void {
   let before: number | undefined;
-  let queued = 0;
-  const tick = (now: number) => {
-    try {
-      if (!wb.transport.get().playing) return;
-      const elapsed = before === undefined ? 0 : Math.min(LONGEST_STEP_SECONDS, (now - before) / 1000);
-      before = now;
-      wb.transport.update((p) => advance(p, elapsed));
-    } finally {
-      // After everything else for the new time: queued earlier, the next tick would run before this frame is drawn, and
-      // only every second frame would be drawn.
-      queued = 0;
-      if (wb.transport.get().playing) queue();
-    }
-  };
-  const queue = () => {
-    if (queued === 0 && !signal.aborted) queued = requestAnimationFrame(tick);
-  };
+  const queue = oncePerFrame((nowMs) => {
+    if (signal.aborted || !wb.transport.get().playing) return;
+    const elapsed = before === undefined ? 0 : Math.min(LONGEST_STEP_SECONDS, (nowMs - before) / 1000);
+    before = nowMs;
+    // If it throws, playback goes on.
+    queue();
+    wb.transport.update((p) => advance(p, elapsed));
+  }, 'advance');
   const stop = wb.transport.subscribe((now, then) => {
     if (now.playing && !then.playing) before = undefined;
     if (now.playing) queue();
@@ -41,7 +33,6 @@ export function startPlayer(
   signal.addEventListener('abort', () => {
     stop();
     stopFollowing();
-    cancelAnimationFrame(queued);
   });
   if (wb.transport.get().playing) queue();
   wb.viewport.seek(wb.transport.get().timeSeconds);

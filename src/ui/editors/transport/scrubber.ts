@@ -7,7 +7,7 @@ import { type ShownChannel, shownKeys } from '../../../evaluate/plot/shown-keys.
 import { findCharacter, rangeOfClips } from '../../../model/document.ts';
 import { element } from '../../kit/dom.ts';
 import { followPointer } from '../../kit/drag.ts';
-import { isTimeAgain, oncePerFrame } from '../../kit/frame.ts';
+import { oncePerFrame } from '../../kit/frame.ts';
 import { aligned, shown } from '../../kit/number-text.ts';
 import { fitWindow, panWindow, revealTime, snapTime, type TimeWindow, zoomWindow } from '../../kit/time-window.ts';
 import type { Uses } from '../../state/workbench.ts';
@@ -21,8 +21,6 @@ import {
 /** Hit tolerance of the range's ends. */
 const GRAB_PIXELS = 6;
 const ZOOM_STEP = 1.15;
-/** While playing, the playhead, which moves by a pixel or two, is redrawn every other frame. */
-const RUNNING_PLAYHEAD_MS = 25;
 
 type Handle = 'time' | 'in' | 'out' | 'pan';
 
@@ -45,7 +43,6 @@ export class Scrubber {
   private width = 0;
   private height = 0;
   private readonly drawSoon = oncePerFrame(() => this.draw());
-  private readonly isPlayheadDue = isTimeAgain(RUNNING_PLAYHEAD_MS);
 
   constructor(private readonly wb: Uses<'store' | 'transport' | 'settings'>) {
     this.window = this.whole();
@@ -118,7 +115,6 @@ export class Scrubber {
   private draw(): void {
     const { width, height } = this;
     if (!width || !height) return;
-    if (!this.stale && this.wb.transport.get().playing && !this.isPlayheadDue()) return;
     const ratio = window.devicePixelRatio;
     this.colours ??= readColours(this.element);
     const { timeSeconds, range } = this.wb.transport.get();

@@ -2,7 +2,7 @@
 
 import { FRAME_RATES, LOOP_MODES } from '../../../edit/playback.ts';
 import { button, element, keepsFocusElsewhere, setAttribute } from '../../kit/dom.ts';
-import { isTimeAgain, oncePerFrame } from '../../kit/frame.ts';
+import { oncePerFrame } from '../../kit/frame.ts';
 import { type IconName, icon } from '../../kit/icons.ts';
 import { type MenuEntry, menuButton } from '../../kit/menu.ts';
 import { NumberField } from '../../kit/number-field.ts';
@@ -17,9 +17,6 @@ import type { Uses } from '../../state/workbench.ts';
 import { LOOP_LABELS, RATES, rateText } from './actions.ts';
 import { typeRange } from './range-edits.ts';
 import type { Scrubber } from './scrubber.ts';
-
-/** Interval for updating numbers while playing. */
-const RUNNING_NUMBERS_MS = 80;
 
 export function transport(
   wb: Uses<'store' | 'actions' | 'transport' | 'timeline' | 'settings' | 'messages'>,
@@ -182,7 +179,7 @@ function times(wb: Uses<'transport' | 'settings' | 'messages'>): HTMLElement[] {
   const frame = new NumberField({
     label: 'Frame',
     class: 'frame-field',
-    text: (value) => (wb.transport.get().playing ? String(Math.round(value)) : shown(value)),
+    text: (value) => (wb.transport.get().playing ? aligned(value, 1) : shown(value)),
     commit: (value) => at(value / wb.transport.get().framesPerSecond),
     refuse,
     step: 1,
@@ -199,10 +196,8 @@ function times(wb: Uses<'transport' | 'settings' | 'messages'>): HTMLElement[] {
     refuse,
     step: 1,
   });
-  const isRead = isTimeAgain(RUNNING_NUMBERS_MS);
   const show = oncePerFrame(() => {
-    const { timeSeconds, framesPerSecond, playing } = wb.transport.get();
-    if (playing && !isRead()) return;
+    const { timeSeconds, framesPerSecond } = wb.transport.get();
     time.show(timeSeconds);
     frame.show(noNoise(timeSeconds * framesPerSecond));
     fps.show(framesPerSecond);

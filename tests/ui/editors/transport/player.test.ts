@@ -2,9 +2,11 @@ import { afterEach, beforeEach, describe, expect, it, vi } from 'vitest';
 import { setDofs } from '../../../../src/edit/commands/pose.ts';
 import { dofState } from '../../../../src/ui/editors/inspector/dof-mark.ts';
 import { startPlayer } from '../../../../src/ui/editors/transport/player.ts';
+import { oncePerFrame } from '../../../../src/ui/kit/frame.ts';
 import { channel, character, clip, documentOf, skeleton, workbench } from '../../builders.ts';
 
 let frames: ((now: number) => void)[] = [];
+let stop: AbortController;
 
 /** Runs the browser's next frame, at this many milliseconds. */
 function frame(now: number): void {
@@ -14,43 +16,36 @@ function frame(now: number): void {
 }
 
 beforeEach(() => {
-  frames = [];
+  stop = new AbortController();
   vi.stubGlobal('requestAnimationFrame', (callback: (now: number) => void) => frames.push(callback));
-  vi.stubGlobal('cancelAnimationFrame', () => {
-    frames = [];
-  });
 });
-afterEach(() => void vi.unstubAllGlobals());
+afterEach(() => {
+  stop.abort();
+  // The frames of all tests are the same.
+  while (frames.length) frame(0);
+  vi.unstubAllGlobals();
+});
 
 it('advances time by the elapsed time between frames', () => {
   const { wb, seeks } = workbench(undefined, { range: [0, 10], playing: true });
-  startPlayer(wb, new AbortController().signal);
+  startPlayer(wb, stop.signal);
   for (const now of [5000, 5016, 5050]) frame(now);
   expect(wb.transport.get().timeSeconds).toBeCloseTo(0.05);
   expect(seeks).toEqual([0, 0.016, expect.closeTo(0.05)]);
 });
 
-it('draws every frame: a tick’s request is drawn before the next tick', () => {
-  const { wb, seeks } = workbench(undefined, { range: [0, 10], playing: true });
-  // Like the viewport: several requests draw once, in the next frame.
-  let asked = false;
+it('playback advances and is drawn in every frame', () => {
+  const { wb } = workbench(undefined, { range: [0, 10], playing: true });
   const drawn: number[] = [];
-  wb.transport.subscribe(() => {
-    if (asked) return;
-    asked = true;
-    requestAnimationFrame(() => {
-      asked = false;
-      drawn.push(seeks.length);
-    });
-  });
-  startPlayer(wb, new AbortController().signal);
+  wb.transport.subscribe(oncePerFrame(() => drawn.push(wb.transport.get().timeSeconds), 'draw'));
+  startPlayer(wb, stop.signal);
   for (let i = 0; i <= 10; i++) frame(16 * i);
-  expect(drawn.length).toBeGreaterThanOrEqual(9);
+  expect(drawn.map((seconds) => Math.round(1000 * seconds))).toEqual([16, 32, 48, 64, 80, 96, 112, 128, 144, 160]);
 });
 
 it('requests frames only while playing', () => {
   const { wb } = workbench(undefined, { range: [0, 10] });
-  startPlayer(wb, new AbortController().signal);
+  startPlayer(wb, stop.signal);
   expect(frames).toHaveLength(0);
   wb.transport.update((p) => ({ ...p, playing: true }));
   expect(frames).toHaveLength(1);
@@ -62,7 +57,7 @@ it('requests frames only while playing', () => {
 
 it('does not jump after a pause, or after an hour in the background', () => {
   const { wb } = workbench(undefined, { range: [0, 100], playing: true });
-  startPlayer(wb, new AbortController().signal);
+  startPlayer(wb, stop.signal);
   frame(0);
   frame(3_600_000);
   expect(wb.transport.get().timeSeconds).toBe(1);
@@ -82,7 +77,7 @@ describe('values set by hand and not keyed', () => {
       range: [0, 1],
       timeSeconds,
     });
-    startPlayer(wb, new AbortController().signal);
+    startPlayer(wb, stop.signal);
     wb.store.apply(setDofs, { characterId: 'c1', dofs: [{ index: 3, value: 1 }], timeSeconds });
     const now = () => wb.store.document.characters[0].unkeyed;
     const seek = (to: number) => wb.transport.update((p) => ({ ...p, timeSeconds: to }));

@@ -1,0 +1,79 @@
+import fc from 'fast-check';
+import { afterEach, beforeEach, expect, it, vi } from 'vitest';
+import { LOOP_MODES } from '../../../../src/edit/playback.ts';
+import { startPlayer } from '../../../../src/ui/editors/transport/player.ts';
+import { type FramePhase, oncePerFrame } from '../../../../src/ui/kit/frame.ts';
+import { runAction } from '../../../../src/ui/state/action.ts';
+import { character, clip, documentOf, workbench } from '../../builders.ts';
+
+let frames: ((now: number) => void)[] = [];
+let stop = new AbortController();
+const runFrame = (now: number) => {
+  const due = frames;
+  frames = [];
+  for (const callback of due) callback(now);
+};
+
+beforeEach(() => {
+  frames = [];
+  vi.stubGlobal('requestAnimationFrame', (callback: (now: number) => void) => frames.push(callback));
+});
+afterEach(() => void vi.unstubAllGlobals());
+
+/** What shows the time, in the order of its requests, which is another one in each page. */
+const DISPLAYS = ['time field', 'scrubber', 'curves', 'dope sheet', 'picture'] as const;
+
+/** What happens between two frames; a number of milliseconds is one of them. */
+const event = fc.oneof(
+  fc.constant('play.toggle' as const),
+  fc.record({ seek: fc.double({ min: -1, max: 3, noNaN: true }) }),
+  fc.record({ loop: fc.constantFrom(...LOOP_MODES) }),
+  fc.record({ rate: fc.constantFrom(-4, -1, 0.5, 1, 4) }),
+  // A panel that is drawn for another reason, and draws in several frames.
+  fc.record({ redraws: fc.constantFrom(...DISPLAYS) }),
+  fc.integer({ min: 1, max: 300 }),
+);
+
+it('time field, scrubber, curves, dope sheet and picture show one time in every frame, however time changes', () => {
+  fc.assert(
+    fc
+      .property(
+        fc.shuffledSubarray([...DISPLAYS], { minLength: DISPLAYS.length }),
+        fc.boolean(),
+        fc.array(event, { maxLength: 40 }),
+        (order, playerIsFirst, events) => {
+          const { wb } = workbench(documentOf(character({ clips: [clip([0, 2])] })), { range: [0, 2] });
+          const shown = new Map<string, number>();
+          const requests = new Map<string, () => void>();
+          stop = new AbortController();
+          if (playerIsFirst) startPlayer(wb, stop.signal);
+          for (const name of order) {
+            const phase: FramePhase = name === 'picture' ? 'draw' : 'show';
+            const request = oncePerFrame(() => void shown.set(name, wb.transport.get().timeSeconds), phase);
+            wb.transport.subscribe(request);
+            requests.set(name, request);
+            request();
+          }
+          if (!playerIsFirst) startPlayer(wb, stop.signal);
+          let now = 0;
+          runFrame(now);
+          for (const what of events) {
+            if (typeof what === 'number') {
+              now += what;
+              runFrame(now);
+              const { timeSeconds } = wb.transport.get();
+              expect([...shown.values()]).toEqual(DISPLAYS.map(() => timeSeconds));
+            } else if (what === 'play.toggle') runAction(wb, what, 'button');
+            else if ('seek' in what) wb.transport.update((p) => ({ ...p, timeSeconds: what.seek, playing: false }));
+            else if ('redraws' in what) requests.get(what.redraws)?.();
+            else wb.transport.update((p) => ({ ...p, ...what }));
+          }
+        },
+      )
+      .afterEach(() => {
+        stop.abort();
+        // The frames of all runs are the same.
+        while (frames.length) runFrame(0);
+      }),
+  );
+});
