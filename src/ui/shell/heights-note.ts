@@ -11,12 +11,12 @@ import type { Uses } from '../state/workbench.ts';
 const FAR_APART = 4;
 
 export function heightsNote(wb: Uses<'store' | 'actions'>): HTMLElement {
-  const text = element('span', { class: 'message-text', role: 'status' });
+  const text = element('span', { class: 'offer-text', role: 'status' });
   let dismissed = '';
   let measured: readonly Character[] = [];
   const note = element(
     'section',
-    { class: 'message-line heights-note', 'aria-label': 'Heights' },
+    { class: 'offer heights-note', 'aria-label': 'Heights' },
     text,
     button('Same height', { class: 'link' }, 'Same height', () => runAction(wb, 'edit.sameHeight')),
     button('Dismiss', { class: 'tool small' }, icon('close'), () => {
