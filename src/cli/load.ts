@@ -2,8 +2,9 @@
  * Files from disk to models, through the same readers as in the page, a megabyte at a time: memory is bounded by the
  * model, not the file.
  */
-import { closeSync, openSync, readSync, statSync } from 'node:fs';
+import { closeSync, openSync, readFileSync, readSync, statSync } from 'node:fs';
 import { basename } from 'node:path';
+import { isWorthDiagnosing } from '../formats/diagnose/diagnose.ts';
 import { type Diagnostic, withoutPlace } from '../model/diagnostic.ts';
 import { isEmptyDump } from '../model/dump.ts';
 import type { BrokenFile, FileContent, FileKind, ParsedFile, SourceFile } from '../model/files.ts';
@@ -91,7 +92,9 @@ function readFile(path: string, bytes: number, name: string, format: Format): Om
   } finally {
     closeSync(file);
   }
-  const { value, diagnostics } = reader.end();
+  const { value, diagnostics: told } = reader.end();
+  const { diagnose } = format;
+  const diagnostics = diagnose && isWorthDiagnosing(told, bytes) ? diagnose(name, readFileSync(path), told) : told;
   return value ? { content: value, diagnostics } : { diagnostics };
 }
 

@@ -1,6 +1,6 @@
 /** What text formats share beyond tokens: counted blocks, single numbers, names, unknown keywords. */
 import type { Place } from './places.ts';
-import type { Keywords, NumberSink, Tokens } from './tokens.ts';
+import type { Keywords, Mark, NumberSink, Tokens } from './tokens.ts';
 
 /** Part of a grammar; suspends when the bytes run out. */
 export type GrammarPart<T> = Generator<void, T, void>;
@@ -79,15 +79,27 @@ export function* numberRun(
   }
 }
 
-/** `N {`. The count is only a hint; the actual content is used. Undefined if there is no usable count. */
-export function* countAndBrace(t: Tokens, what: string, keywords: Keywords): GrammarPart<number | undefined> {
-  let count = yield* number(t, `the number of ${what}`, keywords);
-  if (count !== undefined && count % 1 !== 0) {
-    t.error('count-fractional', `Expected a whole number of ${what}, found ${t.found()}.`);
-    count = undefined;
-  }
+/** A count as written, only a hint: the actual content is used. */
+export interface Declared {
+  /** Undefined if there is no usable one, which is an error. */
+  readonly count: number | undefined;
+  readonly place: Mark;
+}
+
+/** A whole number of `what`. */
+export function* declaredCount(t: Tokens, what: string, keywords: Keywords): GrammarPart<Declared> {
+  const count = yield* number(t, `the number of ${what}`, keywords);
+  const place = t.mark();
+  if (count === undefined || count % 1 === 0) return { count, place };
+  t.error('count-fractional', `Expected a whole number of ${what}, found ${t.found()}.`);
+  return { count: undefined, place };
+}
+
+/** `N {` */
+export function* countAndBrace(t: Tokens, what: string, keywords: Keywords): GrammarPart<Declared> {
+  const declared = yield* declaredCount(t, what, keywords);
   yield* openBrace(t, `the number of ${what}`);
-  return count;
+  return declared;
 }
 
 /** A `{`; if missing, continues as if it were there. */
@@ -97,10 +109,11 @@ export function* openBrace(t: Tokens, after: string): GrammarPart<void> {
   t.again();
 }
 
-/** At the `}` of a block: compares the declared count with the actual one. */
-export function checkCount(t: Tokens, what: string, declared: number | undefined, found: number): void {
-  if (declared === undefined || declared === found) return;
-  t.warn('count-mismatch', `Expected ${declared} ${what} as declared, found ${found}.`, `used ${found}`);
+/** After a block: compares the declared count with the actual one. */
+export function checkCount(t: Tokens, what: string, { count, place }: Declared, found: number): void {
+  if (count === undefined || count === found) return;
+  const message = `Expected ${count} ${what} as declared, found ${found}.`;
+  t.report.warn('count-mismatch', message, t.placeOf(place, 'warning'), `used ${found}`);
 }
 
 /** Skips a token that is not valid in `where`; equal ones share one warning. */
@@ -172,14 +185,14 @@ export class NumberList implements NumberSink {
 /** `N { x y z … }`: rows of `width` numbers. The current token is the keyword. */
 export function* rows(t: Tokens, what: string, width: number, keywords: Keywords): GrammarPart<Float64Array> {
   const declared = yield* countAndBrace(t, what, keywords);
-  const sink = new NumberList(t, declared === undefined ? undefined : declared * width);
+  const sink = new NumberList(t, declared.count === undefined ? undefined : declared.count * width);
   yield* t.numbers(sink, what, keywords);
   checkRows(t, what, width, declared, sink.count);
   return sink.all();
 }
 
 /** At the end of a block of rows. */
-export function checkRows(t: Tokens, what: string, width: number, declared: number | undefined, found: number): void {
+export function checkRows(t: Tokens, what: string, width: number, declared: Declared, found: number): void {
   if (t.kind !== '}') return;
   if (found % width !== 0) {
     const message = `Expected ${width} numbers per row of ${what}, found ${found % width} in the last row.`;

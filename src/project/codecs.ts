@@ -6,6 +6,8 @@ import { animReader } from '../formats/anim/read.ts';
 import { writeAnim } from '../formats/anim/write.ts';
 import { bvhReader } from '../formats/bvh/read.ts';
 import { writeBvh } from '../formats/bvh/write.ts';
+import { diagnose } from '../formats/diagnose/diagnose.ts';
+import type { TextLayout } from '../formats/diagnose/rows.ts';
 import { dumpReader } from '../formats/dump/read.ts';
 import { morphReader } from '../formats/morph/read.ts';
 import { writeMorph } from '../formats/morph/write.ts';
@@ -19,6 +21,7 @@ import { writeSkel } from '../formats/skel/write.ts';
 import { skinReader } from '../formats/skin/read.ts';
 import { writeSkin } from '../formats/skin/write.ts';
 import { textureReader } from '../formats/texture/read.ts';
+import type { Diagnostic } from '../model/diagnostic.ts';
 import { type Character, isBvh, shownClip, shownSkin } from '../model/document.ts';
 import type { ContentOf, FileContent, FileKind } from '../model/files.ts';
 import { vertexCount } from '../model/skin.ts';
@@ -52,6 +55,31 @@ const READERS: { readonly [K in FormatKind]: MakeReader<HeldBy<K>> } = {
   pose: (name) => mapped(poseReader(name), (poses) => ({ kind: 'pose', poses })),
   texture: (name) => mapped(textureReader(name), (texture) => ({ kind: 'texture', texture })),
   dump: (name) => mapped(dumpReader(name), (dump) => ({ kind: 'dump', dump })),
+};
+
+/** How the lines of each kind of text file are made up, for the place of an error. */
+const LAYOUTS: { readonly [K in FormatKind]?: TextLayout } = {
+  skel: { kind: 'skel', rows: new Map([['', 6]]) },
+  axskel: { kind: 'axskel', rows: new Map([['', 6]]) },
+  skin: {
+    kind: 'skin',
+    rows: new Map<string, number | 'pairs'>([
+      ...(['positions', 'normals', 'triangles', 'matrix'] as const).map((block): [string, number] => [block, 3]),
+      ['texcoords', 2],
+      ['skinweights', 'pairs'],
+    ]),
+  },
+  morph: {
+    kind: 'morph',
+    rows: new Map([
+      ['positions', 4],
+      ['normals', 4],
+    ]),
+  },
+  anim: { kind: 'anim', rows: new Map([['keys', 4]]), words: new Set(['flat', 'linear', 'smooth']) },
+  rig: { kind: 'rig', rows: new Map() },
+  bvh: { kind: 'bvh', rows: new Map() },
+  pose: { kind: 'pose', rows: new Map() },
 };
 
 /** What saving in a kind of file takes. */
@@ -142,12 +170,29 @@ export interface Format {
   readonly kind: FileKind;
   readonly label: string;
   readonly reader: MakeReader<FileContent>;
+  /**
+   * The problems that a reading told, each where it really is, and without what follows from others; from the bytes of
+   * the whole file. Absent if it is no text.
+   */
+  readonly diagnose?: (fileName: string, bytes: Uint8Array, told: readonly Diagnostic[]) => readonly Diagnostic[];
 }
 
 /** The format of a file by its extension, in any case; undefined for other files. */
 export function formatOf(fileName: string): Format | undefined {
   const format = formatKindOf(fileName);
-  return format && { format, kind: KINDS[format].content, label: KINDS[format].label, reader: READERS[format] };
+  if (!format) return undefined;
+  const reader: MakeReader<FileContent> = READERS[format];
+  const layout = LAYOUTS[format];
+  return {
+    format,
+    kind: KINDS[format].content,
+    label: KINDS[format].label,
+    reader,
+    ...(layout && {
+      diagnose: (name: string, bytes: Uint8Array, told: readonly Diagnostic[]) =>
+        diagnose(bytes, told, layout, () => reader(name, bytes.length)),
+    }),
+  };
 }
 
 /**

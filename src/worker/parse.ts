@@ -4,12 +4,13 @@
  */
 import { checkMorph } from '../evaluate/binding.ts';
 import { skinFacts } from '../evaluate/bounds.ts';
+import { isWorthDiagnosing } from '../formats/diagnose/diagnose.ts';
 import { type Diagnostic, withoutPlace } from '../model/diagnostic.ts';
 import { isEmptyDump } from '../model/dump.ts';
 import { type BrokenFile, folderOf, type ParsedFile, type SourceFile } from '../model/files.ts';
 import type { Morph } from '../model/morph.ts';
 import type { Skin } from '../model/skin.ts';
-import { formatOf } from '../project/codecs.ts';
+import { type Format, formatOf } from '../project/codecs.ts';
 import { READABLE_EXTENSIONS } from '../project/kinds.ts';
 import type { GivenBlob, ParseInput, ParseOutput, Progress } from './protocol.ts';
 import { unzip } from './zip.ts';
@@ -48,7 +49,7 @@ export async function parse(input: ParseInput, onProgress: (progress: Progress) 
         continue;
       }
       const result = reader.end();
-      diagnostics.push(...result.diagnostics);
+      diagnostics.push(...(await located(format, source.name, blob, result.diagnostics)));
       if (result.value && isEmptyDump(result.value)) passedOver.push(source);
       else if (result.value) files.push({ ...result.value, source });
       else broken.push({ kind: format.kind, source });
@@ -115,6 +116,23 @@ async function unpacked(files: readonly GivenBlob[], diagnostics: Diagnostic[]) 
     }
   }
   return { given, passedOver };
+}
+
+/** The problems at their places. The file is read again for it, so only if there are any. */
+async function located(
+  { diagnose }: Format,
+  name: string,
+  blob: Blob,
+  told: readonly Diagnostic[],
+): Promise<readonly Diagnostic[]> {
+  if (!diagnose || !isWorthDiagnosing(told, blob.size)) return told;
+  try {
+    return diagnose(name, new Uint8Array(await blob.arrayBuffer()), told);
+  } catch (error) {
+    // The file has changed on disk since it was read.
+    if (error instanceof DOMException) return told;
+    throw error;
+  }
 }
 
 async function feed(blob: Blob, take: (chunk: Uint8Array) => void): Promise<void> {

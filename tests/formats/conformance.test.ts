@@ -1,7 +1,7 @@
 import { expect, it } from 'vitest';
 import { readSkel } from '../../src/formats/skel/read.ts';
 import { conformance, describeShared, sharedBytes } from '../helpers/shared.ts';
-import { read } from './read-in-pieces.ts';
+import { readAsOpened } from './read-in-pieces.ts';
 
 interface DiagnosticCase {
   readonly file: string;
@@ -28,7 +28,7 @@ describeShared('broken files', () => {
   const { cases } = conformance<{ cases: readonly DiagnosticCase[] }>('diagnostics.json');
 
   it.each(cases)('the broken file $file: $what', ({ file, with: others, expect: expected, lines }) => {
-    const { value, diagnostics } = read(file, sharedBytes(`data/malformed/${file}`));
+    const { value, diagnostics } = readAsOpened(file, sharedBytes(`data/malformed/${file}`));
     const problems = diagnostics.filter((d) => d.severity !== 'info');
     for (const d of diagnostics) expect(d.file).toBe(file);
     if (others.length > 0) {

@@ -30,8 +30,8 @@ describe('reading .morph', () => {
   });
 
   it('uses what is there where a count says otherwise', () => {
-    expect(told(morph('positions 3 {\n5 1 1 1\n}'))).toEqual(['warning count-mismatch 3:1']);
-    expect(told(morph('positions -1 {\n5 1 1 1\n}'))).toEqual(['warning count-mismatch 3:1']);
+    expect(told(morph('positions 3 {\n5 1 1 1\n}'))).toEqual(['warning count-mismatch 1:11']);
+    expect(told(morph('positions -1 {\n5 1 1 1\n}'))).toEqual(['warning count-mismatch 1:11']);
   });
 
   it.each([

@@ -1,4 +1,5 @@
 /** Reading helpers for the format tests: any format, in one piece or in many. */
+import { isWorthDiagnosing } from '../../src/formats/diagnose/diagnose.ts';
 import type { ReadResult } from '../../src/formats/reader.ts';
 import type { FileContent } from '../../src/model/files.ts';
 import { formatOf } from '../../src/project/codecs.ts';
@@ -25,6 +26,19 @@ export function readInPieces(fileName: string, bytes: Uint8Array, cuts: readonly
     from = Math.max(from, cut);
   }
   return reader.end();
+}
+
+/** The same, with its problems where they really are, as the page and the command tell them. */
+export function readAsOpened(
+  fileName: string,
+  bytes: Uint8Array | string,
+  cuts: readonly number[] = [],
+): ReadResult<FileContent> {
+  const whole = typeof bytes === 'string' ? bytesOf(bytes) : bytes;
+  const result = readInPieces(fileName, whole, cuts);
+  const { diagnose } = formatOf(fileName) ?? {};
+  if (!diagnose || !isWorthDiagnosing(result.diagnostics, whole.length)) return result;
+  return { ...result, diagnostics: diagnose(fileName, whole, result.diagnostics) };
 }
 
 /** `severity code line:column` of each diagnostic. */

@@ -59,7 +59,7 @@ describe('reading .rig', () => {
     expect(value?.skin).toBe('b.skin');
     expect(told({ diagnostics })).toEqual([
       'warning repeated 3:1',
-      'warning count-mismatch 5:1',
+      'warning count-mismatch 4:8',
       'warning keyword-unknown 6:1',
       'warning brace-unexpected 8:1',
     ]);

@@ -64,12 +64,12 @@ describe('reading .skin', () => {
     expect(value?.material).toEqual({ name: '', texture });
   });
 
-  it('uses what is there where a count says otherwise', () => {
+  it('uses what is there where a count says otherwise, and tells it at the count', () => {
     for (const count of ['4', '0', '-1', '1e9', '2147483648', '1e300']) {
       const { value, diagnostics } = skin(POSITIONS.replace('3', count) + NORMALS + TRIANGLES.replace('1', count));
       expect(value?.positions).toHaveLength(9);
       expect(value?.triangles).toHaveLength(3);
-      expect(told({ diagnostics })).toEqual(['warning count-mismatch 5:1', 'warning count-mismatch 13:1']);
+      expect(told({ diagnostics })).toEqual(['warning count-mismatch 1:11', 'warning count-mismatch 11:11']);
     }
   });
 

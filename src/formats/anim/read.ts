@@ -17,6 +17,8 @@ import {
   checkCount,
   checkRows,
   countAndBrace,
+  type Declared,
+  declaredCount,
   type GrammarPart,
   number,
   openBrace,
@@ -91,7 +93,7 @@ function rangeOfKeys(t: Tokens, channels: readonly Channel[]): readonly [number,
 function* body(t: Tokens, opened: Mark): GrammarPart<Parts> {
   const parts: Parts = { channels: [] };
   const sink = new KeySink();
-  let declared: number | undefined;
+  let declared: Declared | undefined;
   yield* openBrace(t, 'animation');
   for (;;) {
     const kind = yield* t.next();
@@ -103,7 +105,7 @@ function* body(t: Tokens, opened: Mark): GrammarPart<Parts> {
         parts.range = yield* range(t);
         break;
       case 'numchannels':
-        declared = yield* channelCount(t);
+        declared = yield* declaredCount(t, 'channels', KEYWORDS);
         break;
       case 'channel':
         parts.channels.push(yield* channel(t, sink, parts.channels.length));
@@ -112,7 +114,7 @@ function* body(t: Tokens, opened: Mark): GrammarPart<Parts> {
         yield* skipStrange(t, 'an animation', 'range, numchannels or channel');
     }
   }
-  checkCount(t, 'channels', declared, parts.channels.length);
+  if (declared) checkCount(t, 'channels', declared, parts.channels.length);
   return parts;
 }
 
@@ -125,13 +127,6 @@ function* range(t: Tokens): GrammarPart<readonly [number, number]> {
   const message = `Expected a range that starts before it ends, found ${first} to ${last}.`;
   t.report.warn('range-reversed', message, t.placeOf(place), 'swapped');
   return [last, first];
-}
-
-function* channelCount(t: Tokens): GrammarPart<number | undefined> {
-  const count = yield* number(t, 'the number of channels', KEYWORDS);
-  if (count === undefined || count % 1 === 0) return count;
-  t.error('count-fractional', `Expected a whole number of channels, found ${t.found()}.`);
-  return undefined;
 }
 
 /** `{ extrapolate IN OUT keys k { … } }` */

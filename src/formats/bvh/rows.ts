@@ -171,7 +171,7 @@ export class Rows {
   private nextLength(): number {
     const { byteLength, bytesRead, count, declared } = this;
     const length = 1.5 * this.values.length;
-    const expected = byteLength && count > 0 ? (byteLength / bytesRead) * count : length;
+    const expected = byteLength && bytesRead > 0 ? (byteLength / bytesRead) * count : length;
     if (declared > count && declared <= TRUSTED * Math.max(expected, length)) return declared;
     return Math.ceil(Math.max(1.02 * expected, length));
   }

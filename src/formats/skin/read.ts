@@ -107,20 +107,20 @@ function* block(t: Tokens, parts: Parts): GrammarPart<void> {
 
 function* skinweights(t: Tokens): GrammarPart<AttachmentSink> {
   const declared = yield* countAndBrace(t, 'skinweights', KEYWORDS);
-  const sink = new AttachmentSink(t, declared ?? 0);
+  const sink = new AttachmentSink(t, declared.count ?? 0);
   yield* t.numbers(sink, 'skinweights', KEYWORDS);
   sink.tell(t);
   if (t.kind !== '}') return sink;
   if (sink.missing > 0) {
     const message = `The last row of skinweights is ${sink.missing} numbers short: a row is a count, then a joint and a weight for each.`;
-    t.error('row-incomplete', message + sink.hint());
+    t.error('row-incomplete', message);
   } else checkCount(t, 'skinweights', declared, sink.rows);
   return sink;
 }
 
 function* triangles(t: Tokens, positions: Block | undefined): GrammarPart<TriangleSink> {
   const declared = yield* countAndBrace(t, 'triangles', KEYWORDS);
-  const sink = new TriangleSink(t, 3 * (declared ?? 0), positions && Math.floor(positions.values.length / 3));
+  const sink = new TriangleSink(t, 3 * (declared.count ?? 0), positions && Math.floor(positions.values.length / 3));
   yield* t.numbers(sink, 'triangles', KEYWORDS);
   sink.tell(t);
   checkRows(t, 'triangles', 3, declared, sink.found);
@@ -154,6 +154,7 @@ function* bindings(t: Tokens): GrammarPart<Float64Array> {
 function* matrix(t: Tokens, joint: number): GrammarPart<Float64Array> {
   const what = `the binding of joint ${joint}`;
   const place = t.mark();
+  const { errorCount } = t.report;
   yield* openBrace(t, 'matrix');
   const sink = new NumberList(t, 12);
   yield* t.numbers(sink, what, KEYWORDS);
@@ -167,7 +168,7 @@ function* matrix(t: Tokens, joint: number): GrammarPart<Float64Array> {
   for (let column = 0; column < 4; column++) {
     for (let row = 0; row < 3; row++) m[4 * column + row] = sink.values[3 * column + row];
   }
-  if (isSingular(m)) {
+  if (t.report.errorCount === errorCount && isSingular(m)) {
     const message = `The matrix of ${what} has no inverse: its columns are coplanar, or one of them is 0.`;
     t.report.error('binding-singular', message, t.placeOf(place));
   }

@@ -205,12 +205,6 @@ export class AttachmentSink implements NumberSink {
     }
   }
 
-  /** Where to look for a missing number, which merges all following rows. */
-  hint(): string {
-    const line = this.firstOff?.place.line;
-    return line ? ` Weights first fail to sum to 1 on line ${line}: look there.` : '';
-  }
-
   /** Once the number of bindings is known. */
   tellOutOfRange(t: Tokens, bindings: number): void {
     const first = this.stairs.first(bindings);

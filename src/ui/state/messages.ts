@@ -162,11 +162,11 @@ export function worst(diagnostics: readonly Diagnostic[]): Severity {
   return diagnostics.some((d) => d.severity === 'warning') ? 'warning' : 'info';
 }
 
-/** `wasp.skel: not opened, 2 errors, 1 warning. Expected a number, found "x".` */
+/** `wasp.skel:12: not opened, 2 errors, 1 warning. Expected a number, found "x".` */
 function summary(file: string, diagnostics: readonly Diagnostic[], fate: string | undefined): string {
   const severity = worst(diagnostics);
   const first = diagnostics.find((d) => d.severity === severity) ?? diagnostics[0];
-  const name = file === '' ? '' : `${file}: `;
+  const name = file === '' ? '' : `${file}${first.line > 0 ? `:${first.line}` : ''}: `;
   const head = [fate ?? '', diagnostics.length > 1 ? counts(diagnostics) : ''].filter(Boolean).join(', ');
   return `${name}${head && `${head}. `}${first.message}`;
 }

@@ -23,8 +23,8 @@ describe('Messages', () => {
       diagnostic({ file: 'b.skin', severity: 'warning', message: 'Odd too.' }),
     ]);
     expect(messages.list.get()).toMatchObject([
-      { severity: 'warning', unread: true, text: 'b.skin: Odd too.' },
-      { severity: 'error', unread: true, text: 'a.skel: 1 error, 1 warning. Expected a number, found "x".' },
+      { severity: 'warning', unread: true, text: 'b.skin:3: Odd too.' },
+      { severity: 'error', unread: true, text: 'a.skel:3: 1 error, 1 warning. Expected a number, found "x".' },
     ]);
   });
 
@@ -76,9 +76,12 @@ describe('Messages', () => {
     const messages = new Messages();
     messages.report([diagnostic(), diagnostic({ file: 'b.skin' })]);
     messages.report([diagnostic({ severity: 'warning', message: 'Odd.' })]);
-    expect(messages.list.get().map((m) => m.text)).toEqual(['b.skin: Expected a number, found "x".', 'a.skel: Odd.']);
+    expect(messages.list.get().map((m) => m.text)).toEqual([
+      'b.skin:3: Expected a number, found "x".',
+      'a.skel:3: Odd.',
+    ]);
     messages.report([], ['b.skin']);
-    expect(messages.list.get().map((m) => m.text)).toEqual(['a.skel: Odd.']);
+    expect(messages.list.get().map((m) => m.text)).toEqual(['a.skel:3: Odd.']);
   });
 });
 
@@ -88,11 +91,11 @@ describe('an opening', () => {
     const two = [diagnostic({ file: 'b.skin', severity: 'warning', message: 'Odd.' }), diagnostic()];
     messages.report(two, [], (file) => (file === 'a.skel' ? 'not opened' : 'opened'));
     expect(messages.list.get().map((m) => [m.text, m.fate])).toEqual([
-      ['b.skin: opened. Odd.', 'opened'],
-      ['a.skel: not opened. Expected a number, found "x".', 'not opened'],
+      ['b.skin:3: opened. Odd.', 'opened'],
+      ['a.skel:3: not opened. Expected a number, found "x".', 'not opened'],
     ]);
     messages.report([diagnostic(), diagnostic()], [], () => 'not opened');
-    expect(messages.list.get().at(-1)?.text).toBe('a.skel: not opened, 2 errors. Expected a number, found "x".');
+    expect(messages.list.get().at(-1)?.text).toBe('a.skel:3: not opened, 2 errors. Expected a number, found "x".');
   });
 
   it('leaves only its own messages unread', () => {

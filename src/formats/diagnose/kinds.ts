@@ -1,0 +1,90 @@
+/** Recognises files by their content: one of another kind, for whose extension the reader was chosen. */
+import { SKEL_TYPES } from '../skel/joint-types.ts';
+import type { TextLines } from './text-lines.ts';
+
+/** Text files that are read, by their usual extension. */
+export type TextKind = 'skel' | 'axskel' | 'skin' | 'morph' | 'anim' | 'rig' | 'bvh' | 'pose';
+
+/** Blocks that only a skin has. */
+const OF_SKIN = ['texcoords', 'skinweights', 'triangles', 'bindings', 'material'];
+/** Rows that are looked at for their length. */
+const SOME = 50;
+
+/** Words that start a line only in files of this kind. */
+const OPENINGS: readonly (readonly [TextKind, ReadonlySet<string>])[] = [
+  ['bvh', new Set(['hierarchy'])],
+  ['anim', new Set(['animation'])],
+  ['rig', new Set(['rig'])],
+  ['skel', new Set(SKEL_TYPES.map(({ keyword }) => keyword))],
+  ['pose', new Set(['pose'])],
+  ['skin', new Set(OF_SKIN)],
+  ['morph', new Set(['positions', 'normals'])],
+];
+
+/** First characters of files that are no text, and of other text; bytes below 32 as dots. */
+const FOREIGN: readonly (readonly [name: string, start: RegExp])[] = [
+  ['a zip archive', /^PK\.\./],
+  ['a PNG image', /^\x89PNG/],
+  ['a JPEG image', /^\xff\xd8\xff/],
+  ['a BMP image', /^BM.{4}\.{4}/],
+  ['a binary glTF file', /^glTF/],
+  ['an FBX file', /^(Kaydara FBX Binary|; FBX)/],
+  ['a web page', /^\s*<(!doctype|html|head|body)/i],
+  ['an XML file', /^\s*<\?xml/i],
+  ['a JSON file', /^\s*[[{]\s*"/],
+];
+
+/** What the bytes look like, if it is another kind: a kind that is read, or a name such as `a zip archive`. */
+export function otherKind(
+  lines: TextLines,
+  own: TextKind,
+): { readonly kind: TextKind } | { readonly name: string } | undefined {
+  const start = String.fromCharCode(...lines.bytes.subarray(0, 64).map((c) => (c < 32 && !isSpace(c) ? 46 : c)));
+  const foreign = FOREIGN.find(([, pattern]) => pattern.test(start));
+  if (foreign) return { name: foreign[0] };
+  const kinds = textKinds(lines);
+  const [kind] = kinds;
+  if (kind === undefined || kinds.includes(own)) return undefined;
+  // A skeleton's reader takes both forms.
+  const areForms = (own === 'skel' || own === 'axskel') && (kinds.includes('skel') || kind === 'axskel');
+  return areForms ? undefined : { kind };
+}
+
+/** The kinds of which a file has openings, none if it has none. */
+function textKinds(lines: TextLines): readonly TextKind[] {
+  const words = firstWords(lines);
+  if (words.length === 0) return usualRow(lines) === 6 ? ['axskel'] : [];
+  const found = OPENINGS.filter(([, openings]) => words.some((word) => openings.has(word))).map(([kind]) => kind);
+  if (found.includes('skin')) return found.filter((kind) => kind !== 'morph');
+  // Both have positions and normals.
+  return found.map((kind) => (kind === 'morph' && usualRow(lines) === 3 ? 'skin' : kind));
+}
+
+/** The first words of all lines that start with one and, as `pose` is a word of skeletons too, open a block. */
+function firstWords(lines: TextLines): readonly string[] {
+  const words = new Set<string>();
+  for (const line of lines.filled) {
+    const { first, hasBrace } = lines.row(line);
+    if (first !== 'w') continue;
+    const word = lines.text(lines.head(line)).toLowerCase();
+    if (word !== 'pose' || hasBrace) words.add(word);
+  }
+  return [...words];
+}
+
+function isSpace(c: number): boolean {
+  return c === 9 || c === 10 || c === 13;
+}
+
+/** The length of most rows of numbers. */
+function usualRow(lines: TextLines): number {
+  const votes = new Map<number, number>();
+  let seen = 0;
+  for (const line of lines.filled) {
+    const { first, count } = lines.row(line);
+    if (first !== 'n') continue;
+    votes.set(count, (votes.get(count) ?? 0) + 1);
+    if (++seen === SOME) break;
+  }
+  return [...votes].sort((a, b) => b[1] - a[1])[0]?.[0] ?? 0;
+}

@@ -1,0 +1,43 @@
+/** The real files of each kind of text file, for damage; poses are written from the wasp's skeleton. */
+
+import { writePoses } from '../../src/formats/pose/write.ts';
+import { readSkel } from '../../src/formats/skel/read.ts';
+import { dofsOf } from '../../src/model/joint-types.ts';
+import { BVH_FILES } from '../helpers/bvh-files.ts';
+import { sharedBytes } from '../helpers/shared.ts';
+import { GOOD_FILES } from './shared-files.ts';
+
+export interface RealFile {
+  readonly name: string;
+  readonly text: string;
+}
+
+const text = (path: string) => new TextDecoder().decode(sharedBytes(path));
+const named = (paths: readonly string[]) => paths.map((path) => ({ name: path, text: text(path) }));
+const kind = (extension: string) => GOOD_FILES.filter((path) => path.endsWith(`.${extension}`));
+
+/** Files of each kind, by extension. */
+export function realFiles(): ReadonlyMap<string, readonly RealFile[]> {
+  return new Map([
+    ...['skel', 'skin', 'morph', 'anim', 'rig', 'axskel'].map((extension): [string, readonly RealFile[]] => [
+      extension,
+      named(kind(extension)),
+    ]),
+    ['bvh', named(BVH_FILES.map((name) => `data/bvh/${name}`))],
+    ['pose', [{ name: 'wasp.pose', text: waspPoses() }]],
+  ]);
+}
+
+function waspPoses(): string {
+  const joints = readSkel(sharedBytes('data/cse169/wasp.skel'), 'wasp.skel').value?.[0].joints ?? [];
+  const posed = (angle: number) =>
+    joints.map(({ name, motion, pose }) => ({
+      name,
+      dofs: dofsOf(motion).map((dof, i) => ({ name: dof.name, value: pose[i] + angle })),
+    }));
+  const weights = [{ name: 'smile', value: 0.25 }];
+  return writePoses([
+    { name: 'rest', root: [0, 0, 0], joints: posed(0), weights },
+    { name: 'wings up', root: [0, 1, 0.5], joints: posed(0.125), weights },
+  ]).text;
+}
