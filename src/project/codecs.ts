@@ -7,7 +7,7 @@ import { writeAnim } from '../formats/anim/write.ts';
 import { bvhReader } from '../formats/bvh/read.ts';
 import { writeBvh } from '../formats/bvh/write.ts';
 import { diagnose } from '../formats/diagnose/diagnose.ts';
-import type { TextLayout } from '../formats/diagnose/rows.ts';
+import { TEXT_LAYOUTS, type TextLayout } from '../formats/diagnose/layouts.ts';
 import { dumpReader } from '../formats/dump/read.ts';
 import { morphReader } from '../formats/morph/read.ts';
 import { writeMorph } from '../formats/morph/write.ts';
@@ -55,31 +55,6 @@ const READERS: { readonly [K in FormatKind]: MakeReader<HeldBy<K>> } = {
   pose: (name) => mapped(poseReader(name), (poses) => ({ kind: 'pose', poses })),
   texture: (name) => mapped(textureReader(name), (texture) => ({ kind: 'texture', texture })),
   dump: (name) => mapped(dumpReader(name), (dump) => ({ kind: 'dump', dump })),
-};
-
-/** How the lines of each kind of text file are made up, for the place of an error. */
-const LAYOUTS: { readonly [K in FormatKind]?: TextLayout } = {
-  skel: { kind: 'skel', rows: new Map([['', 6]]) },
-  axskel: { kind: 'axskel', rows: new Map([['', 6]]) },
-  skin: {
-    kind: 'skin',
-    rows: new Map<string, number | 'pairs'>([
-      ...(['positions', 'normals', 'triangles', 'matrix'] as const).map((block): [string, number] => [block, 3]),
-      ['texcoords', 2],
-      ['skinweights', 'pairs'],
-    ]),
-  },
-  morph: {
-    kind: 'morph',
-    rows: new Map([
-      ['positions', 4],
-      ['normals', 4],
-    ]),
-  },
-  anim: { kind: 'anim', rows: new Map([['keys', 4]]), words: new Set(['flat', 'linear', 'smooth']) },
-  rig: { kind: 'rig', rows: new Map() },
-  bvh: { kind: 'bvh', rows: new Map() },
-  pose: { kind: 'pose', rows: new Map() },
 };
 
 /** What saving in a kind of file takes. */
@@ -182,7 +157,8 @@ export function formatOf(fileName: string): Format | undefined {
   const format = formatKindOf(fileName);
   if (!format) return undefined;
   const reader: MakeReader<FileContent> = READERS[format];
-  const layout = LAYOUTS[format];
+  const layouts: { readonly [K in FormatKind]?: TextLayout } = TEXT_LAYOUTS;
+  const layout = layouts[format];
   return {
     format,
     kind: KINDS[format].content,

@@ -7,6 +7,7 @@
  */
 import type { Diagnostic } from '../../model/diagnostic.ts';
 import { type Edit, insertBefore, insertBehind, quoted, remove, replace } from './edit.ts';
+import type { TextLayout } from './layouts.ts';
 import type { TextLines } from './text-lines.ts';
 
 /** One of these is what most grammars miss; `x` is a name. */
@@ -26,7 +27,7 @@ export interface EditsAtProblem {
 
 const MISSING = /^(number|file|name)-expected$|^brace-missing$|^(extrapolation|order|mode|channel)-unknown$/;
 
-export function editsAtProblem(lines: TextLines, problem: Diagnostic): EditsAtProblem {
+export function editsAtProblem(lines: TextLines, problem: Diagnostic, { keywords }: TextLayout): EditsAtProblem {
   const found = lines.tokenAt(problem.line, problem.column);
   const { code, message } = problem;
   const what = { code, message };
@@ -40,7 +41,9 @@ export function editsAtProblem(lines: TextLines, problem: Diagnostic): EditsAtPr
     const token = tokens[index];
     sameLine.push(remove(line, token, what));
     for (const put of TOKENS) sameLine.push(replace(line, token, put, what));
-    if (index > 0) for (const put of TOKENS) sameLine.push(insertBefore(line, token, put, what));
+    const puts = index > 0 ? TOKENS : keywords;
+    for (const put of puts) sameLine.push(insertBefore(line, token, put, what));
+    if (index === 0) for (const put of keywords) sameLine.push(replace(line, token, put, what));
     sameLine.push(insertBehind(line, tokens[tokens.length - 1], '0', what));
     if (index > 0) sameLine.push(remove(line, tokens[index - 1], what));
     if (index + 1 < tokens.length) sameLine.push(remove(line, tokens[index + 1], what));

@@ -14,8 +14,8 @@ import { type Diagnostic, hasErrors } from '../../model/diagnostic.ts';
 import { type Reader, readWhole } from '../reader.ts';
 import { edited } from './edit.ts';
 import { type Guess, guesses } from './guesses.ts';
-import { otherKind, type TextKind } from './kinds.ts';
-import type { TextLayout } from './rows.ts';
+import { otherKind } from './kinds.ts';
+import type { TextKind, TextLayout } from './layouts.ts';
 import { TextLines } from './text-lines.ts';
 
 /** Errors found one after the other. */

@@ -3,7 +3,8 @@ import type { Diagnostic } from '../../model/diagnostic.ts';
 import { editsAtProblem } from './at-problem.ts';
 import { bracesByIndent } from './braces.ts';
 import type { Edit } from './edit.ts';
-import { irregularRows, type TextLayout } from './rows.ts';
+import type { TextLayout } from './layouts.ts';
+import { irregularRows } from './rows.ts';
 import { irregularShapes, isUsual } from './shapes.ts';
 import type { TextLines } from './text-lines.ts';
 
@@ -32,7 +33,7 @@ export function* guesses(lines: TextLines, problems: readonly Diagnostic[], layo
   yield* bracesByIndent(lines).map(oneEdit);
 
   const told = problems.filter(({ line }) => line > 0).slice(0, MOST_PROBLEMS);
-  const atProblems = told.map((problem) => editsAtProblem(lines, problem));
+  const atProblems = told.map((problem) => editsAtProblem(lines, problem, layout));
   for (const { lineBefore, looksMissing } of atProblems) if (looksMissing) yield* lineBefore.map(oneEdit);
   // A line like others is hardly wrong, so the one before it more likely is.
   const isInnocent = atProblems[0]?.isMalformed === false && told[0] === first && isUsual(lines, first.line);

@@ -1,9 +1,7 @@
 /** Recognises files by their content: one of another kind, for whose extension the reader was chosen. */
 import { SKEL_TYPES } from '../skel/joint-types.ts';
+import type { TextKind } from './layouts.ts';
 import type { TextLines } from './text-lines.ts';
-
-/** Text files that are read, by their usual extension. */
-export type TextKind = 'skel' | 'axskel' | 'skin' | 'morph' | 'anim' | 'rig' | 'bvh' | 'pose';
 
 /** Blocks that only a skin has. */
 const OF_SKIN = ['texcoords', 'skinweights', 'triangles', 'bindings', 'material'];

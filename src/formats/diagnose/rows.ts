@@ -6,11 +6,8 @@
  * the same name; in a block with too few rows to tell, what the format says. A row of `skinweights` says its own length.
  */
 import { type Edit, quoted } from './edit.ts';
-import type { TextKind } from './kinds.ts';
+import type { TextLayout } from './layouts.ts';
 import type { TextLines, TextToken } from './text-lines.ts';
-
-/** Numbers in a row of each block of a format; `pairs`: a count, then two for each. '' is a file of rows alone. */
-export type RowLengths = ReadonlyMap<string, number | 'pairs'>;
 
 interface Row {
   readonly line: number;
@@ -22,14 +19,6 @@ interface Row {
 const VOTES = 4;
 /** Of the rows of a block. */
 const MAJORITY = 0.6;
-
-/** What can be assumed about the lines of a format. */
-export interface TextLayout {
-  readonly kind: TextKind;
-  readonly rows: RowLengths;
-  /** Words among the numbers of a row. */
-  readonly words?: ReadonlySet<string>;
-}
 
 /**
  * Edits for each row of an unusual length, alternatives of one row together, from the top; none if there are more than
