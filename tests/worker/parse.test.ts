@@ -66,6 +66,19 @@ describe('the parse job', () => {
     expect(diagnostics[0].message).toContain('the file was moved');
   });
 
+  it('tells of an error where it is, though its reader notices it later', async () => {
+    const rows = Array.from({ length: 9 }, (_, i) => (i === 3 ? '1 2' : '1 2 3')).join('\n');
+    const { diagnostics } = await parse({ files: [given('a.skin', `positions 9 {\n${rows}\n}\n`)] }, ignore);
+    expect(diagnostics.filter(({ severity }) => severity === 'error')).toMatchObject([{ file: 'a.skin', line: 5 }]);
+  });
+
+  it('tells what it noticed if a file can’t be read a second time', async () => {
+    const changed = new Blob(['balljoint a {\noffset 0 0\npose 0 0 0\n}\n']);
+    changed.arrayBuffer = () => Promise.reject(new DOMException('changed', 'NotReadableError'));
+    const { diagnostics } = await parse({ files: [{ path: 'a.skel', blob: changed }] }, ignore);
+    expect(diagnostics).toMatchObject([{ code: 'number-expected', line: 3 }]);
+  });
+
   it('the parse job tells how far it is', async () => {
     const seen: Progress[] = [];
     await parse({ files: [given('a.skel', skel), given('b.skel', skel)] }, (p) => seen.push(p));
