@@ -64,7 +64,7 @@ describe('what a step leaves as it is', () => {
     wb.messages.report([place]);
     wb.messages.note('Full.', 'warning', 'until read');
     wb.store.apply(renameCharacter, named('bee'));
-    expect(unread()).toEqual(['a.skel: Odd.', 'Full.']);
+    expect(unread()).toEqual(['a.skel:1: Odd.', 'Full.']);
   });
 });
 
