@@ -68,7 +68,7 @@ export function diskFileOf({ path, blob, handle, address, version }: GivenFile):
   return blob instanceof File ? { ...known, file: blob } : undefined;
 }
 
-/** The browser's dialog for opening. Empty if cancelled. */
+/** The browser's dialog for opening. Empty or never resolved if cancelled. */
 export async function pickFiles(): Promise<readonly GivenFile[]> {
   const handles = await picked(() => window.showOpenFilePicker?.({ multiple: true }));
   if (handles === 'cancelled') return [];
@@ -166,14 +166,21 @@ async function picked<T>(ask: () => Promise<T> | undefined): Promise<T | 'cancel
   }
 }
 
+/** The input of the last dialog: outside of the document, one that nothing refers to may be collected before it answers. */
+let asking: HTMLInputElement | undefined;
+
+/** Never resolves if the dialog is cancelled: Firefox, when automated, says so before it has the files. */
 function pickByInput(folder: boolean): Promise<readonly GivenFile[]> {
   const input = document.createElement('input');
   input.type = 'file';
   input.multiple = true;
   input.webkitdirectory = folder;
+  asking = input;
   return new Promise((resolve) => {
-    input.addEventListener('change', () => resolve(fromFileList(input.files ?? [])));
-    input.addEventListener('cancel', () => resolve([]));
+    input.addEventListener('change', () => {
+      if (asking === input) asking = undefined;
+      resolve(fromFileList(input.files ?? []));
+    });
     input.click();
   });
 }

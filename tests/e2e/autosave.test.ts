@@ -1,33 +1,13 @@
 /** Restoring work after a page was killed, closed or reloaded, with other tabs, and without storage. */
 import type { Page } from 'playwright-core';
 import { describe, expect, it } from 'vitest';
+import { testAll } from '../helpers/check.ts';
 import { dropFiles, type OpenPage, type PageOptions, withPage } from '../helpers/page.ts';
 import { describeShared, sharedBytes } from '../helpers/shared.ts';
+import { ARM, dofs, kept, offer, openArm, RESTORING, ready, restore, SMALL, setDof, shown } from './checks/autosave.ts';
 
-const ARM = `balljoint shoulder {
-	boxmin -0.1 0 -0.1
-	boxmax 0.1 1 0.1
-	balljoint elbow { offset 0 1 0 boxmin -0.1 0 -0.1 boxmax 0.1 1 0.1 }
-}`;
-
-const ready = (page: Page) => page.waitForFunction(() => window.marrow?.characters().length);
-const shown = (page: Page, name: string) =>
-  page.waitForFunction((wanted) => window.marrow?.characters().some((c) => c.name === wanted), name);
-const kept = (page: Page) => page.waitForFunction(() => document.documentElement.dataset.autosave === 'kept');
-const dofs = (page: Page) => page.evaluate(() => [...window.marrow.characters()[0].dofs]);
-const setDof = (page: Page, index: number, value: number) =>
-  page.evaluate(([i, v]) => window.marrow.run('pose.setDofs', { dofs: [{ index: i, value: v }] }), [index, value]);
-const offer = (page: Page) => page.getByRole('region', { name: 'Unsaved work' });
-const restore = (page: Page) => offer(page).getByRole('button', { name: 'Restore' }).click();
-const openArm = async (page: Page) => {
-  await ready(page);
-  await dropFiles(page, [{ name: 'arm.skel', bytes: ARM }]);
-  await shown(page, 'arm');
-};
-
-/** Small, since many pages are opened here, each drawn in software. */
 const withSmallPage = (body: (open: OpenPage) => Promise<void>, options: PageOptions = {}) =>
-  withPage(body, { size: { width: 960, height: 600 }, ...options });
+  withPage(body, { ...SMALL, ...options });
 
 /** Crashes the page in the middle of work. */
 async function crash(page: Page): Promise<void> {
@@ -175,23 +155,7 @@ describe('work', () => {
       await shown(page, 'arm');
     }));
 
-  it('restored over other work is one step, that undo takes back', () =>
-    withSmallPage(async ({ page }) => {
-      await openArm(page);
-      await setDof(page, 6, 0.5);
-      await kept(page);
-      await page.reload();
-      await ready(page);
-      await dropFiles(page, [{ name: 'other.skel', bytes: ARM }]);
-      await shown(page, 'other');
-      await offer(page)
-        .getByText(/^Work from/)
-        .waitFor();
-      await restore(page);
-      await shown(page, 'arm');
-      expect(await page.evaluate(() => window.marrow.undo())).toBe(true);
-      await shown(page, 'other');
-    }));
+  testAll(RESTORING);
 });
 
 describeShared('a character with skin and walk', () => {
@@ -289,7 +253,7 @@ describe('where nothing can be kept', () => {
             expect((await dofs(page))[6]).toBe(value);
           }
           await page.waitForFunction(() => document.documentElement.dataset.autosave !== 'waiting');
-          expect(await page.locator('.message-line').isVisible()).toBe(false);
+          expect(await page.locator('.message-line[role=status]').isVisible()).toBe(false);
         },
         before ? { before } : {},
       ),

@@ -1,27 +1,11 @@
 /** FK by hand on the built page: rings, bones, keys, and limits. */
 import type { Page } from 'playwright-core';
 import { expect, it } from 'vitest';
+import { testAll } from '../helpers/check.ts';
 import { dropFiles, withPage } from '../helpers/page.ts';
 import { describeShared, sharedBytes } from '../helpers/shared.ts';
+import { dofs, middle, openArm, POSING, type Point, pressAndGo, undo } from './checks/posing.ts';
 
-type Point = { readonly x: number; readonly y: number };
-
-/** Three ball joints; the elbow has limits about x. */
-const ARM = `balljoint shoulder {
-  offset 0 0 0
-  boxmin -0.1 0 -0.1
-  boxmax 0.1 1 0.1
-  balljoint elbow {
-    offset 0 1 0
-    boxmin -0.1 0 -0.1
-    boxmax 0.1 1 0.1
-    rotxlimit -0.5 0.75
-  }
-}
-`;
-
-const dofs = (page: Page) => page.evaluate(() => window.marrow.characters()[0]?.dofs ?? []);
-const undo = (page: Page) => page.evaluate(() => window.marrow.steps().undo);
 /** Page position of a point beside the arm: differs for every camera orientation. */
 const turnOfView = (page: Page) => page.evaluate(() => window.marrow.pointOnPage([1, 0, 0])?.x ?? Number.NaN);
 
@@ -29,25 +13,6 @@ const readout = (page: Page) =>
   page.evaluate(() => {
     const line = document.querySelector<HTMLElement>('.hand-readout');
     return line && !line.hidden ? (line.textContent ?? '') : '';
-  });
-
-/** Opens the arm, selects its elbow, and waits for its gizmo. */
-async function openArm(page: Page, joint = 'elbow'): Promise<void> {
-  await dropFiles(page, [{ name: 'arm.skel', bytes: ARM }]);
-  await page.waitForFunction(() => window.marrow.characters()[0]?.name === 'arm');
-  await page
-    .getByRole('treeitem', { name: new RegExp(`^${joint}`) })
-    .first()
-    .click();
-  await page.waitForFunction(() => document.querySelector<HTMLElement>('.joint-gizmo')?.hidden === false);
-  await page.getByRole('radio', { name: 'rx', exact: true }).waitFor();
-}
-
-/** Page position of the joint: the centre of its gizmo. */
-const middle = (page: Page): Promise<Point> =>
-  page.evaluate(() => {
-    const box = document.querySelector('.joint-gizmo')?.getBoundingClientRect();
-    return box ? { x: box.x + box.width / 2, y: box.y + box.height / 2 } : { x: Number.NaN, y: Number.NaN };
   });
 
 /** Searches for a handle from the centre outwards, until the readout shows its name. */
@@ -78,13 +43,6 @@ async function feelFor(page: Page, name: string): Promise<Point> {
     if ((await readout(page)).startsWith(`${name} `)) return at;
   }
   throw new Error(`There is no handle ${name} to be felt.`);
-}
-
-/** Presses and moves along points. */
-async function pressAndGo(page: Page, from: Point, way: readonly Point[]): Promise<void> {
-  await page.mouse.move(from.x, from.y);
-  await page.mouse.down();
-  for (const { x, y } of way) await page.mouse.move(x, y);
 }
 
 function around(centre: Point, from: Point, degrees: number): Point[] {
@@ -130,26 +88,7 @@ it('goes past a limit while the character’s switch is off', () =>
     expect(Math.abs((await dofs(page))[6])).toBeGreaterThan(0.8);
   }));
 
-it('turns the active DOF by dragging the bone up and down, and cancels at Escape', () =>
-  withPage(async ({ page }) => {
-    await openArm(page);
-    await page.getByRole('radio', { name: 'rz', exact: true }).click();
-    const bone = await middle(page);
-    // Two pixels per degree.
-    await pressAndGo(page, bone, [
-      { x: bone.x, y: bone.y - 30 },
-      { x: bone.x, y: bone.y - 60 },
-    ]);
-    expect((await dofs(page))[8]).toBeCloseTo(Math.PI / 6, 9);
-    await page.keyboard.press('Escape');
-    await page.mouse.up();
-    expect((await dofs(page))[8]).toBe(0);
-    expect(await undo(page)).toMatch(/^Open/);
-    await pressAndGo(page, bone, [{ x: bone.x, y: bone.y + 40 }]);
-    await page.mouse.up();
-    expect((await dofs(page))[8]).toBeCloseTo(-Math.PI / 9, 9);
-    expect(await undo(page)).toBe('Rotate elbow');
-  }));
+testAll(POSING);
 
 it('leaves what it has no use for to the camera', () =>
   withPage(async ({ page }) => {

@@ -2,27 +2,11 @@
  * Saving, marks and reloading with real files, in the browser's origin private file system, whose handles are of the
  * same kind as a real disk's. Only the dialogs are replaced, since tests can't press system buttons.
  */
-import { readFileSync } from 'node:fs';
 import type { Page } from 'playwright-core';
 import { describe, expect, it } from 'vitest';
+import { testAll } from '../helpers/check.ts';
 import { dropFiles, type PageOptions, withPage } from '../helpers/page.ts';
-
-const SKEL = `balljoint root {
-	offset 0 1 0
-	balljoint tip {
-		offset 0 1 0
-	}
-}
-`;
-const key = (time: number, value: number) => `\t\t\t${time} ${value} smooth smooth\n`;
-const channel = (value: number) =>
-  `\tchannel {\n\t\textrapolate cycle cycle\n\t\tkeys 2 {\n${key(0, 0)}${key(2, value)}\t\t}\n\t}\n`;
-const anim = (value: number) =>
-  `animation {\n\trange 0 2\n\tnumchannels 9\n${new Array(9).fill(channel(value)).join('')}}\n`;
-const HERO = [
-  { name: 'hero.skel', bytes: SKEL },
-  { name: 'hero_walk.anim', bytes: anim(0.5) },
-];
+import { anim, BY_DOWNLOAD, firstName, HERO, SKEL, setRange, shown, titled } from './checks/saving.ts';
 
 /** Dialogs that pick from the private file system: everything to open, the suggested name to save. */
 function privateDisk(): void {
@@ -35,11 +19,6 @@ function privateDisk(): void {
   };
   window.showSaveFilePicker = async ({ suggestedName }) =>
     (await navigator.storage.getDirectory()).getFileHandle(suggestedName, { create: true });
-}
-
-function noDisk(): void {
-  delete window.showOpenFilePicker;
-  delete window.showSaveFilePicker;
 }
 
 const write = (page: Page, name: string, text: string) =>
@@ -58,12 +37,7 @@ const read = (page: Page, name: string) =>
     return (await handle.getFile()).text();
   }, name);
 
-const shown = (page: Page, name = 'hero') =>
-  page.waitForFunction((n) => window.marrow?.characters().some((c) => c.name === n), name);
-const titled = (page: Page, title: string) => page.waitForFunction((wanted) => document.title === wanted, title);
 const height = (page: Page) => page.evaluate(() => window.marrow.worldMatrices()[0][13]);
-const setRange = (page: Page, end: number) =>
-  page.evaluate((seconds) => window.marrow.run('clip.setRange', { range: [0, seconds] }), end);
 const menu = async (page: Page, title: string, entry: string) => {
   await page.getByRole('menuitem', { name: title, exact: true }).click();
   await page.getByRole('menuitem', { name: entry }).click();
@@ -85,11 +59,6 @@ const withHero = (body: (page: Page) => Promise<void>, options: PageOptions = {}
     },
     { before: privateDisk, ...options },
   );
-const firstName = async (page: Page) => {
-  await page.waitForFunction(() => (window.marrow?.characters().length ?? 0) > 0);
-  return page.evaluate(() => window.marrow.characters()[0].name);
-};
-
 /** Dialogs that end one after the other as in `answers`, for saving several new characters. */
 function dialogsOneByOne(): void {
   const answers: ('AbortError' | 'NotAllowedError' | 'saved')[] = ['AbortError', 'saved', 'NotAllowedError', 'saved'];
@@ -300,22 +269,7 @@ describe('reloading', () => {
   });
 });
 
-describe('without files in place', () => {
-  it('saves as a download', () =>
-    withPage(
-      async ({ page }) => {
-        await firstName(page);
-        await dropFiles(page, HERO);
-        await shown(page);
-        await setRange(page, 3);
-        const [download] = await Promise.all([page.waitForEvent('download'), page.keyboard.press('Control+s')]);
-        expect(download.suggestedFilename()).toBe('hero_walk.anim');
-        expect(readFileSync(await download.path(), 'utf8')).toContain('range 0 3');
-        await titled(page, 'Marrow');
-      },
-      { before: noDisk },
-    ));
-});
+describe('without files in place', () => testAll(BY_DOWNLOAD));
 
 describe('leaving', () => {
   it('asks while something is unsaved, and only then', () =>

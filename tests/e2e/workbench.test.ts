@@ -1,31 +1,10 @@
-import type { Page } from 'playwright-core';
 import { describe, expect, it } from 'vitest';
-import { expectClose } from '../helpers/close.ts';
+import { testAll } from '../helpers/check.ts';
 import { dropFiles, withPage } from '../helpers/page.ts';
-import { conformance, describeShared, sharedBytes } from '../helpers/shared.ts';
+import { describeShared, sharedBytes } from '../helpers/shared.ts';
+import { course, names, opened, REFERENCE, WASP } from './checks/workbench.ts';
 
-interface Frame {
-  readonly time: number;
-  readonly world: readonly (readonly number[])[];
-  readonly vertices?: readonly number[];
-  readonly positions?: readonly (readonly number[])[];
-}
-interface AnimPose {
-  readonly tolerance: { readonly float64: number; readonly float32: number };
-  readonly cases: readonly { readonly skel: string; readonly frames: readonly Frame[] }[];
-}
-
-const WASP = ['wasp.skel', 'wasp.skin', 'wasp_walk.anim'];
-const course = (names: readonly string[]) => names.map((name) => ({ name, bytes: sharedBytes(`data/cse169/${name}`) }));
 const broken = (name: string) => ({ name, bytes: sharedBytes(`data/malformed/${name}`) });
-
-/** Waits for the opening example, or what was opened last. */
-const opened = (page: Page, name?: string) =>
-  page.waitForFunction(
-    (wanted) => window.marrow?.characters().some((c) => wanted === undefined || c.name === wanted),
-    name,
-  );
-const names = (page: Page) => page.evaluate(() => window.marrow.characters().map((c) => c.name));
 
 describe('the page', () => {
   it('opens with a character that walks', () =>
@@ -65,23 +44,7 @@ describe('the page', () => {
 });
 
 describeShared('the page with the course’s files', () => {
-  it('shows the wasp walking exactly as the reference says, scrubbed anywhere', () =>
-    withPage(async ({ page }) => {
-      await opened(page);
-      await dropFiles(page, course(WASP));
-      await opened(page, 'wasp');
-      expect(await names(page)).toEqual(['wasp']);
-      const { tolerance, cases } = conformance<AnimPose>('anim-pose.json');
-      for (const frame of cases[0].frames) {
-        const shown = await page.evaluate((time) => {
-          window.marrow.seek(time);
-          return { world: window.marrow.worldMatrices(), vertices: window.marrow.vertices() };
-        }, frame.time);
-        expectClose(shown.world.flat(), frame.world.flat(), tolerance.float64);
-        const listed = (frame.vertices ?? []).flatMap((v) => shown.vertices.slice(3 * v, 3 * v + 3));
-        expectClose(listed, (frame.positions ?? []).flat(), tolerance.float32);
-      }
-    }));
+  testAll(REFERENCE);
 
   it('the page with the course’s files takes what the address names', () =>
     withPage(

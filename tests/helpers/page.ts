@@ -9,11 +9,13 @@
  *         …
  *       }));
  */
-import { existsSync, mkdirSync, writeFileSync } from 'node:fs';
+import { existsSync, mkdirSync, readdirSync, readFileSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { fileURLToPath } from 'node:url';
 import type { Browser, Page } from 'playwright-core';
+import { expect } from 'vitest';
 import { launchChromium } from './chromium.ts';
+import type { Firefox } from './firefox.ts';
 import { type ExtraFiles, type StaticServer, serveFolder } from './server.ts';
 
 const ROOT = fileURLToPath(new URL('../../', import.meta.url));
@@ -42,6 +44,8 @@ export interface PageOptions {
   readonly serviceWorker?: boolean;
   /** Another folder than `dist/`. */
   readonly folder?: string;
+  /** Instead of Chromium. */
+  readonly firefox?: Firefox;
   /** Problems that this test causes intentionally; all others fail it. */
   readonly expected?: RegExp;
 }
@@ -56,8 +60,15 @@ export interface OpenPage {
   serve(files: ExtraFiles): void;
   /** Ends the page's server, for this test. */
   stopServer(): Promise<void>;
+  /** Does something that saves a file by download, and returns it. */
+  download(act: () => Promise<unknown>): Promise<DownloadedFile>;
   /** Another tab of the same browser profile, at the same address; its problems count too. */
   openAnother(query?: string): Promise<Page>;
+}
+
+export interface DownloadedFile {
+  readonly name: string;
+  readonly text: string;
 }
 
 /**
@@ -83,20 +94,25 @@ function asKnownVisitor(): void {
   }
 }
 
-let browser: Promise<Browser> | undefined;
+let chromium: Promise<Browser> | undefined;
 const servers = new Map<string, Promise<StaticServer>>();
+
+function sharedChromium(): Promise<Browser> {
+  chromium ??= launchChromium();
+  return chromium;
+}
 
 /** Opens the page, runs `body`, and fails on any unexpected problem. */
 export async function withPage(body: (open: OpenPage) => Promise<void>, options: PageOptions = {}): Promise<void> {
   const folder = options.folder ?? join(ROOT, 'dist');
   if (!existsSync(join(folder, 'index.html'))) throw new Error(`${folder} holds no built page: "npm run build" first.`);
-  browser ??= launchChromium();
+  const browser = options.firefox?.browser ?? (await sharedChromium());
   const serving = servers.get(folder) ?? serveFolder(folder, SUB_PATH);
   servers.set(folder, serving);
   const server = await serving;
   server.serve(options.files ?? {}, options.walking ? {} : STILL);
 
-  const context = await (await browser).newContext({
+  const context = await browser.newContext({
     viewport: options.size ?? { width: 1280, height: 800 },
     colorScheme: options.colorScheme ?? 'light',
     // Camera moves are then immediate, and nothing plays by itself.
@@ -122,12 +138,36 @@ export async function withPage(body: (open: OpenPage) => Promise<void>, options:
       servers.delete(folder);
       return server.close();
     };
-    await body({ page, url: server.url, problems, serve, stopServer, openAnother });
+    const download = (act: () => Promise<unknown>) =>
+      options.firefox ? downloadedInto(options.firefox.downloads, act) : downloadedBy(page, act);
+    await body({ page, url: server.url, problems, serve, stopServer, download, openAnother });
     const unexpected = problems.filter((problem) => !options.expected?.test(problem));
     if (unexpected.length > 0) throw new Error(`The page complained:\n${unexpected.join('\n')}`);
   } finally {
     await context.close();
   }
+}
+
+async function downloadedBy(page: Page, act: () => Promise<unknown>): Promise<DownloadedFile> {
+  const [download] = await Promise.all([page.waitForEvent('download'), act()]);
+  return { name: download.suggestedFilename(), text: readFileSync(await download.path(), 'utf8') };
+}
+
+async function downloadedInto(folder: string, act: () => Promise<unknown>): Promise<DownloadedFile> {
+  const before = new Set(readdirSync(folder));
+  await act();
+  let found: DownloadedFile | undefined;
+  await expect
+    .poll(() => {
+      // While it is written it is empty, beside a `.part`.
+      const name = readdirSync(folder).find((file) => !before.has(file) && !file.endsWith('.part'));
+      const text = name === undefined ? '' : readFileSync(join(folder, name), 'utf8');
+      if (name !== undefined && text) found = { name, text };
+      return found;
+    })
+    .toBeDefined();
+  if (!found) throw new Error(`Nothing was downloaded into ${folder}.`);
+  return found;
 }
 
 /** "The only thing ever requested is what the address names": any other request is a problem. */
@@ -139,7 +179,7 @@ function collectProblems(page: Page, home: string, problems: string[]): void {
   page.on('crash', () => problems.push('the page crashed'));
   page.on('requestfailed', (request) => {
     const why = request.failure()?.errorText ?? '';
-    if (!why.includes('ERR_ABORTED')) problems.push(`request: ${request.url()} ${why}`);
+    if (!/ERR_ABORTED|NS_BINDING_ABORTED/.test(why)) problems.push(`request: ${request.url()} ${why}`);
   });
   page.on('response', (response) => {
     if (response.status() >= 400) problems.push(`request: ${response.url()} answered ${response.status()}`);

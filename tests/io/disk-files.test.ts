@@ -129,6 +129,19 @@ describe('dialogs', () => {
     expect(await pickTarget('a.anim')).toBeUndefined();
   });
 
+  it('dialogs of browsers without handles give what was picked, even after they have said that nothing was', async () => {
+    const input = Object.assign(new EventTarget(), { files: [] as File[] });
+    const opened = new Promise<void>((click) => Object.assign(input, { click }));
+    vi.stubGlobal('window', {});
+    vi.stubGlobal('document', { createElement: () => input });
+    const picking = pickFiles();
+    await opened;
+    input.dispatchEvent(new Event('cancel'));
+    input.files = [new File(['x'], 'b.skel'), new File(['y'], 'a.skel')];
+    input.dispatchEvent(new Event('change'));
+    expect((await picking).map(({ path }) => path)).toEqual(['a.skel', 'b.skel']);
+  });
+
   it('dialogs that the browser does not open say to try again', async () => {
     for (const name of ['SecurityError', 'NotAllowedError']) {
       vi.stubGlobal('window', { showSaveFilePicker: () => Promise.reject(new DOMException('', name)) });

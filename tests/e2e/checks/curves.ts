@@ -1,0 +1,136 @@
+/** The drawn curves against the evaluator: every coloured pixel is on its curve, and the curve is complete. */
+import type { Page } from 'playwright-core';
+import { expect } from 'vitest';
+import { compileClip } from '../../../src/evaluate/compiled-clip.ts';
+import { evaluateChannel } from '../../../src/evaluate/curves.ts';
+import { readAnim } from '../../../src/formats/anim/read.ts';
+import { type ChannelClip, keysOf } from '../../../src/model/clip.ts';
+import { TIME_RULER_HEIGHT } from '../../../src/ui/editors/timeline/time-ruler.ts';
+import type { Check } from '../../helpers/check.ts';
+import { dropFiles, type Pixels, readPixels } from '../../helpers/page.ts';
+
+/** How much a channel of a pixel has to exceed the others, of 255. */
+const COLOURED = 24;
+/** A line is 1.5 pixels wide, with antialiased edges. */
+const HALF_LINE_PIXELS = 2;
+
+/** Rows of a column in which red (0), green (1) or blue (2) dominates. */
+function colouredRows({ width, height, data }: Pixels, x: number, colour: number, from: number): number[] {
+  const rows: number[] = [];
+  for (let y = from; y < height; y++) {
+    const rgb = [0, 1, 2].map((i) => data[4 * (y * width + x) + i]);
+    const others = rgb.filter((_, i) => i !== colour);
+    if (rgb[colour] - Math.max(...others) > COLOURED) rows.push(y);
+  }
+  return rows;
+}
+
+async function plotBox(page: Page) {
+  const box = await page.locator('.curve-plot').boundingBox();
+  if (!box) throw new Error('The curve editor is not there.');
+  return box;
+}
+
+/** Two points of a channel determine the mapping between pixels and seconds and values. */
+async function mapping(page: Page, left: number, top: number) {
+  const places = await page.evaluate(() => [window.marrow.placeOf(0, 0, 0), window.marrow.placeOf(0, 1, 1)]);
+  const [a, b] = places;
+  if (!a || !b) throw new Error('The curve editor does not show the channel.');
+  return {
+    timeAt: (x: number) => (x + left - a.x) / (b.x - a.x),
+    xOf: (time: number) => a.x - left + time * (b.x - a.x),
+    yOf: (value: number) => a.y - top + value * (b.y - a.y),
+  };
+}
+
+export function drop(name: string, text: string | Uint8Array) {
+  return async (page: Page) => {
+    await dropFiles(page, [{ name, bytes: text }]);
+    const stem = name.replace(/\.anim$/, '');
+    await page.waitForFunction((n) => window.marrow.characters()[0]?.name === n, stem);
+    // Moves the playhead away, as it is coloured too.
+    await page.evaluate(() => window.marrow.seek(-100));
+    await page.locator('.curve-plot').focus();
+    await page.keyboard.press('a');
+    // Hides the focus ring too.
+    await page.locator('.curve-plot').blur();
+    await page.waitForFunction(() => window.marrow.placeOf(0, 0, 0) !== undefined);
+    await page.evaluate(() => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done))));
+  };
+}
+
+export async function expectDrawn(page: Page, clip: ChannelClip): Promise<void> {
+  const box = await plotBox(page);
+  const picture = await readPixels(page, box);
+  const { timeAt, xOf, yOf } = await mapping(page, box.x, box.y);
+  const curves = compileClip(clip);
+  const edges = clip.range.map(xOf);
+  const top = TIME_RULER_HEIGHT + 1;
+  clip.channels.map(keysOf).forEach(({ times }, channel) => {
+    let solid = 0;
+    let dotted = 0;
+    let gaps = 0;
+    for (let x = 1; x < picture.width - 1; x++) {
+      // The edges of the range have the accent colour.
+      if (edges.some((edge) => Math.abs(edge - x) < 4)) continue;
+      let low = Number.POSITIVE_INFINITY;
+      let high = Number.NEGATIVE_INFINITY;
+      for (let part = -1; part <= 2; part += 0.125) {
+        const y = yOf(evaluateChannel(curves, channel, timeAt(x + part)));
+        low = Math.min(low, y);
+        high = Math.max(high, y);
+      }
+      const rows = colouredRows(picture, x, channel, top);
+      const stray = rows.filter((y) => y + 1 < low - HALF_LINE_PIXELS || y > high + HALF_LINE_PIXELS);
+      expect(stray, `channel ${channel} at ${timeAt(x)} s, drawn at ${rows}, is ${low} to ${high}`).toEqual([]);
+      const inside = timeAt(x) > times[0] && timeAt(x + 1) < times[times.length - 1];
+      const visible = low > top && high < picture.height && !coveredByKey(clip, channel, x, xOf);
+      if (!visible) continue;
+      if (inside) {
+        solid++;
+        expect(rows.length, `channel ${channel} at ${timeAt(x)} s is drawn`).toBeGreaterThan(0);
+      } else if (rows.length) dotted++;
+      else gaps++;
+    }
+    // Dotted where extrapolated: neither solid nor missing.
+    expect(solid).toBeGreaterThan(100);
+    if (dotted + gaps > 60) expect(dotted / (dotted + gaps)).toBeGreaterThan(0.2);
+    if (dotted + gaps > 60) expect(gaps).toBeGreaterThan(10);
+  });
+}
+
+/** Keys and other curves cover the line. */
+function coveredByKey(clip: ChannelClip, channel: number, x: number, xOf: (time: number) => number): boolean {
+  return clip.channels.map(keysOf).some(({ times }, c) => {
+    const near = Array.from(times).some((time) => Math.abs(xOf(time) - x) < 8);
+    return near || (c > channel && crosses(clip, channel, c, x, xOf));
+  });
+}
+
+function crosses(clip: ChannelClip, a: number, b: number, x: number, xOf: (time: number) => number): boolean {
+  const curves = compileClip(clip);
+  const perPixel = 1 / (xOf(1) - xOf(0));
+  const time = (x - xOf(0)) * perPixel;
+  const gap = evaluateChannel(curves, a, time) - evaluateChannel(curves, b, time);
+  const later = evaluateChannel(curves, a, time + 2 * perPixel) - evaluateChannel(curves, b, time + 2 * perPixel);
+  return Math.abs(gap) < 0.05 || gap * later < 0;
+}
+
+/** Steps, a lone key, crossing curves, tangents of all kinds, and every extrapolation. */
+const OWN = `animation { range 0 2 numchannels 3
+  channel { extrapolate linear bounce keys 4 { 0 0.2 flat 3 0.5 0.9 smooth smooth 0.9 -0.4 linear linear 1.4 0 flat -2 } }
+  channel { extrapolate cycle cycle_offset keys 4 { 0.2 -0.5 smooth smooth 0.8 -0.7 linear linear 0.8 0.1 flat flat 1.3 -0.2 smooth smooth } }
+  channel { extrapolate constant cycle keys 3 { 0.1 -0.9 linear linear 1 -0.6 8 -8 1.7 -0.9 flat flat } }
+}`;
+
+export const CURVES: readonly Check[] = [
+  {
+    name: 'draws steps, tangents and extrapolations where the evaluator says',
+    async run({ page }) {
+      await drop('own.anim', OWN)(page);
+      const clip = readAnim(OWN, 'own.anim').value;
+      if (!clip) throw new Error('The fixture is broken.');
+      await expectDrawn(page, clip);
+    },
+  },
+];
