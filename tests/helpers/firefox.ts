@@ -57,6 +57,7 @@ async function launch(path: string): Promise<Firefox> {
     channel: 'moz-firefox',
     executablePath: path,
     downloadsPath: downloads,
+    timeout: 20_000,
     // Without it, Firefox on Linux has no WebGL where there is no display.
     env: { ...definedIn(env), MOZ_WEBGL_FORCE_EGL: '1' },
     firefoxUserPrefs: {
