@@ -15,7 +15,7 @@ import { fileURLToPath } from 'node:url';
 import { build, type Plugin } from 'vite';
 import { textureMime } from './src/formats/texture/read.ts';
 import type { BuiltFiles } from './src/offline/stored-page.ts';
-import { FORMAT_KINDS, KINDS } from './src/project/kinds.ts';
+import { FORMAT_KINDS, KINDS, type Kind } from './src/project/kinds.ts';
 
 const MANIFEST = 'manifest.webmanifest';
 const WORKER = 'sw.js';
@@ -66,11 +66,13 @@ export function webAppManifest() {
   };
 }
 
-/** Extensions by MIME type, of every kind of file. */
+/** Extensions by MIME type, of every kind of file that is told by them. */
 function acceptedFiles(): Readonly<Record<string, readonly string[]>> {
   const accepted: Record<string, string[]> = {};
   for (const kind of FORMAT_KINDS) {
-    for (const extension of KINDS[kind].extensions) {
+    const { extensions, isRare }: Kind = KINDS[kind];
+    if (isRare) continue;
+    for (const extension of extensions) {
       // Our text formats have no registered types; with a made-up one, the system doesn't offer us all text files.
       const type = kind === 'texture' ? textureMime(extension) : `application/x-${extension}`;
       accepted[type] = [...(accepted[type] ?? []), `.${extension}`];

@@ -24,6 +24,8 @@ export interface Kind {
   readonly label: string;
   /** The kind of content that it is read as and written from. */
   readonly content: FileKind;
+  /** Most files with these extensions are not of this kind: the system isn't asked to open them with the page. */
+  readonly isRare?: true;
   /** Absent if it is only read. */
   readonly save?: Saving;
 }
@@ -138,6 +140,7 @@ export const KINDS = {
     extensions: DUMP_EXTENSIONS,
     label: 'dump',
     content: 'dump',
+    isRare: true,
   },
 } as const satisfies Readonly<Record<string, Kind>>;
 
