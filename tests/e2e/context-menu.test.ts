@@ -63,6 +63,21 @@ it('menus open by the right button and by keyboard, tables copy by keyboard, and
     expect(await menuName(page)).toBe('Viewport');
     await page.keyboard.press('Escape');
 
+    // In the timeline each part has its menu: the scrubber, a ruler, the plot.
+    await page.getByRole('slider', { name: 'Time', exact: true }).focus();
+    await page.keyboard.press('Shift+F10');
+    await page.getByRole('menuitem', { name: 'Set range start here' }).waitFor();
+    await page.keyboard.press('Escape');
+    const plot = await page.locator('.curve-plot').boundingBox();
+    if (!plot) throw new Error('The curves are not visible.');
+    await page.mouse.click(plot.x + plot.width / 2, plot.y + 8, { button: 'right' });
+    await page.getByRole('menuitem', { name: 'Go here' }).waitFor();
+    await page.keyboard.press('Escape');
+    await page.locator('.curve-plot').focus();
+    await page.keyboard.press('Shift+F10');
+    await page.getByRole('menu', { name: 'Curves' }).waitFor();
+    await page.keyboard.press('Escape');
+
     // The details' tables: one tab stop, arrows, and exact copies.
     await page.evaluate(() => void window.marrow.run('page.details'));
     await page.waitForFunction(() => document.activeElement?.role === 'gridcell');

@@ -14,3 +14,8 @@ export function waitOutDrag(event: KeyboardEvent): void {
 }
 
 const MODIFIERS = ['Alt', 'Control', 'Shift', 'Meta'];
+
+/** The effective button: on a Mac, Ctrl+click is a right click. */
+export function buttonMeant({ button, ctrlKey }: Pick<MouseEvent, 'button' | 'ctrlKey'>, mac: boolean): number {
+  return mac && button === 0 && ctrlKey ? 2 : button;
+}

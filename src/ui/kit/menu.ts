@@ -33,8 +33,15 @@ export interface SubMenu {
   entries(): readonly MenuEntry[];
 }
 
+/** A point of the window; opened by keyboard, the first entry is focused. */
+export interface MenuPlace {
+  readonly x: number;
+  readonly y: number;
+  readonly byKeyboard?: boolean;
+}
+
 /** Where a menu opens: below or beside an element, or at a point. */
-export type Anchor = DOMRect | { readonly x: number; readonly y: number };
+export type Anchor = DOMRect | MenuPlace;
 
 export interface MenuOptions {
   readonly label: string;
@@ -65,8 +72,9 @@ export function openMenu(anchor: Anchor, entries: readonly MenuEntry[], options:
   // After mouse use the focus returns to where it was, so that shortcuts keep their meaning.
   const before = open?.returnTo ?? document.activeElement;
   open?.close(false);
-  const menu = new Menu(entries, options);
-  menu.returnTo = options.focusFirst ? (options.opener ?? before) : before;
+  const focusFirst = options.focusFirst ?? ('byKeyboard' in anchor && anchor.byKeyboard === true);
+  const menu = new Menu(entries, { ...options, focusFirst });
+  menu.returnTo = focusFirst ? (options.opener ?? before) : before;
   open = menu;
   menu.showAt(anchor, 'below');
   return menu;

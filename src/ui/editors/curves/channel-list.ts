@@ -10,8 +10,8 @@ import type { Selection } from '../../../model/session.ts';
 import { element, keepsFocusElsewhere, setAttribute, setText } from '../../kit/dom.ts';
 import { oncePerFrame } from '../../kit/frame.ts';
 import { icon } from '../../kit/icons.ts';
-import { isMac } from '../../kit/keyboard.ts';
-import { openMenu } from '../../kit/menu.ts';
+import { buttonMeant, isMac } from '../../kit/keyboard.ts';
+import { asksForMenu, openMenu } from '../../kit/menu.ts';
 import { plural } from '../../kit/number-text.ts';
 import { setTooltip } from '../../kit/tooltip.ts';
 import { rowAfterKey, WindowedList, type WindowedRow } from '../../kit/windowed-list.ts';
@@ -26,7 +26,6 @@ import { extrapolationEntries, openChannelMenu, toggleIn } from './context-menu.
 import { isolatedAfter } from './isolating.ts';
 import { cssColour } from './scene/colours.ts';
 import type { CurveLine } from './scene/scene.ts';
-import { buttonMeant } from './tools/intent.ts';
 
 /** The controls of a row, left to right. */
 const CELLS = ['eye', 'name', 'in', 'out', 'pin'] as const;
@@ -265,19 +264,32 @@ export class ChannelList {
 
   private onMenu(event: MouseEvent): void {
     event.preventDefault();
-    const at = this.indexAt(event);
-    const byKeyboard = buttonMeant(event, isMac) !== 2;
-    const index = byKeyboard ? this.active : at?.index;
+    if (buttonMeant(event, isMac) !== 2) {
+      this.openMenuByKey();
+      return;
+    }
+    const index = this.indexAt(event)?.index;
     if (index === undefined || !this.channels[index]) return;
-    const box = this.list.row(index)?.element.getBoundingClientRect();
-    const where = byKeyboard && box ? { x: box.left + 24, y: box.bottom } : { x: event.clientX, y: event.clientY };
     this.active = index;
-    openChannelMenu(this.wb, this.channels[index].channel, where, byKeyboard);
+    openChannelMenu(this.wb, this.channels[index].channel, { x: event.clientX, y: event.clientY });
     this.showSoon();
+  }
+
+  private openMenuByKey(): void {
+    const box = this.list.row(this.active)?.element.getBoundingClientRect();
+    const channel = this.channels[this.active]?.channel;
+    if (!box || channel === undefined) return;
+    openChannelMenu(this.wb, channel, { x: box.left + 24, y: box.bottom, byKeyboard: true });
   }
 
   private onKey(event: KeyboardEvent): void {
     if (event.altKey || !this.channels.length) return;
+    if (asksForMenu(event)) {
+      event.preventDefault();
+      event.stopPropagation();
+      this.openMenuByKey();
+      return;
+    }
     const ctrl = isMac ? event.metaKey : event.ctrlKey;
     const to = rowAfterKey(event.key, this.active, this.channels.length, this.list.page);
     const side = event.key === 'ArrowLeft' ? -1 : event.key === 'ArrowRight' ? 1 : 0;

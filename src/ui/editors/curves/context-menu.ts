@@ -5,7 +5,7 @@
 import { EXTRAPOLATION_NAMES } from '../../../edit/commands/extrapolation.ts';
 import { allKeys, hasKey } from '../../../edit/keys/selection.ts';
 import { EXTRAPOLATIONS } from '../../../model/clip.ts';
-import { type MenuEntry, openMenu } from '../../kit/menu.ts';
+import { type MenuEntry, type MenuPlace, openMenu } from '../../kit/menu.ts';
 import { actionsOf } from '../../state/action.ts';
 import { itemOf } from '../../state/menu-entries.ts';
 import type { Uses } from '../../state/workbench.ts';
@@ -14,11 +14,6 @@ import { currentTake, selectedKeysInView, selectKeys } from '../timeline/current
 import { extrapolate } from '../timeline/key-edits.ts';
 import { insertOnCurve } from './insert.ts';
 import type { CurveHit } from './scene/scene.ts';
-
-interface Place {
-  readonly x: number;
-  readonly y: number;
-}
 
 const LINE: MenuEntry = { kind: 'line' };
 const TANGENTS = ['flat', 'linear', 'smooth', 'fixed'].map((kind) => `tangents.${kind}`);
@@ -40,21 +35,19 @@ export function entriesOf(wb: Uses<'actions' | 'settings'>, ids: readonly string
   return ids.flatMap((id) => actions.filter((a) => a.id === `timeline.${id}`).map((a) => itemOf(wb, a)));
 }
 
-/** @param byKeyboard applies to the selection, since nothing is under a pointer */
+/** By keyboard it applies to the selected keys, since nothing is under a pointer. */
 export function openPlotMenu(
   wb: Uses<'store' | 'actions' | 'transport' | 'timeline' | 'settings'>,
   hit: CurveHit,
-  where: Place,
-  byKeyboard: boolean,
+  where: MenuPlace,
 ): void {
-  const focusFirst = byKeyboard;
   if (hit.kind === 'key' || hit.kind === 'handle') {
     if (!hasKey(selectedKeysInView(wb), hit.channel, hit.index)) {
       selectKeys(wb, [{ channel: hit.channel, indices: [hit.index] }]);
     }
-    openMenu(where, keyEntries(wb), { label: 'Key', focusFirst });
+    openMenu(where, keyEntries(wb), { label: 'Key' });
   } else if (hit.kind === 'curve' && isSampledHere(wb, hit.channel)) {
-    openMenu(where, sampledEntries(wb, hit.channel), { label: 'Curve', focusFirst });
+    openMenu(where, sampledEntries(wb, hit.channel), { label: 'Curve' });
   } else if (hit.kind === 'curve') {
     selectCurve(wb, hit.channel);
     const { channel, timeSeconds } = hit;
@@ -64,28 +57,26 @@ export function openPlotMenu(
       enabled: true,
       run: () => insertOnCurve(wb, channel, timeSeconds),
     };
-    openMenu(where, [insert, LINE, ...channelEntries(wb, channel)], { label: 'Curve', focusFirst });
-  } else if (byKeyboard && selectedKeysInView(wb).length)
-    openMenu(where, keyEntries(wb), { label: 'Keys', focusFirst });
-  else openMenu(where, groundEntries(wb), { label: 'Curves', focusFirst });
+    openMenu(where, [insert, LINE, ...channelEntries(wb, channel)], { label: 'Curve' });
+  } else if (where.byKeyboard && selectedKeysInView(wb).length) openMenu(where, keyEntries(wb), { label: 'Keys' });
+  else openMenu(where, groundEntries(wb), { label: 'Curves' });
 }
 
 /** The menu of a channel in the list. */
 export function openChannelMenu(
   wb: Uses<'store' | 'actions' | 'timeline' | 'settings'>,
   channel: number,
-  where: Place,
-  focusFirst: boolean,
+  where: MenuPlace,
 ): void {
   const take = currentTake(wb);
   if (!take) return;
   const label = channelName(namedChannel(take.character, channel));
   const kind = take.clip.channels[channel]?.kind;
   if (kind === 'samples') {
-    openMenu(where, sampledEntries(wb, channel), { label, focusFirst });
+    openMenu(where, sampledEntries(wb, channel), { label });
   } else if (kind === 'keys') {
     selectCurve(wb, channel);
-    openMenu(where, channelEntries(wb, channel), { label, focusFirst });
+    openMenu(where, channelEntries(wb, channel), { label });
   } else {
     openMenu(where, [{ kind: 'note', text: `${label} has no keys yet.` }, LINE, pinEntry(wb, channel)], { label });
   }

@@ -2,14 +2,18 @@
 import { hasKey } from '../../../edit/keys/selection.ts';
 import { followPointer } from '../../kit/drag.ts';
 import { oncePerFrame } from '../../kit/frame.ts';
-import { isMac, waitOutDrag } from '../../kit/keyboard.ts';
+import { buttonMeant, isMac, waitOutDrag } from '../../kit/keyboard.ts';
+import { asksForMenu } from '../../kit/menu.ts';
+import { snapTime } from '../../kit/time-window.ts';
+import { scrubFrames } from '../timeline/scrub-frames.ts';
+import { openTimeMenu } from '../timeline/time-menu.ts';
 import { openPlotMenu } from './context-menu.ts';
 import { insertOnCurve } from './insert.ts';
 import { hitTest } from './scene/hit.ts';
 import type { CurveHit } from './scene/scene.ts';
-import { PLOT_TOP, pan, timeAt, zoom } from './scene/space.ts';
+import { PLOT_TOP, pan, pixelsPerSecond, timeAt, zoom } from './scene/space.ts';
 import { boxDrag } from './tools/box.ts';
-import { buttonMeant, cursorOf, type Intent, intentOf } from './tools/intent.ts';
+import { cursorOf, type Intent, intentOf } from './tools/intent.ts';
 import { keysDrag } from './tools/move-keys.ts';
 import { panDrag, wheelMeans, zoomDrag } from './tools/navigate.ts';
 import { scaleDrag } from './tools/scale.ts';
@@ -89,6 +93,12 @@ export class PlotInput {
     target.addEventListener('dblclick', (event) => this.onDoubleClick(event));
     target.addEventListener('contextmenu', (event) => this.onMenu(event));
     target.addEventListener('keydown', (event) => {
+      if (asksForMenu(event) && !this.drag) {
+        event.preventDefault();
+        event.stopPropagation();
+        this.openMenuByKey();
+        return;
+      }
       if (!event.repeat) this.down = event.code;
       this.holdKeys(event);
     });
@@ -271,12 +281,24 @@ export class PlotInput {
     event.preventDefault();
     // Alt and the right button zoom.
     if (event.altKey || this.drag) return;
-    const byKeyboard = buttonMeant(event, isMac) !== 2;
+    if (buttonMeant(event, isMac) !== 2) {
+      this.openMenuByKey();
+      return;
+    }
     const at = this.at(event);
-    const hit = byKeyboard ? NO_HIT : this.hitAt(at, REACH_MOUSE);
-    const box = this.plot.element.getBoundingClientRect();
-    const where = byKeyboard ? { x: box.left + 40, y: box.top + 40 } : { x: event.clientX, y: event.clientY };
-    openPlotMenu(this.plot.wb, hit, where, byKeyboard);
+    const where = { x: event.clientX, y: event.clientY };
+    const { wb } = this.plot;
+    const space = this.plot.scene()?.space;
+    if (at.y < PLOT_TOP && space) {
+      // As a drag there would set it.
+      openTimeMenu(wb, snapTime(timeAt(space, at.x), 1 / pixelsPerSecond(space), scrubFrames(wb, at.shift)), where);
+    } else openPlotMenu(wb, this.hitAt(at, REACH_MOUSE), where);
+  }
+
+  /** Of the selected keys, else of the background. */
+  private openMenuByKey(): void {
+    const { left, top } = this.plot.element.getBoundingClientRect();
+    openPlotMenu(this.plot.wb, NO_HIT, { x: left + 40, y: top + 40, byKeyboard: true });
   }
 
   /** Updates the cursor and the drag when a modifier changes. */

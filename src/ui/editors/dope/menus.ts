@@ -1,18 +1,17 @@
 /** Context menus of the dope sheet, for keys and rows. */
 import { areSelected } from '../../../edit/keys/row-keys.ts';
 import { allKeys, countKeys, keysAtTime, unionKeys } from '../../../edit/keys/selection.ts';
-import { type MenuEntry, openMenu } from '../../kit/menu.ts';
+import { type MenuEntry, type MenuPlace, openMenu } from '../../kit/menu.ts';
 import { plural } from '../../kit/number-text.ts';
 import { sectionsOf } from '../../state/menu-entries.ts';
 import type { Uses } from '../../state/workbench.ts';
 import { currentTake, selectedKeys, selectedKeysInView, selectKeys } from '../timeline/current-take.ts';
 import type { DopeRow } from '../timeline/dope-rows.ts';
 import { insertAtPlayhead } from '../timeline/key-edits.ts';
+import { openTimeMenu } from '../timeline/time-menu.ts';
 import type { SheetHit } from './hit.ts';
 import { rowName } from './names.ts';
 import { showCurves } from './show-curves.ts';
-
-type Place = { readonly x: number; readonly y: number };
 
 /** Actions, or a menu of the menu bar as a submenu. */
 const KEY_IDS = [
@@ -26,14 +25,17 @@ const EMPTY_IDS = [
   ['dope.allRows', 'dope.unfoldAll', 'dope.foldAll', 'timeline.fitAll'],
 ] as const;
 
-/** The menu at a point of the sheet. Keys there are selected first, so that the menu applies to what was clicked. */
+/** The menu at a point of the sheet; by keyboard that of the selected keys, if there are any. Keys there are selected first, so that the menu applies to what was clicked. */
 export function sheetMenu(
   wb: Uses<'store' | 'actions' | 'transport' | 'timeline' | 'settings'>,
   rows: readonly DopeRow[],
   hit: SheetHit,
-  at: Place,
+  timeSeconds: number | undefined,
+  at: MenuPlace,
 ): void {
-  if (hit.kind === 'keys' || hit.kind === 'strip') keysMenu(wb, rows, hit, at);
+  if (at.byKeyboard && selectedKeysInView(wb).length) show(wb, KEY_IDS, [], at, 'Keys');
+  else if (hit.kind === 'ruler' && timeSeconds !== undefined) openTimeMenu(wb, timeSeconds, at);
+  else if (hit.kind === 'keys' || hit.kind === 'strip') keysMenu(wb, rows, hit, at);
   else if (hit.kind === 'row') rowMenu(wb, rows[hit.row], at);
   else show(wb, EMPTY_IDS, [], at, 'Dope sheet');
 }
@@ -42,7 +44,7 @@ function keysMenu(
   wb: Uses<'store' | 'actions' | 'transport' | 'timeline' | 'settings'>,
   rows: readonly DopeRow[],
   hit: SheetHit,
-  at: Place,
+  at: MenuPlace,
 ): void {
   const own: MenuEntry[] = [];
   if (hit.kind === 'keys') {
@@ -65,7 +67,7 @@ function keysMenu(
 export function rowMenu(
   wb: Uses<'store' | 'actions' | 'transport' | 'timeline' | 'settings'>,
   row: DopeRow,
-  at: Place,
+  at: MenuPlace,
 ): void {
   const take = currentTake(wb);
   if (!take) return;
@@ -85,7 +87,7 @@ function show(
   wb: Uses<'actions' | 'settings'>,
   sections: readonly (readonly string[])[],
   first: readonly MenuEntry[],
-  at: Place,
+  at: MenuPlace,
   label: string,
 ): void {
   openMenu(at, sectionsOf(wb, [first, ...sections]), { label });

@@ -5,6 +5,7 @@
 import { jointName } from '../../../model/joint-name.ts';
 import { element, setAttribute, setText } from '../../kit/dom.ts';
 import { icon } from '../../kit/icons.ts';
+import type { MenuPlace } from '../../kit/menu.ts';
 import { plural } from '../../kit/number-text.ts';
 import { setTooltip } from '../../kit/tooltip.ts';
 import { rowAfterKey, WindowedList, type WindowedRow } from '../../kit/windowed-list.ts';
@@ -16,7 +17,7 @@ export interface NameEvents {
   /** By click or arrow keys. */
   choose(row: DopeRow): void;
   selectKeys(row: DopeRow, adds: boolean): void;
-  menu(row: DopeRow, at: { readonly x: number; readonly y: number }): void;
+  menu(row: DopeRow, at: MenuPlace): void;
   scrolled(): void;
 }
 
@@ -205,7 +206,7 @@ export class DopeNames {
 
   private openMenuAt(index: number): void {
     const box = (this.list.row(index)?.element ?? this.element).getBoundingClientRect();
-    this.events.menu(this.rows[index], { x: box.left + 24, y: box.bottom });
+    this.events.menu(this.rows[index], { x: box.left + 24, y: box.bottom, byKeyboard: true });
   }
 }
 

@@ -174,8 +174,8 @@ class DopePanel implements TimelineTab, SheetPointerHost {
     this.names.scrollTo(this.names.scrollTop + pixels);
   }
 
-  menu(hit: Parameters<SheetPointerHost['menu']>[0], at: { readonly x: number; readonly y: number }): void {
-    sheetMenu(this.wb, this.rows, hit, at);
+  menu(...[hit, timeSeconds, at]: Parameters<SheetPointerHost['menu']>): void {
+    sheetMenu(this.wb, this.rows, hit, timeSeconds, at);
   }
 
   overlayChanged(): void {

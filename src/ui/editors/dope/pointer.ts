@@ -2,6 +2,7 @@
 import { followPointer } from '../../kit/drag.ts';
 import { oncePerFrame } from '../../kit/frame.ts';
 import { isMac } from '../../kit/keyboard.ts';
+import { asksForMenu, type MenuPlace } from '../../kit/menu.ts';
 import { panWindow, snapTime, type TimeWindow, zoomWindow } from '../../kit/time-window.ts';
 import { scrubFrames } from '../timeline/scrub-frames.ts';
 import type { DopeDrag, DopeHost, Pointer } from './gesture.ts';
@@ -13,7 +14,8 @@ export interface SheetPointerHost extends DopeHost {
   look(window: TimeWindow): void;
   /** Pixels, clamped to the rows. */
   scrollBy(pixels: number): void;
-  menu(hit: SheetHit, at: { readonly x: number; readonly y: number }): void;
+  /** @param timeSeconds of the transport, under the pointer; by keyboard undefined, and `hit` means nothing */
+  menu(hit: SheetHit, timeSeconds: number | undefined, at: MenuPlace): void;
   overlayChanged(): void;
 }
 
@@ -46,7 +48,7 @@ export class SheetPointer {
     target.addEventListener('dblclick', (event) => this.onDoubleClick(event));
     target.addEventListener('contextmenu', (event) => this.onMenu(event));
     // Modifiers change what a press would do.
-    for (const type of ['keydown', 'keyup'] as const) target.addEventListener(type, (e) => this.showCursor(e));
+    for (const type of ['keydown', 'keyup'] as const) target.addEventListener(type, (e) => this.onKey(e));
   }
 
   private dragging = false;
@@ -229,7 +231,19 @@ export class SheetPointer {
   private onMenu(event: MouseEvent): void {
     event.preventDefault();
     if (this.dragging) return;
-    const hit = this.hitAt(this.placeOf(event));
-    this.host.menu(hit, { x: event.clientX, y: event.clientY });
+    const place = this.placeOf(event);
+    // As a drag there would set it.
+    const sheet = this.host.sheet();
+    const time = snapTime(sheetTime(sheet, place.x), secondsPerPixel(sheet), scrubFrames(this.host.wb, event.shiftKey));
+    this.host.menu(this.hitAt(place), time, { x: event.clientX, y: event.clientY });
+  }
+
+  private onKey(event: KeyboardEvent): void {
+    this.showCursor(event);
+    if (event.type !== 'keydown' || !asksForMenu(event) || this.dragging) return;
+    event.preventDefault();
+    event.stopPropagation();
+    const { left, top } = this.target.getBoundingClientRect();
+    this.host.menu({ kind: 'nothing' }, undefined, { x: left + 40, y: top + 40, byKeyboard: true });
   }
 }

@@ -8,7 +8,7 @@ import { jointsIn, withJoints, withJointToggled } from '../../../model/selected-
 import type { Selection } from '../../../model/session.ts';
 import { element } from '../../kit/dom.ts';
 import { icon } from '../../kit/icons.ts';
-import { type MenuEntry, openMenu } from '../../kit/menu.ts';
+import { type MenuEntry, type MenuPlace, openMenu } from '../../kit/menu.ts';
 import { setTooltip } from '../../kit/tooltip.ts';
 import { actionsOf, currentCharacter, runAction } from '../../state/action.ts';
 import { attempt } from '../../state/attempt.ts';
@@ -338,12 +338,7 @@ const JOINT_ACTIONS = [
   'draw.skin.heat',
 ];
 
-function rowMenu(
-  wb: Workbench,
-  row: OutlineRow,
-  at: { readonly x: number; readonly y: number },
-  rename: (row: OutlineRow) => void,
-): void {
+function rowMenu(wb: Workbench, row: OutlineRow, at: MenuPlace, rename: (row: OutlineRow) => void): void {
   const character = findCharacter(wb.store.document, row.characterId);
   if (character && row.kind === 'clip') return void openMenu(at, takeEntries(wb, row, rename), { label: row.label });
   if (character && row.kind === 'skin') return void openMenu(at, skinEntries(wb, row), { label: row.label });

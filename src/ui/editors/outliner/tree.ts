@@ -1,6 +1,7 @@
 /** The outliner's tree, a windowed list: mouse and keys, and what all rows share. */
 import { element, setAttribute } from '../../kit/dom.ts';
 import { icon } from '../../kit/icons.ts';
+import type { MenuPlace } from '../../kit/menu.ts';
 import { setTooltip } from '../../kit/tooltip.ts';
 import { rowAfterKey, WindowedList, type WindowedRow } from '../../kit/windowed-list.ts';
 import type { OutlineRow } from './outline-rows.ts';
@@ -16,7 +17,7 @@ export interface TreeEvents {
   /** Enter, or a click on an alternative that isn't shown. */
   activate(row: OutlineRow): void;
   doubleClick(row: OutlineRow): void;
-  menu(row: OutlineRow, at: { readonly x: number; readonly y: number }): void;
+  menu(row: OutlineRow, at: MenuPlace): void;
   /** Fills in the row's icon and label; the tree does the rest. */
   draw(row: OutlineRow): Node[];
 }
@@ -326,7 +327,7 @@ export class Tree {
 
   private openMenuAt(row: OutlineRow, index: number): void {
     const box = (this.list.row(index)?.element ?? this.element).getBoundingClientRect();
-    this.events.menu(row, { x: box.left + 24, y: box.bottom });
+    this.events.menu(row, { x: box.left + 24, y: box.bottom, byKeyboard: true });
   }
 
   private above(index: number): OutlineRow | undefined {

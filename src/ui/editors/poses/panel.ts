@@ -15,6 +15,7 @@ import { oncePerFrame } from '../../kit/frame.ts';
 import { openMenu } from '../../kit/menu.ts';
 import { observable } from '../../kit/observable.ts';
 import { currentCharacter } from '../../state/action.ts';
+import { sectionsOf } from '../../state/menu-entries.ts';
 import { selectedJointOf } from '../../state/selected-joint.ts';
 import type { TimelineTab } from '../../state/timeline.ts';
 import type { Workbench } from '../../state/workbench.ts';
@@ -55,7 +56,7 @@ class PosesPanel implements TimelineTab {
     this.grid.addEventListener('keydown', (event) => this.onKey(event));
     this.grid.addEventListener('pointerdown', (event) => this.onPointer(event));
     this.grid.addEventListener('click', (event) => this.onClick(event));
-    this.grid.addEventListener('contextmenu', (event) => this.onMenu(event));
+    this.element.addEventListener('contextmenu', (event) => this.onMenu(event));
     this.grid.addEventListener('dblclick', (event) => {
       const index = this.indexAt(event.target);
       if (index >= 0 && event.target instanceof Element && event.target.closest('.pose-name')) this.startRename(index);
@@ -212,8 +213,11 @@ class PosesPanel implements TimelineTab {
 
   private onMenu(event: MouseEvent): void {
     const index = this.indexAt(event.target);
-    if (index < 0) return;
     event.preventDefault();
+    if (index < 0) {
+      openMenu({ x: event.clientX, y: event.clientY }, sectionsOf(this.wb, MENU_OF_ALL), { label: 'Poses' });
+      return;
+    }
     this.focus(index);
     this.menu(index, { x: event.clientX, y: event.clientY }, false);
   }
@@ -259,6 +263,9 @@ class PosesPanel implements TimelineTab {
     if (this.shownId !== undefined && this.shownPoses[index]) removePose(this.wb, this.shownId, index);
   }
 }
+
+/** Beside the cards. */
+const MENU_OF_ALL = [['pose.keep'], ['pose.copy', 'pose.paste', 'pose.mirror'], ['file.open']];
 
 /** Index of the last new pose. */
 function newIndex(poses: readonly NamedPose[], before: readonly NamedPose[]): number {

@@ -7,10 +7,11 @@ import { findCharacter } from '../../../model/document.ts';
 import { element, setText } from '../../kit/dom.ts';
 import { oncePerFrame } from '../../kit/frame.ts';
 import { isMac } from '../../kit/keyboard.ts';
-import { type MenuEntry, openMenu } from '../../kit/menu.ts';
+import { type MenuEntry, type MenuPlace, openMenu } from '../../kit/menu.ts';
 import { fitWindow, type TimeWindow, zoomWindow } from '../../kit/time-window.ts';
 import { findAction } from '../../state/action.ts';
 import { attempt } from '../../state/attempt.ts';
+import { sectionsOf } from '../../state/menu-entries.ts';
 import { shortcutsFor, shortcutText } from '../../state/shortcuts.ts';
 import { comparedIn } from '../../state/takes.ts';
 import type { TimelineTab } from '../../state/timeline.ts';
@@ -35,6 +36,13 @@ import { arrangeEntries, takeTools } from './tools.ts';
 export function takesPanel(wb: Workbench): TimelineTab {
   return new TakesPanel(wb);
 }
+
+/** Beside the rows. */
+const MENU_OF_ALL = [
+  ['file.open', 'file.openFolder'],
+  ['take.new', 'take.duplicate'],
+  ['Play/Loop', 'Play/Speed'],
+];
 
 class TakesPanel implements TimelineTab {
   readonly element: HTMLElement;
@@ -63,6 +71,7 @@ class TakesPanel implements TimelineTab {
       },
       remove: (rows) => removeTakeRows(wb, rows),
       menu: (row, at) => this.menu(row, at),
+      menuOfAll: (at) => openMenu(at, sectionsOf(wb, MENU_OF_ALL), { label: 'Takes' }),
     });
     this.distances = new DistancePane(wb);
     this.tools = takeTools(wb);
@@ -179,7 +188,7 @@ class TakesPanel implements TimelineTab {
     );
   }
 
-  private menu(row: TakeRow, at: { readonly x: number; readonly y: number }): void {
+  private menu(row: TakeRow, at: MenuPlace): void {
     const { wb } = this;
     const chosen = chosenTakes(wb);
     const [first, second] = chosen;

@@ -5,10 +5,12 @@
  *     Enter            plays it alone                                  Delete   removes the selected takes
  *     F2               edits its start time                                  Ctrl+Space   toggles it in the selection
  */
+
 import { element, setAttribute } from '../../kit/dom.ts';
 import { HAS_KEYS } from '../../kit/focus.ts';
 import { icon } from '../../kit/icons.ts';
 import { isMac } from '../../kit/keyboard.ts';
+import type { MenuPlace } from '../../kit/menu.ts';
 import { plural } from '../../kit/number-text.ts';
 import { WindowedList } from '../../kit/windowed-list.ts';
 import type { TakeColumn, TakeOrder } from '../../state/takes.ts';
@@ -19,7 +21,9 @@ export interface TableEvents extends RowEvents {
   sort(order: TakeOrder | undefined): void;
   choose(chosen: ReadonlySet<string>, focused: TakeRow): void;
   remove(rows: readonly TakeRow[]): void;
-  menu(row: TakeRow, at: { readonly x: number; readonly y: number }): void;
+  menu(row: TakeRow, at: MenuPlace): void;
+  /** Beside the rows. */
+  menuOfAll(at: MenuPlace): void;
 }
 
 /** State of the list beside its rows. */
@@ -171,8 +175,12 @@ export class TakeTable {
 
   private onMenu(event: MouseEvent): void {
     const row = this.rowAt(event);
-    if (!row || event.target instanceof HTMLInputElement) return;
+    if (event.target instanceof HTMLInputElement) return;
     event.preventDefault();
+    if (!row) {
+      this.events.menuOfAll({ x: event.clientX, y: event.clientY });
+      return;
+    }
     if (!this.state?.chosen.has(row.key)) this.goTo(row);
     this.events.menu(row, { x: event.clientX, y: event.clientY });
   }
@@ -249,7 +257,7 @@ export class TakeTable {
     const row = this.rows[place];
     const box = this.list.row(place)?.element.getBoundingClientRect();
     if (!this.state?.chosen.has(row.key)) this.goTo(row);
-    if (box) this.events.menu(row, { x: box.left + 60, y: box.bottom });
+    if (box) this.events.menu(row, { x: box.left + 60, y: box.bottom, byKeyboard: true });
   }
 }
 

@@ -4,9 +4,9 @@
  */
 import { setClipRange } from '../../../edit/commands/clips.ts';
 import { type Character, playingCharacters } from '../../../model/document.ts';
-import { shown } from '../../kit/number-text.ts';
 import { attempt } from '../../state/attempt.ts';
 import type { Uses } from '../../state/workbench.ts';
+import { timeText } from '../timeline/time-menu.ts';
 
 /** The only character that plays a take. */
 function onlyTake(wb: Uses<'store'>): Character | undefined {
@@ -32,10 +32,4 @@ export function typeRange(
     );
   }
   wb.transport.update((p) => ({ ...p, range }));
-}
-
-/** `1.25 s`, or `frame 30` if times are in frames. */
-function timeText(wb: Uses<'transport' | 'settings'>, timeSeconds: number): string {
-  if (wb.settings.get().timeDisplay === 'seconds') return `${shown(timeSeconds)} s`;
-  return `frame ${shown(timeSeconds * wb.transport.get().framesPerSecond)}`;
 }

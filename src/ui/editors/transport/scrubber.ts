@@ -8,9 +8,12 @@ import { findCharacter, rangeOfClips } from '../../../model/document.ts';
 import { element } from '../../kit/dom.ts';
 import { followPointer } from '../../kit/drag.ts';
 import { oncePerFrame } from '../../kit/frame.ts';
+import { buttonMeant, isMac } from '../../kit/keyboard.ts';
+import { asksForMenu } from '../../kit/menu.ts';
 import { aligned, shown } from '../../kit/number-text.ts';
 import { fitWindow, panWindow, revealTime, snapTime, type TimeWindow, zoomWindow } from '../../kit/time-window.ts';
 import type { Uses } from '../../state/workbench.ts';
+import { openTimeMenu } from '../timeline/time-menu.ts';
 import {
   drawScrubberPlayhead,
   ScrubberBackground,
@@ -44,7 +47,7 @@ export class Scrubber {
   private height = 0;
   private readonly drawSoon = oncePerFrame(() => this.draw());
 
-  constructor(private readonly wb: Uses<'store' | 'transport' | 'settings'>) {
+  constructor(private readonly wb: Uses<'store' | 'actions' | 'transport' | 'settings'>) {
     this.window = this.whole();
     this.channels = shownKeys(wb.store.document, wb.store.selection);
     wb.transport.subscribe((now, before) => {
@@ -165,6 +168,27 @@ export class Scrubber {
     canvas.addEventListener('wheel', (event) => this.onWheel(event), { passive: false });
     canvas.addEventListener('dblclick', () => this.fit());
     canvas.addEventListener('keydown', (event) => this.onKey(event));
+    canvas.addEventListener('contextmenu', (event) => this.onMenu(event));
+  }
+
+  /** Of the time under the pointer; by keyboard, of the current time. */
+  private onMenu(event: MouseEvent): void {
+    event.preventDefault();
+    if (this.dragging) return;
+    if (buttonMeant(event, isMac) !== 2) {
+      this.openMenuByKey();
+      return;
+    }
+    const frames = event.shiftKey ? undefined : this.framesPerSecond;
+    const time = snapTime(this.timeAt(event.clientX), this.secondsPerPixel, frames);
+    openTimeMenu(this.wb, time, { x: event.clientX, y: event.clientY });
+  }
+
+  private openMenuByKey(): void {
+    const { timeSeconds } = this.wb.transport.get();
+    const { left, right, bottom } = this.element.getBoundingClientRect();
+    const x = left + (timeSeconds - this.window.from) / this.secondsPerPixel;
+    openTimeMenu(this.wb, timeSeconds, { x: Math.min(right, Math.max(left, x)), y: bottom, byKeyboard: true });
   }
 
   private timeAt(clientX: number): number {
@@ -227,6 +251,12 @@ export class Scrubber {
   }
 
   private onKey(event: KeyboardEvent): void {
+    if (asksForMenu(event)) {
+      event.preventDefault();
+      event.stopPropagation();
+      this.openMenuByKey();
+      return;
+    }
     if (event.ctrlKey || event.metaKey || event.altKey) return;
     const { transport } = this.wb;
     const { timeSeconds } = transport.get();

@@ -23,11 +23,6 @@ export interface Press extends Pick<PointerAt, 'shift' | 'ctrl' | 'alt'> {
   readonly scaling: boolean;
 }
 
-/** The effective button: on a Mac, Ctrl+click is a right click. */
-export function buttonMeant({ button, ctrlKey }: Pick<MouseEvent, 'button' | 'ctrlKey'>, mac: boolean): number {
-  return mac && button === 0 && ctrlKey ? 2 : button;
-}
-
 export function intentOf(press: Press, hit: CurveHit): Intent {
   if (press.button === 1) return 'pan';
   if (press.button === 2) return press.alt ? 'zoom' : 'menu';

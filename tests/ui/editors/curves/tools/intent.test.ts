@@ -1,9 +1,10 @@
 import { describe, expect, it } from 'vitest';
 import { isolatedAfter } from '../../../../../src/ui/editors/curves/isolating.ts';
 import type { CurveHit } from '../../../../../src/ui/editors/curves/scene/scene.ts';
-import { buttonMeant, cursorOf, intentOf, type Press } from '../../../../../src/ui/editors/curves/tools/intent.ts';
+import { cursorOf, intentOf, type Press } from '../../../../../src/ui/editors/curves/tools/intent.ts';
 import { wheelMeans } from '../../../../../src/ui/editors/curves/tools/navigate.ts';
 import { movesBoth, sameSlope } from '../../../../../src/ui/editors/curves/tools/slope.ts';
+import { buttonMeant } from '../../../../../src/ui/kit/keyboard.ts';
 
 const KEY: CurveHit = { kind: 'key', channel: 0, index: 0 };
 const HANDLE: CurveHit = { kind: 'handle', channel: 0, index: 0, side: 'in' };

@@ -1,0 +1,56 @@
+/** The context menu of a point in time: of the rulers, the scrubber, and by keyboard of the current time. */
+import { type Playback, pause } from '../../../edit/playback.ts';
+import { type MenuEntry, type MenuPlace, openMenu } from '../../kit/menu.ts';
+import { shown } from '../../kit/number-text.ts';
+import { findAction, tryAction } from '../../state/action.ts';
+import { sectionsOf } from '../../state/menu-entries.ts';
+import type { Uses } from '../../state/workbench.ts';
+
+type Page = Uses<'actions' | 'transport' | 'settings'>;
+
+/** @param timeSeconds of the transport */
+export function openTimeMenu(wb: Page, timeSeconds: number, at: MenuPlace): void {
+  openMenu(at, timeEntries(wb, timeSeconds), { label: timeText(wb, timeSeconds) });
+}
+
+/** Of the current time, actions; of another one also going there. */
+export function timeEntries(wb: Page, timeSeconds: number): MenuEntry[] {
+  const item = (label: string, run: () => void): MenuEntry => ({ kind: 'item', label, enabled: true, run });
+  const change = (next: (now: Playback) => Playback) => () => wb.transport.update(next);
+  const goThere = change((p) => ({ ...pause(p, false), timeSeconds }));
+  const runThere = (id: string) => () => {
+    const action = findAction(wb, id);
+    if (!action) return;
+    goThere();
+    tryAction(wb, action);
+  };
+  const isNow = wb.transport.get().timeSeconds === timeSeconds;
+  return [
+    { kind: 'note', text: timeText(wb, timeSeconds) },
+    ...sectionsOf(wb, [
+      isNow
+        ? ['key.pose', 'key.deleteHere']
+        : [item('Go here', goThere), item('Key whole pose here', runThere('key.pose'))],
+      [
+        item(
+          'Set range start here',
+          change((p) => ({ ...p, range: [timeSeconds, Math.max(timeSeconds, p.range[1])] })),
+        ),
+        item(
+          'Set range end here',
+          change((p) => ({ ...p, range: [Math.min(timeSeconds, p.range[0]), timeSeconds] })),
+        ),
+        'play.wholeRange',
+        'take.rangeFromPlayed',
+      ],
+      ['play.previousKey', 'play.nextKey'],
+      ['View/Time', 'Play/Loop', 'Play/Speed'],
+    ]),
+  ];
+}
+
+/** `1.25 s`, or `frame 30` if times are in frames. */
+export function timeText({ transport, settings }: Uses<'transport' | 'settings'>, timeSeconds: number): string {
+  if (settings.get().timeDisplay === 'seconds') return `${shown(timeSeconds)} s`;
+  return `frame ${shown(timeSeconds * transport.get().framesPerSecond)}`;
+}
