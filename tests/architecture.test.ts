@@ -16,10 +16,12 @@ const MAY_IMPORT: Readonly<Record<string, readonly string[]>> = {
   model: ['math'],
   formats: BASE,
   evaluate: BASE,
+  // Comparing with other programs, and naming their mistakes; it never learns which file numbers came from.
+  lesson: ['evaluate', ...BASE],
   edit: ['evaluate', ...BASE],
   // Opening and saving, the same for page and command.
   project: ['formats', 'evaluate', 'edit', ...BASE],
-  worker: ['project', 'formats', 'evaluate', ...BASE],
+  worker: ['project', 'lesson', 'formats', 'evaluate', ...BASE],
   io: ['worker', 'formats', ...BASE],
   view: ['evaluate', ...BASE],
   // The service worker.
@@ -32,7 +34,7 @@ const MAY_IMPORT: Readonly<Record<string, readonly string[]>> = {
   'ui/editors': ['ui/state', 'ui/kit', 'view', 'edit', 'evaluate', ...BASE],
   // What puts them together: layout, menu bar, the one list of actions, dialogs.
   'ui/shell': ['ui/styles', 'ui/editors', 'ui/state', 'ui/kit', 'view', 'project', 'edit', 'evaluate', ...BASE],
-  cli: ['project', 'formats', 'evaluate', 'edit', ...BASE],
+  cli: ['project', 'lesson', 'formats', 'evaluate', 'edit', ...BASE],
   samples: ['formats', 'evaluate', ...BASE],
   // What `main.ts` wires together, where it takes more than a line.
   app: [

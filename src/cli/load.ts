@@ -35,9 +35,10 @@ export interface Loaded {
 
 /**
  * @param args files and folders, relative to `folder`
+ * @param otherwise the format of files whose names have none
  * @throws UsageError if there are none
  */
-export function loadFiles(args: readonly string[], folder: string): Loaded {
+export function loadFiles(args: readonly string[], folder: string, otherwise?: Format): Loaded {
   if (args.length === 0) throw new UsageError('Give at least one file.');
   const all: LoadedFile[] = [];
   const files: ParsedFile[] = [];
@@ -52,8 +53,9 @@ export function loadFiles(args: readonly string[], folder: string): Loaded {
   }
   for (const path of given.files) {
     const name = basename(path.absolute);
-    const kind = kindOf(name);
-    const { content, bytes, diagnostics: found } = loadOne(path, name);
+    const format = formatOf(name) ?? otherwise;
+    const kind = format?.kind ?? 'unknown';
+    const { content, bytes, diagnostics: found } = loadOne(path, name, format);
     diagnostics.push(...found);
     all.push({ name, kind, ...(content && { content }) });
     const source: SourceFile = { name, path: path.path, bytes };
@@ -70,8 +72,7 @@ interface LoadedOne {
   readonly diagnostics: readonly Diagnostic[];
 }
 
-function loadOne({ absolute }: GivenPath, name: string): LoadedOne {
-  const format = formatOf(name);
+function loadOne({ absolute }: GivenPath, name: string, format: Format | undefined): LoadedOne {
   try {
     const bytes = statSync(absolute).size;
     if (!format) return { bytes, diagnostics: [unknownFormat(name)] };

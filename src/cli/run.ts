@@ -1,13 +1,14 @@
 /** The command as a function: arguments in, exit code out. */
 import { UsageError } from './arguments.ts';
 import { channels } from './commands/channels.ts';
+import { compareCommand } from './commands/compare.ts';
 import { convert } from './commands/convert.ts';
 import { ik } from './commands/ik.ts';
 import { info } from './commands/info.ts';
 import { pose } from './commands/pose.ts';
 import type { CliCommand, CommandIo, ExitCode } from './io.ts';
 
-const COMMANDS: readonly CliCommand[] = [info, pose, ik, channels, convert];
+const COMMANDS: readonly CliCommand[] = [info, pose, ik, channels, compareCommand, convert];
 
 export async function run(args: readonly string[], io: CommandIo): Promise<ExitCode> {
   const [name, ...rest] = args;

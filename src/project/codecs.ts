@@ -171,6 +171,9 @@ export function formatOf(fileName: string): Format | undefined {
   };
 }
 
+/** For files whose names say nothing: a dump is told by content. */
+export const dumpFormat: Format = { format: 'dump', kind: 'dump', label: KINDS.dump.label, reader: READERS.dump };
+
 /**
  * Writes content in the format of the file name or else the first one for such content; undefined if there is none, as
  * for images. `fileName` appears in diagnostics.

@@ -1,0 +1,135 @@
+/**
+ * `marrow compare`: numbers that another program printed, against those of the character in the other files. Says which
+ * joint, vertex or channel is wrong first, and which mistake explains all of it.
+ */
+import { runToEnd } from '../../evaluate/steps.ts';
+import { type Comparison, compare, DEFAULT_TOLERANCE, type FirstWrong } from '../../lesson/compare.ts';
+import { type Fitted, fitDumps, type NamedDump } from '../../lesson/fit-dump.ts';
+import { type Diagnostic, hasErrors, withoutPlace } from '../../model/diagnostic.ts';
+import { type Character, EMPTY_DOCUMENT } from '../../model/document.ts';
+import { dumpFormat } from '../../project/codecs.ts';
+import { openFiles } from '../../project/open/open-files.ts';
+import { numberOf, parseArguments, UsageError } from '../arguments.ts';
+import type { CliCommand } from '../io.ts';
+import { loadFiles } from '../load.ts';
+import { printJson, report } from '../report.ts';
+
+export const compareCommand: CliCommand = {
+  name: 'compare',
+  usage: 'FILE… DUMP… [--time T] [--tolerance X] [--json]',
+  summary: "where another program's numbers are wrong, and the mistake that explains them",
+  async run(args, io) {
+    const given = parseArguments(args, { time: 'value', tolerance: 'value', json: 'flag' });
+    const [timeText, toleranceText] = [given.value('time'), given.value('tolerance')];
+    const time = timeText === undefined ? undefined : numberOf('time', timeText);
+    const tolerance = toleranceText === undefined ? DEFAULT_TOLERANCE : numberOf('tolerance', toleranceText);
+    if (!(tolerance > 0)) throw new UsageError(`--tolerance takes a number above 0, not ${tolerance}.`);
+    const loaded = loadFiles(given.files, io.folder, dumpFormat);
+    const { document, dumps, diagnostics: opened } = openFiles(EMPTY_DOCUMENT, loaded.files, loaded.broken);
+    const diagnostics = [...loaded.diagnostics, ...opened];
+    const named = dumps.map(({ dump, source }): NamedDump => ({ fileName: source.name, dump }));
+    const { fitted, character } = fitFirst(document.characters, named, time);
+    if (!hasErrors(diagnostics)) diagnostics.push(...missing(document.characters, named), ...fitted.diagnostics);
+    report(diagnostics, io);
+    if (hasErrors(diagnostics) || !fitted.targets || !character) {
+      if (given.flag('json')) await printJson({ diagnostics }, io);
+      return 2;
+    }
+    const comparison = runToEnd(compare(character, fitted.targets, tolerance));
+    if (given.flag('json')) await printJson({ ...asJson(comparison), diagnostics }, io);
+    else await io.out(asText(comparison, character));
+    return comparison.agrees ? 0 : 1;
+  },
+};
+
+/** The first character that the dumps fit; else the first one, with what is wrong. */
+function fitFirst(characters: readonly Character[], dumps: readonly NamedDump[], time: number | undefined) {
+  const [first] = characters;
+  const none: Fitted = { diagnostics: [] };
+  for (const character of characters) {
+    const fitted = fitDumps(character, dumps, time);
+    if (fitted.targets) return { fitted, character };
+  }
+  return { fitted: first ? fitDumps(first, dumps, time) : none, character: first };
+}
+
+function missing(characters: readonly Character[], dumps: readonly NamedDump[]): Diagnostic[] {
+  if (characters.length === 0) {
+    return [
+      withoutPlace('error', 'character-missing', 'Expected the files of a character to compare with, found none.', ''),
+    ];
+  }
+  if (dumps.length > 0) return [];
+  const message = 'Expected a dump: numbers of joints, vertices or channels printed by another program; found none.';
+  return [withoutPlace('error', 'dump-missing', message, '')];
+}
+
+function asJson({ agrees, compared, layout, worst, first, frames, own, inherited, causes }: Comparison) {
+  const shown = frames.find((frame) => !frame.agrees) ?? frames[0];
+  return {
+    agrees,
+    ...(shown?.time !== undefined && { time: shown.time }),
+    compared,
+    ...(layout && { layout }),
+    worst,
+    ...(first && { first }),
+    own,
+    inherited,
+    causes: causes.map(({ code, detail, explains, of, residual, sentences, formulas }) => ({
+      code,
+      detail,
+      explains,
+      of,
+      residual,
+      sentence: sentences.join(' '),
+      formula: formulas.join('; '),
+    })),
+    ...(frames.length > 1 && {
+      times: frames.map((frame) => ({
+        ...(frame.time !== undefined && { time: frame.time }),
+        agrees: frame.agrees,
+        worst: frame.worst,
+        ...(frame.first && { first: frame.first }),
+        own: frame.own,
+        inherited: frame.inherited,
+      })),
+    }),
+  };
+}
+
+function asText(comparison: Comparison, character: Character): string {
+  const { agrees, compared, layout, worst, first, own, inherited, causes } = comparison;
+  const counts = Object.entries(compared).filter(([, count]) => count > 0);
+  const lines = [`Compared: ${counts.map(([kind, count]) => `${count} ${kind}`).join(', ')}.`];
+  if (layout) lines.push(`Matrices of ${layout.numbers} numbers, ${layout.order}.`);
+  if (agrees || !first) lines.push(`All agree. The largest error is ${short(worst)}.`);
+  else {
+    lines.push(`First wrong: ${placeOf(first)}, by ${short(first.error)}. The largest error is ${short(worst)}.`);
+    const list = (joints: readonly number[]) => joints.map((j) => nameOf(character, j)).join(', ');
+    if (own.length > 0) lines.push(`Wrong by themselves: ${list(own)}.`);
+    if (inherited.length > 0) lines.push(`Wrong only because a parent is: ${list(inherited)}.`);
+    for (const { code, detail, sentences, formulas, explains, of, residual } of causes) {
+      lines.push(
+        '',
+        `${code}${detail && ` (${detail})`}`,
+        ...sentences.map((sentence) => `  ${sentence}`),
+        ...[...new Set(formulas)].map((formula) => `    ${formula}`),
+        `  Explains ${explains} of ${of}; what remains is at most ${short(residual)}.`,
+      );
+    }
+    if (causes.length === 0) lines.push('', 'No known mistake, nor two together, explains these numbers.');
+  }
+  return `${lines.join('\n')}\n`;
+}
+
+function placeOf({ what, index, name, time }: FirstWrong): string {
+  return `${what} ${index}${name ? ` "${name}"` : ''}${time === undefined ? '' : ` at ${time} s`}`;
+}
+
+function nameOf({ skeleton }: Character, joint: number): string {
+  return skeleton?.joints[joint]?.name || `joint ${joint}`;
+}
+
+function short(value: number): string {
+  return Number.isFinite(value) ? String(Number(value.toPrecision(3))) : 'not a number';
+}

@@ -1,0 +1,10 @@
+/**
+ * All mistakes that the search knows, in the order of the table in `README.md`: kinematics, skinning, channels. The
+ * search, the sentences and the test files go by this list.
+ */
+import { CHANNELS } from './channels.ts';
+import { KINEMATICS } from './kinematics.ts';
+import type { Mistake } from './mistake.ts';
+import { SKINNING } from './skinning.ts';
+
+export const CATALOGUE: readonly Mistake[] = [...KINEMATICS, ...SKINNING, ...CHANNELS];

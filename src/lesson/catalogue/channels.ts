@@ -1,0 +1,210 @@
+/** Mistakes in the values of channels. */
+import { HERMITE, type HermiteBasis } from '../curve-rules.ts';
+import { inCurves, type Mistake, type Variant } from './mistake.ts';
+
+const SMOOTH_FORMULA = 'm = (v[i+1] − v[i−1]) / (t[i+1] − t[i−1]); at the ends the slope of the segment';
+const HERMITE_FORMULA = 'p(u) = a·u³ + b·u² + c·u + d; c = (t₁ − t₀)·m₀';
+
+const ROWS = ['a', 'b', 'c', 'd'];
+const INPUTS = ['p₀', 'p₁', 'm₀', 'm₁'];
+
+const PAIRS = [
+  [0, 1],
+  [0, 2],
+  [0, 3],
+  [1, 2],
+  [1, 3],
+  [2, 3],
+] as const;
+
+export const CHANNELS: readonly Mistake[] = [
+  {
+    code: 'tangent-smooth-mean',
+    subject: 'channels',
+    sentence: () =>
+      "Smooth tangents are the mean of the two segments' slopes; take the slope from the key before to the key after.",
+    formula: SMOOTH_FORMULA,
+    variants: [inCurves('', { smooth: 'mean of segments' })],
+  },
+  {
+    code: 'tangent-smooth-flat-ends',
+    subject: 'channels',
+    sentence: () => 'Smooth tangents of the first and last key are 0; they have the slope of their segment.',
+    formula: SMOOTH_FORMULA,
+    variants: [inCurves('', { smoothEnds: 'flat' })],
+  },
+  {
+    code: 'tangent-linear-neighbour',
+    subject: 'channels',
+    sentence: () => "Linear tangents take the other side's segment; in is the segment before, out the one after.",
+    formula: 'in: (v[i] − v[i−1]) / (t[i] − t[i−1]); out: (v[i+1] − v[i]) / (t[i+1] − t[i])',
+    variants: [inCurves('', { linear: 'other side' })],
+  },
+  {
+    code: 'tangents-swapped',
+    subject: 'channels',
+    sentence: () => 'In and out tangents are exchanged: a key has time, value, in, out; a segment uses out, then in.',
+    formula: 'keys { time value tan_in tan_out }',
+    variants: [inCurves('columns', { swapped: 'columns' }), inCurves('slopes', { swapped: 'slopes' })],
+  },
+  {
+    code: 'tangents-unscaled',
+    subject: 'channels',
+    sentence: () => 'Slopes are not multiplied by the length of the segment.',
+    formula: HERMITE_FORMULA,
+    variants: [inCurves('', { isScaled: false })],
+  },
+  {
+    code: 'tangents-ignored',
+    subject: 'channels',
+    sentence: () => 'Keys are joined by straight lines; each segment is a cubic by its tangents.',
+    formula: HERMITE_FORMULA,
+    variants: [
+      inCurves('lines', { between: 'line' }),
+      inCurves('lines, also outside', { between: 'line', linearSlope: 'segment' }),
+    ],
+  },
+  {
+    code: 'stepped',
+    subject: 'channels',
+    sentence: () => 'The value of the key before is held; each segment is a cubic.',
+    formula: HERMITE_FORMULA,
+    variants: [inCurves('', { between: 'step' })],
+  },
+  {
+    code: 'extrapolation-ignored',
+    subject: 'channels',
+    sentence: () => 'Outside the keys the end values are held, whatever the channel says.',
+    formula: 'extrapolate IN OUT',
+    variants: [inCurves('', { hasExtrapolation: false })],
+  },
+  {
+    code: 'cycle-offset-missing',
+    subject: 'channels',
+    sentence: () => 'cycle_offset repeats without its offset; add the change over a period for each period.',
+    formula: 'p(t) = p(t − n·P) + n·(v_last − v_first)',
+    variants: [inCurves('', { cycleOffset: 'none' })],
+  },
+  {
+    code: 'cycle-offset-before',
+    subject: 'channels',
+    sentence: () =>
+      'Before the first key the offset of cycle_offset is added; n is negative there, so it is subtracted.',
+    formula: 'n = ⌊(t − t_first) / P⌋',
+    variants: [inCurves('', { cycleOffset: 'always added' })],
+  },
+  {
+    code: 'bounce-as-cycle',
+    subject: 'channels',
+    sentence: () => 'bounce repeats like cycle; every other period runs backwards.',
+    formula: 'n odd: p(t_last − (t − t_first − n·P))',
+    variants: [inCurves('', { bounce: 'none' })],
+  },
+  {
+    code: 'bounce-parity',
+    subject: 'channels',
+    sentence: (detail) => `bounce runs backwards in the wrong periods (${detail}); it does in those with odd n.`,
+    formula: 'n odd: p(t_last − (t − t_first − n·P))',
+    variants: [
+      inCurves('even ones', { bounce: 'even periods' }),
+      inCurves('odd ones after the keys only', { bounce: 'odd after only' }),
+    ],
+  },
+  {
+    code: 'modulo-negative',
+    subject: 'channels',
+    sentence: (detail) =>
+      `fmod of a negative time is negative (${detail}); fold times before the first key with floor.`,
+    formula: 'n = ⌊(t − t_first) / P⌋, t − n·P',
+    variants: (['run on', 'hold', 'run on, floor', 'hold, floor'] as const).map((modulo) =>
+      inCurves(modulo, { modulo }),
+    ),
+  },
+  {
+    code: 'period-of-range',
+    subject: 'channels',
+    sentence: () => "The period is that of the range; it is from the channel's first key to its last.",
+    formula: 'P = t_last − t_first',
+    variants: [
+      inCurves('from its start', { period: 'range' }),
+      inCurves('from the first key', { period: 'length of range' }),
+    ],
+  },
+  {
+    code: 'linear-extrapolation-slope',
+    subject: 'channels',
+    sentence: () => 'Linear extrapolation continues the end segment; its slope is that of the tangent.',
+    formula: 'tan_in of the first key, tan_out of the last',
+    variants: [inCurves('', { linearSlope: 'segment' })],
+  },
+  {
+    code: 'hermite-basis',
+    subject: 'channels',
+    sentence: (detail) => `A coefficient of the cubic is wrong: ${detail}.`,
+    formula: 'a = 2p₀ − 2p₁ + m₀ + m₁; b = −3p₀ + 3p₁ − 2m₀ − m₁; c = m₀; d = p₀',
+    variants: hermiteVariants(),
+  },
+];
+
+/** Every wrong sign and every exchange within, of rows or of columns; and both reversals. */
+function hermiteVariants(): readonly Variant[] {
+  const variants: Variant[] = [];
+  const seen = new Set([HERMITE.join()]);
+  const add = (detail: string, basis: HermiteBasis) => {
+    const key = basis.map((value) => value + 0).join();
+    if (seen.has(key)) return;
+    seen.add(key);
+    variants.push(inCurves(detail, { basis }));
+  };
+  for (let i = 0; i < 16; i++)
+    add(
+      `sign of ${INPUTS[i % 4]} in ${ROWS[Math.floor(i / 4)]}`,
+      HERMITE.map((v, k) => (k === i ? -v : v)),
+    );
+  for (let row = 0; row < 4; row++) {
+    add(
+      `sign of ${ROWS[row]}`,
+      HERMITE.map((v, k) => (Math.floor(k / 4) === row ? -v : v)),
+    );
+    add(
+      `${ROWS[row]} reversed`,
+      HERMITE.map((v, k) => (Math.floor(k / 4) === row ? HERMITE[4 * row + 3 - (k % 4)] : v)),
+    );
+    for (const [c1, c2] of PAIRS) {
+      const [i, j] = [4 * row + c1, 4 * row + c2];
+      add(
+        `${INPUTS[c1]} and ${INPUTS[c2]} exchanged in ${ROWS[row]}`,
+        HERMITE.map((v, k) => (k === i ? HERMITE[j] : k === j ? HERMITE[i] : v)),
+      );
+    }
+  }
+  for (const [x, y] of PAIRS) {
+    const other = (at: number) => (at === x ? y : at === y ? x : at);
+    add(
+      `${ROWS[x]} and ${ROWS[y]} exchanged`,
+      HERMITE.map((_, k) => HERMITE[4 * other(Math.floor(k / 4)) + (k % 4)]),
+    );
+    add(
+      `${INPUTS[x]} and ${INPUTS[y]} exchanged`,
+      HERMITE.map((_, k) => HERMITE[4 * Math.floor(k / 4) + other(k % 4)]),
+    );
+  }
+  for (let c = 0; c < 4; c++)
+    add(
+      `sign of ${INPUTS[c]}`,
+      HERMITE.map((v, k) => (k % 4 === c ? -v : v)),
+    );
+  add(
+    'a b c d reversed',
+    HERMITE.map((_, k) => HERMITE[4 * (3 - Math.floor(k / 4)) + (k % 4)]),
+  );
+  add(
+    'p₀ p₁ m₀ m₁ reversed',
+    HERMITE.map((_, k) => HERMITE[4 * Math.floor(k / 4) + 3 - (k % 4)]),
+  );
+  add(
+    'rows read as columns',
+    HERMITE.map((_, k) => HERMITE[4 * (k % 4) + Math.floor(k / 4)]),
+  );
+  return variants;
+}

@@ -1,0 +1,37 @@
+import type { CurveRules } from '../curve-rules.ts';
+import type { JointRules, Program, SkinRules } from '../program.ts';
+
+/** The lecture that a mistake is about. */
+export type Subject = 'kinematics' | 'skinning' | 'channels';
+
+/** A mistake that programs make: one record for the search, the sentences and the test files. */
+export interface Mistake {
+  /** Stable: scripts and teachers rely on it. */
+  readonly code: string;
+  readonly subject: Subject;
+  /** What was done and what should be done instead. */
+  sentence(detail: string): string;
+  /** As in the lecture or the assignment: how it should be. */
+  readonly formula: string;
+  /** The ways to make it; at least one. */
+  readonly variants: readonly Variant[];
+}
+
+export interface Variant {
+  /** What exactly, for people: "Rx·Ry·Rz instead of Rz·Ry·Rx"; empty if there is only one way. */
+  readonly detail: string;
+  /** The program with the mistake; how wrong numbers are made. */
+  apply(program: Program): Program;
+}
+
+export function inJoints(detail: string, rules: Partial<JointRules>): Variant {
+  return { detail, apply: (program) => ({ ...program, joints: { ...program.joints, ...rules } }) };
+}
+
+export function inSkin(detail: string, rules: Partial<SkinRules>): Variant {
+  return { detail, apply: (program) => ({ ...program, skin: { ...program.skin, ...rules } }) };
+}
+
+export function inCurves(detail: string, rules: Partial<CurveRules>): Variant {
+  return { detail, apply: (program) => ({ ...program, curves: { ...program.curves, ...rules } }) };
+}

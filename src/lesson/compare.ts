@@ -1,0 +1,241 @@
+/**
+ * Compares another program's numbers with a character: where they are wrong first, which joints are wrong by
+ * themselves, and which mistake explains them.
+ */
+import { type Steps, within } from '../evaluate/steps.ts';
+import { invertAffine, isSingular, multiplyAffine } from '../math/mat4.ts';
+import { type Character, shownClip, shownSkin } from '../model/document.ts';
+import { characterDofs } from '../model/dofs.ts';
+import { diagonalOf, matrixError, pointError } from './errors.ts';
+import { Evaluator, type FrameNumbers, type FrameTime } from './evaluator.ts';
+import { RIGHT_PROGRAM } from './program.ts';
+import { type Cause, findCauses, worstVertices } from './search.ts';
+import { FRAME_KINDS, type FrameTarget, type MatrixLayout, type Targets } from './targets.ts';
+import { ownValues } from './trial.ts';
+
+/** Of the character's size, of a radian, of a channel's unit: programs use floats and print six digits. */
+export const DEFAULT_TOLERANCE = 1e-4;
+
+/** How many items of each kind were compared. */
+export interface Compared {
+  readonly world: number;
+  readonly local: number;
+  readonly positions: number;
+  readonly vertices: number;
+  readonly normals: number;
+  readonly channels: number;
+}
+
+export interface FirstWrong {
+  readonly what: 'joint' | 'vertex' | 'normal' | 'channel';
+  /** From 0. */
+  readonly index: number;
+  /** Of a joint, or of the DOF that a channel drives; absent for vertices. */
+  readonly name?: string;
+  readonly error: number;
+  /** Of a channel. */
+  readonly time?: number;
+}
+
+/** One time of the dumps. */
+export interface FrameComparison {
+  /** Undefined: the file pose. */
+  readonly time: FrameTime;
+  readonly agrees: boolean;
+  readonly worst: number;
+  readonly first?: FirstWrong;
+  /** Joints whose own local matrix is wrong. */
+  readonly own: readonly number[];
+  /** Joints that are wrong only because a parent is. */
+  readonly inherited: readonly number[];
+  /** Error of each joint and vertex; empty if not compared. */
+  readonly jointErrors: Float64Array;
+  readonly vertexErrors: Float64Array;
+}
+
+export interface Comparison {
+  readonly agrees: boolean;
+  readonly compared: Compared;
+  readonly layout?: MatrixLayout;
+  readonly worst: number;
+  readonly first?: FirstWrong;
+  /** In the order of the dumps. `first`, `own` and `inherited` of the whole are those of the first that differs. */
+  readonly frames: readonly FrameComparison[];
+  readonly own: readonly number[];
+  readonly inherited: readonly number[];
+  /** The best first; empty if all agrees, or if nothing explains it. */
+  readonly causes: readonly Cause[];
+}
+
+/** Yields progress; a caller that stops asking cancels it. */
+export function* compare(character: Character, targets: Targets, tolerance = DEFAULT_TOLERANCE): Steps<Comparison> {
+  const { frames: asked, channels, layout } = targets;
+  const evaluator = new Evaluator(character);
+  const own = asked.map((target) => copyOf(evaluator.frame(RIGHT_PROGRAM, target.time, wantedOf(target))));
+  const sizes = asked.map((target, f) => sizeOf(target, own[f]));
+  yield 0;
+  const frames = asked.map((target, f) => compareFrame(character, target, own[f], sizes[f], tolerance));
+  const ofChannels = compareChannels(character, targets, tolerance);
+  yield 0.1;
+  const worst = Math.max(ofChannels.worst, ...frames.map((frame) => frame.worst));
+  const agrees = worst <= tolerance;
+  const differs = frames.find((frame) => !frame.agrees);
+  const vertices = worstVertices(asked, own);
+  const causes = agrees ? [] : yield* within(findCauses(character, targets, sizes, vertices, tolerance), 0.1, 1);
+  const first = differs?.first ?? ofChannels.first;
+  return {
+    agrees,
+    compared: countOf(asked, channels.channels),
+    ...(layout && { layout }),
+    worst,
+    ...(first && { first }),
+    frames,
+    own: differs?.own ?? [],
+    inherited: differs?.inherited ?? [],
+    causes,
+  };
+}
+
+function wantedOf({ local, vertices, normals }: FrameTarget) {
+  return { local: local !== undefined, vertices: vertices !== undefined, normals: normals !== undefined };
+}
+
+function copyOf({ world, local, vertices, normals }: FrameNumbers): FrameNumbers {
+  return { world: world.slice(), local: local.slice(), vertices: vertices.slice(), normals: normals.slice() };
+}
+
+/** The diagonal of the box around our vertices, if they are compared, else around our joints. */
+function sizeOf(target: FrameTarget, own: FrameNumbers): number {
+  return target.vertices ? diagonalOf(own.vertices, 3, 0) : diagonalOf(own.world, 16, 12);
+}
+
+function countOf(frames: readonly FrameTarget[], channels: Uint32Array): Compared {
+  const counts = { world: 0, local: 0, positions: 0, vertices: 0, normals: 0, channels: new Set(channels).size };
+  for (const frame of frames) {
+    for (const kind of FRAME_KINDS) {
+      counts[kind] += (frame[kind]?.length ?? 0) / (kind === 'world' || kind === 'local' ? 16 : 3);
+    }
+  }
+  return counts;
+}
+
+function compareFrame(
+  character: Character,
+  target: FrameTarget,
+  ours: FrameNumbers,
+  size: number,
+  tolerance: number,
+): FrameComparison {
+  const { world, local, positions, vertices, normals, time } = target;
+  const joints = character.skeleton?.joints ?? [];
+  const jointErrors = new Float64Array(world || local || positions ? joints.length : 0);
+  for (let j = 0; j < jointErrors.length; j++) {
+    const o = 16 * j;
+    jointErrors[j] = Math.max(
+      world ? matrixError(world, ours.world, o, size) : 0,
+      local ? matrixError(local, ours.local, o, size) : 0,
+      positions ? pointError(positions, 3 * j, ours.world, o + 12, size) : 0,
+    );
+  }
+  const errorsOf = (theirs: Float64Array | undefined, own: Float64Array, by: number) =>
+    Float64Array.from({ length: (theirs?.length ?? 0) / 3 }, (_, v) =>
+      theirs ? pointError(theirs, 3 * v, own, 3 * v, by) : 0,
+    );
+  const vertexErrors = errorsOf(vertices, ours.vertices, size);
+  const normalErrors = errorsOf(normals, ours.normals, 1);
+  const found = [
+    firstOf('joint', jointErrors, tolerance),
+    firstOf('vertex', vertexErrors, tolerance),
+    firstOf('normal', normalErrors, tolerance),
+  ].find((first) => first !== undefined);
+  const worst = Math.max(largest(jointErrors), largest(vertexErrors), largest(normalErrors));
+  const first =
+    found?.what === 'joint' && joints[found.index].name ? { ...found, name: joints[found.index].name } : found;
+  const own = ownWrong(character, target, ours, size, tolerance, jointErrors);
+  const isWrong = (j: number) => !(jointErrors[j] <= tolerance);
+  const inherited = world ? joints.flatMap((_, j) => (isWrong(j) && !own.includes(j) ? [j] : [])) : [];
+  return {
+    time,
+    agrees: worst <= tolerance,
+    worst,
+    ...(first && { first }),
+    own,
+    inherited,
+    jointErrors,
+    vertexErrors: vertices ? vertexErrors : normalErrors,
+  };
+}
+
+function firstOf(what: FirstWrong['what'], errors: Float64Array, tolerance: number): FirstWrong | undefined {
+  const index = errors.findIndex((error) => !(error <= tolerance));
+  return index < 0 ? undefined : { what, index, error: errors[index] };
+}
+
+function largest(errors: Float64Array): number {
+  let most = 0;
+  for (const error of errors) most = Math.max(most, error);
+  return most;
+}
+
+/** Joints whose matrix relative to their parent is wrong: inv(W of the parent)·W, theirs against ours. */
+function ownWrong(
+  { skeleton }: Character,
+  { world, local }: FrameTarget,
+  ours: FrameNumbers,
+  size: number,
+  tolerance: number,
+  jointErrors: Float64Array,
+): readonly number[] {
+  const wrong = new Set<number>();
+  const joints = skeleton?.joints ?? [];
+  if (local) joints.forEach((_, j) => void (matrixError(local, ours.local, 16 * j, size) <= tolerance || wrong.add(j)));
+  if (world && !largestWithin(jointErrors, tolerance)) {
+    const theirs = relative(world, joints);
+    const own = relative(ours.world, joints);
+    joints.forEach((_, j) => void (matrixError(theirs, own, 16 * j, size) <= tolerance || wrong.add(j)));
+  }
+  return [...wrong].sort((a, b) => a - b);
+}
+
+function largestWithin(errors: Float64Array, tolerance: number): boolean {
+  return errors.every((error) => error <= tolerance);
+}
+
+const inverse = new Float64Array(16);
+
+function relative(world: Float64Array, joints: readonly { readonly parent: number }[]): Float64Array {
+  const out = new Float64Array(world.length);
+  joints.forEach(({ parent }, j) => {
+    if (parent < 0) out.set(world.subarray(16 * j, 16 * j + 16), 16 * j);
+    else if (isSingular(world, 16 * parent)) out.fill(Number.NaN, 16 * j, 16 * j + 16);
+    else {
+      invertAffine(world, 16 * parent, inverse, 0);
+      multiplyAffine(inverse, 0, world, 16 * j, out, 16 * j);
+    }
+  });
+  return out;
+}
+
+function compareChannels(character: Character, { channels: target }: Targets, tolerance: number) {
+  const own = ownValues(character, target);
+  let worst = 0;
+  let first: FirstWrong | undefined;
+  target.channels.forEach((index, i) => {
+    const difference = Math.abs(own[i] - target.values[i]);
+    const error = Number.isNaN(difference) ? Number.POSITIVE_INFINITY : difference;
+    worst = Math.max(worst, error);
+    if (error <= tolerance) return;
+    const time = target.times[i];
+    const isEarlier = !first || index < first.index || (index === first.index && time < (first.time ?? 0));
+    if (isEarlier) first = { what: 'channel', index, ...nameOfChannel(character, index), error, time };
+  });
+  return { worst, first };
+}
+
+function nameOfChannel(character: Character, index: number): { readonly name?: string } {
+  if (!character.skeleton || !shownClip(character)) return {};
+  const dof = characterDofs(character.skeleton, shownSkin(character) ? character.morphs : [])[index];
+  if (!dof) return {};
+  const joint = character.skeleton.joints[dof.joint]?.name;
+  return { name: joint ? `${joint}.${dof.name}` : dof.name };
+}

@@ -1,0 +1,196 @@
+/**
+ * A channel's value by rules that can each be replaced by a mistake. In the textbook's form, so that every step is one
+ * that a program has:
+ *
+ *     slopes      of a key's tangents, in value per second
+ *     fold        a time outside the keys to one inside, with the number of the period
+ *     u           (t − t_k) / h, h the length of the segment
+ *     p(u)        a·u³ + b·u² + c·u + d, with (a b c d) = M · (p0 p1 h·m0 h·m1)
+ *
+ * With `RIGHT_CURVES` the value is that of `evaluate/curves.ts`.
+ */
+import { lastNotAbove } from '../math/search.ts';
+import {
+  type Channel,
+  FIXED_TANGENT,
+  FLAT,
+  type KeyedChannel,
+  type Keys,
+  LINEAR,
+  SMOOTH,
+  type Tangents,
+} from '../model/clip.ts';
+
+/** Rows a b c d, columns p0 p1 m0 m1. */
+export type HermiteBasis = readonly number[];
+
+export const HERMITE: HermiteBasis = [2, -2, 1, 1, -3, 3, -2, -1, 0, 0, 1, 0, 1, 0, 0, 0];
+
+export interface CurveRules {
+  readonly smooth: 'across' | 'mean of segments';
+  readonly smoothEnds: 'segment' | 'flat';
+  readonly linear: 'own side' | 'other side';
+  /** `columns`: the tangents are read in the other's place; `slopes`: the slopes are used in it. */
+  readonly swapped: 'none' | 'columns' | 'slopes';
+  readonly isScaled: boolean;
+  readonly between: 'cubic' | 'line' | 'step';
+  readonly basis: HermiteBasis;
+  readonly hasExtrapolation: boolean;
+  readonly cycleOffset: 'times period' | 'none' | 'always added';
+  readonly bounce: 'odd periods' | 'none' | 'even periods' | 'odd after only';
+  /** How a time before the first key is folded: `hold` and `run on` leave it before the keys. */
+  readonly modulo: 'floor' | 'run on' | 'hold' | 'run on, floor' | 'hold, floor';
+  readonly period: 'keys' | 'range' | 'length of range';
+  readonly linearSlope: 'tangent' | 'segment';
+}
+
+export const RIGHT_CURVES: CurveRules = {
+  smooth: 'across',
+  smoothEnds: 'segment',
+  linear: 'own side',
+  swapped: 'none',
+  isScaled: true,
+  between: 'cubic',
+  basis: HERMITE,
+  hasExtrapolation: true,
+  cycleOffset: 'times period',
+  bounce: 'odd periods',
+  modulo: 'floor',
+  period: 'keys',
+  linearSlope: 'tangent',
+};
+
+/** The value of a channel that follows no samples. @param range of the clip */
+export function channelValue(
+  channel: Channel,
+  range: readonly [number, number],
+  time: number,
+  rules: CurveRules,
+): number {
+  if (channel.kind === 'rest') return channel.value;
+  return channel.kind === 'keys' ? keyedValue(channel, range, time, rules) : 0;
+}
+
+function keyedValue(keys: KeyedChannel, range: readonly [number, number], time: number, rules: CurveRules): number {
+  const { times, values } = keys;
+  const last = times.length - 1;
+  const [first, end] = [times[0], times[last]];
+  const isBefore = time < first;
+  if (!isBefore && time <= end) return inside(keys, time, rules);
+  const at = isBefore ? 0 : last;
+  const kind = isBefore ? keys.extrapolateIn : keys.extrapolateOut;
+  if (!rules.hasExtrapolation || kind === 'constant') return values[at];
+  if (kind === 'linear') return values[at] + endSlope(keys, isBefore, rules) * (time - times[at]);
+  const length = end - first;
+  if (!(length > 0)) return values[at];
+  const folded = fold(keys, range, time, rules);
+  const { period } = folded;
+  if (kind === 'bounce')
+    return inside(keys, isMirrored(period, rules) ? folded.mirrored : folded.time, rules, folded.runsOn);
+  const value = inside(keys, folded.time, rules, folded.runsOn);
+  if (kind === 'cycle' || rules.cycleOffset === 'none') return value;
+  return value + (rules.cycleOffset === 'always added' ? Math.abs(period) : period) * (values[last] - values[0]);
+}
+
+interface Folded {
+  readonly period: number;
+  readonly time: number;
+  /** In a period that runs backwards. */
+  readonly mirrored: number;
+  /** Whether a time outside the keys continues the segment at that end; else the key holds. */
+  readonly runsOn: boolean;
+}
+
+function fold(
+  { times }: Keys,
+  range: readonly [number, number],
+  time: number,
+  { period: of, modulo }: CurveRules,
+): Folded {
+  const [first, end] = [times[0], times[times.length - 1]];
+  const isOfRange = of !== 'keys' && range[1] > range[0];
+  const start = isOfRange && of === 'range' ? range[0] : first;
+  const length = isOfRange ? range[1] - range[0] : end - first;
+  const stop = start + length;
+  let period = Math.floor((time - start) / length);
+  let rest = time - start - period * length;
+  // As in `evaluate/curves.ts`: a boundary missed only by rounding is that boundary.
+  const rounding = 4 * Number.EPSILON * Math.max(Math.abs(time), Math.abs(start), Math.abs(stop));
+  if (rest >= length - rounding) {
+    period++;
+    rest = 0;
+  } else if (rest < rounding) rest = 0;
+  if (modulo !== 'floor' && time < start && rest !== 0) {
+    rest -= length;
+    if (!modulo.endsWith('floor')) period++;
+  }
+  return { period, time: start + rest, mirrored: stop - rest, runsOn: modulo.startsWith('run on') };
+}
+
+function isMirrored(period: number, { bounce }: CurveRules): boolean {
+  if (bounce === 'none') return false;
+  if (bounce === 'odd after only') return period % 2 === 1;
+  return (period % 2 !== 0) === (bounce === 'odd periods');
+}
+
+/** At a time between the keys; outside them the end keys hold, or the end segments run on. */
+function inside(keys: Keys, time: number, rules: CurveRules, runsOn = false): number {
+  const { times, values } = keys;
+  const last = times.length - 1;
+  if (!runsOn && time <= times[0] && times[0] !== times[Math.min(1, last)]) return values[0];
+  if (!runsOn && time >= times[last]) return values[last];
+  if (last === 0) return values[0];
+  let key = time <= times[0] ? 0 : lastNotAbove(times, 0, times.length, time);
+  if (key === last) key--;
+  const h = times[key + 1] - times[key];
+  if (!(h > 0)) return values[key + 1];
+  const [p0, p1] = [values[key], values[key + 1]];
+  const u = (time - times[key]) / h;
+  if (rules.between === 'step') return u < 1 ? p0 : p1;
+  if (rules.between === 'line') return p0 + (p1 - p0) * u;
+  const scale = rules.isScaled ? h : 1;
+  const m0 = scale * slopeBy(keys, key, 'out', rules);
+  const m1 = scale * slopeBy(keys, key + 1, 'in', rules);
+  const m = rules.basis;
+  const a = m[0] * p0 + m[1] * p1 + m[2] * m0 + m[3] * m1;
+  const b = m[4] * p0 + m[5] * p1 + m[6] * m0 + m[7] * m1;
+  const c = m[8] * p0 + m[9] * p1 + m[10] * m0 + m[11] * m1;
+  const d = m[12] * p0 + m[13] * p1 + m[14] * m0 + m[15] * m1;
+  return ((a * u + b) * u + c) * u + d;
+}
+
+function endSlope(keys: Keys, isBefore: boolean, rules: CurveRules): number {
+  const last = keys.times.length - 1;
+  if (rules.linearSlope === 'segment')
+    return isBefore ? secant(keys, 0, Math.min(1, last)) : secant(keys, Math.max(0, last - 1), last);
+  return isBefore ? slopeBy(keys, 0, 'in', rules) : slopeBy(keys, last, 'out', rules);
+}
+
+/** The slope on one side of a key. */
+function slopeBy(keys: Keys, key: number, side: 'in' | 'out', rules: CurveRules): number {
+  const other = side === 'in' ? 'out' : 'in';
+  const column = rules.swapped === 'none' ? side : other;
+  const tangents = column === 'in' ? keys.tangentsIn : keys.tangentsOut;
+  return slopeOf(keys, key, tangents, rules.swapped === 'slopes' ? other : side, rules);
+}
+
+function slopeOf(keys: Keys, key: number, tangents: Tangents, side: 'in' | 'out', rules: CurveRules): number {
+  const last = keys.times.length - 1;
+  const kind = tangents.kinds[key];
+  if (kind === FLAT) return 0;
+  if (kind === FIXED_TANGENT) return tangents.slopes[key];
+  if (kind === SMOOTH && rules.smoothEnds === 'flat' && (key === 0 || key === last)) return 0;
+  if (key === 0) return secant(keys, 0, Math.min(1, last));
+  if (key === last) return secant(keys, last - 1, last);
+  if (kind === SMOOTH) {
+    if (rules.smooth === 'across') return secant(keys, key - 1, key + 1);
+    return (secant(keys, key - 1, key) + secant(keys, key, key + 1)) / 2;
+  }
+  const isIn = (side === 'in') === (rules.linear === 'own side');
+  return kind === LINEAR && isIn ? secant(keys, key - 1, key) : secant(keys, key, key + 1);
+}
+
+function secant({ times, values }: Keys, from: number, to: number): number {
+  const slope = (values[to] - values[from]) / (times[to] - times[from]);
+  return Number.isFinite(slope) ? slope : 0;
+}

@@ -1,0 +1,479 @@
+/**
+ * Finds out what the numbers of a dump are, for a character: how many there are, how wide their rows are, their labels
+ * and what headings say. Numbers that fit nothing get a diagnostic with what was found and what would do.
+ *
+ *     matrices    16 or 12 numbers per joint, rows or columns first; with an index before them
+ *     points      3 per vertex or joint; with an index before them; 6: positions and normals
+ *     channels    rows `time value …`; pairs of a channel; lists with their times
+ */
+import { type Diagnostic, withoutPlace } from '../model/diagnostic.ts';
+import { type Character, shownClip, shownSkin } from '../model/document.ts';
+import type { Dump, DumpBlock, DumpKind, DumpLabel } from '../model/dump.ts';
+import { vertexCount } from '../model/skin.ts';
+import { Evaluator, type FrameTime } from './evaluator.ts';
+import { matricesOf } from './matrix-layout.ts';
+import { RIGHT_PROGRAM } from './program.ts';
+import type { FrameKind, FrameTarget, MatrixLayout, Targets } from './targets.ts';
+
+export interface Fitted {
+  /** Absent if a dump doesn't fit. */
+  readonly targets?: Targets;
+  readonly diagnostics: readonly Diagnostic[];
+}
+
+export interface NamedDump {
+  /** For diagnostics. */
+  readonly fileName: string;
+  readonly dump: Dump;
+}
+
+/** @param time of dumps that state none; undefined: the file pose */
+export function fitDumps(character: Character, dumps: readonly NamedDump[], time: FrameTime): Fitted {
+  const fit = new Fit(character, time);
+  for (const { fileName, dump } of dumps) fit.add(dump, fileName);
+  return fit.result();
+}
+
+/** Numbers of one joint, vertex or time. */
+interface Entry {
+  readonly numbers: Float64Array;
+  readonly line: number;
+  readonly label: DumpLabel | null;
+}
+
+/** Thrown when a block fits nothing; caught for each block. */
+class Misfit extends Error {
+  constructor(
+    readonly code: string,
+    message: string,
+    readonly line: number,
+  ) {
+    super(message);
+  }
+}
+
+class Fit {
+  private readonly diagnostics: Diagnostic[] = [];
+  private readonly frames: FrameTarget[] = [];
+  private readonly samples: { channel: number; time: number; value: number }[] = [];
+  private layout: MatrixLayout | undefined;
+  private readonly names: readonly string[];
+  private readonly vertices: number;
+  private readonly channels: number;
+  private readonly evaluator: Evaluator;
+
+  constructor(
+    private readonly character: Character,
+    private readonly time: FrameTime,
+  ) {
+    this.names = character.skeleton?.joints.map(({ name }) => name) ?? [];
+    const skin = shownSkin(character);
+    this.vertices = skin ? vertexCount(skin) : 0;
+    this.channels = shownClip(character)?.channels.length ?? 0;
+    this.evaluator = new Evaluator(character);
+  }
+
+  add(dump: Dump, fileName: string): void {
+    for (const block of dump.blocks) {
+      try {
+        this.block(block, dump);
+      } catch (error) {
+        if (!(error instanceof Misfit)) throw error;
+        this.diagnostics.push({
+          ...withoutPlace('error', error.code, error.message, fileName),
+          line: error.line,
+          column: error.line > 0 ? 1 : 0,
+        });
+      }
+    }
+    if (dump.blocks.length === 0) {
+      const message = `Expected ${this.wouldDo()}; found no numbers of that kind.`;
+      this.diagnostics.push(withoutPlace('error', 'dump-unknown', message, fileName));
+    }
+  }
+
+  result(): Fitted {
+    const { diagnostics, frames, layout } = this;
+    const samples = this.samples.sort((a, b) => a.channel - b.channel || a.time - b.time);
+    if (diagnostics.some(({ severity }) => severity === 'error')) return { diagnostics };
+    const channels = {
+      channels: Uint32Array.from(samples, ({ channel }) => channel),
+      times: Float64Array.from(samples, ({ time }) => time),
+      values: Float64Array.from(samples, ({ value }) => value),
+    };
+    return { targets: { frames, channels, ...(layout && { layout }) }, diagnostics };
+  }
+
+  private block(block: DumpBlock, dump: Dump): void {
+    const time = block.time ?? dump.time ?? this.time;
+    const holds = block.holds ?? kindOfName(dump.name);
+    const isTimed = block.columns?.some((name) => /^(time|t|seconds)$/.test(name)) ?? false;
+    if (block.channel !== undefined || holds === 'channels' || isTimed) {
+      this.channelBlock(block, time);
+      return;
+    }
+    const entries = entriesOf(block);
+    const kind = this.kindOf(block, entries, holds);
+    if (kind === 'channels') this.channelBlock(block, time);
+    else if (kind === 'matrices') this.matrices(block, entries, holds === 'local' ? 'local' : 'world', time);
+    else if (kind === 'joints') this.points('positions', entries, this.names.length, time, block);
+    else if (kind === 'both') this.pairs(entries, time, block);
+    else this.points(kind, entries, this.vertices, time, block);
+  }
+
+  // ——— what it is ———
+
+  private kindOf(
+    block: DumpBlock,
+    entries: readonly Entry[],
+    holds: DumpKind | undefined,
+  ): 'matrices' | 'joints' | 'vertices' | 'normals' | 'both' | 'channels' {
+    const { names, vertices, channels } = this;
+    const joints = names.length;
+    const count = block.values.length;
+    const width = widthOf(block);
+    const ofMatrices = joints > 0 && [12, 13, 16, 17].some((each) => count === each * joints);
+    const isIndexed = width === 4 && isCount(entries.map(({ numbers }) => numbers[0]));
+    const ofPoints = (each: number) => each > 0 && (count === 3 * each || (count === 4 * each && isIndexed));
+    if (holds === 'world' || holds === 'local') {
+      if (ofMatrices) return 'matrices';
+      if (holds === 'world' && ofPoints(joints)) return 'joints';
+      if (holds === 'world' && ofPoints(vertices)) return 'vertices';
+      throw this.misfit(block);
+    }
+    const hasBoth = block.columns?.some((name) => /^n[xyz]$|^n[._][xyz]$/.test(name)) && block.columns.length === 6;
+    if (vertices > 0 && count === 6 * vertices && (width === 6 || hasBoth)) return 'both';
+    if (holds === 'normals' || holds === 'vertices') {
+      if (ofPoints(vertices)) return holds;
+      // Positions of as many points as there are joints are those of joints.
+      if (holds === 'vertices' && ofPoints(joints)) return 'joints';
+      throw this.misfit(block);
+    }
+    const isNormals = block.columns?.[0] !== undefined && /^n[._]?x$/.test(block.columns[0]);
+    if (ofPoints(vertices) && isNormals) return 'normals';
+    if (holds === 'positions') {
+      if (ofPoints(joints)) return 'joints';
+      if (ofPoints(vertices)) return 'vertices';
+      throw this.misfit(block);
+    }
+    const wide = entries.every(({ numbers, label }) => label !== null && numbers.length >= 12) || width >= 12;
+    const narrow = width === 3 || isIndexed;
+    if (ofMatrices && (wide || !narrow)) return 'matrices';
+    if (ofPoints(vertices) && (ofPoints(joints) ? this.isNearer(block, entries) : true)) {
+      return isUnit(block.values, width) && !this.isSkinUnit() ? 'normals' : 'vertices';
+    }
+    if (ofPoints(joints)) return 'joints';
+    if (ofMatrices) return 'matrices';
+    if (channels > 0 && width === channels + 1) return 'channels';
+    if (channels > 0 && joints === 0 && vertices === 0) return 'channels';
+    throw this.misfit(block);
+  }
+
+  /** As many vertices as joints: whether the points are nearer to the vertices. */
+  private isNearer(block: DumpBlock, entries: readonly Entry[]): boolean {
+    const time = block.time ?? this.time;
+    const { world, vertices } = this.evaluator.frame(RIGHT_PROGRAM, time, {
+      local: false,
+      vertices: true,
+      normals: false,
+    });
+    let toJoints = 0;
+    let toVertices = 0;
+    entries.forEach(({ numbers }, i) => {
+      for (let k = 0; k < 3; k++) {
+        const value = numbers[numbers.length - 3 + k];
+        toJoints += Math.abs(value - (world[16 * i + 12 + k] ?? 0));
+        toVertices += Math.abs(value - (vertices[3 * i + k] ?? 0));
+      }
+    });
+    return toVertices <= toJoints;
+  }
+
+  private isSkinUnit(): boolean {
+    const skin = shownSkin(this.character);
+    return skin !== undefined && isUnit(skin.positions, 3);
+  }
+
+  private wouldDo(): string {
+    const { names, vertices, channels } = this;
+    const joints = names.length;
+    const parts = [
+      ...(joints > 0 ? [`12 or 16 numbers for each of ${joints} joints (${12 * joints} or ${16 * joints})`] : []),
+      ...(joints > 0 ? [`3 for each joint (${3 * joints})`] : []),
+      ...(vertices > 0 ? [`3 for each of ${vertices} vertices (${3 * vertices})`] : []),
+      ...(channels > 0 ? [`rows of a time and ${channels} ${channels === 1 ? 'value' : 'values'}`] : []),
+    ];
+    return parts.length > 0 ? parts.join(', or ') : 'a character to compare with';
+  }
+
+  private misfit({ values, lines, holds }: DumpBlock): Misfit {
+    const rows = lines.length === 1 ? '1 row' : `${lines.length} rows`;
+    const what = holds ? ` for ${holds}` : '';
+    const found = `found ${values.length} numbers${what} in ${rows}`;
+    return new Misfit('dump-length', `Expected ${this.wouldDo()}; ${found}.`, lines[0] ?? 0);
+  }
+
+  // ——— putting it in place ———
+
+  private frameAt(time: FrameTime): FrameTarget {
+    let frame = this.frames.find((f) => f.time === time);
+    if (!frame) {
+      frame = { time };
+      this.frames.push(frame);
+    }
+    return frame;
+  }
+
+  private put(kind: FrameKind, values: Float64Array, time: FrameTime, line: number): void {
+    const frame = this.frameAt(time);
+    if (frame[kind]) {
+      const at = time === undefined ? 'without a time' : `at ${time} s`;
+      throw new Misfit(
+        'dump-repeated',
+        `Expected one list of ${kind} ${at}, found a second one. Put "time T" before each.`,
+        line,
+      );
+    }
+    frame[kind] = values;
+  }
+
+  private matrices(block: DumpBlock, entries: readonly Entry[], kind: 'world' | 'local', time: FrameTime): void {
+    const joints = this.names.length;
+    const each = block.values.length / joints;
+    const placed = this.placed(evenly(block, entries, each), joints, each % 4 === 1, block);
+    const our = this.evaluator.frame(RIGHT_PROGRAM, time, { local: kind === 'local', vertices: false, normals: false });
+    const { layout, matrices } = matricesOf(placed, joints, block.nesting, kind === 'local' ? our.local : our.world);
+    this.layout ??= layout;
+    this.put(kind, matrices, time, block.lines[0] ?? 0);
+  }
+
+  private points(kind: FrameKind, entries: readonly Entry[], count: number, time: FrameTime, block: DumpBlock): void {
+    const each = block.values.length / count;
+    this.put(kind, this.placed(evenly(block, entries, each), count, each === 4, block), time, block.lines[0] ?? 0);
+  }
+
+  private pairs(entries: readonly Entry[], time: FrameTime, block: DumpBlock): void {
+    const both = this.placed(evenly(block, entries, 6), this.vertices, false, block);
+    const half = (from: number) =>
+      Float64Array.from({ length: both.length / 2 }, (_, i) => both[6 * Math.floor(i / 3) + from + (i % 3)]);
+    const first = block.columns?.[0]?.startsWith('n') ? 3 : 0;
+    this.put('vertices', half(first), time, block.lines[0] ?? 0);
+    this.put('normals', half(3 - first), time, block.lines[0] ?? 0);
+  }
+
+  /** The numbers of all entries in the order of joints or vertices. */
+  private placed(entries: readonly Entry[], count: number, isIndexed: boolean, block: DumpBlock): Float64Array {
+    const width = (entries[0]?.numbers.length ?? 0) - (isIndexed ? 1 : 0);
+    const out = new Float64Array(width * count);
+    const labels = entries.map(({ label, numbers }): DumpLabel | null => (isIndexed ? { index: numbers[0] } : label));
+    const places = this.placesOf(labels, count, entries, block);
+    entries.forEach(({ numbers }, e) => {
+      out.set(isIndexed ? numbers.subarray(1) : numbers, width * places[e]);
+    });
+    return out;
+  }
+
+  private placesOf(
+    labels: readonly (DumpLabel | null)[],
+    count: number,
+    entries: readonly Entry[],
+    block: DumpBlock,
+  ): readonly number[] {
+    const inOrder = labels.map((_, i) => i);
+    if (labels.every((label) => label === null)) return inOrder;
+    const indices = labels.map((label) => label?.index);
+    if (indices.every((index) => index !== undefined)) {
+      const least = Math.min(...indices.slice(0, 1), ...indices.filter((index) => index < 2));
+      const from = least === 1 && indices.includes(count) ? 1 : 0;
+      const places = indices.map((index) => index - from);
+      if (isCount(indices)) return places;
+      const wrong = places.findIndex(
+        (place, i) => place < 0 || place >= count || !Number.isInteger(place) || places.indexOf(place) < i,
+      );
+      if (labels.every((label) => !label?.name)) {
+        const found = `found ${indices[wrong]}`;
+        throw new Misfit(
+          'dump-index',
+          `Expected each index from 0 to ${count - 1} once, ${found}.`,
+          entries[wrong]?.line ?? block.lines[0],
+        );
+      }
+    }
+    return this.byNames(labels, entries) ?? inOrder;
+  }
+
+  /** By the names of joints; undefined if none is one. */
+  private byNames(labels: readonly (DumpLabel | null)[], entries: readonly Entry[]): readonly number[] | undefined {
+    const plain = (name: string) =>
+      name
+        .trim()
+        .toLowerCase()
+        .replace(/[\s_]+/g, '_');
+    const free = new Map<string, number[]>();
+    this.names.forEach((name, j) => {
+      free.set(plain(name), [...(free.get(plain(name)) ?? []), j]);
+    });
+    const places = labels.map((label) =>
+      label?.name === undefined ? undefined : free.get(plain(label.name))?.shift(),
+    );
+    if (places.every((place) => place !== undefined)) return places;
+    if (places.every((place) => place === undefined)) {
+      // `joint7` of joints with other names.
+      const numbers = labels.map((label) => Number(/(\d+)\D*$/.exec(label?.name ?? '')?.[1] ?? Number.NaN));
+      return isCount(numbers) ? numbers.map((n) => n - Math.min(...numbers.slice(0, 2), numbers[0])) : undefined;
+    }
+    const wrong = places.indexOf(undefined);
+    const name = labels[wrong]?.name;
+    const found = name === undefined ? 'found numbers without a name' : `found "${name}"`;
+    throw new Misfit(
+      'dump-name',
+      `Expected the name of each of ${this.names.length} joints once, ${found}.`,
+      entries[wrong].line,
+    );
+  }
+
+  // ——— channels ———
+
+  private channelBlock(block: DumpBlock, time: FrameTime): void {
+    const { channels } = this;
+    const { values, starts, lines, times, channel, columns, labels } = block;
+    const line = lines[0] ?? 0;
+    if (channels === 0)
+      throw new Misfit(
+        'dump-length',
+        'Expected an animation whose channels these are, found none among the files.',
+        line,
+      );
+    const rows = lines.length;
+    const width = widthOf(block);
+    const known = (c: number, at: number) => {
+      if (Number.isInteger(c) && c >= 0 && c < channels) return c;
+      throw new Misfit('dump-index', `Expected a channel from 0 to ${channels - 1}, found ${c}.`, lines[at] ?? line);
+    };
+    const put = (c: number, t: number, value: number) => void this.samples.push({ channel: c, time: t, value });
+    if (times && times.length > 0) {
+      const count = times.length;
+      const isByTime = rows === count && width === channels && width !== count;
+      if (isByTime) {
+        for (let i = 0; i < values.length; i++) put(i % channels, times[Math.floor(i / channels)], values[i]);
+        return;
+      }
+      const asked = labels?.every((label) => label?.index !== undefined)
+        ? labels.map((label) => label?.index ?? 0)
+        : undefined;
+      if (values.length % count !== 0 || (asked ? asked.length : values.length / count) > channels)
+        throw this.misfitChannels(block, count);
+      if (rows > 1 && width !== count) throw this.misfitChannels(block, count);
+      for (let i = 0; i < values.length; i++) {
+        const row = Math.floor(i / count);
+        put(known(channel ?? asked?.[row] ?? row, row), times[i % count], values[i]);
+      }
+      return;
+    }
+    if (channel !== undefined) {
+      if (values.length % 2 !== 0) throw this.misfitChannels(block, 1);
+      known(channel, 0);
+      for (let i = 0; i < values.length; i += 2) put(channel, values[i], values[i + 1]);
+      return;
+    }
+    if (labels && labels.length === rows && time !== undefined && width === 1) {
+      for (let r = 0; r < rows; r++) put(known(labels[r]?.index ?? r, r), time, values[starts[r]]);
+      return;
+    }
+    if (time !== undefined && block.time !== undefined && values.length === channels) {
+      values.forEach((value, c) => {
+        put(c, time, value);
+      });
+      return;
+    }
+    const numbered = columns?.slice(1).map((name) => /(\d+)\D*$/.exec(name)?.[1]);
+    const listed = numbered?.every((n) => n !== undefined) ? numbered.map(Number) : undefined;
+    const each = listed ? listed.length + 1 : channels + 1;
+    if (values.length % each !== 0 || (rows > 1 && width !== each)) throw this.misfitChannels(block, 0);
+    for (let i = 0; i < values.length; i += each) {
+      for (let c = 0; c + 1 < each; c++)
+        put(known(listed ? listed[c] : c, Math.floor(i / each)), values[i], values[i + 1 + c]);
+    }
+  }
+
+  private misfitChannels({ values, starts, lines }: DumpBlock, times: number): Misfit {
+    const wrong = lines.findIndex((_, r) => starts[r + 1] - starts[r] !== this.channels + 1);
+    const row = Math.max(0, wrong);
+    const expected =
+      times > 1
+        ? `${times} values per channel, as many as times, of up to ${this.channels} channels`
+        : times === 1
+          ? 'rows of a time and a value'
+          : `rows of a time and ${this.channels} ${this.channels === 1 ? 'value' : 'values'}`;
+    const found = times > 1 ? `${values.length} values` : `${starts[row + 1] - starts[row]} numbers`;
+    return new Misfit(
+      'dump-length',
+      `Expected ${expected}, found ${found}. Single channels can be headed "channel N".`,
+      lines[row] ?? 0,
+    );
+  }
+}
+
+/** With labels, all numbers up to the next one; else the rows. */
+function entriesOf({ values, starts, lines, labels }: DumpBlock): Entry[] {
+  const entries: Entry[] = [];
+  for (let r = 0; r < lines.length; r++) {
+    const label = labels?.[r] ?? null;
+    const last = entries.at(-1);
+    if (labels && label === null && last) {
+      const from = last.numbers.byteOffset / 8 - values.byteOffset / 8;
+      entries[entries.length - 1] = { ...last, numbers: values.subarray(from, starts[r + 1]) };
+    } else entries.push({ numbers: values.subarray(starts[r], starts[r + 1]), line: lines[r], label });
+  }
+  return entries;
+}
+
+/** Entries of the same number of values: as they are, or all numbers cut anew. */
+function evenly({ values, lines, starts }: DumpBlock, entries: readonly Entry[], each: number): readonly Entry[] {
+  if (entries.every(({ numbers }) => numbers.length === each)) return entries;
+  const isLabelled = entries.length > 1 && entries.every(({ label }) => label !== null);
+  if (isLabelled) {
+    const wrong = entries.find(({ numbers }) => numbers.length !== each) ?? entries[0];
+    throw new Misfit(
+      'dump-length',
+      `Expected ${each} numbers as for the others, found ${wrong.numbers.length}.`,
+      wrong.line,
+    );
+  }
+  let row = 0;
+  return Array.from({ length: values.length / each }, (_, i): Entry => {
+    while (starts[row + 1] <= i * each) row++;
+    return { numbers: values.subarray(i * each, (i + 1) * each), line: lines[row], label: null };
+  });
+}
+
+/** The number of values of every row; 0 if they differ. */
+function widthOf({ starts }: DumpBlock): number {
+  const width = starts[1] - starts[0];
+  for (let r = 1; r + 1 < starts.length; r++) if (starts[r + 1] - starts[r] !== width) return 0;
+  return width;
+}
+
+/** Whether they are 0 … n − 1 or 1 … n, each once, in any order. */
+function isCount(numbers: readonly number[]): boolean {
+  const from = numbers.includes(0) ? 0 : 1;
+  const seen = new Set(numbers);
+  return (
+    seen.size === numbers.length && numbers.every((n) => Number.isInteger(n) && n >= from && n < numbers.length + from)
+  );
+}
+
+/** Whether all points have length 1. */
+function isUnit(values: Float64Array, width: number): boolean {
+  const from = width === 4 ? 1 : 0;
+  for (let i = from; i < values.length; i += 3 + from) {
+    if (Math.abs(Math.hypot(values[i], values[i + 1], values[i + 2]) - 1) > 1e-3) return false;
+  }
+  return true;
+}
+
+function kindOfName(name: string): DumpKind | undefined {
+  if (/local/i.test(name)) return 'local';
+  if (/normal/i.test(name)) return 'normals';
+  return undefined;
+}

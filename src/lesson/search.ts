@@ -1,0 +1,277 @@
+/**
+ * Finds which mistakes explain another program's numbers: each of the catalogue, then pairs of those that change
+ * anything here. A program is tried with a few vertices and samples first; only those that survive are tried with all
+ * numbers, and only those that explain them are causes.
+ */
+import { normalsOf } from '../evaluate/normals.ts';
+import type { Steps } from '../evaluate/steps.ts';
+import type { Character } from '../model/document.ts';
+import { shownSkin } from '../model/document.ts';
+import type { Morph, MorphRows } from '../model/morph.ts';
+import type { Skin } from '../model/skin.ts';
+import { CATALOGUE } from './catalogue/all.ts';
+import type { Mistake, Variant } from './catalogue/mistake.ts';
+import { pointError } from './errors.ts';
+import { type Program, RIGHT_PROGRAM } from './program.ts';
+import type { ChannelTarget, FrameTarget, Targets } from './targets.ts';
+import { type Outcome, ownValues, Trial } from './trial.ts';
+
+/** A mistake, or two, that make our numbers theirs. */
+export interface Cause {
+  /** `rotation-order`; of two mistakes `rotation-order+no-parent`. */
+  readonly code: string;
+  /** What exactly; of two mistakes both, with a semicolon. */
+  readonly detail: string;
+  /** Sentences for people: what was done and what should be. */
+  readonly sentences: readonly string[];
+  readonly formulas: readonly string[];
+  /** Joints that are explained, of all; of vertices or channels if there are no joints. */
+  readonly explains: number;
+  readonly of: number;
+  /** The largest remaining error. */
+  readonly residual: number;
+}
+
+interface Candidate {
+  readonly mistake: Mistake;
+  readonly variant: Variant;
+  readonly program: Program;
+  /** The rules that it changes: `joints order`. */
+  readonly rules: ReadonlySet<string>;
+}
+
+/** Vertices that a small trial has, and samples per channel. */
+const FEW_VERTICES = 24;
+const FEW_SAMPLES = 6;
+/** Programs tried between two reports of progress. */
+const BETWEEN_STEPS = 64;
+
+/**
+ * @param worst the vertices that differ most, in any order
+ * @param sizes of the character, per frame
+ */
+export function* findCauses(
+  character: Character,
+  targets: Targets,
+  sizes: readonly number[],
+  worst: readonly number[],
+  tolerance: number,
+): Steps<readonly Cause[]> {
+  const { frames, channels } = targets;
+  const all = new Trial(character, frames, channels, sizes, tolerance);
+  const few = fewOf(character, frames, channels, worst);
+  const small = new Trial(few.character, few.frames, few.channels, sizes, tolerance);
+  const candidates = CATALOGUE.flatMap((mistake) => mistake.variants.map((variant) => candidateOf(mistake, variant)));
+
+  const whole = new Map<string, Cause>();
+  const parts = new Map<string, Cause>();
+  const active: Candidate[] = [];
+  const known = new Set<string>();
+  const activate = (candidate: Candidate) => {
+    // Several ways to make a mistake are often the same here.
+    const key = `${candidate.mistake.code} ${small.fingerprint(candidate.program)}`;
+    if (!known.has(key)) active.push(candidate);
+    known.add(key);
+  };
+  for (let i = 0; i < candidates.length; i++) {
+    const candidate = candidates[i];
+    const glance = small.run(candidate.program, true);
+    if (glance.touches) activate(candidate);
+    if (glance.isWhole || glance.isPart || (!glance.touches && isHopeful(glance))) {
+      const outcome = all.run(candidate.program, true);
+      if (outcome.touches && !glance.touches) activate(candidate);
+      if (outcome.isWhole) keep(whole, [candidate], outcome);
+      else if (outcome.isPart) keep(parts, [candidate], outcome);
+    }
+    if (i % BETWEEN_STEPS === 0) yield (0.2 * i) / candidates.length;
+  }
+  if (whole.size === 0) yield* findPairs(active, small, all, whole);
+  return [...sorted(whole), ...sorted(parts)];
+}
+
+function* findPairs(active: readonly Candidate[], small: Trial, all: Trial, found: Map<string, Cause>): Steps<void> {
+  let tried = 0;
+  const count = (active.length * (active.length - 1)) / 2;
+  for (let i = 0; i < active.length; i++) {
+    for (let k = i + 1; k < active.length; k++) {
+      const [a, b] = [active[i], active[k]];
+      if (++tried % BETWEEN_STEPS === 0) yield 0.2 + (0.8 * tried) / count;
+      if (a.mistake === b.mistake) continue;
+      for (const program of bothOf(a, b)) {
+        if (!small.run(program, false).isWhole) continue;
+        const outcome = all.run(program, false);
+        if (outcome.isWhole) keep(found, [a, b], outcome);
+      }
+    }
+  }
+}
+
+/** A program with both mistakes; two where their order matters, none where one replaces the other. */
+function bothOf(a: Candidate, b: Candidate): readonly Program[] {
+  const shared = [...a.rules].filter((rule) => b.rules.has(rule));
+  // Curves are kept by identity, so the program of the one that changes them is the first.
+  const [first, second] = b.program.curves !== RIGHT_PROGRAM.curves ? [b, a] : [a, b];
+  const program = second.variant.apply(first.program);
+  if (shared.length === 0) return [program];
+  return shared.every((rule) => rule === 'joints world') ? [program, first.variant.apply(second.program)] : [];
+}
+
+function candidateOf(mistake: Mistake, variant: Variant): Candidate {
+  const program = variant.apply(RIGHT_PROGRAM);
+  const rules = new Set<string>();
+  for (const group of ['joints', 'skin', 'curves'] as const) {
+    const [now, right] = [program[group], RIGHT_PROGRAM[group]];
+    if (now === right) continue;
+    const before = new Map(Object.entries(right));
+    for (const [rule, value] of Object.entries(now)) if (before.get(rule) !== value) rules.add(`${group} ${rule}`);
+  }
+  return { mistake, variant, program, rules };
+}
+
+/** Nothing of the few is changed, and something may be elsewhere. */
+function isHopeful({ vertices, channels }: Outcome): boolean {
+  return vertices.of > 0 || channels.of > 0;
+}
+
+/** Of several ways to make the same mistakes the one that is nearest. */
+function keep(found: Map<string, Cause>, by: readonly Candidate[], outcome: Outcome): void {
+  const code = by.map(({ mistake }) => mistake.code).join('+');
+  const share = [outcome.joints, outcome.vertices, outcome.channels].find(({ of }) => of > 0) ?? outcome.joints;
+  const known = found.get(code);
+  if (known && known.residual <= outcome.residual) return;
+  const details = by.map(({ variant }) => variant.detail).filter((detail) => detail !== '');
+  found.set(code, {
+    code,
+    detail: details.join('; '),
+    sentences: by.map(({ mistake, variant }) => mistake.sentence(variant.detail)),
+    formulas: by.map(({ mistake }) => mistake.formula),
+    explains: share.agree,
+    of: share.of,
+    residual: outcome.residual,
+  });
+}
+
+function sorted(found: ReadonlyMap<string, Cause>): readonly Cause[] {
+  return [...found.values()].sort((a, b) => a.residual - b.residual);
+}
+
+// ——— a few of everything ———
+
+function fewOf(
+  character: Character,
+  frames: readonly FrameTarget[],
+  channels: ChannelTarget,
+  worst: readonly number[],
+) {
+  const skin = shownSkin(character);
+  const few = skin ? chosen(skin.positions.length / 3, worst) : [];
+  const pick = (values: Float64Array | undefined) => values && rowsOf(values, few);
+  return {
+    character: skin
+      ? { ...character, skins: [skinOf(skin, few)], shownSkin: 0, morphs: character.morphs.map((m) => morphOf(m, few)) }
+      : character,
+    frames: frames.map((frame): FrameTarget => {
+      const [vertices, normals] = [pick(frame.vertices), pick(frame.normals)];
+      return { ...frame, ...(vertices && { vertices }), ...(normals && { normals }) };
+    }),
+    channels: fewSamples(character, channels),
+  };
+}
+
+/** The worst, and some evenly spread. */
+function chosen(count: number, worst: readonly number[]): number[] {
+  const all = new Set(worst.slice(0, FEW_VERTICES / 2));
+  for (let i = 0; i < FEW_VERTICES / 2 && i < count; i++) all.add(Math.floor((i * count) / (FEW_VERTICES / 2)));
+  return [...all].sort((a, b) => a - b);
+}
+
+function rowsOf(values: Float64Array, rows: readonly number[]): Float64Array {
+  return Float64Array.from({ length: 3 * rows.length }, (_, i) => values[3 * rows[Math.floor(i / 3)] + (i % 3)]);
+}
+
+function skinOf(skin: Skin, few: readonly number[]): Skin {
+  const { positions, normals, attachments, bindings } = skin;
+  const start = [0];
+  const joints: number[] = [];
+  const weights: number[] = [];
+  for (const v of few) {
+    for (let a = attachments?.start[v] ?? 0; a < (attachments?.start[v + 1] ?? 0); a++) {
+      joints.push(attachments?.joints[a] ?? 0);
+      weights.push(attachments?.weights[a] ?? 0);
+    }
+    start.push(joints.length);
+  }
+  return {
+    name: skin.name,
+    positions: rowsOf(positions, few),
+    normals: rowsOf(normals ?? normalsOf(skin), few),
+    triangles: new Uint32Array(0),
+    bindings,
+    ...(attachments && {
+      attachments: {
+        start: Uint32Array.from(start),
+        joints: Uint32Array.from(joints),
+        weights: Float64Array.from(weights),
+      },
+    }),
+  };
+}
+
+function morphOf(morph: Morph, few: readonly number[]): Morph {
+  const rows = ({ indices, values }: MorphRows): MorphRows => {
+    const at = new Map(few.map((v, i) => [v, i]));
+    const own: number[] = [];
+    const kept: number[] = [];
+    indices.forEach((v, row) => {
+      const index = at.get(v);
+      if (index === undefined) return;
+      own.push(index);
+      kept.push(...values.subarray(3 * row, 3 * row + 3));
+    });
+    return { indices: Uint32Array.from(own), values: Float64Array.from(kept) };
+  };
+  return { name: morph.name, positions: rows(morph.positions), normals: rows(morph.normals) };
+}
+
+/** Of each channel those that differ most, and the first ones. */
+function fewSamples(character: Character, target: ChannelTarget): ChannelTarget {
+  const { channels, times, values } = target;
+  const own = ownValues(character, target);
+  const kept: number[] = [];
+  for (let from = 0; from < channels.length; ) {
+    let to = from;
+    while (to < channels.length && channels[to] === channels[from]) to++;
+    const rows = Array.from({ length: to - from }, (_, i) => from + i);
+    rows.sort((a, b) => Math.abs(own[b] - values[b]) - Math.abs(own[a] - values[a]));
+    kept.push(...rows.slice(0, FEW_SAMPLES).sort((a, b) => a - b));
+    from = to;
+  }
+  return {
+    channels: Uint32Array.from(kept, (i) => channels[i]),
+    times: Float64Array.from(kept, (i) => times[i]),
+    values: Float64Array.from(kept, (i) => values[i]),
+  };
+}
+
+/** The vertices with the largest errors at any of the times, the worst first. */
+export function worstVertices(
+  frames: readonly FrameTarget[],
+  own: readonly { readonly vertices: Float64Array; readonly normals: Float64Array }[],
+): number[] {
+  const errors = new Map<number, number>();
+  frames.forEach(({ vertices, normals }, f) => {
+    for (const [theirs, ours] of [
+      [vertices, own[f].vertices],
+      [normals, own[f].normals],
+    ] as const) {
+      for (let o = 0; theirs && o < theirs.length; o += 3) {
+        const error = pointError(theirs, o, ours, o, 1);
+        errors.set(o / 3, Math.max(error, errors.get(o / 3) ?? 0));
+      }
+    }
+  });
+  return [...errors]
+    .sort((a, b) => b[1] - a[1])
+    .slice(0, FEW_VERTICES)
+    .map(([v]) => v);
+}

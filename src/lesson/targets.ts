@@ -1,0 +1,39 @@
+/** What is compared: another program's numbers, each in the place of ours. */
+import type { DumpKind } from '../model/dump.ts';
+import type { FrameTime } from './evaluator.ts';
+
+/** Numbers of one time. Absent kinds were not in the dumps. */
+export interface FrameTarget {
+  readonly time: FrameTime;
+  /** 16 per joint, column-major. */
+  world?: Float64Array;
+  local?: Float64Array;
+  /** x y z per joint. */
+  positions?: Float64Array;
+  /** x y z per vertex. */
+  vertices?: Float64Array;
+  normals?: Float64Array;
+}
+
+/** Values of channels: sample i is channel `channels[i]` at `times[i]`. */
+export interface ChannelTarget {
+  readonly channels: Uint32Array;
+  readonly times: Float64Array;
+  readonly values: Float64Array;
+}
+
+/** How the matrices were written. */
+export interface MatrixLayout {
+  readonly order: 'row-major' | 'column-major';
+  readonly numbers: 12 | 16;
+}
+
+export interface Targets {
+  readonly frames: readonly FrameTarget[];
+  readonly channels: ChannelTarget;
+  /** Of the first matrices. */
+  readonly layout?: MatrixLayout;
+}
+
+export type FrameKind = Exclude<DumpKind, 'channels'>;
+export const FRAME_KINDS: readonly FrameKind[] = ['world', 'local', 'positions', 'vertices', 'normals'];

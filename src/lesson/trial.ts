@@ -1,0 +1,220 @@
+/**
+ * Tries programs against another program's numbers: whether all are explained, or at least all that the mistake
+ * touches. One trial has all numbers; a small one has those of few vertices and samples, and only tells what is not
+ * worth trying with all.
+ */
+import { compileClip } from '../evaluate/compiled-clip.ts';
+import { evaluateChannel } from '../evaluate/curves.ts';
+import { type Character, shownClip } from '../model/document.ts';
+import { channelValue, RIGHT_CURVES } from './curve-rules.ts';
+import { larger, matrixError, pointError } from './errors.ts';
+import { Evaluator, type FrameNumbers } from './evaluator.ts';
+import { type Program, RIGHT_PROGRAM, type Wanted } from './program.ts';
+import type { ChannelTarget, FrameTarget } from './targets.ts';
+
+/** What a program does to our numbers, and how near they come to theirs. */
+export interface Outcome {
+  /** Whether any number is changed by more than the tolerance. */
+  readonly touches: boolean;
+  /** Whether all numbers are theirs, within the tolerance; and all those that are changed. */
+  readonly isWhole: boolean;
+  readonly isPart: boolean;
+  /** The largest error of what is explained. */
+  readonly residual: number;
+  /** By kind of item: how many agree, and how many there are. */
+  readonly joints: Share;
+  readonly vertices: Share;
+  readonly channels: Share;
+}
+
+interface Share {
+  agree: number;
+  of: number;
+}
+
+/** Our own numbers of a frame. */
+interface Own extends FrameNumbers {
+  /** Lengths are divided by it. */
+  readonly size: number;
+}
+
+export class Trial {
+  private readonly evaluator: Evaluator;
+  private readonly own: readonly Own[];
+  private readonly ownChannels: Float64Array;
+  private readonly wanted: readonly Wanted[];
+
+  /** @param sizes of the whole character, per frame */
+  constructor(
+    private readonly character: Character,
+    private readonly frames: readonly FrameTarget[],
+    private readonly channels: ChannelTarget,
+    sizes: readonly number[],
+    private readonly tolerance: number,
+  ) {
+    this.evaluator = new Evaluator(character);
+    this.wanted = frames.map(({ local, vertices, normals }) => ({
+      local: local !== undefined,
+      vertices: vertices !== undefined,
+      normals: normals !== undefined,
+    }));
+    this.own = frames.map((frame, f): Own => {
+      const numbers = this.evaluator.frame(RIGHT_PROGRAM, frame.time, this.wanted[f]);
+      return {
+        size: sizes[f],
+        world: numbers.world.slice(),
+        local: numbers.local.slice(),
+        vertices: numbers.vertices.slice(),
+        normals: numbers.normals.slice(),
+      };
+    });
+    this.ownChannels = ownValues(character, channels);
+  }
+
+  /** Stops early, with `isWhole` and `isPart` both false, if neither can be. @param forPart whether parts matter */
+  run(program: Program, forPart: boolean): Outcome {
+    const state = new State(this.tolerance, forPart);
+    if (program.curves !== RIGHT_CURVES) this.tryChannels(program, state);
+    else this.countChannels(state);
+    for (let f = 0; f < this.frames.length && !state.isHopeless; f++) {
+      const numbers = this.evaluator.frame(program, this.frames[f].time, this.wanted[f]);
+      this.tryFrame(numbers, this.own[f], this.frames[f], state);
+    }
+    return state.outcome();
+  }
+
+  /** Equal for programs that do the same here. */
+  fingerprint(program: Program): string {
+    let sum = 0;
+    const add = (values: Float64Array) => {
+      for (let i = 0; i < values.length; i++) sum += Math.cos(i) * values[i];
+    };
+    this.frames.forEach((frame, f) => {
+      const { world, local, vertices, normals } = this.evaluator.frame(program, frame.time, this.wanted[f]);
+      for (const values of [world, local, vertices, normals]) add(values);
+    });
+    const clip = shownClip(this.character);
+    const { channels, times } = this.channels;
+    channels.forEach((c, i) => {
+      const channel = clip?.channels[c];
+      if (clip && channel?.kind === 'keys')
+        sum += Math.sin(i) * channelValue(channel, clip.range, times[i], program.curves);
+    });
+    return sum.toPrecision(12);
+  }
+
+  private tryFrame(now: FrameNumbers, own: Own, target: FrameTarget, state: State): void {
+    const { world, local, positions, vertices, normals } = target;
+    const { size } = own;
+    if (world || local || positions) {
+      for (let j = 0; j < this.evaluator.jointCount && !state.isHopeless; j++) {
+        const o = 16 * j;
+        let change = 0;
+        let error = 0;
+        if (world) {
+          change = matrixError(now.world, own.world, o, size);
+          error = matrixError(now.world, world, o, size);
+        }
+        if (local) {
+          change = Math.max(change, matrixError(now.local, own.local, o, size));
+          error = Math.max(error, matrixError(now.local, local, o, size));
+        }
+        if (positions) {
+          change = Math.max(change, pointError(now.world, o + 12, own.world, o + 12, size));
+          error = Math.max(error, pointError(now.world, o + 12, positions, 3 * j, size));
+        }
+        state.add(state.joints, change, error);
+      }
+    }
+    const count = (vertices ?? normals)?.length ?? 0;
+    for (let o = 0; o < count && !state.isHopeless; o += 3) {
+      let change = 0;
+      let error = 0;
+      if (vertices) {
+        change = pointError(now.vertices, o, own.vertices, o, size);
+        error = pointError(now.vertices, o, vertices, o, size);
+      }
+      if (normals) {
+        change = Math.max(change, pointError(now.normals, o, own.normals, o, 1));
+        error = Math.max(error, pointError(now.normals, o, normals, o, 1));
+      }
+      state.add(state.vertices, change, error);
+    }
+  }
+
+  private tryChannels(program: Program, state: State): void {
+    const clip = shownClip(this.character);
+    const { channels, times, values } = this.channels;
+    if (!clip) return;
+    for (let from = 0; from < channels.length && !state.isHopeless; ) {
+      const c = channels[from];
+      const channel = clip.channels[c];
+      let change = 0;
+      let error = 0;
+      let i = from;
+      for (; i < channels.length && channels[i] === c; i++) {
+        const now =
+          channel.kind === 'keys' ? channelValue(channel, clip.range, times[i], program.curves) : this.ownChannels[i];
+        change = larger(change, now - this.ownChannels[i]);
+        error = larger(error, now - values[i]);
+      }
+      state.add(state.channels, change, error);
+      from = i;
+    }
+  }
+
+  /** Rules of joints and skins leave channels as they are. */
+  private countChannels(state: State): void {
+    const { channels, values } = this.channels;
+    for (let from = 0; from < channels.length && !state.isHopeless; ) {
+      let error = 0;
+      let i = from;
+      for (; i < channels.length && channels[i] === channels[from]; i++)
+        error = larger(error, this.ownChannels[i] - values[i]);
+      state.add(state.channels, 0, error);
+      from = i;
+    }
+  }
+}
+
+class State {
+  readonly joints: Share = { agree: 0, of: 0 };
+  readonly vertices: Share = { agree: 0, of: 0 };
+  readonly channels: Share = { agree: 0, of: 0 };
+  isHopeless = false;
+  private touches = false;
+  private isWhole = true;
+  private isPart = true;
+  private residual = 0;
+
+  constructor(
+    private readonly tolerance: number,
+    private readonly forPart: boolean,
+  ) {}
+
+  /** An item that the program changes by `change`, and that is `error` from theirs then. */
+  add(share: Share, change: number, error: number): void {
+    const { tolerance } = this;
+    const isTouched = !(change <= tolerance);
+    const agrees = error <= tolerance;
+    share.of++;
+    if (agrees) share.agree++;
+    if (agrees && error > this.residual) this.residual = error;
+    this.touches ||= isTouched;
+    this.isWhole &&= agrees;
+    this.isPart &&= agrees || !isTouched;
+    this.isHopeless = !this.isWhole && !(this.forPart && this.isPart);
+  }
+
+  outcome(): Outcome {
+    const { touches, isWhole, isPart, residual, joints, vertices, channels } = this;
+    return { touches, isWhole: isWhole && touches, isPart: isPart && touches, residual, joints, vertices, channels };
+  }
+}
+
+/** Our values of the samples. */
+export function ownValues(character: Character, { channels, times }: ChannelTarget): Float64Array {
+  const clip = shownClip(character);
+  const compiled = clip && compileClip(clip);
+  return Float64Array.from(channels, (c, i) => (compiled ? evaluateChannel(compiled, c, times[i]) : 0));
+}

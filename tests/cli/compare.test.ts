@@ -1,0 +1,180 @@
+/** `marrow compare` on the command line. */
+import { mkdtempSync, rmSync, writeFileSync } from 'node:fs';
+import { tmpdir } from 'node:os';
+import { join } from 'node:path';
+import { afterAll, beforeAll, describe, expect, it } from 'vitest';
+import { command, commandJson } from '../helpers/command.ts';
+import { conformance, describeShared, sharedPath } from '../helpers/shared.ts';
+
+interface CompareJson {
+  readonly agrees: boolean;
+  readonly time?: number;
+  readonly compared: Readonly<Record<string, number>>;
+  readonly layout?: { readonly order: string; readonly numbers: number };
+  readonly first?: { readonly what: string; readonly index: number; readonly name?: string; readonly time?: number };
+  readonly own: readonly number[];
+  readonly inherited: readonly number[];
+  readonly causes: readonly { readonly code: string; readonly explains: number; readonly of: number }[];
+  readonly times?: readonly { readonly time: number; readonly agrees: boolean }[];
+}
+
+interface Case {
+  readonly kind: string;
+  readonly files: readonly string[];
+  readonly dump: string;
+  readonly args: readonly string[];
+  readonly mistake: string;
+  readonly expect: {
+    readonly agrees: boolean;
+    readonly layout?: CompareJson['layout'];
+    readonly first?: CompareJson['first'];
+    readonly own?: readonly number[];
+    readonly causes?: readonly string[];
+  };
+}
+
+describeShared('the dumps of the reference', () => {
+  const cases = conformance<readonly Case[]>('compare/cases.json');
+
+  it.each(cases)('compare as expected: $dump, $mistake', async ({ files, dump, args, expect: expected }) => {
+    const paths = [...files.map((file) => sharedPath(`data/${file}`)), sharedPath(`conformance/compare/${dump}`)];
+    const found = await commandJson<CompareJson>(['compare', ...paths, ...args], undefined, expected.agrees ? 0 : 1);
+    expect(found.agrees).toBe(expected.agrees);
+    if (expected.layout) expect(found.layout).toEqual(expected.layout);
+    if (expected.first) expect(found.first).toMatchObject(expected.first);
+    if (expected.own) expect(found.own).toEqual(expected.own);
+    expect(found.causes.map(({ code }) => code).sort()).toEqual([...(expected.causes ?? [])].sort());
+  });
+});
+
+const SKEL = `balljoint root {
+  balljoint arm {
+    offset 1 0 0
+    pose 0.3 0.2 -0.4
+    balljoint hand {
+      offset 0 1 0
+      pose 0.1 0 0.5
+    }
+  }
+}
+`;
+
+describe('marrow compare', () => {
+  let folder = '';
+  const write = (name: string, text: string) => writeFileSync(join(folder, name), text);
+  beforeAll(() => {
+    folder = mkdtempSync(join(tmpdir(), 'marrow-compare-'));
+    write('a.skel', SKEL);
+  });
+  afterAll(() => rmSync(folder, { recursive: true }));
+
+  /** What `marrow pose` prints, as another program would. */
+  async function ownMatrices(): Promise<readonly (readonly number[])[]> {
+    const { characters } = await commandJson<{ characters: { joints: { world: number[] }[] }[] }>(
+      ['pose', 'a.skel'],
+      folder,
+    );
+    return characters[0].joints.map(({ world }) => world);
+  }
+
+  it('agrees with what marrow pose prints, as text and as JSON', async () => {
+    write('own.json', (await command(['pose', 'a.skel', '--json'], folder)).out);
+    const found = await commandJson<CompareJson>(['compare', 'a.skel', 'own.json'], folder);
+    expect(found).toMatchObject({ agrees: true, compared: { world: 3 }, own: [], inherited: [], causes: [] });
+    const { code, out } = await command(['compare', 'a.skel', 'own.json'], folder);
+    expect([code, out]).toEqual([0, expect.stringContaining('All agree.')]);
+  });
+
+  it('puts rows with names and indices in their places, whatever their order', async () => {
+    const [root, arm, hand] = await ownMatrices();
+    write('names.txt', `hand: ${hand.join(' ')}\nroot: ${root.join(' ')}\narm: ${arm.join(' ')}\n`);
+    write('indices.txt', `2 ${hand.join(' ')}\n0 ${root.join(' ')}\n1 ${arm.join(' ')}\n`);
+    for (const name of ['names.txt', 'indices.txt']) {
+      expect(await commandJson<CompareJson>(['compare', 'a.skel', name], folder)).toMatchObject({ agrees: true });
+    }
+  });
+
+  it('tells joints that are wrong by themselves from those below, and says so in words', async () => {
+    const matrices = (await ownMatrices()).map((m) => [...m]);
+    // The arm is moved, and the hand with it.
+    for (const j of [1, 2]) matrices[j][12] += 0.5;
+    write('moved.txt', matrices.map((m) => m.join(' ')).join('\n'));
+    const found = await commandJson<CompareJson>(['compare', 'a.skel', 'moved.txt'], folder, 1);
+    expect(found).toMatchObject({
+      first: { what: 'joint', index: 1, name: 'arm' },
+      own: [1],
+      inherited: [2],
+      causes: [],
+    });
+    const { out } = await command(['compare', 'a.skel', 'moved.txt'], folder);
+    expect(out).toContain('First wrong: joint 1 "arm"');
+    expect(out).toContain('Wrong only because a parent is: hand.');
+    expect(out).toContain('No known mistake');
+  });
+
+  it('names a mistake with a sentence and a formula', async () => {
+    const { out } = await command(['pose', 'a.skel', '--json'], folder);
+    const joints = JSON.parse(out).characters[0].joints;
+    // The hand's local matrix, Rz·Rx at its offset, used as its world matrix.
+    const parentless = joints.map(({ world }: { world: number[] }, j: number) => {
+      if (j < 2) return world;
+      const [sx, cx, sz, cz] = [Math.sin(0.1), Math.cos(0.1), Math.sin(0.5), Math.cos(0.5)];
+      return [cz, sz, 0, 0, -cx * sz, cx * cz, sx, 0, sx * sz, -sx * cz, cx, 0, 0, 1, 0, 1];
+    });
+    write('parentless.json', JSON.stringify({ world: parentless }));
+    const text = await command(['compare', 'a.skel', 'parentless.json'], folder);
+    expect(text.code).toBe(1);
+    expect(text.out).toContain('no-parent');
+    expect(text.out).toContain('W = W_parent·L');
+    expect(text.out).toContain('Explains 3 of 3');
+  });
+
+  it('compares several times in one file, each with its own numbers', async () => {
+    const matrices = await ownMatrices();
+    const frame = (time: number, by: number) =>
+      `time ${time}\n${matrices.map((m) => m.map((v) => v + by).join(' ')).join('\n')}\n`;
+    write('takes.txt', frame(0, 0) + frame(0.5, 0.1));
+    const found = await commandJson<CompareJson>(['compare', 'a.skel', 'takes.txt'], folder, 1);
+    expect(found.time).toBe(0.5);
+    expect(found.times?.map(({ time, agrees }) => [time, agrees])).toEqual([
+      [0, true],
+      [0.5, false],
+    ]);
+  });
+
+  it('takes files of any name as dumps, and the tolerance as given', async () => {
+    const matrices = (await ownMatrices()).map((m) => m.map((v, i) => (i === 12 ? v + 0.01 : v)));
+    write('mine', matrices.map((m) => m.join(' ')).join('\n'));
+    expect((await command(['compare', 'a.skel', 'mine'], folder)).code).toBe(1);
+    expect((await command(['compare', 'a.skel', 'mine', '--tolerance', '0.05'], folder)).code).toBe(0);
+  });
+
+  it.each([
+    ['too few numbers', '1 2 3 4\n5 6 7 8\n', 'dump-length', 1],
+    [
+      'a name of no joint',
+      `root: ${'0 '.repeat(16)}\nleg: ${'0 '.repeat(16)}\nhand: ${'0 '.repeat(16)}\n`,
+      'dump-name',
+      2,
+    ],
+    ['an index twice', `0: ${'0 '.repeat(16)}\n0: ${'0 '.repeat(16)}\n2: ${'0 '.repeat(16)}\n`, 'dump-index', 2],
+  ])('refuses %s with its line', async (_, text, code, line) => {
+    write('wrong.txt', text);
+    const found = await command(['compare', 'a.skel', 'wrong.txt'], folder);
+    expect(found.code).toBe(2);
+    expect(found.err).toContain(`wrong.txt:${line}:1 error ${code}: Expected`);
+  });
+
+  it('refuses a file without numbers, a missing dump, a missing character, and wrong options', async () => {
+    write('notes.txt', 'These are my notes about the assignment, in words.\n');
+    for (const args of [
+      ['a.skel', 'notes.txt'],
+      ['a.skel'],
+      ['notes.txt'],
+      ['a.skel', 'notes.txt', '--tolerance', '0'],
+      ['a.skel', 'none.txt'],
+    ]) {
+      expect((await command(['compare', ...args], folder)).code, args.join(' ')).toBe(2);
+    }
+  });
+});
