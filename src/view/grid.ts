@@ -50,8 +50,10 @@ export interface GridView {
 
 export class Grid {
   readonly object = new Group();
-  /** Spacing of the labelled lines. */
-  spacing = 1;
+  /** Spacing of the finest lines. */
+  step = 0.1;
+  /** Of the labelled ones. */
+  private spacing = 1;
   private readonly quad: Mesh<BufferGeometry, ShaderMaterial>;
   private readonly glyphs = new Glyphs(512);
   private readonly labelColor = new Color();
@@ -113,6 +115,7 @@ export class Grid {
     const [u, v] = AXES[plane];
     const spacing = roundStep(SPACING_PX * unitsPerPixel);
     this.spacing = spacing;
+    this.step = spacing / subdivisions(spacing);
     const radius = Grid.reach(distance);
     const tu = target.getComponent(u);
     const tv = target.getComponent(v);
@@ -120,7 +123,7 @@ export class Grid {
     const originV = Math.round(tv / spacing) * spacing;
 
     const { uniforms } = this.quad.material;
-    uniforms.spacing.value.set(spacing / subdivisions(spacing), spacing);
+    uniforms.spacing.value.set(this.step, spacing);
     uniforms.centre.value.set(tu - originU, tv - originV);
     uniforms.zero.value.set(-originU, -originV);
     uniforms.radius.value = radius;

@@ -380,9 +380,9 @@ export class Viewport {
     this.rig.turn(azimuth);
   }
 
-  /** Spacing of the labelled grid lines, as last drawn. */
-  get gridSpacing(): number {
-    return this.grid.spacing;
+  /** World spacing of the grid's finest lines, as last drawn; undefined while it is hidden. */
+  get gridStep(): number | undefined {
+    return this.grid.object.visible ? this.grid.step : undefined;
   }
 
   dispose(): void {

@@ -74,6 +74,63 @@ it('turns a DOF by its ring, stops at its limit and says so, in one step', () =>
     expect(await dofs(page)).toEqual(before);
   }));
 
+it('several joints are selected in the tree and the viewport, and turned, typed and undone together', () =>
+  withPage(async ({ page }) => {
+    await openArm(page, 'shoulder');
+    const row = (name: string) => page.getByRole('treeitem', { name: new RegExp(`^${name}`) }).first();
+    const selected = () =>
+      page.locator('.tree [aria-selected=true]').evaluateAll((rows) => rows.map((one) => one.textContent ?? ''));
+    const title = page.locator('.inspector .is-selected').first();
+    expect(await page.getByRole('tree').getAttribute('aria-multiselectable')).toBe('true');
+    await page.getByRole('tree').focus();
+    await page.keyboard.press('Shift+ArrowDown');
+    expect(await selected()).toHaveLength(2);
+    await title.getByText('2 joints').waitFor();
+    await page.keyboard.press('Control+Space');
+    expect(await selected()).toHaveLength(1);
+    await page.keyboard.press('Control+a');
+    expect(await selected()).toHaveLength(2);
+    await page.keyboard.press('Escape');
+    expect(await selected()).toHaveLength(1);
+    await row('shoulder').click();
+    await row('elbow').click({ modifiers: ['Control'] });
+    expect(await selected()).toHaveLength(2);
+
+    // A ring of the active joint turns both, and the elbow's limit holds only there.
+    const before = await dofs(page);
+    const ring = await feelFor(page, 'rx');
+    await pressAndGo(page, ring, around(await middle(page), ring, 20));
+    await page.mouse.up();
+    const after = await dofs(page);
+    const turned = after[6] - before[6];
+    expect(Math.abs(turned)).toBeGreaterThan(0.1);
+    expect(after[3] - before[3]).toBeCloseTo(turned, 12);
+    expect(await undo(page)).toBe('Rotate 2 joints');
+    expect(await selected()).toHaveLength(2);
+    await page.keyboard.press('Control+z');
+    expect(await dofs(page)).toEqual(before);
+
+    // Typed: a number for both, and from there on by the same amount.
+    const field = page.getByRole('textbox', { name: /^ry of 2 joints/ });
+    await field.fill('30');
+    await field.press('Enter');
+    expect((await dofs(page))[4]).toBeCloseTo(Math.PI / 6, 9);
+    expect((await dofs(page))[7]).toBeCloseTo(Math.PI / 6, 9);
+    await field.fill('+=15');
+    await field.press('Enter');
+    expect((await dofs(page))[4]).toBeCloseTo(Math.PI / 4, 9);
+    expect((await dofs(page))[7]).toBeCloseTo(Math.PI / 4, 9);
+    expect(await undo(page)).toMatch(/^Rotate 2 joints/);
+
+    // Shift+click on the active joint removes it from the selection.
+    const { x, y } = await middle(page);
+    await page.mouse.move(x, y);
+    await page.keyboard.down('Shift');
+    await page.mouse.click(x, y);
+    await page.keyboard.up('Shift');
+    expect(await selected()).toHaveLength(1);
+  }));
+
 it('goes past a limit while the character’s switch is off', () =>
   withPage(async ({ page }) => {
     await openArm(page);

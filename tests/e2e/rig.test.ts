@@ -184,6 +184,7 @@ it('takes hold of the copy that was clicked, and frames that', () =>
       const [, now] = await offsetOf(page, 0);
       expect(now).toBeCloseTo(to, 1);
     };
+    await page.evaluate(() => window.marrow.run('rigging.snapToGrid'));
     // Without a preceding click, and with one.
     await lifted(1);
     await drag(page, { x: x + aside, y }, 0, -40);
@@ -211,10 +212,19 @@ it('puts a new skeleton into the middle of the picture, however full that is', (
     const { x, y } = await canvasMiddle(page);
     await handleAt(page, x, y);
     const perPixel = await unitsPerPixel(page);
+    const placeOf = (joint: number) =>
+      page.evaluate((j) => (window.marrow.worldMatrices(2)[j] ?? []).slice(12, 14), joint);
+    // Shift switches the grid off.
+    await page.keyboard.down('Shift');
     await page.mouse.click(x, y - 40);
-    const [right, up] = await page.evaluate(() => (window.marrow.worldMatrices(2)[1] ?? []).slice(12, 14));
+    await page.keyboard.up('Shift');
+    const [right, up] = await placeOf(1);
     expect(right).toBeCloseTo(0, 2);
     expect(up).toBeCloseTo(1 + 40 * perPixel, 2);
+    await page.mouse.click(x + 67, y - 90);
+    const snapped = await placeOf(2);
+    expect(Math.abs(snapped[0] - 67 * perPixel)).toBeLessThan(0.11);
+    for (const part of snapped) expect(10 * part).toBeCloseTo(Math.round(10 * part), 6);
   }));
 
 it('lets a click on a joint branch, however quickly it comes after another', () =>

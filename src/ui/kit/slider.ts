@@ -120,6 +120,14 @@ export class Slider extends NumberController {
       event.preventDefault();
     });
     if (options.span) this.drawScale(options.span, options.limits);
+    // lil-gui drags with any button, so that opening the menu would set a value.
+    this.$slider?.addEventListener(
+      'mousedown',
+      (event) => {
+        if (event.button !== 0) event.stopImmediatePropagation();
+      },
+      { capture: true },
+    );
   }
 
   /**

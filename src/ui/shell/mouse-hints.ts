@@ -129,6 +129,7 @@ function inRig({ joint, isAdding }: MousePlace, isHandle: boolean): readonly Mou
   if (isAdding) {
     return [
       ['Add a joint', 'click'],
+      ['Without the grid', 'Shift+click'],
       ['Finish', 'Esc'],
     ];
   }
@@ -136,7 +137,7 @@ function inRig({ joint, isAdding }: MousePlace, isHandle: boolean): readonly Mou
     return [
       [joint === undefined ? 'Move' : `Move ${joint}`, 'drag'],
       ['In depth', 'Alt+drag'],
-      ['Snap', 'Ctrl+drag'],
+      ['Without the grid', 'Shift+drag'],
       ['Add child', 'Ctrl+click'],
       ['Add to selection', 'Shift+click'],
     ];

@@ -23,6 +23,8 @@ export interface Settings {
   readonly newKeyTangents: (typeof NEW_KEY_TANGENTS)[number];
   /** Factor of the size of the viewport's gizmo, within `GIZMO_SCALES`. */
   readonly gizmoScale: number;
+  /** Whether joints and boxes snap to the grid in rig mode, unless Shift is held. */
+  readonly snapsToGrid: boolean;
   /** Sections of the inspector and groups of the outliner that the user has expanded (true) or collapsed. */
   readonly folds: Readonly<Record<string, boolean>>;
   /** Whether shortcuts without Ctrl, Cmd or Alt are enabled; speech input and switch devices may conflict with them. */
@@ -68,6 +70,7 @@ export const DEFAULT_SETTINGS: Settings = {
   },
   newKeyTangents: 'smooth',
   gizmoScale: 1,
+  snapsToGrid: true,
   folds: {},
   singleKeys: true,
   firstSteps: true,
@@ -116,6 +119,7 @@ export function parseSettings(text: string | null): Settings {
     panels: { ...sameTypes(d.panels, asRecord(kept.panels)), drawer: d.panels.drawer, timelineDrawer: false },
     newKeyTangents: oneOf(NEW_KEY_TANGENTS, kept.newKeyTangents, d.newKeyTangents),
     gizmoScale: within(GIZMO_SCALES, kept.gizmoScale, d.gizmoScale),
+    snapsToGrid: typeof kept.snapsToGrid === 'boolean' ? kept.snapsToGrid : d.snapsToGrid,
     folds: Object.fromEntries(Object.entries(asRecord(kept.folds)).filter(isFold)),
     singleKeys: typeof singleKeys === 'boolean' ? singleKeys : d.singleKeys,
     firstSteps: typeof kept.firstSteps === 'boolean' ? kept.firstSteps : d.firstSteps,

@@ -45,6 +45,7 @@ export type WorkbenchStage = Pick<
   | 'vertexAt'
   | 'turnView'
   | 'eye'
+  | 'gridStep'
   | 'canvas'
   | 'stats'
 >;

@@ -16,7 +16,7 @@ it('over a joint a click does what the mode does', () => {
   expect(whats({ ...at, mode: 'select' })).toContain('Select knee');
   expect(whats({ ...at, mode: 'ik' })).toContain('Pin knee');
   expect(whats({ ...at, mode: 'rig' })).toContain('Move knee');
-  expect(whats({ ...at, mode: 'rig', isAdding: true })).toEqual(['Add a joint', 'Finish']);
+  expect(whats({ ...at, mode: 'rig', isAdding: true })).toEqual(['Add a joint', 'Without the grid', 'Finish']);
 });
 
 it('the ball within the rings and the margin of a ring are handles too', () => {

@@ -27,6 +27,7 @@ import { pausePlayback } from '../../state/pause-playback.ts';
 import { jointsText, selectedJoints, selectedJointsOf } from '../../state/selected-joint.ts';
 import type { Uses } from '../../state/workbench.ts';
 import { autoKey, dofsOfJoints } from '../posing/pose-edits.ts';
+import { outermostJoints } from '../rig/outermost.ts';
 
 /** Copies the current pose. */
 export function copyPose(wb: Uses<'store' | 'transport' | 'posing' | 'messages'>): void {
@@ -116,11 +117,7 @@ export function mirror(
  * sides only one of two counterparts.
  */
 function apartFrom(skeleton: Skeleton, joints: readonly number[], way: 'swap' | 'toOther'): readonly number[] {
-  const isInside = (joint: number): boolean => {
-    const { parent } = skeleton.joints[joint];
-    return parent >= 0 && (joints.includes(parent) || isInside(parent));
-  };
-  const outermost = joints.filter((joint) => !isInside(joint));
+  const outermost = outermostJoints(skeleton, joints);
   const isDouble = (joint: number, i: number) => {
     const other = counterpartOf(skeleton, joint);
     return other !== undefined && other !== joint && outermost.indexOf(other) >= 0 && outermost.indexOf(other) < i;

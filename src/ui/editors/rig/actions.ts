@@ -147,6 +147,16 @@ export const RIG_ACTIONS: readonly Action[] = [
     run: (wb) => wb.posing.rig.axes.update((now) => (now === 'world' ? 'parent' : 'world')),
   }),
   inRig({
+    id: 'rigging.snapToGrid',
+    label: 'Snap to grid',
+    detail: 'Joints and boxes; not while Shift is held',
+    group: 'Rig',
+    menu: 'Rig',
+    section: 4,
+    checked: (wb) => wb.settings.get().snapsToGrid,
+    run: (wb) => wb.settings.update((s) => ({ ...s, snapsToGrid: !s.snapsToGrid })),
+  }),
+  inRig({
     id: 'rigging.filePose',
     label: 'Set current pose as file pose',
     group: 'Rig',

@@ -1,5 +1,5 @@
 /**
- * Dragging a face of a joint's box. Shift: fine; Ctrl: snaps to round numbers; Alt: moves the opposite face
+ * Dragging a face of a joint's box, which snaps to multiples of the grid's spacing. Shift: fine, without the grid; Ctrl: snaps to round numbers; Alt: moves the opposite face
  * symmetrically. One undo step.
  */
 import { setBox } from '../../../edit/commands/rig-joint.ts';
@@ -11,13 +11,14 @@ import { shown } from '../../kit/number-text.ts';
 import { HandEdit } from '../../state/hand-edit.ts';
 import type { Uses } from '../../state/workbench.ts';
 import type { CanvasDrag, CanvasPointer } from '../viewport/canvas-tools.ts';
+import { gridSnap } from './grid-snap.ts';
 import { SNAP_PIXELS } from './joint-drags.ts';
 import type { Rigged } from './rigged.ts';
 import { rigging } from './rigging-args.ts';
 import { SteadyHand } from './steady-hand.ts';
 
 export function dragFace(
-  wb: Uses<'store' | 'viewport' | 'transport' | 'posing' | 'messages'>,
+  wb: Uses<'store' | 'viewport' | 'transport' | 'posing' | 'settings' | 'messages'>,
   { character, skeleton, world, placement }: Rigged,
   joint: number,
   face: { readonly axis: Axis; readonly side: BoxSide },
@@ -45,12 +46,15 @@ export function dragFace(
       const reached = alongLine(anchor, direction, eye.rayAt(hand.x, hand.y));
       if (reached === undefined) return;
       const snaps = now.ctrlKey || now.metaKey;
-      const step = snaps ? roundStep(SNAP_PIXELS * unit) : undefined;
+      const grid = snaps ? undefined : gridSnap(wb, now);
+      const step = snaps ? roundStep(SNAP_PIXELS * unit) : grid && grid / (Math.hypot(...direction) || 1);
       const by = withoutDust([reached - from, 0, 0], unit)[0];
       const next = boxWithFace(box, axis, side, by, { both: now.altKey, step, unitsPerPixel: unit });
       edit.preview(setBox, { ...rigging(wb, character), joint, box: next });
       const size = next.max.map((most, k) => shown(Math.abs(most - next.min[k]))).join(' × ');
-      readout.set(`Box: ${side} ${'xyz'[axis]} ${shown(next[side][axis])} · ${size}`);
+      readout.set(
+        `Box: ${side} ${'xyz'[axis]} ${shown(next[side][axis])} · ${size}${grid === undefined ? '' : ` · grid ${shown(grid)}`}`,
+      );
     },
     end() {
       edit.commit();

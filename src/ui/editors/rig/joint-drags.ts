@@ -1,15 +1,17 @@
 /**
- * Moving a joint by dragging: in the camera-facing plane, in depth, or along an arrow. Changes the joint's offset; one
- * undo step.
+ * Moving a joint by dragging: in the camera-facing plane, in depth, or along an arrow. Changes the joint's offset, and
+ * that of the other selected joints, which move as far in the scene; one undo step. The joint snaps to the grid.
  *
- *     Shift   fine
+ *     Shift   fine, without the grid
  *     Alt     in depth (so does the right button, from the press on)
  *     Ctrl    snaps to round numbers, or to the mirror image of another joint (across x = 0)
  */
 import { setOffset } from '../../../edit/commands/rig-joint.ts';
+import { inTurn } from '../../../edit/in-turn.ts';
 import {
   alongLine,
   offsetMoved,
+  ontoGrid,
   opposite,
   parentToScene,
   snapped,
@@ -17,13 +19,17 @@ import {
   withoutDust,
 } from '../../../edit/rig/dragged-places.ts';
 import { roundStep } from '../../../math/round-steps.ts';
-import { add, scaled, transformPoint, type Vec3 } from '../../../math/vec3.ts';
+import { add, scaled, subtract, transformPoint, transformVector, type Vec3, ZERO } from '../../../math/vec3.ts';
 import { jointName } from '../../../model/joint-name.ts';
 import type { Axis } from '../../../view/rig/rig-screen.ts';
 import { shown } from '../../kit/number-text.ts';
 import { HandEdit } from '../../state/hand-edit.ts';
+import type { RigChildren } from '../../state/rig-hand.ts';
+import { jointsText, selectedJointsOf } from '../../state/selected-joint.ts';
 import type { Uses } from '../../state/workbench.ts';
 import type { CanvasDrag, CanvasPointer } from '../viewport/canvas-tools.ts';
+import { gridSnap } from './grid-snap.ts';
+import { outermostJoints } from './outermost.ts';
 import { inSpaceOf, meanScale, type Rigged, scenePivot, spaceOfOffset } from './rigged.ts';
 import { rigging } from './rigging-args.ts';
 import { SteadyHand } from './steady-hand.ts';
@@ -39,7 +45,7 @@ interface Moved {
 }
 
 function dragJoint(
-  wb: Uses<'store' | 'viewport' | 'transport' | 'posing' | 'messages'>,
+  wb: Uses<'store' | 'viewport' | 'transport' | 'posing' | 'settings' | 'messages'>,
   rigged: Rigged,
   joint: number,
   at: CanvasPointer,
@@ -50,6 +56,8 @@ function dragJoint(
   const state = wb.posing.rig;
   const { skeleton } = character;
   const edit = new HandEdit(wb.store, wb.messages);
+  const joints = selectedJointsOf(wb, character.id);
+  const command = inTurn(setOffset, `Move ${jointsText(skeleton, joints)}`);
   const letTravel = wb.viewport.freezeRootMotion(character.id);
   const end = () => {
     letTravel();
@@ -61,7 +69,12 @@ function dragJoint(
       const moved = move(hand, now);
       if (!moved || skeleton === undefined) return;
       const children = state.children.get();
-      edit.preview(setOffset, { ...rigging(wb, character), joint, offset: moved.offset, children });
+      const each = movedTogether(rigged, joints, joint, moved.offset, children);
+      const shared = { ...rigging(wb, character), children };
+      edit.preview(
+        command,
+        each.map((one) => ({ ...shared, ...one })),
+      );
       const numbers = moved.offset.map((part) => shown(part)).join(', ');
       state.readout.set(`${jointName(skeleton, joint)}: offset ${numbers}${moved.note ?? ''}`);
     },
@@ -76,9 +89,34 @@ function dragJoint(
   };
 }
 
+/**
+ * The offsets that move all selected joints as far as the dragged one. Of joints whose children follow, only the outermost
+ * are moved; if children stay, the last joints come first, so that moving their parents leaves them there.
+ *
+ * @param joints selected ones
+ * @param offset of the dragged one
+ */
+export function movedTogether(
+  rigged: Rigged,
+  joints: readonly number[],
+  dragged: number,
+  offset: Vec3,
+  children: RigChildren,
+): readonly { readonly joint: number; readonly offset: Vec3 }[] {
+  if (joints.length < 2 || !joints.includes(dragged)) return [{ joint: dragged, offset }];
+  const { skeleton } = rigged;
+  const by = transformVector(spaceOfOffset(rigged, dragged), subtract(offset, skeleton.joints[dragged].offset));
+  const meant = children === 'follow' ? outermostJoints(skeleton, joints) : [...joints].sort((a, b) => b - a);
+  return meant.flatMap((joint) => {
+    if (joint === dragged) return { joint, offset };
+    const own = offsetMoved(skeleton.joints[joint].offset, spaceOfOffset(rigged, joint), ZERO, by);
+    return own ? { joint, offset: own } : [];
+  });
+}
+
 /** In the camera-facing plane, or in depth. */
 export function dragFreely(
-  wb: Uses<'store' | 'viewport' | 'transport' | 'posing' | 'messages'>,
+  wb: Uses<'store' | 'viewport' | 'transport' | 'posing' | 'settings' | 'messages'>,
   rigged: Rigged,
   joint: number,
   at: CanvasPointer,
@@ -95,9 +133,12 @@ export function dragFreely(
     const [dx, dy] = [hand.x - at.clientX, hand.y - at.clientY];
     const isDeep = byRight || now.altKey;
     const to = isDeep ? eye.inDepth(start, -dy * perPixel) : eye.inPlaneOf(start, onScreen.x + dx, onScreen.y + dy);
-    const moved = offsetMoved(offset, space, start, to);
+    const rounds = now.ctrlKey || now.metaKey;
+    const step = rounds ? undefined : gridSnap(wb, now);
+    const moved = offsetMoved(offset, space, start, step === undefined ? to : ontoGrid(to, start, step));
     if (!moved) return undefined;
-    if (!now.ctrlKey && !now.metaKey) return { offset: withoutDust(moved, unit) };
+    if (step !== undefined) return { offset: withoutDust(moved, 1e-4 * unit), note: gridNote(step) };
+    if (!rounds) return { offset: withoutDust(moved, unit) };
     const across = isDeep ? undefined : oppositePlace(wb, rigged, joint, onScreen.x + dx, onScreen.y + dy);
     const there = across && offsetMoved(offset, space, start, across.at);
     // To the last digit of the other joint, without rounding noise.
@@ -108,7 +149,7 @@ export function dragFreely(
 
 /** Along one of the arrows. */
 export function dragAlong(
-  wb: Uses<'store' | 'viewport' | 'transport' | 'posing' | 'messages'>,
+  wb: Uses<'store' | 'viewport' | 'transport' | 'posing' | 'settings' | 'messages'>,
   rigged: Rigged,
   joint: number,
   axis: Axis,
@@ -129,16 +170,21 @@ export function dragAlong(
     if (reached === undefined) return undefined;
     const by = reached - from;
     const snaps = now.ctrlKey || now.metaKey;
+    const step = snaps ? undefined : gridSnap(wb, now);
+    const note = step === undefined ? {} : { note: gridNote(step) };
     if (inWorld) {
-      const moved = offsetMoved(offset, space, start, add(start, scaled(direction, by)));
+      const to = add(start, scaled(direction, by));
+      const moved = offsetMoved(offset, space, start, step === undefined ? to : ontoGrid(to, start, step));
       if (!moved) return undefined;
+      if (step !== undefined) return { offset: withoutDust(moved, 1e-4 * unit), ...note };
       return { offset: snaps ? snappedPoint(moved, roundStep(SNAP_PIXELS * unit)) : withoutDust(moved, unit) };
     }
     // Along the parent's own axis only this number changes; the others keep their last digit.
     const next: [number, number, number] = [...offset];
     const value = offset[axis] + by;
-    next[axis] = snaps ? snapped(value, roundStep(SNAP_PIXELS * unit)) : withoutDust([value, 0, 0], unit)[0];
-    return { offset: next };
+    const own = snaps ? roundStep(SNAP_PIXELS * unit) : step && step / (Math.hypot(...direction) || 1);
+    next[axis] = own ? snapped(value, own) : withoutDust([value, 0, 0], unit)[0];
+    return { offset: next, ...note };
   });
 }
 
@@ -169,15 +215,21 @@ function oppositePlace(
 }
 
 /** Where a click would add a child: in the camera-facing plane through its parent. */
-export function placeForChild(wb: Uses<'viewport'>, rigged: Rigged, parent: number, at: CanvasPointer) {
+export function placeForChild(wb: Uses<'viewport' | 'settings'>, rigged: Rigged, parent: number, at: CanvasPointer) {
   const { eye } = wb.viewport;
   const start = scenePivot(rigged, parent);
-  const scene = eye.inPlaneOf(start, at.clientX, at.clientY);
-  const offset = inSpaceOf(rigged, parent, scene);
+  const pointed = eye.inPlaneOf(start, at.clientX, at.clientY);
+  const step = gridSnap(wb, at);
+  const offset = inSpaceOf(rigged, parent, step === undefined ? pointed : ontoGrid(pointed, start, step));
   if (!offset) return undefined;
   const space = parentToScene(rigged.placement, rigged.world, parent);
   const unit = eye.unitsPerPixel(start) / meanScale(space);
-  const snaps = at.ctrlKey || at.metaKey;
-  const round = snaps ? snappedPoint(offset, roundStep(SNAP_PIXELS * unit)) : withoutDust(offset, unit);
+  const snaps = step === undefined && (at.ctrlKey || at.metaKey);
+  const dust = step === undefined ? unit : 1e-4 * unit;
+  const round = snaps ? snappedPoint(offset, roundStep(SNAP_PIXELS * unit)) : withoutDust(offset, dust);
   return { offset: round, scene: transformPoint(space, round) };
+}
+
+function gridNote(step: number): string {
+  return ` · grid ${shown(step)}`;
 }

@@ -2,12 +2,12 @@
 import { addJoint, createRig, mirrorJoint, removeJoint, reparentJoint } from '../../../edit/commands/rig.ts';
 import { keysLostBy, renameJoint, setFilePose, setMotion, setOffset } from '../../../edit/commands/rig-joint.ts';
 import { inTurn } from '../../../edit/in-turn.ts';
-import { inverseOf, snappedPoint, withoutDust } from '../../../edit/rig/dragged-places.ts';
+import { inverseOf, ontoGrid, snappedPoint, withoutDust } from '../../../edit/rig/dragged-places.ts';
 import type { NamedAxis, ReparentJoint, SetFilePose } from '../../../edit/rig/rigging.ts';
 import { CommandError, documentIn, type Edit } from '../../../edit/store.ts';
 import { boxOf } from '../../../evaluate/bounds.ts';
 import { roundStep } from '../../../math/round-steps.ts';
-import { transformPoint, type Vec3 } from '../../../math/vec3.ts';
+import { transformPoint, type Vec3, ZERO } from '../../../math/vec3.ts';
 import { type Character, type Document, findCharacter, shownSkin } from '../../../model/document.ts';
 import { motionOfKind } from '../../../model/joint-types.ts';
 import type { Motion, Skeleton } from '../../../model/skeleton.ts';
@@ -16,7 +16,9 @@ import { attempt } from '../../state/attempt.ts';
 import { pausePlayback } from '../../state/pause-playback.ts';
 import { jointsText, selectedJointsOf } from '../../state/selected-joint.ts';
 import type { Uses, Workbench } from '../../state/workbench.ts';
+import { gridSnap } from './grid-snap.ts';
 import { nameNote } from './joint-names.ts';
+import { outermostJoints } from './outermost.ts';
 import { riggedNow, scenePivot } from './rigged.ts';
 import { rigging } from './rigging-args.ts';
 
@@ -51,18 +53,21 @@ function middleOf(waiting: Character): Vec3 {
 }
 
 /** Page position of a press or click, and modifiers for rounding. */
-type At = Pick<PointerEvent, 'clientX' | 'clientY' | 'ctrlKey' | 'metaKey'>;
+type At = Pick<PointerEvent, 'clientX' | 'clientY' | 'shiftKey' | 'ctrlKey' | 'metaKey'>;
 
 /** The same at the pointer, while joints are being added and there is no skeleton yet. */
 export function startSkeletonAt(wb: Workbench, at: At): void {
   const { eye } = wb.viewport;
-  const scene = eye.inPlaneOf([0, 0, 0], at.clientX, at.clientY);
+  const pointed = eye.inPlaneOf(ZERO, at.clientX, at.clientY);
+  const step = gridSnap(wb, at);
+  const scene = step === undefined ? pointed : ontoGrid(pointed, ZERO, step);
   const unit = eye.unitsPerPixel(scene);
   const waiting = waitingCharacter(wb);
   const placement = waiting && wb.viewport.placementOf(waiting.id, wb.viewport.pickedCopy(waiting));
   const inverse = placement && inverseOf(placement);
   const own = inverse ? transformPoint(inverse, scene) : scene;
-  start(wb, at.ctrlKey || at.metaKey ? snappedPoint(own, roundStep(8 * unit)) : withoutDust(own, unit));
+  const rounds = step === undefined && (at.ctrlKey || at.metaKey);
+  start(wb, rounds ? snappedPoint(own, roundStep(8 * unit)) : withoutDust(own, unit));
 }
 
 /** A skin without a skeleton, which gets the first joint. */
@@ -129,7 +134,7 @@ export function removeSelected(
   withJoints(wb, (character, skeleton, joints) => {
     const shared = { ...rigging(wb, character), children };
     if (joints.length === 1) return wb.store.apply(removeJoint, { ...shared, joint: joints[0] });
-    const meant = children === 'too' ? outermost(skeleton, joints) : joints;
+    const meant = children === 'too' ? outermostJoints(skeleton, joints) : joints;
     // From the last one, so that the indices of those before stay valid.
     const each = [...meant].sort((a, b) => b - a).map((joint) => ({ ...shared, joint }));
     const text = `Delete ${jointsText(skeleton, joints)}`;
@@ -146,22 +151,13 @@ export function mirrorSelected(
 ): void {
   withJoints(wb, (character, skeleton, joints) => {
     const before = wb.store.document;
-    if (outermost(skeleton, joints).length > 1) {
+    if (outermostJoints(skeleton, joints).length > 1) {
       throw new CommandError('Mirroring adds and renumbers joints. Select the joints of one hierarchy.');
     }
-    const [joint] = outermost(skeleton, joints);
+    const [joint] = outermostJoints(skeleton, joints);
     wb.store.apply(mirrorJoint, { ...rigging(wb, character), joint, across });
     if (wb.store.document === before) wb.messages.note('Both sides already match.');
   });
-}
-
-/** Those that aren't within the hierarchy of another one. */
-function outermost({ joints: all }: Skeleton, joints: readonly number[]): readonly number[] {
-  const isInside = (joint: number): boolean => {
-    const { parent } = all[joint];
-    return parent >= 0 && (joints.includes(parent) || isInside(parent));
-  };
-  return joints.filter((joint) => !isInside(joint));
 }
 
 export function moveUnder(

@@ -146,7 +146,7 @@ export function rigTool(wb: Workbench): ModeTool {
 
   /** Escape ends adding; a running drag handles its own Escape first. */
   const onKey = (event: KeyboardEvent) => {
-    if (event.key === 'Control' || event.key === 'Meta') followKeys(event);
+    if (event.key === 'Control' || event.key === 'Meta' || event.key === 'Shift') followKeys(event);
     if (event.type !== 'keydown' || event.key !== 'Escape' || !state.adding.get() || isDragging) return;
     const target = event.target instanceof Element ? event.target : document.body;
     if (isTextField(target) || target.closest('[role=menu],dialog') || wb.dialog.get()) return;
@@ -154,10 +154,10 @@ export function rigTool(wb: Workbench): ModeTool {
     event.stopPropagation();
     state.adding.set(false);
   };
-  /** With Ctrl a click would add: show the preview before the pointer moves. */
-  const followKeys = ({ ctrlKey, metaKey }: KeyboardEvent) => {
+  /** With Ctrl a click would add, with Shift off the grid: show the preview before the pointer moves. */
+  const followKeys = ({ ctrlKey, metaKey, shiftKey }: KeyboardEvent) => {
     if (!pointer) return;
-    const { clientX, clientY, button, altKey, shiftKey, pointerType } = pointer;
+    const { clientX, clientY, button, altKey, pointerType } = pointer;
     pointer = { clientX, clientY, button, altKey, shiftKey, pointerType, ctrlKey, metaKey };
     showGhost();
     viewport.requestRender();

@@ -35,7 +35,7 @@ function curves(id: string, label: string, shortcuts: readonly string[], more: O
 }
 
 export const LIST_LABELS: Readonly<Record<ChannelListKind, string>> = {
-  selected: 'Selected joint',
+  selected: 'Selected joints',
   all: 'All channels',
   pinned: 'Pinned',
 };
