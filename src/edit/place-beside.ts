@@ -49,7 +49,7 @@ export function placeBeside(others: readonly Character[], character: Character, 
   let largest = own.size;
   for (const figure of figures) {
     const extent = extentOf(figure);
-    widest = Math.max(widest, extent.max - extent.min);
+    widest = Math.max(widest, figure.placements[0].scale * (extent.max - extent.min));
     largest = Math.max(largest, sizeOf(figure));
     // An upper bound for rotated instances would need the depth; the width is close enough for a gap.
     for (const { position, scale } of figure.placements) {

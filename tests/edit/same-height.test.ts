@@ -89,6 +89,18 @@ describe('same height', () => {
     );
   });
 
+  it('same height leaves gaps by the sizes as placed: all of a row fit within a few of their heights', () => {
+    fc.assert(
+      fc.property(dropped, ({ document, at, heights }) => {
+        const after = shown(sameHeight.run(document, same(document, document.characters[at].id)));
+        const [left, right] = [Math.min(...after.map((c) => c.left)), Math.max(...after.map((c) => c.right))];
+        // A post is 0.4 of its height wide; the gap is a quarter of that.
+        expect(right - left).toBeLessThan(8 * 0.51 * heights[at]);
+      }),
+      { numRuns: 40 },
+    );
+  });
+
   it('own heights is the way back, to where the characters were placed when they were opened', () => {
     fc.assert(
       fc.property(dropped, ({ document, at }) => {
