@@ -67,7 +67,8 @@ function rigHintText(wb: Uses<'store' | 'posing'>): string {
   }
   if (!isAny) return 'Choose Add joints and click to place the first one.';
   if (!hasJoint) return 'Click a joint to edit it, drag to move it.';
-  return 'Drag the joint, an arrow or a face of its box. Ctrl+click to add a child.';
+  const drag = 'Drag the joint, an arrow or a face of its box.';
+  return matchMedia('(pointer: coarse)').matches ? drag : `${drag} Ctrl+click to add a child.`;
 }
 
 function group(...children: HTMLElement[]): HTMLElement {
