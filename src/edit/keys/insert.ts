@@ -10,8 +10,10 @@
  * end key starts to matter: it gets the slope of the extrapolated curve. With `constant` and `linear` extrapolation
  * nothing changes; if a channel cycles or bounces, its period changes, which can't be avoided.
  *
- * The new key is `linear` on a straight line, `flat` if the curve is level, and a number elsewhere: the most adaptive
- * kind that changes nothing now. A channel without keys gets a `smooth` key at its value.
+ * Between two keys the new one has a single slope, and bends the curve smoothly when it is moved: it is `smooth` if that
+ * comes to this slope, as on a straight line, and a number elsewhere; between `flat` keys on a level it is flat too. Only
+ * between two `linear` keys it is `linear`, since corners are meant there. Beyond the ends it gets for each side the most
+ * adaptive kind that changes nothing now. A channel without keys gets a `smooth` key at its value.
  *
  * At an existing key nothing changes; of a step the later key counts, which applies from that time on.
  */
@@ -22,6 +24,8 @@ import { type Channel, FIXED_TANGENT, FLAT, type KeyedChannel, LINEAR, repeats, 
 import { type Tangent, tangent, withKeyList } from './columns.ts';
 import { countNotAbove, findKey } from './same-time.ts';
 import { withKeyAt } from './splice.ts';
+
+const SIDES = ['in', 'out'] as const;
 
 export interface Inserted {
   /** The same object if there was a key already. */
@@ -60,8 +64,9 @@ export function insertKey(channel: Channel, time: number): Inserted {
     keepSlope(next, index + 1, 'in', outer ?? keySlope(channel, index, 'in'), outer === 0);
     keepSlope(next, index + 1, 'out', keySlope(channel, index, 'out'));
   }
-  setTangent(next, index, 'in', honestTangent(next, index, 'in', slopes.in));
-  setTangent(next, index, 'out', honestTangent(next, index, 'out', slopes.out));
+  const between = index > 0 && index < last ? tangentBetween(next, index, slopes.in) : undefined;
+  setTangent(next, index, 'in', between ?? honestTangent(next, index, 'in', slopes.in));
+  setTangent(next, index, 'out', between ?? honestTangent(next, index, 'out', slopes.out));
   return { channel: next, index, periodChanged: changesPeriod(channel, next) };
 }
 
@@ -84,6 +89,22 @@ function keepSlope(next: KeyedChannel, key: number, side: 'in' | 'out', slope: n
   setTangent(next, key, side, asFlat ? tangent(FLAT) : tangent(FIXED_TANGENT, slope));
 }
 
+/** Of both sides of a key that has two neighbours. */
+function tangentBetween(next: KeyedChannel, key: number, slope: number): Tangent {
+  const kinds = [next.tangentsOut.kinds[key - 1], next.tangentsIn.kinds[key + 1]];
+  const resolves = (kind: number) => {
+    setTangent(next, key, 'in', tangent(kind));
+    setTangent(next, key, 'out', tangent(kind));
+    return SIDES.every((side) => comesTo(next, key, side, keySlope(next, key, side), slope));
+  };
+  for (const kind of [LINEAR, FLAT]) {
+    if (kinds.every((own) => own === kind) && resolves(kind)) return tangent(kind);
+  }
+  for (const kind of [SMOOTH, FLAT]) if (resolves(kind)) return tangent(kind);
+  return tangent(FIXED_TANGENT, slope);
+}
+
+/** Of a side of a key at an end. */
 function honestTangent(next: KeyedChannel, key: number, side: 'in' | 'out', slope: number): Tangent {
   const { times, values } = next;
   const neighbour = side === 'in' ? key - 1 : key + 1;

@@ -1,9 +1,10 @@
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
 import { insertKey } from '../../../src/edit/keys/insert.ts';
+import { withKeysMoved } from '../../../src/edit/keys/move.ts';
 import { compileChannels } from '../../../src/evaluate/compiled-clip.ts';
 import { evaluateChannel, evaluateSlope } from '../../../src/evaluate/curves.ts';
-import { type Channel, EXTRAPOLATIONS, keysOf, restChannel } from '../../../src/model/clip.ts';
+import { type Channel, EXTRAPOLATIONS, keysOf, LINEAR, restChannel } from '../../../src/model/clip.ts';
 import { checkChannel } from '../../helpers/invariants.ts';
 import { between, channelOf, channels, channelsOrRest, pointsOf, rowsOf, slopesAt, valueAt } from './channels.ts';
 
@@ -109,6 +110,68 @@ describe('a key inserted on the curve', () => {
   });
 });
 
+describe('a key inserted between two others and moved', () => {
+  /** Of its values, after it was moved by that much. */
+  const cornerOf = (channel: Channel, time: number, by: number) => {
+    const { channel: after, index } = insertKey(channel, time);
+    const { channel: moved } = withKeysMoved(after, [index], 0, by, 'replace');
+    const [before, behind] = slopesAt(moved, index);
+    return Math.abs(before - behind);
+  };
+  const isLinear = (channel: Channel, index: number) =>
+    keysOf(channel).tangentsOut.kinds[index] === LINEAR && keysOf(channel).tangentsIn.kinds[index + 1] === LINEAR;
+
+  it('a key inserted between two others makes no corner when it is moved, unless it is between linear ones', () => {
+    const cases = channels(2, { steps: true }).chain((channel) => {
+      const inside = between(channel.times[0], channel.times[channel.times.length - 1]);
+      return fc.tuple(fc.constant(channel), inside, between(-5, 5));
+    });
+    fc.assert(
+      fc.property(cases, ([channel, time, by]) => {
+        const { channel: after, index } = insertKey(channel, time);
+        fc.pre(after !== channel && !isLinear(channel, index - 1));
+        expect(cornerOf(channel, time, by)).toBe(0);
+      }),
+      { numRuns: 1000 },
+    );
+  });
+
+  it('a key inserted between two others stays smooth on a straight line of smooth keys, which keeps its shape', () => {
+    const lines = fc.record({
+      times: fc.uniqueArray(fc.integer({ min: 0, max: 40 }), { minLength: 2, maxLength: 6 }),
+      slope: fc.integer({ min: -8, max: 8 }),
+      at: between(0.01, 0.99),
+      by: between(-5, 5),
+    });
+    fc.assert(
+      fc.property(lines, ({ times, slope, at, by }) => {
+        const sorted = times.toSorted((a, b) => a - b);
+        const line = channelOf(sorted.map((t) => [t / 4, (slope * t) / 4] as const));
+        const time = (sorted[0] + at * (sorted[sorted.length - 1] - sorted[0])) / 4;
+        const { channel, index } = insertKey(line, time);
+        fc.pre(channel !== line);
+        expect(rowsOf(channel).map((row) => row.slice(2))).toEqual(rowsOf(channel).map(() => ['smooth', 'smooth']));
+        const largest = Math.max(1, ...line.values.map(Math.abs));
+        for (const t of probes(channel)) {
+          expect(Math.abs(valueAt(channel, t) - valueAt(line, t))).toBeLessThan(1e-12 * largest);
+        }
+        expect(index).toBeGreaterThan(0);
+        expect(cornerOf(line, time, by)).toBe(0);
+      }),
+    );
+  });
+
+  it('a key inserted between two others is flat between flat ones at one level, and linear between linear ones', () => {
+    for (const kind of ['flat', 'linear'] as const) {
+      const channel = channelOf([
+        [0, 1, kind],
+        [1, 1, kind],
+      ]);
+      expect(rowsOf(insertKey(channel, 0.25).channel)[1]).toEqual([0.25, 1, kind, kind]);
+    }
+  });
+});
+
 describe('neighbours of an inserted key', () => {
   it('neighbours of an inserted key become numbers if smooth would resolve to another slope, on both of their sides', () => {
     const channel = channelOf([
@@ -172,7 +235,7 @@ describe('neighbours of an inserted key', () => {
     expect(rowsOf(insertKey(line, 1.5).channel)).toEqual([
       [0, 0, 'smooth', 'smooth'],
       [1, 2, 'smooth', 'smooth'],
-      [1.5, 3, 'linear', 'linear'],
+      [1.5, 3, 'smooth', 'smooth'],
       [2, 4, 'smooth', 'smooth'],
       [3, 6, 'smooth', 'smooth'],
     ]);
