@@ -9,6 +9,7 @@ import type { Command, Edit, Store } from '../edit/store.ts';
 import { type EndSitePosition, endSitePositions } from '../evaluate/end-sites.ts';
 import { resolvedSlopes } from '../evaluate/slopes.ts';
 import { transformPoint } from '../math/vec3.ts';
+import { type Channel, TANGENT_KINDS, type TangentKind } from '../model/clip.ts';
 import type { Diagnostic } from '../model/diagnostic.ts';
 import { type Character, type Document, shownClip } from '../model/document.ts';
 import { formatKindOf, isSaved, WRITABLE_EXTENSIONS } from '../project/kinds.ts';
@@ -42,10 +43,13 @@ export interface CharacterInfo {
 }
 
 export interface KeyInfo {
+  readonly channel: number;
   readonly time: number;
   readonly value: number;
   readonly slopeIn: number;
   readonly slopeOut: number;
+  readonly tangentIn: TangentKind;
+  readonly tangentOut: TangentKind;
 }
 
 /** A pinned point. */
@@ -83,8 +87,11 @@ export interface MarrowApi {
    * `retarget.…`, `ik.…`, `rig.…`), and actions that use them, are loaded on first use and return a promise.
    */
   run(commandId: string, args?: Readonly<Record<string, unknown>>): Promise<void> | undefined;
-  /** Keys of a channel of the shown clip: seconds of the clip, values, and the slopes of their tangents. */
-  keys(channel: number, character?: CharacterRef): KeyInfo[];
+  /**
+   * Keys of a channel of the shown clip, by default the selected keys of all channels: seconds of the clip, values, and
+   * slopes and kinds of their tangents.
+   */
+  keys(channel?: number, character?: CharacterRef): KeyInfo[];
   /**
    * Position on the page, in CSS pixels, of a point of a channel in the curve editor; undefined if it isn't shown.
    * Seconds of the transport.
@@ -152,7 +159,7 @@ export function scriptingApi(
     },
     vertices: (character) => Array.from(facts(character).vertices()),
     run: (id, args = {}) => run(workbench, rest, id, args),
-    keys: (channel, character) => keysOf(resolve(store, character), channel),
+    keys: (channel, character) => keysOf(store, character, channel),
     placeOf: (channel, seconds, value) => workbench.timeline.tab?.placeOf?.(channel, seconds, value),
     pointOnPage(point, character) {
       const placement = viewport.placementOf(resolve(store, character).id, 0);
@@ -206,14 +213,34 @@ function infoOf(character: Character, dofs: Float64Array | undefined): Character
   };
 }
 
-function keysOf(character: Character, channel: number): KeyInfo[] {
-  const found = shownClip(character)?.channels[channel];
-  if (!found) throw new Error(`${character.name} shows no take with a channel ${channel}.`);
-  if (found.kind !== 'keys') return [];
+function keysOf(store: Store, ref: CharacterRef | undefined, index: number | undefined): KeyInfo[] {
+  const character = resolve(store, ref);
+  const { selection } = store;
+  const channels = shownClip(character)?.channels ?? [];
+  if (index === undefined) {
+    const keys = selection.characterId === character.id ? (selection.keys ?? []) : [];
+    return keys.flatMap(({ channel, indices }) => {
+      const all = keyInfos(channels[channel], channel);
+      return indices.flatMap((k) => all[k] ?? []);
+    });
+  }
+  if (!channels[index]) throw new Error(`${character.name} shows no take with a channel ${index}.`);
+  return keyInfos(channels[index], index);
+}
+
+function keyInfos(found: Channel | undefined, channel: number): KeyInfo[] {
+  if (found?.kind !== 'keys') return [];
+  const { times, values, tangentsIn, tangentsOut } = found;
   const slopes = resolvedSlopes(found);
-  return Array.from(found.times, (time, k) => {
-    return { time, value: found.values[k], slopeIn: slopes.in[k], slopeOut: slopes.out[k] };
-  });
+  return Array.from(times, (time, k) => ({
+    channel,
+    time,
+    value: values[k],
+    slopeIn: slopes.in[k],
+    slopeOut: slopes.out[k],
+    tangentIn: TANGENT_KINDS[tangentsIn.kinds[k]],
+    tangentOut: TANGENT_KINDS[tangentsOut.kinds[k]],
+  }));
 }
 
 function run(

@@ -113,6 +113,21 @@ async function makeTake({ files, joint, channel }: Subject): Promise<void> {
     expect(broken[1].slopeIn).not.toBeCloseTo(dragged[1].slopeIn, 3);
     expect(broken[1].slopeOut).toBeCloseTo(dragged[1].slopeOut, 12);
 
+    // Its kinds are seen on the buttons, in the menu, and by scripts.
+    expect(broken[1]).toMatchObject({ tangentIn: 'fixed', tangentOut: 'smooth' });
+    expect(await page.evaluate(() => window.marrow.keys())).toEqual([broken[1]]);
+    const pressed = () =>
+      page.locator('.tangent-tools [aria-pressed]').evaluateAll((all) => all.map((one) => one.ariaPressed));
+    expect(await pressed()).toEqual(['false', 'false', 'mixed', 'mixed']);
+    await page.getByRole('menuitem', { name: 'Keys', exact: true }).click();
+    await page.getByRole('menuitem', { name: 'Tangents', exact: true }).hover();
+    const ticks = ['Smooth', 'Fixed slope, before the key', 'Smooth, before the key'].map((name) =>
+      page.getByRole('menuitemcheckbox', { name, exact: true }).getAttribute('aria-checked'),
+    );
+    expect(await Promise.all(ticks)).toEqual(['mixed', 'true', 'false']);
+    await page.getByRole('menuitemcheckbox', { name: 'Smooth', exact: true }).click();
+    expect(await pressed()).toEqual(['false', 'false', 'true', 'false']);
+
     // Extrapolation from the menu, for all keys.
     await page.locator('.curve-plot').focus();
     await page.keyboard.press('Control+a');

@@ -1,11 +1,26 @@
 /** Editing tangents of keys, by side. Requested slopes become numbers (FIXED); other kinds follow the neighbours. */
 import { keySlope } from '../../evaluate/slopes.ts';
-import { FIXED_TANGENT, type KeyedChannel, type Tangents } from '../../model/clip.ts';
+import { type Channel, FIXED_TANGENT, type KeyedChannel, keysOf, type Tangents } from '../../model/clip.ts';
+import type { ChannelKeys } from '../../model/session.ts';
 import { type Tangent, tangent } from './columns.ts';
 
 /** The side of a key that is edited. */
 export const TANGENT_SIDES = ['in', 'out', 'both'] as const;
 export type TangentSide = (typeof TANGENT_SIDES)[number];
+
+/**
+ * The kinds of tangents that keys have on one or both sides, as bits: 1 << index into TANGENT_KINDS; 0 for no keys.
+ * @param channels of the clip
+ */
+export function tangentKindsOf(channels: readonly Channel[], keys: readonly ChannelKeys[], side: TangentSide): number {
+  let found = 0;
+  for (const { channel, indices } of keys) {
+    const { tangentsIn, tangentsOut } = keysOf(channels[channel]);
+    if (side !== 'out') for (const k of indices) found |= 1 << tangentsIn.kinds[k];
+    if (side !== 'in') for (const k of indices) found |= 1 << tangentsOut.kinds[k];
+  }
+  return found;
+}
 
 /** Relative difference below which slopes are equal. */
 const SAME_SLOPE = 1e-12;

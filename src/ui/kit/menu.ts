@@ -22,7 +22,8 @@ export interface MenuItem {
   /** Chosen while disabled: says why. Without it the menu stays open. */
   readonly refuse?: (() => void) | undefined;
   /** Absent: not checkable. */
-  readonly checked?: boolean | undefined;
+  /** `mixed`: of some of what is selected. Not for `radio`. */
+  readonly checked?: boolean | 'mixed' | undefined;
   readonly radio?: boolean | undefined;
   run(): void;
 }
@@ -163,7 +164,7 @@ export class Menu {
       'aria-keyshortcuts': entry.ariaShortcut,
     });
     const tick = element('span', { class: 'menu-tick' });
-    if (entry.checked) tick.append(icon(entry.radio ? 'dot' : 'check'));
+    if (entry.checked) tick.append(icon(entry.radio ? 'dot' : entry.checked === 'mixed' ? 'mixed' : 'check'));
     const text = element('span', { class: 'menu-label' }, entry.label);
     if (entry.detail) text.append(element('span', { class: 'menu-detail' }, entry.detail));
     item.append(tick, text);

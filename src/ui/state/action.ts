@@ -25,7 +25,7 @@ export function isEnabled({ actions }: ActionsOnPage, action: Action): boolean {
 }
 
 /** Undefined if it isn't checkable. */
-export function isChecked({ actions }: ActionsOnPage, action: Action): boolean | undefined {
+export function isChecked({ actions }: ActionsOnPage, action: Action): boolean | 'mixed' | undefined {
   return action.checked?.(actions.page);
 }
 

@@ -117,8 +117,8 @@ export interface Action extends Bindable {
   enabled?(wb: Workbench): boolean;
   /** Why it is disabled, in a sentence, shown in place of the detail. */
   whyNot?(wb: Workbench): string | undefined;
-  /** Shows a check mark; `radio` for alternatives. */
-  checked?(wb: Workbench): boolean;
+  /** Shows a check mark, or a dash for `mixed`: of some of what is selected; `radio` for alternatives. */
+  checked?(wb: Workbench): boolean | 'mixed';
   readonly radio?: boolean;
   /** Returns a promise if its script is loaded first. */
   run(wb: Workbench, args?: unknown): void | Promise<void>;

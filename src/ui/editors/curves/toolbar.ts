@@ -1,16 +1,18 @@
 /** The curve editor's buttons, in the row of tabs. All of them run actions. */
 
-import { button, element, keepsFocusElsewhere } from '../../kit/dom.ts';
+import type { TangentKind } from '../../../model/clip.ts';
+import { button, element, keepsFocusElsewhere, setAttribute } from '../../kit/dom.ts';
 import { oncePerFrame } from '../../kit/frame.ts';
 import { type IconName, icon } from '../../kit/icons.ts';
 import { type MenuEntry, menuButton } from '../../kit/menu.ts';
 import { toolbar } from '../../kit/roving.ts';
-import { setTooltip } from '../../kit/tooltip.ts';
+import { setTooltip, type TooltipText } from '../../kit/tooltip.ts';
 import { findAction, isChecked, isEnabled, tryAction } from '../../state/action.ts';
 import { HANDLE_MODES, type HandleMode } from '../../state/timeline.ts';
 import { setActionTooltip } from '../../state/tooltips.ts';
 import type { Uses } from '../../state/workbench.ts';
 import { HANDLE_LABELS } from '../timeline/actions.ts';
+import { hasTangents, sideWithTangents } from '../timeline/tangent-state.ts';
 import { CURVE_TOOLS, entriesOf, SAMPLE_TOOLS } from './context-menu.ts';
 import { keyFields } from './key-fields.ts';
 
@@ -33,16 +35,23 @@ export function curveToolbar(
   wb: Uses<'store' | 'actions' | 'transport' | 'timeline' | 'settings' | 'messages'>,
 ): HTMLElement {
   const tools: (() => void)[] = [];
-  const tool = (id: string, label: string, name: IconName, isSwitch = false) => {
+  const tool = (id: string, label: string, name: IconName, text: TooltipText = label) => {
     const action = findAction(wb, `timeline.${id}`);
     const made = keepsFocusElsewhere(
       button(label, { class: 'tool' }, icon(name), () => action && tryAction(wb, action)),
     );
-    setActionTooltip(wb, made, `timeline.${id}`, label);
+    setActionTooltip(wb, made, `timeline.${id}`, text);
     tools.push(() => {
-      if (isSwitch) made.setAttribute('aria-pressed', String((action && isChecked(wb, action)) ?? false));
-      else made.disabled = !(action && isEnabled(wb, action));
+      const checked = action && isChecked(wb, action);
+      if (checked !== undefined) setAttribute(made, 'aria-pressed', String(checked));
+      made.disabled = !(action && isEnabled(wb, action));
     });
+    return made;
+  };
+  /** Pressed for the kind of the selected keys, on one half if only their tangents of that side are of it. */
+  const tangents = (kind: TangentKind, label: string) => {
+    const made = tool(`tangents.${kind}`, label, kind, () => `${label}${whichKeys(wb, kind)}`);
+    tools.push(() => setAttribute(made, 'data-side', sideWithTangents(wb, kind)));
     return made;
   };
   const menu = (label: string, name: IconName, entries: () => readonly MenuEntry[]) => {
@@ -86,10 +95,10 @@ export function curveToolbar(
     group(
       'Tangents',
       'tangent-tools',
-      tool('tangents.flat', 'Flat tangents', 'flat'),
-      tool('tangents.linear', 'Linear tangents', 'linear'),
-      tool('tangents.smooth', 'Smooth tangents', 'smooth'),
-      tool('tangents.fixed', 'Fixed slopes', 'fixed'),
+      tangents('flat', 'Flat tangents'),
+      tangents('linear', 'Linear tangents'),
+      tangents('smooth', 'Smooth tangents'),
+      tangents('fixed', 'Fixed slopes'),
       tool('unify', 'Unify tangents', 'unify'),
       tool('break', 'Break tangents', 'break'),
       handles,
@@ -104,9 +113,9 @@ export function curveToolbar(
     group(
       'Snapping',
       'snap-tools',
-      tool('snapsToFrames', 'Snap to frames', 'snapFrames', true),
-      tool('snapsToValues', 'Snap to values', 'snapValues', true),
-      tool('scaleFrame', 'Transform box', 'scaleFrame', true),
+      tool('snapsToFrames', 'Snap to frames', 'snapFrames'),
+      tool('snapsToValues', 'Snap to values', 'snapValues'),
+      tool('scaleFrame', 'Transform box', 'scaleFrame'),
     ),
     group(
       'Curves',
@@ -130,7 +139,7 @@ export function curveToolbar(
       'fit-tools',
       tool('fitSelected', 'Fit selected keys', 'frame'),
       tool('fitAll', 'Fit all', 'fitAll'),
-      tool('normalised', 'Normalised', 'normalised', true),
+      tool('normalised', 'Normalised', 'normalised'),
     ),
     more,
     keyFields(wb),
@@ -145,4 +154,12 @@ export function curveToolbar(
   wb.timeline.view.subscribe(show);
   show();
   return bar;
+}
+
+/** Which of the selected keys have that kind of tangents. */
+function whichKeys(wb: Uses<'store' | 'timeline'>, kind: TangentKind): string {
+  const has = hasTangents(wb, kind, 'both');
+  if (has !== 'mixed') return has ? ': all selected keys' : '';
+  const side = sideWithTangents(wb, kind);
+  return side ? `: ${side === 'in' ? 'before' : 'after'} all selected keys` : ': some selected keys';
 }

@@ -37,6 +37,7 @@ import {
   snapToFrames,
 } from './key-edits.ts';
 import { pastableChannels } from './paste-targets.ts';
+import { hasTangents } from './tangent-state.ts';
 
 function noTakeText(wb: Uses<'store'>): string {
   const character = currentCharacter(wb);
@@ -265,6 +266,7 @@ const tangents: readonly Action[] = [
       section: 12,
       icon: kind,
       enabled: hasKeys,
+      checked: (wb) => hasTangents(wb, kind, 'both'),
       run: (wb) => makeTangents(wb, kind, 'both'),
     }),
   ),
@@ -288,6 +290,7 @@ const tangents: readonly Action[] = [
         menu: 'Keys/Tangents',
         section: side === 'in' ? 14 : 15,
         enabled: hasKeys,
+        checked: (wb) => hasTangents(wb, kind, side),
         run: (wb) => makeTangents(wb, kind, side),
       }),
     ),

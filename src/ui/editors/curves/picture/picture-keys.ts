@@ -5,7 +5,7 @@
  * cell. (Ten thousand diamonds cost a software canvas more than all curves.)
  */
 import { firstNotBelow } from '../../../../math/search.ts';
-import { FIXED_TANGENT, keysOf } from '../../../../model/clip.ts';
+import { FIXED_TANGENT, FLAT, keysOf, LINEAR } from '../../../../model/clip.ts';
 import { mixed } from '../scene/colours.ts';
 import { handlesOf, type TangentHandle } from '../scene/handles.ts';
 import { type CurveLine, type CurveScene, isFaint, lineOf } from '../scene/scene.ts';
@@ -234,7 +234,7 @@ function drawFrames(g: CanvasRenderingContext2D, scene: CurveScene, colours: Pic
   return hasAny;
 }
 
-/** A fixed slope has a full dot, a computed one a ring. */
+/** Their ends tell the kind of tangent: a bar if flat, a square if linear, a ring if smooth, a full dot if fixed. */
 function drawHandles(
   g: CanvasRenderingContext2D,
   scene: CurveScene,
@@ -255,9 +255,8 @@ function drawHandles(
     g.beginPath();
     for (const { line, index, side, endX, endY } of handles) {
       const { tangentsIn, tangentsOut } = keysOf(scene.clip.channels[line.channel]);
-      if (((side === 'in' ? tangentsIn : tangentsOut).kinds[index] === FIXED_TANGENT) !== set) continue;
-      g.moveTo(endX + HANDLE_END_PIXELS, endY);
-      g.arc(endX, endY, HANDLE_END_PIXELS, 0, 2 * Math.PI);
+      const kind = (side === 'in' ? tangentsIn : tangentsOut).kinds[index];
+      if ((kind === FIXED_TANGENT) === set) addHandleEnd(g, kind, endX, endY);
     }
     g.fillStyle = set ? colours.selected : colours.plot;
     g.fill();
@@ -265,4 +264,15 @@ function drawHandles(
   }
   g.strokeStyle = colours.plot;
   g.lineWidth = 1;
+}
+
+/** Of about the same area, so that none seems more important. */
+function addHandleEnd(g: CanvasRenderingContext2D, kind: number, x: number, y: number): void {
+  const r = HANDLE_END_PIXELS;
+  if (kind === FLAT) g.rect(x - 1.6 * r, y - 0.6 * r, 3.2 * r, 1.2 * r);
+  else if (kind === LINEAR) g.rect(x - 0.9 * r, y - 0.9 * r, 1.8 * r, 1.8 * r);
+  else {
+    g.moveTo(x + r, y);
+    g.arc(x, y, r, 0, 2 * Math.PI);
+  }
 }
