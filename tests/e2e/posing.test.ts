@@ -319,7 +319,7 @@ it('has a select tool without a gizmo: clicks pick, drags orbit, and a button le
     await page.waitForFunction(() => document.querySelector<HTMLElement>('.joint-gizmo')?.hidden === false);
   }));
 
-it('blends to a pose once where its picture is double-clicked, and again at a click', () =>
+it('a slider blends to a saved pose until the focus leaves, in one step, or Escape; a double click applies it once', () =>
   withPage(async ({ page }) => {
     await openArm(page);
     await page.evaluate(async () => {
@@ -330,12 +330,22 @@ it('blends to a pose once where its picture is double-clicked, and again at a cl
     });
     const picture = page.locator('.pose-picture');
     await picture.waitFor();
-    await page.getByRole('slider', { name: 'Blend amount of an applied pose' }).fill('50');
-    await picture.dblclick();
+    const slider = page.getByRole('slider', { name: 'Blend to pose 1' });
+    await slider.fill('25');
+    await slider.fill('50');
     expect((await dofs(page))[6]).toBeCloseTo(0.2, 9);
-    await picture.click();
+    await page.keyboard.press('Escape');
+    expect((await dofs(page))[6]).toBe(0);
+    expect(await slider.inputValue()).toBe('0');
+    await slider.fill('25');
+    await slider.fill('75');
+    await page.keyboard.press('Tab');
     expect((await dofs(page))[6]).toBeCloseTo(0.3, 9);
+    expect(await undo(page)).toBe('Blend to pose 1');
     await page.evaluate(() => window.marrow.undo());
+    expect((await dofs(page))[6]).toBe(0);
+    await picture.dblclick();
+    expect((await dofs(page))[6]).toBeCloseTo(0.4, 9);
     await page.evaluate(() => window.marrow.undo());
     expect((await dofs(page))[6]).toBe(0);
   }));

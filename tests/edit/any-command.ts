@@ -111,6 +111,7 @@ const ARGUMENTS: Readonly<Record<string, (s: Situation) => object | undefined>> 
     ...autoKey(dice),
   }),
   'poses.keep': ({ dice, character }) => ({ characterId: character.id, timeSeconds: time(dice) }),
+  'poses.update': (s) => ofPose(s, { timeSeconds: time(s.dice) }),
   'poses.rename': (s) => ofPose(s, { name: s.dice.pick(['sting', 'land', 'pose 1']) }),
   'poses.remove': ({ dice, character }) =>
     character.poses && { characterId: character.id, poses: [dice.below(character.poses.length)] },

@@ -277,6 +277,7 @@ export const CASES: Readonly<Record<string, EditCase>> = {
     idle: { ...NOW, pose: poseByNames(HERO, { name: 'same', values: HERO.pose }) },
   },
   'poses.keep': alone({ ...NOW, name: 'stand' }, { ...NOW, name: '' }),
+  'poses.update': alone({ ...NOW, pose: 0 }, { ...NOW, pose: 1 }),
   'poses.rename': alone({ ...WHO, pose: 0, name: 'greet' }, { ...WHO, pose: 0, name: 'wave' }),
   'poses.remove': alone({ ...WHO, poses: [0] }, { ...WHO, poses: [] }),
   'poses.apply': { document: POSED, args: { ...NOW, pose: 0, share: 0.5 }, idle: { ...NOW, pose: 0, share: 0 } },

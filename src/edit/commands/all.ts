@@ -8,7 +8,16 @@ import { holdPins } from './hold.ts';
 import { clearPins, pinPoint, setPin, setRootFree, setStiffness, unpin } from './ik.ts';
 import { addKey, insertKeys, moveKeys, removeKeys, rippleKeys, scaleKeys, setKeys, snapKeys } from './keys.ts';
 import { pasteKeys } from './paste.ts';
-import { addToLibrary, applyPose, keepPose, mirrorPose, pastePose, removePoses, renamePose } from './poses.ts';
+import {
+  addToLibrary,
+  applyPose,
+  keepPose,
+  mirrorPose,
+  pastePose,
+  removePoses,
+  renamePose,
+  updatePose,
+} from './poses.ts';
 import { bakeRetarget, changeRetarget, clearRetarget, setRetarget } from './retarget.ts';
 import { addJoint, createRig, mirrorJoint, removeJoint, reparentJoint } from './rig.ts';
 import { renameJoint, setBox, setFilePose, setLength, setMotion, setOffset } from './rig-joint.ts';
@@ -67,6 +76,7 @@ const FETCHED: readonly Command<never, Document | Edit>[] = [
   mirrorPose,
   pastePose,
   keepPose,
+  updatePose,
   renamePose,
   removePoses,
   applyPose,

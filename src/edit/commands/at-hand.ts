@@ -99,6 +99,7 @@ export const FETCHED_IDS: ReadonlySet<string> = new Set([
   'poses.mirror',
   'poses.paste',
   'poses.keep',
+  'poses.update',
   'poses.rename',
   'poses.remove',
   'poses.apply',

@@ -104,6 +104,23 @@ function keptName({ poses = [] }: Character, name: string | undefined): string {
   return name === undefined ? nextPoseName(poses) : freePoseName(poses, text(name, 'The name').trim());
 }
 
+/** Replaces a pose of the library by the displayed pose; it keeps its name. */
+export const updatePose: Command<OfPose & { readonly timeSeconds: number }> = {
+  id: 'poses.update',
+  label: (document, { characterId, pose }) => `Update ${poseIn(document, characterId, pose)} in pose library`,
+  run: (document, { characterId, pose, timeSeconds }) =>
+    changeCharacter(document, characterId, (character) => {
+      const before = requirePose(document, characterId, pose);
+      const values = Array.from(shownAt(character, timeSeconds));
+      const isSame = values.length === before.values.length && values.every((v, d) => v === before.values[d]);
+      if (isSame) return character;
+      return withPoses(
+        character,
+        (character.poses ?? []).map((one, i) => (i === pose ? { ...before, values } : one)),
+      );
+    }),
+};
+
 interface OfPose {
   readonly characterId: string;
   /** Index in the library. */

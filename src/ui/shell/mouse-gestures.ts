@@ -121,7 +121,7 @@ export const MOUSE_GESTURES: readonly MouseGestures[] = [
     where: 'In the pose library',
     lines: [
       ['Apply a pose', 'click or Enter'],
-      ['Blend to it', 'Alt+drag sideways'],
+      ['Blend to it', 'Alt+drag sideways, or the Blend slider'],
       ['Next or previous card', '← → ↑ ↓'],
       ['Rename it', 'F2 or double-click on its name'],
       ['Remove it', 'Delete'],

@@ -60,6 +60,8 @@ export class Posing {
   readonly rigSkin: Observable<RigSkin> = observable<RigSkin>('stays');
   readonly ik = new IkHand();
   readonly rig = new RigHand();
+  /** Index of the focused pose in the library of the current character. */
+  readonly libraryPose: Observable<number> = observable(0);
   /** The last pose copied on this page. */
   readonly copied: Observable<CopiedPose | undefined> = observable<CopiedPose | undefined>(undefined);
   /** Retargeted characters that were posed, each with its source: the message is shown once. */

@@ -7,6 +7,7 @@ import {
   pastePose,
   removePoses,
   renamePose,
+  updatePose,
 } from '../../../src/edit/commands/poses.ts';
 import { blendPoses } from '../../../src/edit/pose/blend.ts';
 import { poseByNames } from '../../../src/edit/pose/by-names.ts';
@@ -115,6 +116,23 @@ describe('the library’s commands', () => {
     );
     const free = setClamping.run(tight, { characterId: 'c1', clamps: false });
     expect(shown(documentIn(applyPose.run(free, { ...at, pose: 0 })))).toEqual(pose);
+  });
+
+  it('a saved pose that is updated keeps its name and place, and is the displayed pose', () => {
+    const store = new Store(still);
+    store.apply(keepPose, { characterId: 'c1', timeSeconds: 0, name: 'first' });
+    store.apply(keepPose, { characterId: 'c1', timeSeconds: 0, name: 'second' });
+    const before = store.document;
+    // It is the same still: no step.
+    store.apply(updatePose, { characterId: 'c1', pose: 0, timeSeconds: 0 });
+    expect(store.document).toBe(before);
+    store.apply(setDofs, { characterId: 'c1', dofs: [{ index: 6, value: 0.75 }], timeSeconds: 0 });
+    store.apply(updatePose, { characterId: 'c1', pose: 0, timeSeconds: 0 });
+    const [first, second] = store.document.characters[0].poses ?? [];
+    expect([first.name, first.values]).toEqual(['first', shown(store.document)]);
+    expect(second).toBe(before.characters[0].poses?.[1]);
+    expect(store.undoLabel).toBe('Update first in pose library');
+    expect(() => updatePose.run(store.document, { characterId: 'c1', pose: 2, timeSeconds: 0 })).toThrow(CommandError);
   });
 
   it('the library’s commands are undone in one step each', () => {

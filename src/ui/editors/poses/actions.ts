@@ -1,5 +1,6 @@
 /** Actions on whole poses: copy, paste, mirror, save. Their scripts are loaded on first use. */
 
+import type { NamedPose } from '../../../model/poses.ts';
 import { currentCharacter } from '../../state/action.ts';
 import { NO_CHARACTER, NO_SKELETON, needs } from '../../state/needs.ts';
 import { openPanel } from '../../state/panels.ts';
@@ -12,6 +13,11 @@ const hasCharacter = needs(NO_CHARACTER, (wb: Uses<'store'>) => currentCharacter
 const hasSkeleton = needs(NO_SKELETON, (wb: Uses<'store'>) => currentCharacter(wb)?.skeleton !== undefined);
 
 const hasJoint = needs('Select a joint first.', (wb: Uses<'store'>) => selectedJoints(wb) !== undefined);
+
+/** In the library of the current character. */
+export function focusedPose(wb: Uses<'store' | 'posing'>): NamedPose | undefined {
+  return currentCharacter(wb)?.poses?.[wb.posing.libraryPose.get()];
+}
 
 export const POSE_ACTIONS: readonly Action[] = [
   {
@@ -107,6 +113,25 @@ export const POSE_ACTIONS: readonly Action[] = [
     shortcuts: ['Alt+P'],
     enabled: hasCharacter,
     run: async (wb) => (await edits()).keep(wb),
+  },
+  {
+    id: 'pose.update',
+    name: 'Update focused pose in library',
+    label(wb) {
+      const pose = focusedPose(wb);
+      return pose ? `Update ${pose.name} in library` : 'Update pose in library';
+    },
+    detail: 'Replaces the focused one by the current pose',
+    unchanged: 'The current pose is saved like this already.',
+    group: 'Edit',
+    menu: MENU,
+    section: 3,
+    enabled: needs('The character has no saved poses.', (wb) => focusedPose(wb) !== undefined),
+    async run(wb) {
+      const { update } = await edits();
+      const character = currentCharacter(wb);
+      if (character) update(wb, character.id, wb.posing.libraryPose.get());
+    },
   },
   {
     id: 'pose.library',

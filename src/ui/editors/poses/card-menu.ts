@@ -1,9 +1,10 @@
 /** A card's context menu. */
 import type { MenuEntry } from '../../kit/menu.ts';
-import type { PoseOptions } from './tools.ts';
 
 export interface CardActions {
-  take(options: PoseOptions): void;
+  /** @param isBranch from the selected joint down only */
+  take(share: number, isBranch: boolean): void;
+  update(): void;
   rename(): void;
   save(): void;
   remove(): void;
@@ -18,12 +19,13 @@ export function cardEntries(joint: string | undefined, does: CardActions): reado
     run,
     shortcut,
   });
-  const branch = item(`Apply from ${joint} down`, () => does.take({ share: 1, branch: true }));
+  const branch = item(`Apply from ${joint} down`, () => does.take(1, true));
   return [
-    item('Apply', () => does.take({ share: 1, branch: false }), 'Enter'),
-    item('Apply at 50%', () => does.take({ share: 0.5, branch: false })),
+    item('Apply', () => does.take(1, false), 'Enter'),
+    item('Apply at 50%', () => does.take(0.5, false)),
     ...(joint === undefined ? [] : [branch]),
     { kind: 'line' },
+    item('Update to current pose', () => does.update()),
     // Keys of the grid itself.
     item('Rename', () => does.rename(), 'F2'),
     item('Save poses…', () => does.save()),

@@ -22,7 +22,7 @@ import type { Workbench } from '../../state/workbench.ts';
 import { PoseCard } from './card.ts';
 import { blendByDrag } from './card-drags.ts';
 import { cardEntries } from './card-menu.ts';
-import { removePose, rename, take } from './pose-edits.ts';
+import { removePose, rename, take, update } from './pose-edits.ts';
 import { Thumbnails } from './thumbnails.ts';
 import { type PoseOptions, poseTools } from './tools.ts';
 
@@ -33,7 +33,7 @@ export function posesPanel(wb: Workbench): TimelineTab {
 class PosesPanel implements TimelineTab {
   readonly element: HTMLElement;
   readonly tools: HTMLElement;
-  private readonly options = observable<PoseOptions>({ share: 1, branch: false });
+  private readonly options = observable<PoseOptions>({ branch: false });
   private readonly grid = element('div', {
     ...{ class: 'pose-grid', role: 'listbox', tabindex: 0, 'aria-label': 'Poses', [HAS_KEYS]: true },
   });
@@ -94,6 +94,7 @@ class PosesPanel implements TimelineTab {
     this.shownId = character?.id;
     this.shownPoses = poses;
     this.focused = Math.max(0, Math.min(this.focused, poses.length - 1));
+    wb.posing.libraryPose.set(this.focused);
     while (cards.length > poses.length) {
       const card = cards.pop();
       if (!card) break;
@@ -227,7 +228,8 @@ class PosesPanel implements TimelineTab {
     const joint = character && selectedJointOf(this.wb, character.id);
     const name = joint === undefined ? undefined : jointName(character?.skeleton, joint);
     const entries = cardEntries(name, {
-      take: (options) => this.take(index, options),
+      take: (share, isBranch) => this.take(index, share, isBranch),
+      update: () => update(this.wb, this.shownId ?? '', index),
       rename: () => this.startRename(index),
       save: () => this.wb.files.save(this.shownId ?? '', 'pose'),
       remove: () => this.remove(index),
@@ -235,11 +237,11 @@ class PosesPanel implements TimelineTab {
     openMenu(at, entries, { label: this.shownPoses[index].name, focusFirst: byKey, opener: this.grid });
   }
 
-  private take(index: number, options: PoseOptions = this.options.get()): void {
+  private take(index: number, share = 1, isBranch = this.options.get().branch): void {
     const character = findCharacter(this.wb.store.document, this.shownId);
     if (!character || !this.shownPoses[index]) return;
-    const joint = options.branch ? selectedJointOf(this.wb, character.id) : undefined;
-    take(this.wb, { characterId: character.id, pose: index, share: options.share, joint });
+    const joint = isBranch ? selectedJointOf(this.wb, character.id) : undefined;
+    take(this.wb, { characterId: character.id, pose: index, share, joint });
   }
 
   private jointMeant(character: Character): number | undefined {

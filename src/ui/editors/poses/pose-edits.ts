@@ -9,6 +9,7 @@ import {
   pastePose,
   removePoses,
   renamePose,
+  updatePose,
 } from '../../../edit/commands/poses.ts';
 import { poseByNames, takePose } from '../../../edit/pose/by-names.ts';
 import { counterpartOf } from '../../../edit/pose/mirror.ts';
@@ -16,6 +17,7 @@ import { CommandError, documentIn } from '../../../edit/store.ts';
 import { dofCountOf, poseAt } from '../../../evaluate/pose.ts';
 import { coupleOf } from '../../../model/couples.ts';
 import type { Character } from '../../../model/document.ts';
+import { findCharacter } from '../../../model/document.ts';
 import { filePose } from '../../../model/dofs.ts';
 import type { PoseByNames } from '../../../model/pose-by-names.ts';
 import type { Skeleton } from '../../../model/skeleton.ts';
@@ -136,6 +138,19 @@ export function keep(wb: Uses<'store' | 'transport' | 'timeline' | 'settings' | 
 
 export function rename(wb: Uses<'store' | 'messages'>, characterId: string, pose: number, name: string): void {
   attempt(wb.messages, () => wb.store.apply(renamePose, { characterId, pose, name }));
+}
+
+/** Replaces a saved pose by the current one. */
+export function update(
+  wb: Uses<'store' | 'transport' | 'timeline' | 'settings' | 'messages'>,
+  characterId: string,
+  pose: number,
+): void {
+  const { timeSeconds } = moment(wb);
+  const before = wb.store.document;
+  attempt(wb.messages, () => wb.store.apply(updatePose, { characterId, pose, timeSeconds }));
+  const name = findCharacter(before, characterId)?.poses?.[pose]?.name;
+  if (wb.store.document !== before) wb.messages.note(`Updated ${name ?? 'the pose'} to the current pose.`);
 }
 
 export function removePose(wb: Uses<'store' | 'messages'>, characterId: string, pose: number): void {

@@ -1,17 +1,18 @@
 /** Controls of the poses tab, beside the tabs: saving a pose, and how poses are applied. */
 
-import { button, element, keepsFocusElsewhere, setText } from '../../kit/dom.ts';
+import { button, element, keepsFocusElsewhere } from '../../kit/dom.ts';
 import { oncePerFrame } from '../../kit/frame.ts';
 import type { Observable } from '../../kit/observable.ts';
 import { toolbar } from '../../kit/roving.ts';
-import { findAction, isEnabled, tryAction } from '../../state/action.ts';
+import { currentCharacter, findAction, isEnabled, tryAction } from '../../state/action.ts';
+import { selectedJointOf } from '../../state/selected-joint.ts';
 import { setActionTooltip } from '../../state/tooltips.ts';
 import type { Uses } from '../../state/workbench.ts';
+import { focusedPose } from './actions.ts';
+import { blendSlider } from './blend-slider.ts';
 
-/** How a click applies a pose. */
+/** How poses are applied and blended. */
 export interface PoseOptions {
-  /** 1: all of it. */
-  readonly share: number;
   /** Only the selected joint and its descendants. */
   readonly branch: boolean;
 }
@@ -24,7 +25,7 @@ const BUTTONS: readonly (readonly [id: string, text: string, label: string])[] =
 ];
 
 export function poseTools(
-  wb: Uses<'store' | 'actions' | 'posing' | 'settings'>,
+  wb: Uses<'store' | 'actions' | 'transport' | 'timeline' | 'posing' | 'settings' | 'messages'>,
   options: Observable<PoseOptions>,
 ): HTMLElement {
   const refreshing: (() => void)[] = [];
@@ -39,23 +40,13 @@ export function poseTools(
     });
     return made;
   });
-  const slider = element('input', {
-    type: 'range',
-    min: 0,
-    max: 100,
-    step: 1,
-    'aria-label': 'Blend amount of an applied pose',
+  const blend = blendSlider(wb, () => {
+    const character = currentCharacter(wb);
+    const pose = focusedPose(wb);
+    if (!character || !pose) return undefined;
+    const joint = options.get().branch ? selectedJointOf(wb, character.id) : undefined;
+    return { characterId: character.id, pose: wb.posing.libraryPose.get(), joint, name: pose.name };
   });
-  const percent = element('span', { class: 'pose-percent number' });
-  slider.addEventListener('input', () => options.update((now) => ({ ...now, share: Number(slider.value) / 100 })));
-  slider.addEventListener('dblclick', () => options.update((now) => ({ ...now, share: 1 })));
-  const share = element(
-    'label',
-    { class: 'pose-blend', tooltip: 'Blend amount of an applied pose' },
-    'Blend',
-    slider,
-    percent,
-  );
   const branch = keepsFocusElsewhere(
     button(
       'Hierarchy only',
@@ -69,15 +60,14 @@ export function poseTools(
     ),
   );
   const show = () => {
-    const { share: part, branch: isBranch } = options.get();
-    slider.value = String(Math.round(100 * part));
-    slider.setAttribute('aria-valuetext', `${slider.value} percent`);
-    setText(percent, `${slider.value} %`);
+    const { branch: isBranch } = options.get();
+    blend.show();
     branch.setAttribute('aria-pressed', String(isBranch));
     for (const refresh of refreshing) refresh();
   };
   wb.store.subscribe(oncePerFrame(show));
   wb.posing.copied.subscribe(show);
+  wb.posing.libraryPose.subscribe(show);
   options.subscribe(show);
   show();
   return element(
@@ -89,7 +79,7 @@ export function poseTools(
       { class: 'pose-cards', role: 'group', 'aria-label': 'How a pose is applied' },
       element('span', { class: 'faint', 'aria-hidden': 'true' }, 'Cards'),
       branch,
-      share,
+      blend.element,
     ),
   );
 }

@@ -32,6 +32,19 @@ describe('poses by menus and keys', () => {
     expect(wb.messages.list.get().at(-1)?.text).toContain('in the middle');
   });
 
+  it('the focused pose of the library is updated to the current one, and says so', async () => {
+    const { wb } = workbench(documentOf(character({ id: 'c1', skeleton: rig(), pose })));
+    expect(() => runAction(wb, 'pose.update')).toThrow();
+    await runAction(wb, 'pose.keep');
+    await runAction(wb, 'pose.keep');
+    wb.posing.libraryPose.set(1);
+    await runAction(wb, 'pose.resetToFile');
+    await runAction(wb, 'pose.update');
+    expect(wb.store.document.characters[0].poses?.map(({ values }) => values[0])).toEqual([1, 0]);
+    expect(wb.messages.passing.get()).toBe('Updated pose 2 to the current pose.');
+    expect(wb.store.undoLabel).toBe('Update pose 2 in pose library');
+  });
+
   it('saving a pose stops playback, and the library can be opened', async () => {
     const { wb } = workbench(documentOf(character({ id: 'c1', skeleton: rig(), pose })), { playing: true });
     await runAction(wb, 'pose.keep');
