@@ -105,6 +105,14 @@ describe('the look', () => {
           return [scrollWidth - clientWidth, scrollHeight - clientHeight];
         });
         expect(overflow).toEqual([0, 0]);
+        const covered = await page.evaluate(() => {
+          const controls = [...document.querySelectorAll('.transport-row :is(button, input)')];
+          const boxes = controls.map((one) => one.getBoundingClientRect()).filter(({ width }) => width > 0);
+          return boxes.filter((a, i) =>
+            boxes.some((b, j) => j > i && a.left < b.right && b.left < a.right && a.top < b.bottom && b.top < a.bottom),
+          ).length;
+        });
+        expect(covered).toBe(0);
         const { data } = await readPixels(page, { x: 2, y: 2, width: 4, height: 4 });
         const isLight = data[0] > 128;
         expect(isLight).toBe(colorScheme === 'light');
