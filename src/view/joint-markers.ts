@@ -24,7 +24,7 @@ const MARKER_OPACITY = 0.5;
 
 export class JointMarkers {
   private readonly dots = dots(1, { size: 9, depthTest: false });
-  private readonly otherDots = dots(1, { size: 7, depthTest: false });
+  private readonly otherDots = dots(1, { size: 8, depthTest: false });
   private readonly edges: InstancedKind;
   private readonly axes: InstancedKind;
 
@@ -95,8 +95,9 @@ export class JointMarkers {
   setTheme(theme: StageTheme): void {
     this.dots.material.uniforms.color.value.copy(rawColor(theme.selected));
     this.otherDots.material.uniforms.color.value.copy(rawColor(theme.selectedToo));
-    for (const { material } of [this.dots, this.otherDots])
-      material.uniforms.ring.value.copy(rawColor(theme.labelHalo));
+    this.dots.material.uniforms.ring.value.copy(rawColor(theme.labelHalo));
+    // Without axes beside it, a dot needs more contrast with a skin.
+    this.otherDots.material.uniforms.ring.value.copy(rawColor(theme.bone));
     const { material } = this.edges;
     if (material instanceof ShaderMaterial) material.uniforms.color.value.copy(rawColor(theme.selected));
   }

@@ -77,7 +77,7 @@ export const STAGE_THEMES: Readonly<Record<ThemeName, StageTheme>> = {
     boxEdge: '#b4c2d1',
     boxEdgeOpacity: 0.6,
     selected: '#ff9a3c',
-    selectedToo: '#c4762e',
+    selectedToo: '#d6852f',
     selectedLabel: '#ffad5e',
     vertex: '#a594ff',
     hovered: '#ffd9ad',

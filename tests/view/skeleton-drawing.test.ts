@@ -1,4 +1,4 @@
-import { InstancedMesh, Matrix4, Vector3 } from 'three';
+import { InstancedMesh, Matrix4, ShaderMaterial, Vector3 } from 'three';
 import { describe, expect, it } from 'vitest';
 import { compileSkeleton, worldMatrices } from '../../src/evaluate/kinematics.ts';
 import { filePose } from '../../src/model/dofs.ts';
@@ -189,6 +189,23 @@ describe('a skeleton whose boxes nobody made', () => {
     posedBones.pose(Float64Array.from(filePose(exported, 0)));
     posedBones.bounds(reach);
     expect(reach[3] - reach[0]).toBe(0);
+  });
+
+  it('a skeleton has a dot at each selected joint, at every instance, and none at joints that don’t exist', () => {
+    const drawing = new SkeletonDrawing();
+    const twice = Float64Array.from([...new Matrix4().elements, ...new Matrix4().makeTranslation(3, 0, 0).elements]);
+    const dots = (others: readonly number[]) => {
+      const selection = { characterId: 'c1', joint: 0, others };
+      drawing.show([{ ...posed('c1', cubes), placements: twice }], DEFAULT_DISPLAY, selection, STAGE_THEMES.dark);
+      drawing.fill();
+      const all = calls(drawing).filter(
+        ({ material }) => material instanceof ShaderMaterial && material.uniforms.hollow,
+      );
+      return all.map(({ count }) => count);
+    };
+    expect(dots([])).toEqual([2]);
+    expect(dots([1, 2])).toEqual([4, 2]);
+    expect(dots([1, 99])).toEqual([2, 2]);
   });
 
   it('a skeleton with default boxes gets no bones under a skin, or where boxes are hidden', () => {

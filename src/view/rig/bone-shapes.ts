@@ -45,8 +45,8 @@ function edges(): number[] {
 export class BoneShapes {
   private readonly faces: InstancedKind;
   private readonly edges: InstancedKind;
-  private readonly colors = { usual: new Color(), selected: new Color() };
-  private readonly lines = { usual: new Color(), selected: new Color(), hot: new Color() };
+  private readonly colors = { usual: new Color(), selected: new Color(), selectedToo: new Color() };
+  private readonly lines = { usual: new Color(), selected: new Color(), selectedToo: new Color(), hot: new Color() };
 
   constructor(parent: Group) {
     const onTop = { depthTest: false, depthWrite: false };
@@ -87,8 +87,8 @@ export class BoneShapes {
     for (const kind of [this.faces, this.edges]) kind.matrices.fill(0, 16 * i, 16 * i + 16);
   }
 
-  paint(i: number, look: 'usual' | 'selected' | 'hot'): void {
-    this.faces.paint(i, look === 'selected' ? this.colors.selected : this.colors.usual, 1);
+  paint(i: number, look: 'usual' | 'selected' | 'selectedToo' | 'hot'): void {
+    this.faces.paint(i, look === 'hot' ? this.colors.usual : this.colors[look], 1);
     this.edges.paint(i, this.lines[look], look === 'usual' ? 0.8 : 1);
   }
 
@@ -103,8 +103,10 @@ export class BoneShapes {
   setTheme(theme: StageTheme): void {
     this.colors.usual.set(theme.bone);
     this.colors.selected.set(theme.selected);
+    this.colors.selectedToo.set(theme.selectedToo);
     this.lines.usual.copy(rawColor(theme.boxEdge));
     this.lines.selected.copy(rawColor(theme.selected));
+    this.lines.selectedToo.copy(rawColor(theme.selectedToo));
     this.lines.hot.copy(rawColor(theme.hovered));
   }
 

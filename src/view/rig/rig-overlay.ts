@@ -24,7 +24,10 @@ export interface RigPicture {
   world(): Float64Array | undefined;
   /** From the character's space to the world. */
   placement(): Float64Array | undefined;
+  /** The active joint. */
   readonly selected: number | undefined;
+  /** Selected besides. */
+  readonly others: readonly number[];
   /** Space of the arrows' directions: the parent's or the world's. */
   readonly axes: 'parent' | 'world';
   readonly withArrows: boolean;
@@ -36,8 +39,9 @@ export class RigOverlay implements Overlay {
   readonly object = new Group();
   private readonly bones: BoneShapes;
   private readonly joints = rigDots(1, 9, 45);
-  /** The selected joint, and the hovered one. */
+  /** The active joint, the others that are selected, and the hovered one. */
   private readonly selected = rigDots(1, 12, 47);
+  private readonly others = rigDots(1, 11, 46);
   private readonly hot = rigDots(1, 14, 48);
   private readonly ghost = new GhostJoint();
   private readonly box = new BoxHandles();
@@ -58,8 +62,8 @@ export class RigOverlay implements Overlay {
 
   constructor() {
     this.bones = new BoneShapes(this.object);
-    const { joints, selected, hot, ghost, box, arrows } = this;
-    this.object.add(joints, selected, hot, ghost.object, box.object, arrows.object);
+    const { joints, selected, others, hot, ghost, box, arrows } = this;
+    this.object.add(joints, others, selected, hot, ghost.object, box.object, arrows.object);
     this.hideAll();
   }
 
@@ -153,6 +157,7 @@ export class RigOverlay implements Overlay {
     this.ghost.setTheme(theme);
     colorDots(this.joints, theme.bone, theme);
     colorDots(this.selected, theme.selected, theme);
+    colorDots(this.others, theme.selectedToo, theme);
     colorDots(this.hot, theme.hovered, theme);
     this.paint();
   }
@@ -162,7 +167,7 @@ export class RigOverlay implements Overlay {
     this.arrows.dispose();
     this.box.dispose();
     this.ghost.dispose();
-    for (const mark of [this.joints, this.selected, this.hot]) disposeDots(mark);
+    for (const mark of [this.joints, this.others, this.selected, this.hot]) disposeDots(mark);
   }
 
   private placeBones({ count }: Nodes): void {
@@ -176,7 +181,7 @@ export class RigOverlay implements Overlay {
     bones.filled();
   }
 
-  private placeMarks({ selected }: RigPicture, { count, jointCount }: Nodes): void {
+  private placeMarks({ selected, others }: RigPicture, { count, jointCount }: Nodes): void {
     const { world, under } = this;
     for (let n = 0; n < count; n++) putDot(this.joints, n, world, 16 * n + 12);
     this.joints.count = jointCount;
@@ -187,6 +192,14 @@ export class RigOverlay implements Overlay {
       mark.instanceMatrix.needsUpdate = true;
     };
     markOne(this.selected, selected);
+    if (this.others.instanceMatrix.count < others.length) {
+      this.others.instanceMatrix = new InstancedBufferAttribute(new Float32Array(16 * others.length), 16);
+    }
+    this.others.count = 0;
+    for (let i = 0; i < others.length; i++) {
+      if (others[i] < jointCount) putDot(this.others, this.others.count++, world, 16 * others[i] + 12);
+    }
+    this.others.instanceMatrix.needsUpdate = true;
     markOne(this.hot, under?.kind === 'joint' ? under.joint : undefined);
   }
 
@@ -196,7 +209,8 @@ export class RigOverlay implements Overlay {
     for (let n = 0; n < starts.length; n++) {
       const owner = starts[n];
       const isHot = under?.kind === 'bone' && under.joint === owner;
-      bones.paint(n, owner === picture.selected ? 'selected' : isHot ? 'hot' : 'usual');
+      const isToo = picture.others.includes(owner);
+      bones.paint(n, owner === picture.selected ? 'selected' : isHot ? 'hot' : isToo ? 'selectedToo' : 'usual');
     }
     bones.painted();
   }

@@ -1,4 +1,4 @@
-import { PerspectiveCamera } from 'three';
+import { InstancedMesh, PerspectiveCamera } from 'three';
 import { describe, expect, it } from 'vitest';
 import type { Skeleton } from '../../../src/model/skeleton.ts';
 import { RigOverlay, type RigPicture } from '../../../src/view/rig/rig-overlay.ts';
@@ -15,7 +15,7 @@ function picture(of: Skeleton, copy = 0): RigPicture {
   }
   const placement = IDENTITY.slice();
   placement[13] = copy;
-  const look = { selected: undefined, axes: 'parent', withArrows: false } as const;
+  const look = { selected: undefined, others: [], axes: 'parent', withArrows: false } as const;
   return { skeleton: of, world: () => world, placement: () => placement, ...look };
 }
 
@@ -25,6 +25,9 @@ function camera(): PerspectiveCamera {
   made.updateMatrixWorld();
   return made;
 }
+
+/** Render order of the dots at the selected joints, and at the active one. */
+const [OTHERS, ACTIVE] = [46, 47];
 
 /** Of the first nodes, in whole pixels. */
 const places = ({ screen }: RigOverlay, count: number) =>
@@ -48,6 +51,29 @@ describe('handles of a rig', () => {
     expect(places(overlay, 2)).toEqual([200, 200, 300, 200]);
     overlay.show(undefined);
     expect(overlay.screen).toBeUndefined();
+    overlay.dispose();
+  });
+
+  it('handles of a rig mark every selected joint that exists, apart from the active one', () => {
+    const overlay = new RigOverlay();
+    const of = skeleton(['root', -1], ['joint1', 0], ['joint2', 1], ['joint3', 2]);
+    const marks = () =>
+      overlay.object.children
+        .filter((mesh): mesh is InstancedMesh => mesh instanceof InstancedMesh)
+        .filter(({ renderOrder }) => renderOrder === OTHERS || renderOrder === ACTIVE)
+        .map(({ renderOrder, count }) => [renderOrder, count]);
+    overlay.show({ ...picture(of), selected: 3, others: [0, 2, 9] });
+    overlay.update(camera(), 400);
+    expect(marks()).toEqual([
+      [OTHERS, 2],
+      [ACTIVE, 1],
+    ]);
+    overlay.show({ ...picture(of), selected: 3 });
+    overlay.update(camera(), 400);
+    expect(marks()).toEqual([
+      [OTHERS, 0],
+      [ACTIVE, 1],
+    ]);
     overlay.dispose();
   });
 });

@@ -59,7 +59,7 @@ export function fillInspector(wb: Workbench, panel: HTMLElement): void {
     character.update(target);
     dofs.showUnkeyed(target);
     ik.update();
-    rig(target, next.joints.at(-1));
+    rig(target, next.joints);
     facts.show();
     goBack?.();
     live.update();
@@ -92,7 +92,7 @@ export function fillInspector(wb: Workbench, panel: HTMLElement): void {
 /** Shown in rig mode, and loaded with it. */
 function rigSection(wb: Workbench, edit: HandEdit, section: GUI) {
   let rows: RigSection | undefined;
-  let shown: readonly [Character | undefined, number | undefined] = [undefined, undefined];
+  let shown: readonly [Character | undefined, readonly number[]] = [undefined, []];
   const show = async (mode: PosingMode) => {
     section.show(mode === 'rig');
     if (mode !== 'rig') return;
@@ -103,9 +103,9 @@ function rigSection(wb: Workbench, edit: HandEdit, section: GUI) {
   };
   wb.posing.mode.subscribe((mode) => void show(mode));
   void show(wb.posing.mode.get());
-  return (character: Character | undefined, joint: number | undefined) => {
-    shown = [character, joint];
-    if (wb.posing.mode.get() === 'rig') rows?.show(character, joint);
+  return (character: Character | undefined, joints: readonly number[]) => {
+    shown = [character, joints];
+    if (wb.posing.mode.get() === 'rig') rows?.show(character, joints);
   };
 }
 

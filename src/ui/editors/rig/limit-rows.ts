@@ -1,8 +1,10 @@
 /** The limits of a joint's DOFs as two fields each; an empty one is no limit on that side. */
 import { limitRigged } from '../../../edit/commands/rig-limits.ts';
+import { inTurn } from '../../../edit/in-turn.ts';
+import { matchingDofs } from '../../../edit/pose/same-change.ts';
 import { findCharacter } from '../../../model/document.ts';
 import { characterDofs, firstDofs } from '../../../model/dofs.ts';
-import { type Dof, UNLIMITED } from '../../../model/skeleton.ts';
+import { type Dof, type Limit, UNLIMITED } from '../../../model/skeleton.ts';
 import { element } from '../../kit/dom.ts';
 import { exact, shown } from '../../kit/number-text.ts';
 import { shownPerUnit, unitText, withoutNoise } from '../../state/angles.ts';
@@ -13,13 +15,17 @@ import { typedLimit } from './limit-editor.ts';
 import { rigging } from './rigging-args.ts';
 import type { SectionRow } from './section-rows.ts';
 
-/** @param index of the DOF among its joint's */
+/**
+ * @param index of the DOF among its joint's
+ * @param others selected joints besides: what is typed is set for the same DOF of each that has it
+ */
 export function limitRow(
   wb: Uses<'store' | 'transport' | 'timeline' | 'posing' | 'settings' | 'messages'>,
   characterId: string,
   joint: number,
   index: number,
   { name, unit }: Dof,
+  others: readonly number[],
 ): SectionRow & { readonly line: HTMLElement } {
   const perUnit = () => shownPerUnit(unit, wb.settings.get().angles);
   const dofNow = () => {
@@ -46,10 +52,16 @@ export function limitRow(
       return;
     }
     // The other field shows a rounded number: use the exact one.
-    const limit = side === 'min' ? { min: typed.min, max: now.limit.max } : { min: now.limit.min, max: typed.max };
+    const limitOf = (limit: Limit) =>
+      side === 'min' ? { min: typed.min, max: limit.max } : { min: limit.min, max: typed.max };
     pausePlayback(wb);
-    const args = { ...rigging(wb, { id: characterId }), dof: now.dof, ...limit };
-    attempt(wb.messages, () => wb.store.apply(limitRigged, args));
+    const { skeleton } = findCharacter(wb.store.document, characterId) ?? {};
+    const dofs = [now.dof, ...(skeleton ? matchingDofs(skeleton, others, now.dof) : [])];
+    const all = characterDofs(skeleton, []);
+    const shared = rigging(wb, { id: characterId });
+    const each = dofs.map((dof) => ({ ...shared, dof, ...limitOf(all[dof].limit) }));
+    const command = inTurn(limitRigged, `Set limits of ${name} of ${dofs.length} joints`);
+    attempt(wb.messages, () => wb.store.apply(command, each));
     update();
   };
   const field = (side: 'min' | 'max', label: string) => {

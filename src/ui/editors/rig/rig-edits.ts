@@ -190,27 +190,24 @@ export function setType(
 ): void {
   withJoints(wb, (character, skeleton, joints) => {
     const others = joints.filter((joint) => skeleton.joints[joint].motion.kind !== kind);
-    const motionFor = (joint: number) => motionOfKind(kind, skeleton.joints[joint].motion);
-    if (others.length === 1) return changeMotion(wb, character, others[0], motionFor(others[0]));
-    const shared = rigging(wb, character);
-    const each = others.map((joint) => ({ ...shared, joint, motion: motionFor(joint) }));
-    const lost = each.flatMap((args) => keysLostBy(wb.store.document, args) ?? []);
-    wb.store.apply(inTurn(setMotion, `Set type of ${jointsText(skeleton, others)}`), each);
-    if (lost.length) wb.messages.note(`Changing the types removed ${lost.join(', ')}. Undo restores them.`);
+    const each = others.map((joint) => ({ joint, motion: motionOfKind(kind, skeleton.joints[joint].motion) }));
+    changeMotions(wb, character, each);
   });
 }
 
-/** One undo step; reports lost keys. */
-export function changeMotion(
+/** Types or parameters of joints, in one undo step; reports lost keys. */
+export function changeMotions(
   wb: Uses<'store' | 'transport' | 'posing' | 'messages'>,
-  character: Pick<Character, 'id'>,
-  joint: number,
-  motion: Motion,
+  { id, skeleton }: Pick<Character, 'id' | 'skeleton'>,
+  motions: readonly { readonly joint: number; readonly motion: Motion }[],
 ): void {
-  const args = { ...rigging(wb, character), joint, motion };
-  const lost = keysLostBy(wb.store.document, args);
-  wb.store.apply(setMotion, args);
-  if (lost !== undefined) wb.messages.note(`Changing the type of the joint removed ${lost}. Undo restores them.`);
+  const shared = rigging(wb, { id });
+  const each = motions.map((one) => ({ ...shared, ...one }));
+  const lost = each.flatMap((args) => keysLostBy(wb.store.document, args) ?? []);
+  const joints = motions.map(({ joint }) => joint);
+  wb.store.apply(inTurn(setMotion, `Set type of ${jointsText(skeleton, joints)}`), each);
+  const what = joints.length === 1 ? 'type of the joint' : 'types';
+  if (lost.length) wb.messages.note(`Changing the ${what} removed ${lost.join(', ')}. Undo restores them.`);
 }
 
 /** @param joint absent: all of them */

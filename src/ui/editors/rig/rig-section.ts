@@ -1,30 +1,34 @@
 /**
- * The section of the selected joint in rig mode: name, parent, type with its parameters, offset, bone, limits, box,
- * links, and file pose. Every change is one undo step, and every number can be typed. Rows are rebuilt if their set
+ * The section of the selected joints in rig mode: name, parent, type with its parameters, offset, bone, limits, box,
+ * links, and file pose. Of several joints, type, limits and file pose are set for all, the rest for the active one. Every
+ * change is one undo step, and every number can be typed. Rows are rebuilt if their set
  * changes; numbers are only updated, also while dragging.
  */
 import type { GUI } from 'lil-gui';
 import { reparentJoint } from '../../../edit/commands/rig.ts';
 import { renameJoint, setBox, setFilePose, setLength, setMotion, setOffset } from '../../../edit/commands/rig-joint.ts';
+import { inTurn } from '../../../edit/in-turn.ts';
 import { possibleParents } from '../../../edit/rig/parents.ts';
 import type { Command, Edit } from '../../../edit/store.ts';
 import { type Character, type Document, findCharacter } from '../../../model/document.ts';
 import { jointName } from '../../../model/joint-name.ts';
-import { dofsOf, isSameType, takesLimits } from '../../../model/joint-types.ts';
+import { dofsOf, isSameType, motionOfKind, takesLimits } from '../../../model/joint-types.ts';
 import { lengthStep } from '../../../model/reach.ts';
 import type { Joint, Motion, Skeleton } from '../../../model/skeleton.ts';
 import { button, element } from '../../kit/dom.ts';
+import { plural } from '../../kit/number-text.ts';
 import { removeControllers } from '../../kit/slider.ts';
 import { attempt } from '../../state/attempt.ts';
 import type { HandEdit } from '../../state/hand-edit.ts';
 import { pausePlayback } from '../../state/pause-playback.ts';
+import { jointsText } from '../../state/selected-joint.ts';
 import type { Uses, Workbench } from '../../state/workbench.ts';
 import { whyNoCorner } from './box-order.ts';
 import { addCoupleRow, coupleRow } from './couple-rows.ts';
 import { nameNote } from './joint-names.ts';
 import { limitRow } from './limit-rows.ts';
 import { motionRows, motionShape } from './motion-rows.ts';
-import { changeMotion } from './rig-edits.ts';
+import { changeMotions } from './rig-edits.ts';
 import { rigging } from './rigging-args.ts';
 import {
   choiceRow,
@@ -44,6 +48,8 @@ export class RigSection {
   private lines: HTMLElement[] = [];
   private made = '';
   private of: { readonly characterId: string; readonly joint: number } | undefined;
+  /** Selected joints besides. */
+  private others: readonly number[] = [];
 
   constructor(
     private readonly wb: Workbench,
@@ -54,31 +60,41 @@ export class RigSection {
     section.$children.dataset.empty = 'Select a joint in the viewport or outliner to edit it.';
   }
 
-  /** Call after an edit or a change of selection. */
-  show(character: Character | undefined, joint: number | undefined): void {
-    const made = character && joint !== undefined ? shapeOf(this.wb, character, joint) : '';
-    if (made !== this.made) this.rebuild(character, joint, made);
+  /** Call after an edit or a change of selection. @param joints the active one last */
+  show(character: Character | undefined, joints: readonly number[]): void {
+    const made = character && joints.length > 0 ? shapeOf(this.wb, character, joints) : '';
+    if (made !== this.made) this.rebuild(character, joints, made);
     for (const row of this.rows) row.update();
   }
 
-  private rebuild(character: Character | undefined, joint: number | undefined, made: string): void {
+  private rebuild(character: Character | undefined, joints: readonly number[], made: string): void {
+    const joint = joints.at(-1);
     this.made = made;
+    this.others = joints.slice(0, -1);
     removeControllers(this.section);
     for (const line of this.lines) line.remove();
     this.rows = [];
     this.lines = [];
     this.of = undefined;
     const own = joint === undefined ? undefined : character?.skeleton?.joints[joint];
-    this.section.title(own && joint !== undefined ? `Rig: ${jointName(character?.skeleton, joint)}` : 'Rig');
+    this.section.title(own ? `Rig: ${jointsText(character?.skeleton, joints)}` : 'Rig');
     this.section.domElement.classList.toggle('is-selected', own !== undefined);
     if (!character?.skeleton || !own || joint === undefined) return;
     this.of = { characterId: character.id, joint };
-    this.addPlace(character, own, joint);
-    this.addMotion(own);
-    this.addLimits(character, own, joint);
+    if (this.others.length === 0) {
+      this.addPlace(character, own, joint);
+      this.addMotion(own);
+      this.addLimits(character, own, joint);
+    } else {
+      this.addMotion(own);
+      this.addLimits(character, own, joint);
+      this.addPose(joint);
+      this.append(heading(`Only ${jointName(character.skeleton, joint)}`));
+      this.addPlace(character, own, joint);
+    }
     this.addBone(character, own);
     this.addCouples(character, own, joint);
-    this.addPose(joint);
+    if (this.others.length === 0) this.addPose(joint);
   }
 
   /** The current joint. */
@@ -155,13 +171,32 @@ export class RigSection {
   private addMotion(own: Joint): void {
     const rows = motionRows(this.context, own.motion, () => this.now()?.motion, {
       set: (motion: Motion) => {
-        const { characterId, joint } = this.args();
+        const character = findCharacter(this.wb.store.document, this.args().characterId);
         pausePlayback(this.wb);
-        attempt(this.wb.messages, () => changeMotion(this.wb, { id: characterId }, joint, motion));
+        if (!character) return;
+        attempt(this.wb.messages, () => changeMotions(this.wb, character, this.motionsWith(motion)));
       },
-      preview: (motion: Motion) => this.preview(setMotion, { ...this.args(), motion }),
+      preview: (motion: Motion) => {
+        const each = this.motionsWith(motion).map((one) => ({ ...this.args(), ...one }));
+        this.preview(inTurn(setMotion, `Set type of ${plural(each.length, 'joint')}`), each);
+      },
     });
     for (const row of rows) this.put(row);
+  }
+
+  /** The active joint with this motion; others get its type, or if they have that already, its parameters. */
+  private motionsWith(motion: Motion): readonly { readonly joint: number; readonly motion: Motion }[] {
+    const { characterId, joint } = this.args();
+    const all = findCharacter(this.wb.store.document, characterId)?.skeleton?.joints ?? [];
+    const { kind } = motion;
+    const isOtherKind = all[joint]?.motion.kind !== kind;
+    const others = this.others.flatMap((other) => {
+      const own = all[other]?.motion;
+      if (!own) return [];
+      if (own.kind === kind) return isOtherKind ? [] : { joint: other, motion };
+      return isOtherKind ? { joint: other, motion: motionOfKind(kind, own) } : [];
+    });
+    return [{ joint, motion }, ...others];
   }
 
   private addLimits({ id }: Character, { motion }: Joint, joint: number): void {
@@ -169,7 +204,7 @@ export class RigSection {
     if (!dofs.length || !takesLimits(motion)) return;
     this.append(heading('Limits'));
     dofs.forEach((dof, i) => {
-      this.put(limitRow(this.wb, id, joint, i, dof));
+      this.put(limitRow(this.wb, id, joint, i, dof, this.others));
     });
   }
 
@@ -225,17 +260,20 @@ export class RigSection {
 
   private addPose(joint: number): void {
     this.append(heading('File pose'));
+    const which = this.others.length ? 'these joints' : 'this joint';
     const take = (label: string, text: string, from: 'shown' | 'rest', of?: number) =>
       button(text, { class: 'plain', tooltip: label }, text, () => {
         const { skin, timeSeconds, characterId } = this.args();
-        this.apply(setFilePose, { characterId, skin, timeSeconds, from, joint: of });
+        const joints = of === undefined ? [undefined] : [...this.others, of];
+        const each = joints.map((one) => ({ characterId, skin, timeSeconds, from, joint: one }));
+        this.apply(inTurn(setFilePose, `Set file pose of ${plural(each.length, 'joint')}`), each);
       });
     this.append(
       element(
         'div',
         { class: 'rig-row rig-buttons' },
-        take('Saves the current pose of this joint in the file', 'Set to current', 'shown', joint),
-        take('Saves this joint at zero in the file', 'Set to zero', 'rest', joint),
+        take(`Saves the current pose of ${which} in the file`, 'Set to current', 'shown', joint),
+        take(`Saves ${which} at zero in the file`, 'Set to zero', 'rest', joint),
         take('Saves the current pose of all joints in the file', 'Set all to current', 'shown'),
       ),
     );
@@ -248,13 +286,13 @@ function usualLength({ offset }: Joint): number {
 }
 
 /** What the rows depend on, apart from numbers. */
-function shapeOf(wb: Uses<'settings'>, { id, skeleton }: Character, joint: number): string {
-  const own = skeleton?.joints[joint];
+function shapeOf(wb: Uses<'settings'>, { id, skeleton }: Character, joints: readonly number[]): string {
+  const own = skeleton?.joints[joints[joints.length - 1]];
   if (!skeleton || !own) return '';
   const { motion, couples = [], length } = own;
   return JSON.stringify([
     id,
-    joint,
+    joints,
     motionShape(motion),
     couples.map(({ dof, joint: other, follows }) => [dof, other, follows]),
     length !== undefined,

@@ -13,7 +13,7 @@ import { currentCharacter } from '../../state/action.ts';
 import { attempt } from '../../state/attempt.ts';
 import { pausePlayback } from '../../state/pause-playback.ts';
 import { activateJoint, addsToSelection, selectHit } from '../../state/select-joints.ts';
-import { selectedJoint } from '../../state/selected-joint.ts';
+import { selectedJoint, selectedJoints } from '../../state/selected-joint.ts';
 import type { Workbench } from '../../state/workbench.ts';
 import { type CanvasDrag, type CanvasPointer, CLICK_PIXELS } from '../viewport/canvas-tools.ts';
 import type { ModeTool } from '../viewport/mode-tool.ts';
@@ -45,6 +45,7 @@ export function rigTool(wb: Workbench): ModeTool {
           world: () => viewport.character(character.id)?.worlds,
           placement: () => viewport.placementOf(character.id, viewport.pickedCopy(character)),
           selected: selectedJoint(wb)?.joint,
+          others: selectedJoints(wb)?.joints.slice(0, -1) ?? [],
           axes: state.axes.get(),
           withArrows: !state.adding.get(),
         },

@@ -11,6 +11,7 @@ import type { Skeleton } from '../../../../src/model/skeleton.ts';
 import { gridSnap } from '../../../../src/ui/editors/rig/grid-snap.ts';
 import { movedTogether } from '../../../../src/ui/editors/rig/joint-drags.ts';
 import { outermostJoints } from '../../../../src/ui/editors/rig/outermost.ts';
+import { setType } from '../../../../src/ui/editors/rig/rig-edits.ts';
 import { character, documentOf, skeleton, workbench } from '../../builders.ts';
 
 const IDENTITY = Float64Array.of(1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1);
@@ -82,6 +83,21 @@ describe('several joints moved together', () => {
     expect(outermostJoints(bones, [2, 1, 4])).toEqual([1, 4]);
     expect(outermostJoints(bones, [4, 0, 2])).toEqual([0]);
   });
+});
+
+it('several joints get another type in one step, and keep what is selected', () => {
+  const { wb } = workbench(documentOf(character({ skeleton: bones, shownClip: -1 })));
+  const selection = { characterId: 'c1', joint: 4, others: [1, 2] };
+  wb.store.select(selection);
+  const before = wb.store.document;
+  setType(wb, 'hinge');
+  const kinds = () => wb.store.document.characters[0].skeleton?.joints.map(({ motion }) => motion.kind);
+  expect(kinds()).toEqual(['ball', 'hinge', 'hinge', 'ball', 'hinge']);
+  expect(wb.store.undoLabel).toBe('Set type of 3 joints');
+  expect(wb.store.selection).toEqual(selection);
+  wb.store.undo();
+  expect(wb.store.document).toEqual(before);
+  expect(wb.store.undoLabel).toBeUndefined();
 });
 
 describe('snapping to the grid', () => {
