@@ -229,6 +229,23 @@ it('forced colours tell what is pressed, checked and selected', () =>
         .filter(([, on, off]) => on === undefined || on === off);
     });
     expect(alike).toEqual([]);
+    const unread = await page.evaluate(() =>
+      ['.row[aria-selected=true]', '.tabs > [aria-selected=true]', '.mode-switch [aria-checked=true]'].filter(
+        (state) => {
+          const chosen = document.querySelector(state);
+          if (!chosen) return true;
+          const { color, backgroundColor } = getComputedStyle(chosen);
+          const texts = [chosen, ...chosen.querySelectorAll('*')].map((one) => getComputedStyle(one).color);
+          return color === backgroundColor || texts.some((text) => text !== color);
+        },
+      ),
+    );
+    expect(unread).toEqual([]);
+    const tracks = await page.evaluate(() =>
+      [...document.querySelectorAll('.lil-slider')].map((slider) => getComputedStyle(slider).backgroundImage),
+    );
+    expect(tracks.length).toBeGreaterThan(0);
+    expect(tracks).not.toContain('none');
   }));
 
 /** Controls that can be seen and are smaller than a finger; separators are dragged and have fields or keys as well. */

@@ -4,6 +4,8 @@ import { type DraggedHandle, drawKnob, type GizmoState, lookOf, TICK } from './g
 import { hasArc, isAllowed, type Shape } from './shapes.ts';
 
 const FAINT = 0.28;
+/** The far half of the ring in use: with limits, all that it can reach may be there. */
+const FAR_IN_USE = 0.6;
 
 export class RingPen {
   constructor(private readonly pen: CanvasRenderingContext2D) {}
@@ -20,11 +22,12 @@ export class RingPen {
       // A dark line beside a light one is visible on any skin.
       this.pieces(points, (i) => !isBehind[i] && inReach(i), width + 2, theme.labelHalo, 0.45);
     }
-    const alpha = behind ? FAINT : id.kind === 'view' && !isLit ? 0.6 : 1;
+    const far = isLit || isActive ? FAR_IN_USE : FAINT;
+    const alpha = behind ? far : id.kind === 'view' && !isLit ? 0.6 : 1;
     const own = (i: number) => isBehind[i] === behind;
-    this.pieces(points, (i) => own(i) && inReach(i), behind ? 1.25 : width, color, alpha);
-    // Beyond the limits: every other piece, which looks dashed.
-    if (limited) this.pieces(points, (i) => own(i) && !inReach(i) && i % 2 === 0, 1.5, color, behind ? 0.2 : 0.4);
+    this.pieces(points, (i) => own(i) && inReach(i), behind ? 0.7 * width : width, color, alpha);
+    // Beyond the limits a hairline: dashes between short arcs can't be told from another ring behind them.
+    if (limited) this.pieces(points, (i) => own(i) && !inReach(i), 1, color, behind ? 0.25 : 0.5);
     if (behind || id.kind !== 'dof' || !(isActive || isLit)) return;
     if (limited) {
       this.tick(shape, range.min - range.value, state.dragged?.stop === 'min' && isDragged, color, theme);

@@ -8,6 +8,8 @@ import type { PictureColours } from './picture-colours.ts';
 const LABEL_SPACING = 34;
 /** Width of the labels of a second axis on the right. */
 const LABEL_WIDTH = 46;
+/** Below the name of the axis, so that they are two lines. */
+const BELOW_UNIT = 26;
 const HATCH_PIXELS = 7;
 /** Translucent, since curves are drawn over it. */
 const HATCH_OPACITY = 0.6;
@@ -69,7 +71,7 @@ export function drawValueLabels(g: CanvasRenderingContext2D, scene: CurveScene, 
     for (const { label, value } of axisTicks(scene, axis)) {
       if (label === undefined) continue;
       const y = Math.round(yOf(scene.space, { axis }, value)) - (i === 0 ? 7 : 0);
-      if (y < PLOT_TOP + (axes.length > 1 ? 20 : 8) || y > height - 6) continue;
+      if (y < PLOT_TOP + (axes.length > 1 ? BELOW_UNIT : 8) || y > height - 6) continue;
       write(label, y);
       if (i > 0) g.fillRect(x + 3, Math.round(yOf(scene.space, { axis }, value)), 3, 1);
     }
