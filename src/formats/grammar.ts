@@ -86,9 +86,8 @@ export interface Declared {
   readonly place: Mark;
 }
 
-/** A whole number of `what`. */
-export function* declaredCount(t: Tokens, what: string, keywords: Keywords): GrammarPart<Declared> {
-  const count = yield* number(t, `the number of ${what}`, keywords);
+/** The number that was just read, if any, as the number of `what`, which must be whole. */
+export function declaredCount(t: Tokens, what: string, count: number | undefined): Declared {
   const place = t.mark();
   if (count === undefined || count % 1 === 0) return { count, place };
   t.error('count-fractional', `Expected a whole number of ${what}, found ${t.found()}.`);
@@ -97,7 +96,7 @@ export function* declaredCount(t: Tokens, what: string, keywords: Keywords): Gra
 
 /** `N {` */
 export function* countAndBrace(t: Tokens, what: string, keywords: Keywords): GrammarPart<Declared> {
-  const declared = yield* declaredCount(t, what, keywords);
+  const declared = declaredCount(t, what, yield* number(t, `the number of ${what}`, keywords));
   yield* openBrace(t, `the number of ${what}`);
   return declared;
 }
@@ -111,7 +110,10 @@ export function* openBrace(t: Tokens, after: string): GrammarPart<void> {
 
 /** After a block: compares the declared count with the actual one. */
 export function checkCount(t: Tokens, what: string, { count, place }: Declared, found: number): void {
-  if (count === undefined || count === found) return;
+  if (count === undefined || count === found) {
+    t.forget(place);
+    return;
+  }
   const message = `Expected ${count} ${what} as declared, found ${found}.`;
   t.report.warn('count-mismatch', message, t.placeOf(place, 'warning'), `used ${found}`);
 }

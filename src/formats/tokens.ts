@@ -214,6 +214,13 @@ export class Tokens {
     return mark;
   }
 
+  /** The place of a mark will not be needed. Saves finding it if that is the last mark. */
+  forget(mark: Mark): void {
+    if (this.marks.at(-1) !== mark) return;
+    this.marks.pop();
+    this.marksMade--;
+  }
+
   /** For a diagnostic of that severity: not searched if it would only be counted. */
   placeOf(mark: Mark, severity?: Severity): Place {
     if (severity && !mark.place && !this.report.hasRoom(severity)) return NO_PLACE;

@@ -105,7 +105,7 @@ function* body(t: Tokens, opened: Mark): GrammarPart<Parts> {
         parts.range = yield* range(t);
         break;
       case 'numchannels':
-        declared = yield* declaredCount(t, 'channels', KEYWORDS);
+        declared = declaredCount(t, 'channels', yield* number(t, 'the number of channels', KEYWORDS));
         break;
       case 'channel':
         parts.channels.push(yield* channel(t, sink, parts.channels.length));
