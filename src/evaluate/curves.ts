@@ -139,6 +139,16 @@ function locate(start: number, stop: number, length: number, time: number): numb
   return period;
 }
 
+/** The repetition of keys from `start` to `stop` that a time falls into, and how many seconds into it. */
+export function repetitionAt(
+  start: number,
+  stop: number,
+  time: number,
+): { readonly period: number; readonly since: number } {
+  const period = locate(start, stop, stop - start, time);
+  return { period, since: sinceStart[0] };
+}
+
 /**
  * A channel's slope at a time, in value per second: the derivative of `evaluateChannel`. At corners and steps, on a key
  * or where a repetition begins, `side` selects the slope before or after it.

@@ -51,6 +51,11 @@ export function factorsOf(motion: Motion): readonly CompoundDof[] | undefined {
   return jointTypeOf(motion).factors(motion);
 }
 
+/** The motion's matrix as a formula, for motions without factors: see `JointType.formula`. */
+export function formulaOf(motion: Motion): string | undefined {
+  return jointTypeOf(motion).formula?.(motion);
+}
+
 /** Whether a root joint with this motion moves the whole character by its own DOFs and needs no root translation. */
 export function carriesCharacter(motion: Motion): boolean {
   return jointTypeOf(motion).carriesCharacter(motion);

@@ -3,7 +3,15 @@ import { join } from 'node:path';
 import { fileURLToPath } from 'node:url';
 import { describe, expect, it } from 'vitest';
 import { compileSkeleton, worldMatrices } from '../../src/evaluate/kinematics.ts';
-import { dofsOf, JOINT_TYPES, MOTION_KINDS, motionOfKind, parameterOf } from '../../src/model/joint-types.ts';
+import {
+  dofsOf,
+  factorsOf,
+  formulaOf,
+  JOINT_TYPES,
+  MOTION_KINDS,
+  motionOfKind,
+  parameterOf,
+} from '../../src/model/joint-types.ts';
 import { EULER_ORDERS, type Motion, UNLIMITED } from '../../src/model/skeleton.ts';
 import { joint } from '../ui/builders.ts';
 
@@ -85,6 +93,12 @@ describe('the types of joints', () => {
       const fields = Object.keys(initial).filter((name) => name !== 'kind');
       expect(fields).toEqual(Object.keys(parameters));
       for (const [name, { type }] of Object.entries(parameters)) expect(parameterOf(initial, name, type)).toBeDefined();
+    }
+  });
+
+  it('have a formula where their matrix is no product of one-DOF matrices', () => {
+    for (const { initial } of Object.values(JOINT_TYPES)) {
+      expect(formulaOf(initial) !== undefined || factorsOf(initial) !== undefined).toBe(true);
     }
   });
 

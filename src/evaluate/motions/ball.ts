@@ -13,6 +13,7 @@ type BallMotion = JointMotion & Required<Pick<JointMotion, 'screws'>>;
  *     │  −sy         sx·cy              cx·cy       │
  */
 const PLAIN_BALL: BallMotion = {
+  groups: 'right',
   write(dofs, first, out, o) {
     const sx = Math.sin(dofs[first]);
     const cx = Math.cos(dofs[first]);
@@ -77,6 +78,7 @@ export function spreadBall(order: EulerOrder, x: number, y: number, z: number): 
   const kj = 4 * k + j;
   const kk = 5 * k;
   const ball: BallMotion = {
+    groups: 'right',
     write(dofs, first, out, o) {
       const alpha = dofs[first + atI];
       const beta = dofs[first + atJ];

@@ -12,6 +12,11 @@ export interface JointMotion {
   /** Whether the 3×3 part of J can be other than a rotation: scales and shear. */
   readonly stretches?: boolean;
   /**
+   * Where J is a product of three factors or more, which of them `write` multiplies first, so that others get the same
+   * doubles: those on the right; absent: those on the left.
+   */
+  readonly groups?: 'right';
+  /**
    * J as a product of screws, from left to right, for motions other than quaternions that don't stretch. Inverse
    * kinematics is fast with them; without them it uses `writeDerivative`.
    */

@@ -14,6 +14,7 @@ const SLIDES = [slideAlong(0, 0), slideAlong(1, 1), slideAlong(2, 2)];
 export function freeMotion(order: EulerOrder): JointMotion {
   const ball = BALLS[order];
   return {
+    groups: 'right',
     write(dofs, first, out, o) {
       ball.write(dofs, first + 3, out, o);
       out[o + 12] = dofs[first];
@@ -38,6 +39,7 @@ export function bvhMotion({ channels }: BvhMotion): JointMotion {
   const rotation = turns.length === 3 ? listedBall(channels) : productOf(turns);
   if (translations.every((at) => at < 0)) return rotation;
   return {
+    ...(rotation.groups && { groups: rotation.groups }),
     write(dofs, first, out, o) {
       rotation.write(dofs, first, out, o);
       for (let k = 0; k < 3; k++) {

@@ -25,6 +25,7 @@ export const HINGE: JointType<MotionOf<'hinge'>> = {
   isAxisAngle: true,
   dofs: () => R,
   factors: () => undefined,
+  formula: () => 'cos r · I + sin r · [a]× + (1 − cos r) · a·aᵀ',
   carriesCharacter: () => false,
   mirrored: (motion, across) => ({ ...motion, axis: negated(reflected(motion.axis, across)) }),
   text: ({ axis }, number) => `hingejoint, axis ${axis.map((value) => number(value)).join(' ')}`,
@@ -42,6 +43,7 @@ export const PRISMATIC: JointType<MotionOf<'prismatic'>> = {
   isAxisAngle: false,
   dofs: () => T,
   factors: () => undefined,
+  formula: () => 'T(t · a)',
   carriesCharacter: () => false,
   mirrored: (motion, across) => ({ ...motion, axis: reflected(motion.axis, across) }),
   text: ({ axis }, number) => `prismaticjoint, axis ${axis.map((value) => number(value)).join(' ')}`,
@@ -59,6 +61,7 @@ export const SCREW: JointType<MotionOf<'screw'>> = {
   isAxisAngle: false,
   dofs: () => R,
   factors: () => undefined,
+  formula: ({ pitch }) => `T(${pitch} · r/2π · a) · R(a, r)`,
   carriesCharacter: () => false,
   // The same rotation about −M·a; the advance along M·a is −pitch along −M·a.
   mirrored: (motion, across) => ({

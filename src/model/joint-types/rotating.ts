@@ -63,6 +63,7 @@ export const QUATERNION_JOINT: JointType<MotionOf<'quaternion'>> = {
   isAxisAngle: false,
   dofs: () => QUATERNION,
   factors: () => undefined,
+  formula: () => 'R(q / |q|)',
   carriesCharacter: () => false,
   mirrored: (motion) => motion,
   text: () => 'quaternionjoint',

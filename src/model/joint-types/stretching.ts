@@ -17,6 +17,13 @@ function scalesAlongAxis({ mode }: ScaleMotion): boolean {
   return mode === 'axis' || mode === 'volume';
 }
 
+const SCALE_FORMULAS: Readonly<Record<ScaleMotion['mode'], string>> = {
+  uniform: 's · I',
+  xyz: 'S(sx, sy, sz)',
+  axis: 'I + (s − 1) · a·aᵀ',
+  volume: '1/√s · I + (s − 1/√s) · a·aᵀ',
+};
+
 export const SCALE: JointType<ScaleMotion> = {
   keyword: 'scalejoint',
   label: 'Scale',
@@ -30,6 +37,7 @@ export const SCALE: JointType<ScaleMotion> = {
   usesAxis: scalesAlongAxis,
   dofs: ({ mode }) => (mode === 'xyz' ? SX_SY_SZ : S),
   factors: ({ mode }) => (mode === 'xyz' ? ['sx', 'sy', 'sz'] : undefined),
+  formula: ({ mode }) => SCALE_FORMULAS[mode],
   carriesCharacter: () => false,
   mirrored: (motion, across) => ({ ...motion, axis: reflected(motion.axis, across) }),
   text: (motion, number) =>
@@ -48,6 +56,7 @@ export const SHEAR: JointType<MotionOf<'shear'>> = {
   isAxisAngle: false,
   dofs: () => SHEARS,
   factors: () => undefined,
+  formula: () => 'x + hxy·y + hxz·z, y + hyz·z, z',
   carriesCharacter: () => false,
   mirrored: (motion) => motion,
   text: () => 'shearjoint',

@@ -33,6 +33,10 @@ export interface JointType<M extends Motion = Motion> {
    * `rz ry rx` for a balljoint of order xyz. Undefined if it is no such product.
    */
   factors(motion: M): readonly CompoundDof[] | undefined;
+  /**
+   * J as a formula of its DOFs and of the normalised axis a, for motions without factors: `T(t·a)`.
+   */
+  formula?(motion: M): string;
   /** Whether a root joint of this type moves the whole character by its own DOFs and needs no root translation. */
   carriesCharacter(motion: M): boolean;
   /**
