@@ -49,12 +49,13 @@ export function watchActivePanel(signal: AbortSignal): void {
   // A finger or a pen takes over from a mouse that rests elsewhere, also where the focus is already.
   window.addEventListener('pointerdown', ({ target }) => point(target), options);
   window.addEventListener(
-    'pointerover',
+    // Not `pointerover`, whose first after a drag says in Firefox that the button is still pressed.
+    'mouseover',
     (event) => {
       // A layout that changes below a resting mouse is no movement, and a drag belongs to where it began.
       const rests = event.clientX === x && event.clientY === y;
       [x, y] = [event.clientX, event.clientY];
-      if (!rests && event.pointerType === 'mouse' && event.buttons === 0) point(event.target);
+      if (!rests && event.buttons === 0) point(event.target);
     },
     options,
   );

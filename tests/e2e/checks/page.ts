@@ -125,6 +125,23 @@ export const BY_HAND: readonly Check[] = [
       }
     },
   },
+  {
+    name: 'a drag that ends in another panel leaves the keys to that panel',
+    async run({ page }) {
+      await openArm(page);
+      const stage = await page.locator('.stage').boundingBox();
+      const plot = await page.locator('.curve-plot').boundingBox();
+      if (!stage || !plot) throw new Error('A panel has no place.');
+      await page.mouse.move(stage.x + 0.9 * stage.width, stage.y + 0.9 * stage.height);
+      await page.mouse.down();
+      await page.mouse.move(plot.x + plot.width / 2, plot.y + plot.height / 2, { steps: 3 });
+      await page.mouse.up();
+      await page.mouse.move(plot.x + plot.width / 2 + 5, plot.y + plot.height / 2);
+      await page.waitForFunction(() =>
+        document.querySelector('[data-active]')?.contains(document.querySelector('.curve-plot')),
+      );
+    },
+  },
 ];
 
 export const LOOK: readonly Check[] = [
