@@ -326,7 +326,7 @@ it('a slider blends to a saved pose until the focus leaves, in one step, or Esca
       await window.marrow.run('pose.setDofs', { dofs: [{ index: 6, value: 0.4 }] });
       await window.marrow.run('pose.keep');
       await window.marrow.run('pose.setDofs', { dofs: [{ index: 6, value: 0 }] });
-      await window.marrow.run('pose.library');
+      await window.marrow.run('page.tab.poses');
     });
     const picture = page.locator('.pose-picture');
     await picture.waitFor();

@@ -6,7 +6,9 @@ import { NO_CHARACTER, needs } from '../state/needs.ts';
 import { isPanelOpen, openPanel } from '../state/panels.ts';
 import { selectedJoint } from '../state/selected-joint.ts';
 import type { Settings } from '../state/settings.ts';
+import { TIMELINE_TABS, type TimelineTabName } from '../state/timeline.ts';
 import type { Action, Uses } from '../state/workbench.ts';
+import { TABS } from './timeline-tabs.ts';
 import { VERSION } from './version.ts';
 
 const setting = (wb: Uses<'settings'>, change: Partial<Settings>) => wb.settings.update((s) => ({ ...s, ...change }));
@@ -44,6 +46,7 @@ export const PAGE_ACTIONS: readonly Action[] = [
     checked: (wb) => isPanelOpen(wb.settings.get(), 'timeline'),
     run: (wb) => openPanel(wb, 'timeline', !isPanelOpen(wb.settings.get(), 'timeline')),
   },
+  ...TIMELINE_TABS.map(tabAction),
   {
     id: 'page.details',
     name: 'Show details of selection',
@@ -153,6 +156,23 @@ export function offlineActions(wb: Uses<'offline'>): Action[] {
     });
   }
   return found;
+}
+
+/** Shows a tab of the timeline, under the name of the tab. */
+function tabAction(tab: TimelineTabName): Action {
+  return {
+    id: `page.tab.${tab}`,
+    label: TABS[tab].label,
+    group: 'Page',
+    menu: 'View/Timeline tab',
+    section: 3,
+    radio: true,
+    checked: (wb) => isPanelOpen(wb.settings.get(), 'timeline') && wb.timeline.view.get().tab === tab,
+    run(wb) {
+      openPanel(wb, 'timeline', true);
+      wb.timeline.change({ tab });
+    },
+  };
 }
 
 function panelKey(id: string, label: string, shortcut: string, step: 1 | -1): Action {

@@ -9,7 +9,7 @@ export interface TabRecord {
 
 export const TABS: Readonly<Record<TimelineTabName, TabRecord>> = {
   curves: {
-    label: 'Curves',
+    label: 'Curve editor',
     load: async (wb) => (await import('../editors/curves/panel.ts')).curvePanel(wb),
   },
   dope: {
@@ -21,7 +21,7 @@ export const TABS: Readonly<Record<TimelineTabName, TabRecord>> = {
     load: async (wb) => (await import('../editors/takes/panel.ts')).takesPanel(wb),
   },
   poses: {
-    label: 'Poses',
+    label: 'Pose library',
     load: async (wb) => (await import('../editors/poses/panel.ts')).posesPanel(wb),
   },
 };

@@ -113,7 +113,7 @@ export const BY_HAND: readonly Check[] = [
       await page.locator('.viewport canvas[role=application]').focus();
       await page.keyboard.press(' ');
       await page.waitForFunction((then) => window.marrow.characters()[0].dofs[3] !== then, there);
-      for (const tab of ['Curves', 'Dope sheet']) {
+      for (const tab of ['Curve editor', 'Dope sheet']) {
         await page.getByRole('tab', { name: tab }).click();
         const times = await page.evaluate(timesOfFrames);
         expect(new Set(times.map(([field]) => field)).size).toBeGreaterThan(5);

@@ -3,7 +3,6 @@
 import type { NamedPose } from '../../../model/poses.ts';
 import { currentCharacter } from '../../state/action.ts';
 import { NO_CHARACTER, NO_SKELETON, needs } from '../../state/needs.ts';
-import { openPanel } from '../../state/panels.ts';
 import { selectedJoints, selectedJointsText } from '../../state/selected-joint.ts';
 import type { Action, Uses } from '../../state/workbench.ts';
 
@@ -131,17 +130,6 @@ export const POSE_ACTIONS: readonly Action[] = [
       const { update } = await edits();
       const character = currentCharacter(wb);
       if (character) update(wb, character.id, wb.posing.libraryPose.get());
-    },
-  },
-  {
-    id: 'pose.library',
-    label: 'Pose library',
-    group: 'Edit',
-    menu: MENU,
-    section: 3,
-    run(wb) {
-      openPanel(wb, 'timeline', true);
-      wb.timeline.change({ tab: 'poses' });
     },
   },
 ];

@@ -35,7 +35,7 @@ class PosesPanel implements TimelineTab {
   readonly tools: HTMLElement;
   private readonly options = observable<PoseOptions>({ branch: false });
   private readonly grid = element('div', {
-    ...{ class: 'pose-grid', role: 'listbox', tabindex: 0, 'aria-label': 'Poses', [HAS_KEYS]: true },
+    ...{ class: 'pose-grid', role: 'listbox', tabindex: 0, 'aria-label': 'Pose library', [HAS_KEYS]: true },
   });
   private readonly empty = element('div', { class: 'empty pose-empty', hidden: true });
   private readonly thumbnails: Thumbnails;
@@ -216,7 +216,7 @@ class PosesPanel implements TimelineTab {
     const index = this.indexAt(event.target);
     event.preventDefault();
     if (index < 0) {
-      openMenu({ x: event.clientX, y: event.clientY }, sectionsOf(this.wb, MENU_OF_ALL), { label: 'Poses' });
+      openMenu({ x: event.clientX, y: event.clientY }, sectionsOf(this.wb, MENU_OF_ALL), { label: 'Pose library' });
       return;
     }
     this.focus(index);

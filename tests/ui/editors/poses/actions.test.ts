@@ -50,7 +50,7 @@ describe('poses by menus and keys', () => {
     await runAction(wb, 'pose.keep');
     expect(wb.transport.get().playing).toBe(false);
     expect(wb.store.document.characters[0].poses).toEqual([{ name: 'pose 1', values: pose }]);
-    runAction(wb, 'pose.library');
+    runAction(wb, 'page.tab.poses');
     expect(wb.timeline.view.get().tab).toBe('poses');
     runAction(wb, 'save.pose');
   });
