@@ -42,8 +42,8 @@ export function readTimeColours(target: Element): TimeColours {
   const colour = (name: string) => style.getPropertyValue(name).trim();
   return {
     faint: colour('--text-faint'),
-    line: colour('--line'),
-    fineLine: translucent(colour('--line'), 0.5),
+    line: colour('--plot-line'),
+    fineLine: translucent(colour('--plot-line'), 0.5),
     ruler: colour('--surface'),
     outside: colour('--ground'),
     range: colour('--range'),
