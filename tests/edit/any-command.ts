@@ -118,7 +118,7 @@ const ARGUMENTS: Readonly<Record<string, (s: Situation) => object | undefined>> 
   'poses.apply': (s) =>
     ofPose(s, {
       share: s.dice.pick([undefined, 0.5, 1]),
-      joint: s.dice.is(0.5) ? undefined : s.dice.below(s.character.skeleton?.joints.length ?? 0),
+      joints: s.dice.is(0.5) ? undefined : [0, 1].map(() => s.dice.below(s.character.skeleton?.joints.length ?? 0)),
       timeSeconds: time(s.dice),
       ...autoKey(s.dice),
     }),

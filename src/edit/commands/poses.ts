@@ -166,8 +166,8 @@ export const removePoses: Command<{ readonly characterId: string; readonly poses
 export interface ApplyPose extends OfPose, AtMoment {
   /** 1, all of it, by default; 0 is the displayed pose. */
   readonly share?: number | undefined;
-  /** Only this joint and its descendants; absent: the whole character. */
-  readonly joint?: number | undefined;
+  /** Only these joints and their descendants; absent: the whole character. */
+  readonly joints?: readonly number[] | undefined;
 }
 
 export const applyPose: Command<ApplyPose, Document | Edit> = {
@@ -176,12 +176,13 @@ export const applyPose: Command<ApplyPose, Document | Edit> = {
     const name = poseIn(document, characterId, pose);
     return share === 1 ? `Apply ${name}` : `Blend to ${name}`;
   },
-  run(document, { characterId, pose, share = 1, joint, timeSeconds, key }) {
+  run(document, { characterId, pose, share = 1, joints, timeSeconds, key }) {
     const { values: kept } = requirePose(document, characterId, pose);
     const part = finiteNumber(share, '"share"');
     if (part < 0 || part > 1) throw new CommandError(`"share" must be from 0 to 1, found ${part}.`);
     const { skeleton } = requireCharacter(document, characterId);
-    if (joint !== undefined) indexIn(joint, 0, skeleton?.joints.length ?? 0, 'joint');
+    const count = skeleton?.joints.length ?? 0;
+    const meant = joints && listOf(joints, '"joints"').map((joint) => indexIn(joint, 0, count, 'joint'));
     return setValues(document, characterId, timeSeconds, key, (character) => {
       const all = characterDofs(skeleton, character.morphs);
       const target = all.map((dof, d) => kept[d] ?? dof.rest);
@@ -189,8 +190,9 @@ export const applyPose: Command<ApplyPose, Document | Edit> = {
       const blended = blendPoses(skeleton, shown, target, part);
       const compiled = skeleton && compileSkeleton(skeleton);
       const isMeant = (d: number) => {
-        if (joint === undefined || !compiled) return true;
-        return d >= compiled.firstDof[joint] && d < compiled.firstDof[compiled.subtreeEnd[joint]];
+        if (!meant || !compiled) return true;
+        const { firstDof, subtreeEnd } = compiled;
+        return meant.some((joint) => d >= firstDof[joint] && d < firstDof[subtreeEnd[joint]]);
       };
       const values = new Map([...blended.entries()].filter(([d]) => isMeant(d)));
       return settled(character, shown, values, key !== undefined);

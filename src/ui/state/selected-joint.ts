@@ -32,12 +32,6 @@ export function resolvedJoint(
   return { character, skeleton, joint };
 }
 
-/** Its index, if it belongs to that character. */
-export function selectedJointOf(wb: Uses<'store'>, characterId: string): number | undefined {
-  const selected = selectedJoint(wb);
-  return selected?.character.id === characterId ? selected.joint : undefined;
-}
-
 /** Selected joints that exist. */
 export interface ResolvedJoints {
   readonly character: Character;

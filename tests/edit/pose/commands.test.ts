@@ -101,8 +101,11 @@ describe('the library’s commands', () => {
   it('apply a pose exactly, in part, or below one joint, within limits', () => {
     const zero = documentIn(setDofs.run(kept, { ...at, dofs: pose.map((_, index) => ({ index, value: 0 })) }));
     expect(shown(documentIn(applyPose.run(zero, { ...at, pose: 0 })))).toEqual(pose);
-    const branch = shown(documentIn(applyPose.run(zero, { ...at, pose: 0, joint: 1 })));
+    const branch = shown(documentIn(applyPose.run(zero, { ...at, pose: 0, joints: [1] })));
     expect(branch).toEqual(pose.map((v, d) => (d >= 6 && d < 12 ? v : 0)));
+    const each = [0, 1, 2].map((joint) => shown(documentIn(applyPose.run(zero, { ...at, pose: 0, joints: [joint] }))));
+    const both = shown(documentIn(applyPose.run(zero, { ...at, pose: 0, joints: [2, 1] })));
+    expect(both).toEqual(pose.map((_, d) => each[1][d] || each[2][d]));
     const half = shown(documentIn(applyPose.run(zero, { ...at, pose: 0, share: 0.5 })));
     expect([half[0], half[18]]).toEqual([0.5, 0.35]);
     expect(documentIn(applyPose.run(zero, { ...at, pose: 0, share: 0 }))).toBe(zero);
@@ -138,7 +141,7 @@ describe('the library’s commands', () => {
   it('the library’s commands are undone in one step each', () => {
     const store = new Store(still);
     store.apply(keepPose, { characterId: 'c1', timeSeconds: 0 });
-    store.apply(applyPose, { ...at, pose: 0, joint: 1, share: 0.5 });
+    store.apply(applyPose, { ...at, pose: 0, joints: [1], share: 0.5 });
     store.apply(mirrorPose, { ...at, way: 'swap' });
     store.apply(removePoses, { characterId: 'c1', poses: [0] });
     expect(store.undoLabel).toBe('Remove pose 1');

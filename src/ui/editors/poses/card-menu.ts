@@ -2,7 +2,7 @@
 import type { MenuEntry } from '../../kit/menu.ts';
 
 export interface CardActions {
-  /** @param isBranch from the selected joint down only */
+  /** @param isBranch from the selected joints down only */
   take(share: number, isBranch: boolean): void;
   update(): void;
   rename(): void;
@@ -10,7 +10,7 @@ export interface CardActions {
   remove(): void;
 }
 
-/** @param joint name of the selected joint, if it belongs to that character */
+/** @param joint name of the selected joint, or `3 joints`, if they belong to that character */
 export function cardEntries(joint: string | undefined, does: CardActions): readonly MenuEntry[] {
   const item = (label: string, run: () => void, shortcut?: string): MenuEntry => ({
     kind: 'item',

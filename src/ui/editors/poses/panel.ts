@@ -7,7 +7,6 @@
  *                                                              right click         all of these
  */
 import { type Character, findCharacter } from '../../../model/document.ts';
-import { jointName } from '../../../model/joint-name.ts';
 import type { NamedPose } from '../../../model/poses.ts';
 import { element, setAttribute, uniqueId } from '../../kit/dom.ts';
 import { HAS_KEYS } from '../../kit/focus.ts';
@@ -16,12 +15,13 @@ import { openMenu } from '../../kit/menu.ts';
 import { observable } from '../../kit/observable.ts';
 import { currentCharacter } from '../../state/action.ts';
 import { sectionsOf } from '../../state/menu-entries.ts';
-import { selectedJointOf } from '../../state/selected-joint.ts';
+import { jointsText } from '../../state/selected-joint.ts';
 import type { TimelineTab } from '../../state/timeline.ts';
 import type { Workbench } from '../../state/workbench.ts';
 import { PoseCard } from './card.ts';
 import { blendByDrag } from './card-drags.ts';
 import { cardEntries } from './card-menu.ts';
+import { hierarchiesMeant } from './hierarchies.ts';
 import { removePose, rename, take, update } from './pose-edits.ts';
 import { Thumbnails } from './thumbnails.ts';
 import { type PoseOptions, poseTools } from './tools.ts';
@@ -208,7 +208,11 @@ class PosesPanel implements TimelineTab {
     const { wb, grid } = this;
     const character = findCharacter(wb.store.document, this.shownId);
     if (!character) return;
-    const blended = { characterId: character.id, pose: index, joint: this.jointMeant(character) };
+    const blended = {
+      characterId: character.id,
+      pose: index,
+      joints: hierarchiesMeant(this.wb, character, this.options.get().branch),
+    };
     blendByDrag(wb, grid, down, blended, (share) => this.cards[index]?.showShare(share));
   }
 
@@ -225,8 +229,8 @@ class PosesPanel implements TimelineTab {
 
   private menu(index: number, at: { readonly x: number; readonly y: number }, byKey: boolean): void {
     const character = findCharacter(this.wb.store.document, this.shownId);
-    const joint = character && selectedJointOf(this.wb, character.id);
-    const name = joint === undefined ? undefined : jointName(character?.skeleton, joint);
+    const joints = character && hierarchiesMeant(this.wb, character, true);
+    const name = joints && jointsText(character?.skeleton, joints);
     const entries = cardEntries(name, {
       take: (share, isBranch) => this.take(index, share, isBranch),
       update: () => update(this.wb, this.shownId ?? '', index),
@@ -240,12 +244,8 @@ class PosesPanel implements TimelineTab {
   private take(index: number, share = 1, isBranch = this.options.get().branch): void {
     const character = findCharacter(this.wb.store.document, this.shownId);
     if (!character || !this.shownPoses[index]) return;
-    const joint = isBranch ? selectedJointOf(this.wb, character.id) : undefined;
-    take(this.wb, { characterId: character.id, pose: index, share, joint });
-  }
-
-  private jointMeant(character: Character): number | undefined {
-    return this.options.get().branch ? selectedJointOf(this.wb, character.id) : undefined;
+    const joints = hierarchiesMeant(this.wb, character, isBranch);
+    take(this.wb, { characterId: character.id, pose: index, share, joints });
   }
 
   private startRename(index: number): void {

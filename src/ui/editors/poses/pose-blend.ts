@@ -9,8 +9,8 @@ export interface Blended {
   readonly characterId: string;
   /** Index in the library. */
   readonly pose: number;
-  /** Only this joint and its descendants; absent: the whole character. */
-  readonly joint: number | undefined;
+  /** Only these joints and their descendants; undefined: the whole character. */
+  readonly joints: readonly number[] | undefined;
 }
 
 export class PoseBlend {

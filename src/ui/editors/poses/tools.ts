@@ -5,15 +5,15 @@ import { oncePerFrame } from '../../kit/frame.ts';
 import type { Observable } from '../../kit/observable.ts';
 import { toolbar } from '../../kit/roving.ts';
 import { currentCharacter, findAction, isEnabled, tryAction } from '../../state/action.ts';
-import { selectedJointOf } from '../../state/selected-joint.ts';
 import { setActionTooltip } from '../../state/tooltips.ts';
 import type { Uses } from '../../state/workbench.ts';
 import { focusedPose } from './actions.ts';
 import { blendSlider } from './blend-slider.ts';
+import { hierarchiesMeant } from './hierarchies.ts';
 
 /** How poses are applied and blended. */
 export interface PoseOptions {
-  /** Only the selected joint and its descendants. */
+  /** Only the selected joints and their descendants. */
   readonly branch: boolean;
 }
 
@@ -44,8 +44,8 @@ export function poseTools(
     const character = currentCharacter(wb);
     const pose = focusedPose(wb);
     if (!character || !pose) return undefined;
-    const joint = options.get().branch ? selectedJointOf(wb, character.id) : undefined;
-    return { characterId: character.id, pose: wb.posing.libraryPose.get(), joint, name: pose.name };
+    const joints = hierarchiesMeant(wb, character, options.get().branch);
+    return { characterId: character.id, pose: wb.posing.libraryPose.get(), joints, name: pose.name };
   });
   const branch = keepsFocusElsewhere(
     button(
@@ -53,7 +53,7 @@ export function poseTools(
       {
         class: 'tool text-tool',
         'aria-pressed': 'false',
-        tooltip: 'Apply only to the selected joint and its descendants',
+        tooltip: 'Apply only to the selected joints and their descendants',
       },
       'Hierarchy only',
       () => options.update((now) => ({ ...now, branch: !now.branch })),
