@@ -90,7 +90,7 @@ export class Opener {
         { files: files.map(({ path, blob }) => ({ path, blob })) },
         {
           signal: abort.signal,
-          onProgress: (p) => loading.set({ label: p.label, done: p.bytesDone, of: p.bytesTotal, cancel }),
+          onProgress: (p) => loading.set({ label: p.label, done: p.done, of: p.of, cancel }),
         },
       );
       for (const { skin, facts, morphs } of output.facts) adoptSkinFacts(skin, facts, morphs);

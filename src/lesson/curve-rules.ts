@@ -40,7 +40,8 @@ export interface CurveRules {
   readonly bounce: 'odd periods' | 'none' | 'even periods' | 'odd after only';
   /** How a time before the first key is folded: `hold` and `run on` leave it before the keys. */
   readonly modulo: 'floor' | 'run on' | 'hold' | 'run on, floor' | 'hold, floor';
-  readonly period: 'keys' | 'range' | 'length of range';
+  /** `range only`: times within the range are not folded. */
+  readonly period: 'keys' | 'range' | 'range, run on' | 'range only' | 'length of range';
   readonly linearSlope: 'tangent' | 'segment';
 }
 
@@ -83,6 +84,7 @@ function keyedValue(keys: KeyedChannel, range: readonly [number, number], time: 
   if (kind === 'linear') return values[at] + endSlope(keys, isBefore, rules) * (time - times[at]);
   const length = end - first;
   if (!(length > 0)) return values[at];
+  if (rules.period === 'range only' && time >= range[0] && time <= range[1]) return values[at];
   const folded = fold(keys, range, time, rules);
   const { period } = folded;
   if (kind === 'bounce')
@@ -109,7 +111,7 @@ function fold(
 ): Folded {
   const [first, end] = [times[0], times[times.length - 1]];
   const isOfRange = of !== 'keys' && range[1] > range[0];
-  const start = isOfRange && of === 'range' ? range[0] : first;
+  const start = isOfRange && of !== 'length of range' ? range[0] : first;
   const length = isOfRange ? range[1] - range[0] : end - first;
   const stop = start + length;
   let period = Math.floor((time - start) / length);
@@ -124,7 +126,12 @@ function fold(
     rest -= length;
     if (!modulo.endsWith('floor')) period++;
   }
-  return { period, time: start + rest, mirrored: stop - rest, runsOn: modulo.startsWith('run on') };
+  return {
+    period,
+    time: start + rest,
+    mirrored: stop - rest,
+    runsOn: modulo.startsWith('run on') || of === 'range, run on',
+  };
 }
 
 function isMirrored(period: number, { bounce }: CurveRules): boolean {

@@ -10,7 +10,7 @@ import { dofCountOf, poseFrom, poseSource } from '../evaluate/pose.ts';
 import { invertAffine, multiplyAffine } from '../math/mat4.ts';
 import { type Character, isBvh, shownClip } from '../model/document.ts';
 import { restPose, rootDofCount } from '../model/dofs.ts';
-import { dofsOf } from '../model/joint-types.ts';
+import { dofsOf, replacesOffset } from '../model/joint-types.ts';
 import { type CurveRules, channelValue, RIGHT_CURVES } from './curve-rules.ts';
 import type { Breadth, JointRules, Program, Wanted, WorldMap } from './program.ts';
 import { hasThreeAngles, isFor, ProgramSkeletons, turns } from './skeleton-rules.ts';
@@ -77,7 +77,7 @@ export class Evaluator {
   frame(program: Program, time: FrameTime, wanted: Wanted): FrameNumbers {
     const given = this.dofsAt(program.curves, time);
     const { jointCount, skeletons } = this;
-    if (skeletons) this.joints(program.joints, skeletons, given, time !== undefined);
+    if (skeletons) this.joints(program.joints, skeletons, given);
     const { world: maps } = program.joints;
     const world = maps.length > 0 ? this.mapAll(this.world, maps, this.mapped) : this.world;
     let vertices: Float64Array = NONE;
@@ -123,9 +123,9 @@ export class Evaluator {
     return out;
   }
 
-  private joints(rules: JointRules, skeletons: ProgramSkeletons, given: Float64Array, isTimed: boolean): void {
+  private joints(rules: JointRules, skeletons: ProgramSkeletons, given: Float64Array): void {
     const { compiled, dofFrom } = skeletons.get(rules);
-    const dofs = this.fileDofs(rules, compiled, given, isTimed);
+    const dofs = this.fileDofs(rules, compiled, given);
     if (this.character.clampsToLimits && rules.hasLimits) applyConstraints(compiled, dofs, true);
     else applyConstraints(compiled, dofs, false);
     const { at } = rules.angles;
@@ -152,7 +152,7 @@ export class Evaluator {
   }
 
   /** The values that the files give to the DOFs. */
-  private fileDofs(rules: JointRules, compiled: CompiledSkeleton, given: Float64Array, isTimed: boolean): Float64Array {
+  private fileDofs(rules: JointRules, compiled: CompiledSkeleton, given: Float64Array): Float64Array {
     const { dofs, moved } = this;
     dofs.set(given);
     const { skeleton } = this.character;
@@ -160,12 +160,19 @@ export class Evaluator {
     if (rules.pose !== 'given' && skeleton) {
       const rest = restPose(skeleton, this.character.morphs.length);
       const kept = Array.from(travel, (d) => dofs[d]);
-      for (let d = firstDof[0]; d < firstDof[compiled.jointCount]; d++) dofs[d] = rest[d];
-      travel.forEach((d, k) => {
-        if (d >= 0) dofs[d] = rules.pose.includes('without root') ? 0 : kept[k];
+      skeleton.joints.forEach(({ motion, offset }, j) => {
+        dofsOf(motion).forEach(({ name }, i) => {
+          const axis = ['tx', 'ty', 'tz'].indexOf(name);
+          dofs[firstDof[j] + i] = replacesOffset(motion, name) ? offset[axis] : rest[firstDof[j] + i];
+        });
       });
+      travel.forEach((d, k) => {
+        if (d < 0 || rules.pose === 'rest, root at offset') return;
+        dofs[d] = rules.pose === 'rest' ? kept[k] : 0;
+      });
+      if (rules.pose === 'rest, root at offset' && compiled.hasRootTranslation) dofs.fill(0, 0, 3);
     }
-    if (isTimed && (rules.breadthFirst === 'dofs' || rules.breadthFirst === 'both')) {
+    if (rules.breadthFirst === 'dofs' || rules.breadthFirst === 'both') {
       moved.set(dofs);
       let next = firstDof[0];
       for (const j of this.breadthFirst) {

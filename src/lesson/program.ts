@@ -27,7 +27,8 @@ export interface JointRules {
   readonly offset: 'before' | 'after' | 'inner after' | 'none';
   readonly root: 'moves' | 'stays at offset' | 'stays at 0';
   readonly hasLimits: boolean;
-  readonly pose: 'given' | 'rest' | 'rest, without root' | 'rest, limited' | 'rest, without root, limited';
+  /** At rest, with the root where it is given, at its offset, or at 0. */
+  readonly pose: 'given' | 'rest' | 'rest, root at offset' | 'rest, root at 0';
   /** Whose DOFs the values are, or whose matrix a joint's is. */
   readonly breadthFirst: 'none' | 'dofs' | 'joints' | 'both';
   /** rx and rz exchanged. */
@@ -58,12 +59,13 @@ export interface SkinRules {
     | 'first four normalised'
     | 'largest'
     | 'largest four'
-    | 'largest four normalised';
+    | 'largest four normalised'
+    | 'first four, cut ones normalised';
   readonly weights: 'given' | 'normalised';
   readonly bind: 'moved' | 'bind pose' | 'bind pose without morphs';
   /** `offset`: absolute values added; `after`: differences added behind skinning. */
   readonly morph: 'before' | 'offset' | 'after' | 'after normalising' | 'after, positions only';
-  readonly normals: 'inverse transpose' | 'matrix' | 'inverse' | 'as positions';
+  readonly normals: 'inverse transpose' | 'matrix' | 'inverse' | 'as positions' | 'with translation';
   readonly isNormalised: boolean;
   /** Added to the joint of each attachment; joints that are not there are clamped, wrapped around or left out. */
   readonly joint: { readonly shift: number; readonly beyond: 'clamped' | 'wrapped' | 'left out' };

@@ -43,8 +43,12 @@ interface Candidate {
 /** Vertices that a small trial has, and samples per channel. */
 const FEW_VERTICES = 24;
 const FEW_SAMPLES = 6;
+/**
+ * Numbers that a part or a pair must change: of the thousands of pairs some would come near to a single point by chance.
+ */
+const MIN_EVIDENCE = 6;
 /** Programs tried between two reports of progress. */
-const BETWEEN_STEPS = 64;
+const BETWEEN_STEPS = 16;
 
 /**
  * @param worst the vertices that differ most, in any order
@@ -76,17 +80,19 @@ export function* findCauses(
   for (let i = 0; i < candidates.length; i++) {
     const candidate = candidates[i];
     const glance = small.run(candidate.program, true);
-    if (glance.touches) activate(candidate);
+    // Limits may be reached only with another mistake.
+    if (glance.touches || candidate.mistake.code === 'limits-not-applied') activate(candidate);
     if (glance.isWhole || glance.isPart || (!glance.touches && isHopeful(glance))) {
       const outcome = all.run(candidate.program, true);
       if (outcome.touches && !glance.touches) activate(candidate);
       if (outcome.isWhole) keep(whole, [candidate], outcome);
-      else if (outcome.isPart) keep(parts, [candidate], outcome);
+      else if (outcome.isPart && outcome.evidence >= MIN_EVIDENCE) keep(parts, [candidate], outcome);
     }
-    if (i % BETWEEN_STEPS === 0) yield (0.2 * i) / candidates.length;
+    yield (0.2 * i) / candidates.length;
   }
   if (whole.size === 0) yield* findPairs(active, small, all, whole);
-  return [...sorted(whole), ...sorted(parts)];
+  // Beside an explanation of everything, one of a part says nothing more.
+  return sorted(whole.size > 0 ? whole : parts);
 }
 
 function* findPairs(active: readonly Candidate[], small: Trial, all: Trial, found: Map<string, Cause>): Steps<void> {
@@ -100,7 +106,7 @@ function* findPairs(active: readonly Candidate[], small: Trial, all: Trial, foun
       for (const program of bothOf(a, b)) {
         if (!small.run(program, false).isWhole) continue;
         const outcome = all.run(program, false);
-        if (outcome.isWhole) keep(found, [a, b], outcome);
+        if (outcome.isWhole && outcome.evidence >= MIN_EVIDENCE) keep(found, [a, b], outcome);
       }
     }
   }
@@ -164,7 +170,7 @@ function fewOf(
   worst: readonly number[],
 ) {
   const skin = shownSkin(character);
-  const few = skin ? chosen(skin.positions.length / 3, worst) : [];
+  const few = skin ? chosen(skin, worst) : [];
   const pick = (values: Float64Array | undefined) => values && rowsOf(values, few);
   return {
     character: skin
@@ -178,9 +184,26 @@ function fewOf(
   };
 }
 
-/** The worst, and some evenly spread. */
-function chosen(count: number, worst: readonly number[]): number[] {
+/** The worst, some evenly spread, and those that mistakes in attachments show at. */
+function chosen({ positions, attachments }: Skin, worst: readonly number[]): number[] {
+  const count = positions.length / 3;
   const all = new Set(worst.slice(0, FEW_VERTICES / 2));
+  const most = (of: (joint: number, weights: Float64Array) => number) => {
+    if (!attachments) return;
+    const { start, joints, weights } = attachments;
+    let best = 0;
+    let value = Number.NEGATIVE_INFINITY;
+    for (let v = 0; v < count; v++) {
+      if (start[v] === start[v + 1]) continue;
+      const own = of(joints[start[v]], weights.subarray(start[v], start[v + 1]));
+      if (own > value) [best, value] = [v, own];
+    }
+    all.add(best);
+  };
+  most((joint) => joint);
+  most((joint) => -joint);
+  most((_, weights) => weights.length);
+  most((_, weights) => Math.abs(weights.reduce((sum, w) => sum + w, -1)));
   for (let i = 0; i < FEW_VERTICES / 2 && i < count; i++) all.add(Math.floor((i * count) / (FEW_VERTICES / 2)));
   return [...all].sort((a, b) => a - b);
 }

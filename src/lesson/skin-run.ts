@@ -140,6 +140,10 @@ export class SkinRun {
       if (!wanted.normals) continue;
       if (rules.normals === 'as positions') sumPoint(matrices, joints, weights, from, to, normals, o, outNormals);
       else sumNormal(normalMatrices, joints, weights, from, to, normals, o, outNormals);
+      if (rules.normals !== 'with translation') continue;
+      for (let a = from; a < to; a++) {
+        for (let k = 0; k < 3; k++) outNormals[o + k] += weights[a] * matrices[16 * joints[a] + 12 + k];
+      }
     }
   }
 
@@ -270,8 +274,9 @@ function attached(given: Attachments, rules: SkinRules, jointCount: number): Att
     for (const a of own) sum += given.weights[a];
     const isWhole =
       rules.weights === 'normalised' ||
-      rules.attachments.endsWith('normalised') ||
-      rules.attachments === 'first as whole';
+      rules.attachments === 'first as whole' ||
+      rules.attachments.endsWith('four normalised') ||
+      (rules.attachments.endsWith('cut ones normalised') && given.start[v + 1] - given.start[v] > 4);
     const scale = isWhole && sum !== 0 ? 1 / sum : 1;
     for (const a of own) {
       let joint = given.joints[a] + rules.joint.shift;

@@ -19,6 +19,8 @@ export interface Outcome {
   /** Whether all numbers are theirs, within the tolerance; and all those that are changed. */
   readonly isWhole: boolean;
   readonly isPart: boolean;
+  /** How many numbers the program changes. */
+  readonly evidence: number;
   /** The largest error of what is explained. */
   readonly residual: number;
   /** By kind of item: how many agree, and how many there are. */
@@ -123,7 +125,7 @@ export class Trial {
           change = Math.max(change, pointError(now.world, o + 12, own.world, o + 12, size));
           error = Math.max(error, pointError(now.world, o + 12, positions, 3 * j, size));
         }
-        state.add(state.joints, change, error);
+        state.add(state.joints, change, error, world || local ? MATRIX : POINT);
       }
     }
     const count = (vertices ?? normals)?.length ?? 0;
@@ -138,7 +140,7 @@ export class Trial {
         change = Math.max(change, pointError(now.normals, o, own.normals, o, 1));
         error = Math.max(error, pointError(now.normals, o, normals, o, 1));
       }
-      state.add(state.vertices, change, error);
+      state.add(state.vertices, change, error, POINT);
     }
   }
 
@@ -151,14 +153,17 @@ export class Trial {
       const channel = clip.channels[c];
       let change = 0;
       let error = 0;
+      let changed = 0;
       let i = from;
       for (; i < channels.length && channels[i] === c; i++) {
         const now =
           channel.kind === 'keys' ? channelValue(channel, clip.range, times[i], program.curves) : this.ownChannels[i];
-        change = larger(change, now - this.ownChannels[i]);
+        const own = larger(0, now - this.ownChannels[i]);
+        if (own > this.tolerance) changed++;
+        change = Math.max(change, own);
         error = larger(error, now - values[i]);
       }
-      state.add(state.channels, change, error);
+      state.add(state.channels, change, error, changed);
       from = i;
     }
   }
@@ -171,11 +176,15 @@ export class Trial {
       let i = from;
       for (; i < channels.length && channels[i] === channels[from]; i++)
         error = larger(error, this.ownChannels[i] - values[i]);
-      state.add(state.channels, 0, error);
+      state.add(state.channels, 0, error, 0);
       from = i;
     }
   }
 }
+
+/** Numbers of an item that can tell a mistake: of a matrix, of a point. */
+const MATRIX = 12;
+const POINT = 3;
 
 class State {
   readonly joints: Share = { agree: 0, of: 0 };
@@ -186,14 +195,15 @@ class State {
   private isWhole = true;
   private isPart = true;
   private residual = 0;
+  private evidence = 0;
 
   constructor(
     private readonly tolerance: number,
     private readonly forPart: boolean,
   ) {}
 
-  /** An item that the program changes by `change`, and that is `error` from theirs then. */
-  add(share: Share, change: number, error: number): void {
+  /** An item of some numbers that the program changes by `change`, and that is `error` from theirs then. */
+  add(share: Share, change: number, error: number, numbers: number): void {
     const { tolerance } = this;
     const isTouched = !(change <= tolerance);
     const agrees = error <= tolerance;
@@ -201,14 +211,24 @@ class State {
     if (agrees) share.agree++;
     if (agrees && error > this.residual) this.residual = error;
     this.touches ||= isTouched;
+    if (isTouched) this.evidence += numbers;
     this.isWhole &&= agrees;
     this.isPart &&= agrees || !isTouched;
     this.isHopeless = !this.isWhole && !(this.forPart && this.isPart);
   }
 
   outcome(): Outcome {
-    const { touches, isWhole, isPart, residual, joints, vertices, channels } = this;
-    return { touches, isWhole: isWhole && touches, isPart: isPart && touches, residual, joints, vertices, channels };
+    const { touches, isWhole, isPart, residual, evidence, joints, vertices, channels } = this;
+    return {
+      touches,
+      isWhole: isWhole && touches,
+      isPart: isPart && touches,
+      residual,
+      evidence,
+      joints,
+      vertices,
+      channels,
+    };
   }
 }
 

@@ -18,6 +18,11 @@ export interface JobOptions {
   readonly signal?: AbortSignal;
 }
 
+/** What runs one kind of job. */
+export interface Runs<K extends JobName> {
+  run(job: K, input: Jobs[K]['takes'], options?: JobOptions): Promise<Jobs[K]['gives']>;
+}
+
 /** A job that failed with its worker; the message is a sentence for the user. */
 export class WorkerError extends Error {
   override readonly name = 'WorkerError';

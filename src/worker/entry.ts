@@ -1,4 +1,5 @@
 /** The worker's side: receives a job, runs it, responds. */
+import { compareDumps } from './compare.ts';
 import { parse } from './parse.ts';
 import type { FromWorker, Progress, ToWorker } from './protocol.ts';
 import { transferables } from './transferables.ts';
@@ -14,12 +15,14 @@ const scope = self as unknown as WorkerScope;
 scope.onmessage = async ({ data }) => {
   const { id } = data;
   try {
-    const output = await parse(data.input, (progress: Progress) =>
-      scope.postMessage({ id, kind: 'progress', progress }),
-    );
-    const message: FromWorker = { id, kind: 'done', job: data.job, output };
-    scope.postMessage(message, transferables(output));
+    const onProgress = (progress: Progress) => scope.postMessage({ id, kind: 'progress', progress });
+    if (data.job === 'parse') done({ id, kind: 'done', job: data.job, output: await parse(data.input, onProgress) });
+    else done({ id, kind: 'done', job: data.job, output: compareDumps(data.input, onProgress) });
   } catch (error) {
     scope.postMessage({ id, kind: 'failed', message: error instanceof Error ? error.message : String(error) });
   }
 };
+
+function done(message: Extract<FromWorker, { readonly kind: 'done' }>): void {
+  scope.postMessage(message, transferables(message.output));
+}

@@ -33,7 +33,7 @@ export async function parse(input: ParseInput, onProgress: (progress: Progress) 
       bytesDone += bytes;
       if (bytesDone - told < PROGRESS_STEP_BYTES && told > 0) return;
       told = bytesDone;
-      onProgress({ label: source.name, bytesDone, bytesTotal });
+      onProgress({ label: source.name, done: bytesDone, of: bytesTotal });
     };
     const format = formatOf(source.name);
     if (format) {

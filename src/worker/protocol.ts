@@ -3,13 +3,17 @@
  * another file format needs no change here (`project/kinds.ts`).
  */
 import type { SkinFacts } from '../evaluate/bounds.ts';
+import type { Comparison } from '../lesson/compare.ts';
+import type { NamedDump } from '../lesson/fit-dump.ts';
 import type { Diagnostic } from '../model/diagnostic.ts';
+import type { Character } from '../model/document.ts';
 import type { BrokenFile, ParsedFile } from '../model/files.ts';
 import type { Morph } from '../model/morph.ts';
 import type { Skin } from '../model/skin.ts';
 
 export interface Jobs {
   parse: { takes: ParseInput; gives: ParseOutput };
+  compare: { takes: CompareInput; gives: CompareOutput };
 }
 
 export type JobName = keyof Jobs;
@@ -41,6 +45,22 @@ export interface KnownSkin {
   readonly facts: SkinFacts;
 }
 
+/** Numbers of another program, and the character that they are of. */
+export interface CompareInput {
+  readonly character: Character;
+  readonly dumps: readonly NamedDump[];
+  /** Of dumps that state none; undefined: the file pose. */
+  readonly time: number | undefined;
+  /** Default `DEFAULT_TOLERANCE`. */
+  readonly tolerance?: number;
+}
+
+export interface CompareOutput {
+  /** Absent if the dumps don't fit the character. */
+  readonly comparison?: Comparison;
+  readonly diagnostics: readonly Diagnostic[];
+}
+
 type Each<F extends { [K in JobName]: unknown }> = F[JobName];
 
 export type ToWorker = Each<{
@@ -60,8 +80,9 @@ export type FromWorker =
     }>;
 
 export interface Progress {
-  /** Name of the file being read. */
+  /** Name of the file being read, or of what is being done. */
   readonly label: string;
-  readonly bytesDone: number;
-  readonly bytesTotal: number;
+  /** Bytes, or any other unit. */
+  readonly done: number;
+  readonly of: number;
 }

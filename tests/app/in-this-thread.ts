@@ -1,4 +1,5 @@
 import { WorkerClient } from '../../src/worker/client.ts';
+import { compareDumps } from '../../src/worker/compare.ts';
 import { parse } from '../../src/worker/parse.ts';
 import type { Jobs } from '../../src/worker/protocol.ts';
 
@@ -9,7 +10,8 @@ export class InThisThread extends WorkerClient {
       throw new Error('No worker is needed.');
     });
   }
-  override run<K extends keyof Jobs>(_job: K, input: Jobs[K]['takes']): Promise<Jobs[K]['gives']> {
-    return parse(input, () => undefined);
+  override async run<K extends keyof Jobs>(_job: K, input: Jobs[K]['takes']): Promise<Jobs[K]['gives']> {
+    const nobody = () => undefined;
+    return 'files' in input ? parse(input, nobody) : compareDumps(input, nobody);
   }
 }

@@ -58,9 +58,9 @@ describe('WorkerClient', () => {
   it('WorkerClient passes progress on', async () => {
     const { made, workers } = client();
     const seen: number[] = [];
-    const job = made.run('parse', { files: [] }, { onProgress: (p) => seen.push(p.bytesDone) });
+    const job = made.run('parse', { files: [] }, { onProgress: (p) => seen.push(p.done) });
     const { id } = workers[0].posted[0];
-    workers[0].answer({ id, kind: 'progress', progress: { label: 'a', bytesDone: 5, bytesTotal: 9 } });
+    workers[0].answer({ id, kind: 'progress', progress: { label: 'a', done: 5, of: 9 } });
     workers[0].answer({ id, kind: 'done', job: 'parse', output: nothing });
     await job;
     expect(seen).toEqual([5]);

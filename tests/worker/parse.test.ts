@@ -82,7 +82,7 @@ describe('the parse job', () => {
   it('the parse job tells how far it is', async () => {
     const seen: Progress[] = [];
     await parse({ files: [given('a.skel', skel), given('b.skel', skel)] }, (p) => seen.push(p));
-    expect(seen[0]).toMatchObject({ label: 'a.skel', bytesTotal: 2 * skel.length });
+    expect(seen[0]).toMatchObject({ label: 'a.skel', of: 2 * skel.length });
   });
 });
 
@@ -96,10 +96,10 @@ describe('the parse job on motion capture', () => {
   it('tells how far it is while the bytes come in, up to the last one', async () => {
     const seen: Progress[] = [];
     await parse({ files: [take, given('b.skel', skel)] }, (p) => seen.push(p));
-    const ofTake = seen.filter((p) => p.label === 'walk.bvh').map((p) => p.bytesDone);
+    const ofTake = seen.filter((p) => p.label === 'walk.bvh').map((p) => p.done);
     expect(ofTake.length).toBeGreaterThan(2);
     expect(ofTake).toEqual([...ofTake].sort((a, b) => a - b));
-    expect(seen.every((p) => p.bytesTotal === take.blob.size + skel.length)).toBe(true);
+    expect(seen.every((p) => p.of === take.blob.size + skel.length)).toBe(true);
   });
 
   it('hands the samples over without a copy, in hardly more memory than they take', async () => {

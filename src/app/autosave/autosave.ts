@@ -15,7 +15,7 @@ import type { KeptOffer } from '../../ui/state/kept-offer.ts';
 import type { Messages } from '../../ui/state/messages.ts';
 import type { Timeline } from '../../ui/state/timeline.ts';
 import type { Loading, WorkbenchStage } from '../../ui/state/workbench.ts';
-import type { WorkerClient } from '../../worker/client.ts';
+import type { Runs } from '../../worker/client.ts';
 import type { OpenedFiles, Opener } from '../opening.ts';
 import { isFull, Keeper } from './keeper.ts';
 import { KeptOffers } from './offers.ts';
@@ -34,7 +34,7 @@ export interface AutosaveParts {
   readonly loading: Observable<Loading | undefined>;
   readonly kept: Observable<KeptOffer | undefined>;
   readonly opener: Pick<Opener, 'subscribe' | 'inTurn'>;
-  readonly worker: Pick<WorkerClient, 'run'>;
+  readonly worker: Runs<'parse'>;
   readonly saving: SavingMarks;
   /** Undefined if the browser has no storage. */
   readonly sessions: SessionStore | undefined;
@@ -273,7 +273,7 @@ export class Autosave {
     try {
       return await readSession(id, sessions, worker, this.origins, {
         signal: abort.signal,
-        onProgress: (p) => loading.set({ label: p.label, done: p.bytesDone, of: p.bytesTotal, cancel }),
+        onProgress: (p) => loading.set({ label: p.label, done: p.done, of: p.of, cancel }),
       });
     } finally {
       loading.set(undefined);

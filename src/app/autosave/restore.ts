@@ -5,7 +5,7 @@
 import { adoptSkinFacts } from '../../evaluate/bounds.ts';
 import { type KeptFile, SessionLostError, type SessionStore } from '../../io/session-store.ts';
 import type { ParsedFile } from '../../model/files.ts';
-import type { WorkerClient } from '../../worker/client.ts';
+import type { Runs } from '../../worker/client.ts';
 import type { Progress } from '../../worker/protocol.ts';
 import { decode, emptyNumbers, RestoreError, storedNumbers } from './decode.ts';
 import type { StorableNumbers, StoredNumbers } from './encode.ts';
@@ -36,7 +36,7 @@ export interface ReadSession {
 export async function readSession(
   id: string,
   store: SessionStore,
-  worker: Pick<WorkerClient, 'run'>,
+  worker: Runs<'parse'>,
   origins: Origins,
   options: ReadOptions,
 ): Promise<ReadSession> {
@@ -76,7 +76,7 @@ export async function readSession(
 async function readOpenings(
   head: SessionHead,
   kept: readonly KeptFile[],
-  worker: Pick<WorkerClient, 'run'>,
+  worker: Runs<'parse'>,
   { signal, onProgress }: ReadOptions,
 ): Promise<readonly Opening[]> {
   const needed = new Set(head.files.map((file) => file.given));

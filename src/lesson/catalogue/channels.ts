@@ -127,6 +127,8 @@ export const CHANNELS: readonly Mistake[] = [
     formula: 'P = t_last − t_first',
     variants: [
       inCurves('from its start', { period: 'range' }),
+      inCurves('from its start, end segments run on', { period: 'range, run on' }),
+      inCurves('outside the range only', { period: 'range only' }),
       inCurves('from the first key', { period: 'length of range' }),
     ],
   },

@@ -111,7 +111,10 @@ export const KINEMATICS: readonly Mistake[] = [
     subject: 'kinematics',
     sentence: () => 'The pose is ignored: all DOFs are at rest.',
     formula: 'φ = pose, or the channel at the time',
-    variants: (['rest', 'rest, without root'] as const).map((pose) => inJoints(pose, { pose })),
+    variants: (['rest', 'rest, root at 0', 'rest, root at offset'] as const).flatMap((pose) => [
+      inJoints(pose, { pose }),
+      inJoints(`${pose}, without limits`, { pose, hasLimits: false }),
+    ]),
   },
   {
     code: 'breadth-first',

@@ -51,6 +51,7 @@ export const SKINNING: readonly Mistake[] = [
     variants: [
       inSkin('the first, as given', { attachments: 'first four' }),
       inSkin('the first, normalised', { attachments: 'first four normalised' }),
+      inSkin('the first, normalised where more are left out', { attachments: 'first four, cut ones normalised' }),
       inSkin('the largest, as given', { attachments: 'largest four' }),
       inSkin('the largest, normalised', { attachments: 'largest four normalised' }),
     ],
@@ -95,7 +96,10 @@ export const SKINNING: readonly Mistake[] = [
     subject: 'skinning',
     sentence: () => 'Normals are moved by the whole matrix; a direction has no position, so no translation.',
     formula: 'n′ = Σ wᵢ·(Wᵢ·Bᵢ⁻¹)⁻ᵀ·n, normalised',
-    variants: [inSkin('M·(n, 1)', { normals: 'as positions' })],
+    variants: [
+      inSkin('M·(n, 1)', { normals: 'as positions' }),
+      inSkin('M⁻ᵀ·n with the translation', { normals: 'with translation' }),
+    ],
   },
   {
     code: 'normals-unnormalised',

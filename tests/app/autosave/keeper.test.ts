@@ -13,7 +13,7 @@ import type { Document } from '../../../src/model/document.ts';
 import type { ParsedFile } from '../../../src/model/files.ts';
 import { NOTHING_SELECTED } from '../../../src/model/session.ts';
 import { DEFAULT_TIMELINE_VIEW } from '../../../src/ui/state/timeline.ts';
-import type { WorkerClient } from '../../../src/worker/client.ts';
+import type { Runs } from '../../../src/worker/client.ts';
 import { parse } from '../../../src/worker/parse.ts';
 import type { GivenBlob } from '../../../src/worker/protocol.ts';
 import { character, clip, documentOf, morph, skin } from '../../helpers/builders.ts';
@@ -39,7 +39,7 @@ function stateOf(document: Document): SessionState {
 
 /** The worker's job without the worker, but as a copy, as from there. */
 const read = async (files: readonly GivenBlob[]) => structuredClone(await parse({ files }, () => undefined));
-const worker: Pick<WorkerClient, 'run'> = { run: (_job, { files }) => read(files) };
+const worker: Runs<'parse'> = { run: (_job, { files }) => read(files) };
 /** Vitest's own comparison of long arrays takes seconds. */
 const expectSame = (a: unknown, b: unknown) => expect(isDeepStrictEqual(a, b)).toBe(true);
 const options = { signal: new AbortController().signal, onProgress: () => undefined };
