@@ -191,7 +191,7 @@ function searchBox() {
   const input = element('input', {
     type: 'search',
     'aria-label': 'Search joints, skins, takes and morphs',
-    placeholder: 'Search',
+    placeholder: 'Search outliner',
     spellcheck: 'false',
     autocomplete: 'off',
   });
