@@ -397,6 +397,17 @@ describe('any hierarchy and any rows', () => {
     fc.assert(property, { numRuns: 400 });
   });
 
+  it('are told of, whatever the size of the file is said to be, if no value before them is a number', () => {
+    const text = THREE + motion('nan nan nan\nnan nan nan\n1 2 3\n', 1);
+    const { diagnostics } = readBvh(text, 'take.bvh');
+    expect(diagnostics).toHaveLength(6);
+    for (const byteLength of [text.length, undefined, 1, 1e12]) {
+      const reader = bvhReader('take.bvh', byteLength);
+      reader.feed(bytesOf(text));
+      expect(reader.end()).toEqual({ diagnostics });
+    }
+  });
+
   it('read the same in pieces when rows are damaged', () => {
     const part = fc.constantFrom('1', '2.5', '-3', 'x', 'nan', '}', '{', 'Frames:', '1e999', '\x1a');
     const gap = fc.constantFrom(' ', ' ', '\n', '\n', '\r\n', '\r', '\t', '\n\n', ' \n ');
