@@ -8,7 +8,7 @@
 import type { Diagnostic } from '../../model/diagnostic.ts';
 import { type Edit, insertBefore, insertBehind, quoted, remove, replace } from './edit.ts';
 import type { TextLayout } from './layouts.ts';
-import type { TextLines } from './text-lines.ts';
+import type { TextLines, TextToken } from './text-lines.ts';
 
 /** One of these is what most grammars miss; `x` is a name. */
 const TOKENS = ['0', '{', '}', 'x'] as const;
@@ -25,36 +25,36 @@ export interface EditsAtProblem {
   readonly isMalformed: boolean;
 }
 
+/** Problems with a token that was expected: it may be missing on the line before. */
 const MISSING = /^(number|file|name)-expected$|^brace-missing$|^(extrapolation|order|mode|channel)-unknown$/;
 
 export function editsAtProblem(lines: TextLines, problem: Diagnostic, { keywords }: TextLayout): EditsAtProblem {
-  const found = lines.tokenAt(problem.line, problem.column);
   const { code, message } = problem;
-  const what = { code, message };
-  const { tokens, index } = found ?? { tokens: lines.tokens(lines.filled.at(-1) ?? 0), index: -1 };
-  const line = found ? problem.line : (lines.filled.at(-1) ?? 0);
-  const sameLine: Edit[] = [];
-  const lineBefore: Edit[] = [];
-  const isMalformed = MALFORMED.test(code);
-  if (line === 0) return { sameLine, lineBefore, looksMissing: false, isMalformed };
-  if (found) {
-    const token = tokens[index];
-    sameLine.push(remove(line, token, what));
-    for (const put of TOKENS) sameLine.push(replace(line, token, put, what));
-    const puts = index > 0 ? TOKENS : keywords;
-    for (const put of puts) sameLine.push(insertBefore(line, token, put, what));
-    if (index === 0) for (const put of keywords) sameLine.push(replace(line, token, put, what));
-    sameLine.push(insertBehind(line, tokens[tokens.length - 1], '0', what));
-    if (index > 0) sameLine.push(remove(line, tokens[index - 1], what));
-    if (index + 1 < tokens.length) sameLine.push(remove(line, tokens[index + 1], what));
-  }
+  const found = lines.tokenAt(problem.line, problem.column);
+  const sameLine = found ? editsAt(problem, found.tokens, found.index, keywords) : [];
   // At the end of the file, something is missing behind its last token.
-  const before = found ? lines.lineBefore(line) : line;
+  const before = found ? lines.lineBefore(problem.line) : (lines.filled.at(-1) ?? 0);
   const last = before > 0 ? lines.tokens(before).at(-1) : undefined;
   // A word like the last one: where one is missing from a list of them.
   const puts = last?.class === 'w' ? [...TOKENS, lines.text(last)] : TOKENS;
-  if (last) for (const put of puts) lineBefore.push(insertBehind(before, last, put, what));
+  const lineBefore = last ? puts.map((put) => insertBehind(before, last, put, { code, message })) : [];
   // Some problems point at a keyword whose values are wrong.
-  const isFound = !found || message.includes(`found ${quoted(lines, tokens[index])}`);
-  return { sameLine, lineBefore, looksMissing: index <= 0 && isFound && MISSING.test(code), isMalformed };
+  const isNoticed = !found || (found.index === 0 && message.includes(`found ${quoted(lines, found.tokens[0])}`));
+  return { sameLine, lineBefore, looksMissing: isNoticed && MISSING.test(code), isMalformed: MALFORMED.test(code) };
+}
+
+function editsAt(
+  { line, code, message }: Diagnostic,
+  tokens: readonly TextToken[],
+  index: number,
+  keywords: readonly string[],
+): readonly Edit[] {
+  const what = { code, message };
+  const token = tokens[index];
+  const edits = [remove(line, token, what), ...TOKENS.map((put) => replace(line, token, put, what))];
+  if (index > 0) edits.push(...TOKENS.map((put) => insertBefore(line, token, put, what)));
+  else for (const put of keywords) edits.push(insertBefore(line, token, put, what), replace(line, token, put, what));
+  edits.push(insertBehind(line, tokens[tokens.length - 1], '0', what));
+  for (const beside of [tokens[index - 1], tokens[index + 1]]) if (beside) edits.push(remove(line, beside, what));
+  return edits;
 }

@@ -33,66 +33,103 @@ export function bracesByIndent(lines: TextLines): readonly Edit[] {
 }
 
 function contradictions(lines: TextLines, tabWidth: number): readonly Edit[] {
-  const open: Open[] = [];
-  const edits: Edit[] = [];
-  /** The last `}` that closed a block, and the block. */
-  let closed: { line: number; token: TextToken; block: Open } | undefined;
-  let before = 0;
+  const blocks = new Blocks(lines, tabWidth);
   for (const line of lines.filled) {
-    if (edits.length > MOST) return edits;
-    const row = lines.row(line);
-    if (row.first === 'n' && !row.hasBrace && row.count > 1) {
-      closed = undefined;
-      before = line;
-      continue;
-    }
-    const tokens = lines.tokens(line);
-    const indent = lines.indent(line, tabWidth);
-    const isClosing = tokens[0].class === '}';
-    const isBrace = tokens[0].class === '{';
-    let top = open.at(-1);
-    // Blocks that should have been closed before this line.
-    while (top && before > 0 && (isClosing || isBrace ? indent < top.indent : indent <= top.indent)) {
+    const { first, count, hasBrace } = lines.row(line);
+    // Rows are indented as their writer liked.
+    if (first === 'n' && !hasBrace && count > 1) blocks.pass(line);
+    else blocks.line(line);
+    if (blocks.edits.length > MOST) break;
+  }
+  blocks.end();
+  return blocks.edits;
+}
+
+/** The blocks that are open, line by line. */
+class Blocks {
+  readonly edits: Edit[] = [];
+  private readonly open: Open[] = [];
+  /** The last token of the line before, if it is a `}`, and the block that it closed. */
+  private closed: { readonly line: number; readonly token: TextToken; readonly block: Open } | undefined;
+  /** The line before that has tokens; 0 for none. */
+  private before = 0;
+
+  constructor(
+    private readonly lines: TextLines,
+    private readonly tabWidth: number,
+  ) {}
+
+  pass(line: number): void {
+    this.closed = undefined;
+    this.before = line;
+  }
+
+  line(line: number): void {
+    const tokens = this.lines.tokens(line);
+    const indent = this.lines.indent(line, this.tabWidth);
+    this.closeTo(line, tokens, indent);
+    const isExtra = tokens[0].class === '}' ? this.isExtra(line, tokens[0], indent) : this.reopen(indent);
+    if (!isExtra) this.take(line, tokens, indent);
+    this.before = line;
+  }
+
+  /** At the end of the file. */
+  end(): void {
+    const { lines, open, edits } = this;
+    const last = lines.filled.at(-1);
+    if (last !== undefined) for (const block of open.reverse()) edits.push(missing(lines, block, last, 0));
+  }
+
+  /** Blocks that should have been closed before this line. */
+  private closeTo(line: number, tokens: readonly TextToken[], indent: number): void {
+    const { lines, open, edits, before } = this;
+    const isWord = tokens[0].class === 'w' || tokens[0].class === 'n';
+    for (let top = open.at(-1); top && before > 0; top = open.at(-1)) {
+      if (isWord ? indent > top.indent : indent >= top.indent) return;
       // A word that is alone where the brace should be may be in its place.
-      if (tokens.length === 1 && !isClosing && !isBrace && indent === top.indent) {
-        edits.push(inPlace(lines, top, line, tokens[0]));
-      }
+      if (isWord && tokens.length === 1 && indent === top.indent) edits.push(inPlace(lines, top, line, tokens[0]));
       edits.push(missing(lines, top, before, line));
       open.pop();
-      top = open.at(-1);
-      if (edits.length > MOST) return edits;
     }
-    if (closed && !isClosing && indent > closed.block.indent && indent === closed.block.inner) {
-      // As if the block were still open.
-      const { block, token, line: at } = closed;
-      edits.push(superfluous(at, token));
-      open.push(block);
-    } else if (isClosing && indent > (top?.indent ?? -1)) {
-      if (closed && closed.block.indent === indent) {
-        edits.push(superfluous(closed.line, closed.token));
-        open.push(closed.block);
-      } else {
-        edits.push(superfluous(line, tokens[0]));
-        before = line;
-        continue;
-      }
-    }
-    top = open.at(-1);
-    if (top && !isClosing && top.inner < 0) top.inner = indent;
-    closed = undefined;
-    // A brace alone on a line belongs to the line before it.
-    for (const token of tokens) {
-      if (token.class === '{') open.push({ line: isBrace ? before || line : line, indent, inner: -1 });
-      else if (token.class === '}') {
-        const block = open.pop();
-        closed = block && { line, token, block };
-      } else closed = undefined;
-    }
-    before = line;
   }
-  const last = lines.filled.at(-1);
-  if (last !== undefined) for (const block of open.reverse()) edits.push(missing(lines, block, last, 0));
-  return edits;
+
+  /** If the line is indented as those in the block that was closed last, it still belongs to it. */
+  private reopen(indent: number): false {
+    const { closed } = this;
+    if (closed && indent > closed.block.indent && indent === closed.block.inner) this.undo(closed);
+    return false;
+  }
+
+  /** Whether the `}` closes nothing that is indented like it. */
+  private isExtra(line: number, token: TextToken, indent: number): boolean {
+    const { closed } = this;
+    if (indent <= (this.open.at(-1)?.indent ?? -1)) return false;
+    if (closed?.block.indent === indent) {
+      this.undo(closed);
+      return false;
+    }
+    this.edits.push(superfluous(line, token));
+    return true;
+  }
+
+  private undo({ line, token, block }: NonNullable<Blocks['closed']>): void {
+    this.edits.push(superfluous(line, token));
+    this.open.push(block);
+  }
+
+  private take(line: number, tokens: readonly TextToken[], indent: number): void {
+    const top = this.open.at(-1);
+    const [{ class: first }] = tokens;
+    if (top && first !== '}' && top.inner < 0) top.inner = indent;
+    this.closed = undefined;
+    // A brace alone on a line belongs to the line before it.
+    const opener = first === '{' ? this.before || line : line;
+    for (const token of tokens) {
+      if (token.class === '{') this.open.push({ line: opener, indent, inner: -1 });
+      const block = token.class === '}' ? this.open.pop() : undefined;
+      this.closed = block && { line, token, block };
+    }
+  }
 }
 
 function missing(lines: TextLines, { line: opened }: Open, before: number, next: number): Edit {

@@ -46,10 +46,7 @@ function rowsByBlock(lines: TextLines): ReadonlyMap<string, readonly Row[]> {
   let opens = true;
   lines.filled.forEach((line, i) => {
     const { first, count, hasBrace } = lines.row(line);
-    const next = lines.filled[i + 1];
-    const isRow =
-      first === 'n' ||
-      ((first === 'w' || (count > 1 && wasRow)) && (wasRow || opens) && isAmongRows(lines, line, next, wasRow));
+    const isRow = first === 'n' || isDamagedRow(lines, line, lines.filled[i + 1], wasRow, opens);
     if (isRow) {
       const rows = blocks.get(block);
       const row = { line, count, hasBrace };
@@ -62,9 +59,18 @@ function rowsByBlock(lines: TextLines): ReadonlyMap<string, readonly Row[]> {
   return blocks;
 }
 
-/** Whether a line that starts with a word is a row with a damaged number. */
-function isAmongRows(lines: TextLines, line: number, next: number | undefined, wasRow: boolean): boolean {
-  if (next === undefined || lines.tokens(line).at(-1)?.class === '{') return false;
+/** Whether a line that starts with something else than a number is a row, by the lines around it. */
+function isDamagedRow(
+  lines: TextLines,
+  line: number,
+  next: number | undefined,
+  wasRow: boolean,
+  opens: boolean,
+): boolean {
+  if (next === undefined || !(wasRow || opens)) return false;
+  const own = lines.row(line);
+  if (own.first !== 'w' && !(own.count > 1 && wasRow)) return false;
+  if (lines.tokens(line).at(-1)?.class === '{') return false;
   const { first } = lines.row(next);
   return first === 'n' || (wasRow && first === '}');
 }
