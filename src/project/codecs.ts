@@ -171,8 +171,13 @@ export function formatOf(fileName: string): Format | undefined {
   };
 }
 
-/** For files whose names say nothing: a dump is told by content. */
-export const dumpFormat: Format = { format: 'dump', kind: 'dump', label: KINDS.dump.label, reader: READERS.dump };
+/**
+ * For files whose names say nothing: a dump is told by content. A function, since the bundler keeps a table that is read
+ * at the top level of a module, and so all readers in the page.
+ */
+export function dumpFormat(): Format {
+  return { format: 'dump', kind: 'dump', label: KINDS.dump.label, reader: READERS.dump };
+}
 
 /**
  * Writes content in the format of the file name or else the first one for such content; undefined if there is none, as

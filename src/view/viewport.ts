@@ -21,7 +21,7 @@ import { Ghosts } from './ghosts.ts';
 import { Grid } from './grid.ts';
 import { Hovering } from './hovering.ts';
 import { JointFollower } from './joint-follower.ts';
-import { LabelCover } from './label-cover.ts';
+import type { LabelCover } from './label-cover.ts';
 import { Labels } from './labels.ts';
 import { Orientation } from './orientation.ts';
 import { type Overlay, Overlays } from './overlay.ts';
@@ -78,7 +78,7 @@ export class Viewport {
   private readonly follower = new JointFollower();
   private readonly picked = new PickedCopy();
   private readonly labels = new Labels();
-  private readonly labelCover = new LabelCover();
+  private labelCover: LabelCover | undefined;
   private readonly orientation: Orientation;
   private readonly picker: Picker;
   private readonly overlays: Overlays;
@@ -232,6 +232,12 @@ export class Viewport {
   takePointer(isTaken: boolean): void {
     this.hovering.isTaken = isTaken;
     if (isTaken) this.hover(undefined);
+  }
+
+  /** Sets what finds the names of joints behind skins and boxes. Given, not made here: the first picture does without. */
+  coverLabels(cover: LabelCover): void {
+    this.labelCover = cover;
+    this.requestDraw();
   }
 
   /** Sets the function that returns how many CSS pixels at the top are covered by overlays, for framing. */
@@ -535,7 +541,7 @@ export class Viewport {
   private coverOfLabels(): LabelCover | undefined {
     const { display, skeletons, labelCover, rig } = this;
     if (!display.names) return undefined;
-    labelCover.fill(skeletons.drawn, rig.camera, isOpaque(display.skin), skeletons.hasSolidBoxes);
+    labelCover?.fill(skeletons.drawn, rig.camera, isOpaque(display.skin), skeletons.hasSolidBoxes);
     return labelCover;
   }
 

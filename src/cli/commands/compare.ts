@@ -24,7 +24,7 @@ export const compareCommand: CliCommand = {
     const time = timeText === undefined ? undefined : numberOf('time', timeText);
     const tolerance = toleranceText === undefined ? DEFAULT_TOLERANCE : numberOf('tolerance', toleranceText);
     if (!(tolerance > 0)) throw new UsageError(`--tolerance takes a number above 0, not ${tolerance}.`);
-    const loaded = loadFiles(given.files, io.folder, dumpFormat);
+    const loaded = loadFiles(given.files, io.folder, dumpFormat());
     const { document, dumps, diagnostics: opened } = openFiles(EMPTY_DOCUMENT, loaded.files, loaded.broken);
     const diagnostics = [...loaded.diagnostics, ...opened];
     const named = dumps.map(({ dump, source }): NamedDump => ({ fileName: source.name, dump }));

@@ -4,6 +4,7 @@ import type { Command, Edit } from '../store.ts';
 import { COMMANDS_AT_HAND } from './at-hand.ts';
 import { bakeExtrapolation, eulerFilter, makeLoop, resample, simplify } from './channels.ts';
 import { setCouple } from './couples.ts';
+import { ownHeights, sameHeight } from './heights.ts';
 import { holdPins } from './hold.ts';
 import { clearPins, pinPoint, setPin, setRootFree, setStiffness, unpin } from './ik.ts';
 import { addKey, insertKeys, moveKeys, removeKeys, rippleKeys, scaleKeys, setKeys, snapKeys } from './keys.ts';
@@ -103,6 +104,8 @@ const FETCHED: readonly Command<never, Document | Edit>[] = [
   limitRigged,
   clearLimitRigged,
   autoWeights,
+  sameHeight,
+  ownHeights,
 ];
 
 export const COMMANDS_BY_ID: ReadonlyMap<string, Command<never, Document | Edit>> = new Map([

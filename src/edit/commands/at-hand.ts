@@ -17,7 +17,6 @@ import {
 } from './characters.ts';
 import { createClip, duplicateClip, removeClip, renameClip, setClipRange, setInterpolation } from './clips.ts';
 import { setExtrapolation } from './extrapolation.ts';
-import { ownHeights, sameHeight } from './heights.ts';
 import { keyPose } from './keying.ts';
 import { clearLimit, setLimit } from './limits.ts';
 import { discardUnkeyed, resetPose, setClamping, setDofs } from './pose.ts';
@@ -50,8 +49,6 @@ const COMMANDS: readonly Command<never, Document | Edit>[] = [
   placeCharacter,
   addCopy,
   removeCopy,
-  sameHeight,
-  ownHeights,
 ];
 
 export const COMMANDS_AT_HAND: ReadonlyMap<string, Command<never, Document | Edit>> = new Map(
@@ -126,4 +123,6 @@ export const FETCHED_IDS: ReadonlySet<string> = new Set([
   'rig.setLimit',
   'rig.clearLimit',
   'skin.autoWeights',
+  'characters.sameHeight',
+  'characters.ownHeights',
 ]);

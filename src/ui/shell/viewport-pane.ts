@@ -4,6 +4,7 @@
  */
 import { type Character, type Document, shownSkin } from '../../model/document.ts';
 import type { Display, Selection } from '../../model/session.ts';
+import { LabelCover } from '../../view/label-cover.ts';
 import { modeBar } from '../editors/posing/mode-bar.ts';
 import {
   areBoxesVisible,
@@ -52,6 +53,7 @@ export function viewportPane(wb: Workbench, signal: AbortSignal): HTMLElement {
   setAttribute(viewport.canvas, 'aria-describedby', keys.id);
   // The view's own buttons have labels, but it knows no tooltips.
   for (const made of viewportElement.querySelectorAll('button')) setTooltip(made, made.ariaLabel ?? undefined);
+  viewport.coverLabels(new LabelCover());
   handTools(wb, signal);
   pinsInFk(wb, signal);
   const head = element('div', { class: 'stage-head' }, modeBar(wb), displayStrip(wb));

@@ -28,6 +28,7 @@ export type WorkbenchStage = Pick<
   | 'frameSelection'
   | 'reveal'
   | 'keepClear'
+  | 'coverLabels'
   | 'lookFrom'
   | 'cameraView'
   | 'setTheme'
