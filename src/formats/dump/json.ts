@@ -92,7 +92,12 @@ class JsonDump {
     if (!isObject(value)) return;
     const time = [value.time, value.t].find(isNumber);
     if (time !== undefined) this.blocks.say({ time });
-    const joints = Object.keys(value).some((key) => /^(joints|bones)$/i.test(key));
+    const keys = Object.keys(value);
+    if (depth === 0 && keys.length > 0 && !keys.some(kindOfKey) && Object.values(value).every(isOne)) {
+      this.list(undefined, value, this.line);
+      return;
+    }
+    const joints = keys.some((key) => /^(joints|bones)$/i.test(key));
     for (const [key, inside] of Object.entries(value)) {
       const kind = kindOfKey(key);
       if (kind === 'channels') this.channels(inside, value);

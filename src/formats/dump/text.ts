@@ -161,7 +161,8 @@ class Lines {
       return true;
     }
     const time = timeIn(text);
-    if (time !== undefined && (count === 1 || (count === 2 && words.includes('frame')))) {
+    const isHeading = isPlainLine && words.some(isPluralNoun) && count === 2;
+    if (time !== undefined && (count === 1 || isHeading || (count === 2 && words.includes('frame')))) {
       const holds = kindOf(words);
       this.say({ time, ...(holds && { holds }) });
       return true;
@@ -227,7 +228,13 @@ class Lines {
     const { holds } = change;
     const { heading } = this.blocks;
     const isOther = holds !== undefined && holds !== heading.holds;
-    this.blocks.say({ ...(isOther && { channel: undefined, columns: undefined, times: undefined }), ...change });
+    // Times may be stated before the first heading.
+    const isAnother = isOther && heading.holds !== undefined;
+    this.blocks.say({
+      ...(isOther && { channel: undefined, columns: undefined }),
+      ...(isAnother && { times: undefined }),
+      ...change,
+    });
     if (isOther) this.table = undefined;
   }
 }

@@ -1,6 +1,6 @@
 /**
- * All mistakes that the search knows, in the order of the table in `README.md`: kinematics, skinning, channels. The
- * search, the sentences and the test files go by this list.
+ * All mistakes that the search knows: kinematics, skinning, channels. Codes of pairs are in this order. The search, the
+ * sentences and the test files go by this list.
  */
 import { CHANNELS } from './channels.ts';
 import { KINEMATICS } from './kinematics.ts';

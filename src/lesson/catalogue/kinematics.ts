@@ -13,11 +13,17 @@ const BREADTHS: readonly (readonly [Breadth, string])[] = [
 const DEGREE = Math.PI / 180;
 
 /** Factors are written from left to right, the last one applied first. */
-export function product(order: EulerOrder): string {
+function product(order: EulerOrder): string {
   return [...order]
     .reverse()
     .map((axis) => `R${axis}`)
     .join('·');
+}
+
+function insteadOfOwn(order: EulerOrder): string {
+  return order === 'xyz'
+    ? `${product(order)} instead of each joint's own order`
+    : `${product(order)} instead of ${product('xyz')}`;
 }
 
 const SIGNS: readonly (readonly [string, JointRules['signs']['are']])[] = [
@@ -32,9 +38,9 @@ export const KINEMATICS: readonly Mistake[] = [
   {
     code: 'rotation-order',
     subject: 'kinematics',
-    sentence: (detail) => `You multiply ${detail}; it should be Rz·Ry·Rx, or the joint's own order.`,
+    sentence: (detail) => `You multiply ${detail.replace(' instead of ', '; it should be ')}.`,
     formula: 'J = Rz(φz)·Ry(φy)·Rx(φx)',
-    variants: overJoints(EULER_ORDERS.map((is) => [product(is), (breadth) => ({ order: { is, for: breadth } })])),
+    variants: overJoints(EULER_ORDERS.map((is) => [insteadOfOwn(is), (breadth) => ({ order: { is, for: breadth } })])),
   },
   {
     code: 'rotation-sign',
