@@ -24,6 +24,7 @@ export class Framer {
   private readonly box = new Box3();
   private readonly ownBox = new Box3();
   private readonly point = new Vector3();
+  private readonly size = new Vector3();
 
   constructor(
     private readonly rig: Pick<CameraRig, 'frame' | 'frameSphere' | 'lookFirst' | 'partOfHeight' | 'camera'>,
@@ -51,8 +52,8 @@ export class Framer {
     this.everything = 'no';
   }
 
-  /** Frames the vertex or joint of the picked instance, or the character; everything if that isn't visible. */
-  frameSelection({ characterId, joint, vertex }: Selection): void {
+  /** Frames the vertex or the joints of the picked instance, or the character; everything if that isn't visible. */
+  frameSelection({ characterId, joint, others = [], vertex }: Selection): void {
     const { rig, box, point } = this;
     const entry = this.characters.seen(characterId);
     if (!entry) {
@@ -66,7 +67,13 @@ export class Framer {
     if (vertex !== undefined && vertexPosition(entry, vertex, copy, point)) {
       rig.frameSphere(point, AROUND_VERTEX * size, true);
     } else if (joint !== undefined && skeleton && this.skeletons.positionOf(id, copy, joint, point)) {
-      rig.frameSphere(point, jointRadius(entry, copy, joint), true);
+      box.makeEmpty();
+      for (const one of [...others, joint]) {
+        if (!this.skeletons.positionOf(id, copy, one, point)) continue;
+        box.union(this.ownBox.setFromCenterAndSize(point, this.size.setScalar(jointRadius(entry, copy, one))));
+      }
+      const radius = others.length ? 0.5 * box.getSize(this.size).length() : jointRadius(entry, copy, joint);
+      rig.frameSphere(box.getCenter(point), radius, true);
     } else rig.frame([box], this.coveredTop(), true);
   }
 

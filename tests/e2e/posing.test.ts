@@ -129,6 +129,25 @@ it('several joints are selected in the tree and the viewport, and turned, typed 
     await page.mouse.click(x, y);
     await page.keyboard.up('Shift');
     expect(await selected()).toHaveLength(1);
+
+    // Ctrl+drag from beside the arm takes in all of it; Escape gives the selection back, and a click there keeps it.
+    await page.keyboard.down('Control');
+    await pressAndGo(page, { x: x - 150, y: y - 120 }, [
+      { x, y },
+      { x: x + 150, y: y + 200 },
+    ]);
+    expect(await page.locator('.box-select').count()).toBe(1);
+    expect(await selected()).toHaveLength(2);
+    await page.keyboard.press('Escape');
+    await page.mouse.up();
+    expect(await selected()).toHaveLength(1);
+    await pressAndGo(page, { x: x - 150, y: y - 120 }, [{ x: x + 150, y: y + 200 }]);
+    await page.mouse.up();
+    expect(await selected()).toHaveLength(2);
+    await page.mouse.click(x - 150, y - 120);
+    await page.keyboard.up('Control');
+    expect(await selected()).toHaveLength(2);
+    expect(await page.locator('.box-select').count()).toBe(0);
   }));
 
 it('goes past a limit while the character’s switch is off', () =>

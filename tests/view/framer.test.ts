@@ -105,4 +105,14 @@ describe('what is framed', () => {
     framer.settle(STILL, 0);
     expect(told).toHaveLength(2);
   });
+
+  it('frames all selected joints, and a little around them', () => {
+    const { select, spheres, id } = framing();
+    select({ characterId: id, joint: 0 });
+    select({ characterId: id, joint: 0, others: [2] });
+    expect(spheres[1].x).toBeCloseTo(0, 9);
+    // The joints are two apart.
+    expect(spheres[1].radius).toBeGreaterThan(1);
+    expect(spheres[1].radius).toBeGreaterThan(spheres[0].radius / 2);
+  });
 });

@@ -19,6 +19,7 @@ export const MOUSE_GESTURES: readonly MouseGestures[] = [
       ['Dolly', 'wheel'],
       ['Pick a joint or vertex', 'click'],
       ['Add a joint to the selection, or remove it', 'Shift+click or Ctrl+click'],
+      ['Add all joints in a box', 'Ctrl+drag on the background'],
       ['Menu of what is there', 'right click or long press'],
       ['Only select and orbit', 'Q: the select tool'],
       ['Zoom the time ruler', 'wheel'],

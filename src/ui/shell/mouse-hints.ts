@@ -83,7 +83,7 @@ function inViewport(place: MousePlace): readonly MouseHint[] {
 
 function inSelect({ joint }: MousePlace): readonly MouseHint[] {
   if (joint !== undefined) return [[`Select ${joint}`, 'click'], ['Add or remove', 'Shift+click'], ...CAMERA];
-  return [...CAMERA, ['Select a joint', 'click']];
+  return [...CAMERA, ['Select a joint', 'click'], ['Box select', 'Ctrl+drag']];
 }
 
 function inFk(place: MousePlace, isHandle: boolean): readonly MouseHint[] {

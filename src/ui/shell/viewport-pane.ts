@@ -14,7 +14,8 @@ import {
   NO_SKIN,
   SKIN_STYLES,
 } from '../editors/viewport/actions.ts';
-import { listenToCanvas } from '../editors/viewport/canvas-tools.ts';
+import { withBoxSelect } from '../editors/viewport/box-select.ts';
+import { type CanvasPointer, listenToCanvas } from '../editors/viewport/canvas-tools.ts';
 import { button, element, keepsFocusElsewhere, setAttribute, setText, uniqueId } from '../kit/dom.ts';
 import { icon } from '../kit/icons.ts';
 import { asksForMenu, menuButton } from '../kit/menu.ts';
@@ -99,10 +100,11 @@ function handTools(wb: Workbench, signal: AbortSignal): void {
     },
     { signal },
   );
+  const pick = (at: CanvasPointer) => selectHit(wb, wb.viewport.pick(at.clientX, at.clientY), addsToSelection(wb, at));
   listenToCanvas(
     canvas,
-    tool,
-    (at) => selectHit(wb, wb.viewport.pick(at.clientX, at.clientY), addsToSelection(wb, at)),
+    withBoxSelect(wb, tool, pick),
+    pick,
     signal,
     (isTools) => wb.viewport.takePointer(isTools),
     (at) => {
