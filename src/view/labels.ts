@@ -1,8 +1,8 @@
 /**
  * Names of joints and characters, on a 2D canvas over the scene: crisp at any scale, in any script, without an element
- * per name. A name that would overlap one already drawn is left out. The hovered joint's name comes first, then
- * the selected one's; then those of characters, the selected one first and the others in a fixed order, so that dancers who
- * pass each other don't make names flicker; then joints: those in front, nearest first, then, dimmed, those behind a
+ * per name. A name that would overlap one already drawn is left out. The names of characters come first, the selected
+ * one's before the others in a fixed order, so that dancers who pass each other don't make names flicker, and none gives
+ * way to the pointer on its way to it; then the hovered joint's and the selected one's; then joints: those in front, nearest first, then, dimmed, those behind a
  * skin or a box (`label-cover.ts`).
  */
 import { type Camera, Matrix4 } from 'three';
@@ -17,6 +17,8 @@ import type { StageTheme } from './theme.ts';
 
 /** Positions tried for a character's name in a crowd before it is left out. */
 const NAME_LINES = 6;
+/** The same for the name of the hovered or the selected joint. */
+const JOINT_LINES = 4;
 /** Gap between a joint and its name. */
 const BESIDE = 8;
 /** Maximum number of joints considered. */
@@ -133,8 +135,8 @@ export class Labels {
     if (nothing) return;
     this.toClip.multiplyMatrices(camera.projectionMatrix, camera.matrixWorldInverse);
 
-    for (const instance of this.always) this.writeAlways(instance, positions, theme);
     this.writeCharacters(positions, theme);
+    for (const instance of this.always) this.writeAlways(instance, positions, theme);
     if (this.showsAll) this.writeJoints(positions, theme, cover);
   }
 
@@ -257,7 +259,10 @@ export class Labels {
     if (!name || !this.project(positions, instance, CANDIDATES - 1)) return;
     const color = instance === this.selected ? theme.selectedLabel : theme.label;
     const o = 3 * (CANDIDATES - 1);
-    this.write(name, this.screen[o] + BESIDE, this.screen[o + 1], color);
+    // Below a character's name that is already there.
+    for (let line = 0; line < JOINT_LINES; line++) {
+      if (this.write(name, this.screen[o] + BESIDE, this.screen[o + 1] + line * LINE_HEIGHT, color)) return;
+    }
   }
 
   /** Writes an instance's screen position to slot `to`; false if it is out of view. */

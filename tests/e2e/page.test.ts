@@ -55,7 +55,7 @@ describe('dropping', () => {
 });
 
 describe('by hand', () => {
-  it('a click on a joint selects it, in the tree and in the inspector', () =>
+  it('a click on a joint selects it, in the tree and in the inspector; on the name of a speck beside a giant, that', () =>
     withPage(async ({ page }) => {
       await openArm(page);
       await page.evaluate(() => window.marrow.run('draw.boxes.solid'));
@@ -70,6 +70,21 @@ describe('by hand', () => {
       await page.mouse.click(at.x, at.y);
       await selected.waitFor();
       expect(await selected.innerText()).toContain('elbow');
+
+      await dropFiles(page, [{ name: 'giant.skel', bytes: 'balljoint giant { boxmin -90 0 -90 boxmax 90 900 90 }' }]);
+      const character = page.locator('[role=treeitem][aria-selected=true].row-character');
+      await character.filter({ hasText: 'giant' }).waitFor();
+      await page.getByText('tall.').waitFor();
+      const dot = await page.evaluate(async () => {
+        await new Promise((drawn) => requestAnimationFrame(() => requestAnimationFrame(drawn)));
+        const elbow = window.marrow.worldMatrices('arm')[1];
+        return window.marrow.pointOnPage([elbow[12], elbow[13], elbow[14]], 'arm');
+      });
+      if (!dot) throw new Error('The arm is not shown.');
+      await page.mouse.click(dot.x, dot.y - 12);
+      await character.filter({ hasText: 'arm' }).waitFor();
+      await page.getByRole('button', { name: 'Same height' }).click();
+      await page.getByText('tall.').waitFor({ state: 'hidden' });
     }));
 
   it('letters typed in the tree go to rows when the focus came by keyboard, also after a right click there', () =>
