@@ -104,7 +104,7 @@ class Many {
       if (character.skeleton || character.clips.length === 0) continue;
       const [source] = character.sources;
       const message = 'An animation alone has no joints. Give its skeleton too.';
-      this.tell([refusal('skeleton-missing', message, source?.name ?? character.name)]);
+      this.tell([refusal('skeleton-missing', message, source?.path ?? character.name)]);
     }
     const posed = characters.filter(({ skeleton }) => skeleton);
     // Roots of one file stay in one file.
@@ -114,7 +114,7 @@ class Many {
         await this.write(group);
       } catch (error) {
         if (!(error instanceof CommandError)) throw error;
-        this.tell([refusal('conversion-refused', error.message, group[0].sources[0]?.name ?? group[0].name)]);
+        this.tell([refusal('conversion-refused', error.message, group[0].sources[0]?.path ?? group[0].name)]);
       }
     }
   }

@@ -8,8 +8,14 @@ export interface CommandIo {
   err(text: string): void;
 }
 
-/** 0, or 1 when a file has errors, 2 for wrong usage. */
-export type ExitCode = 0 | 1 | 2;
+/** What each means is said by the command's `exits`. */
+export type ExitCode = 0 | 1 | 2 | 3;
+
+/** The outcomes of a command, in words, by exit code. 2 is always wrong usage. */
+export type Exits = Readonly<Partial<Record<ExitCode, string>>> & { readonly 0: string };
+
+/** Of commands that read files and print what is in them. */
+export const FILE_EXITS: Exits = { 0: 'all files were read', 1: 'a file has errors or is missing', 2: 'wrong usage' };
 
 /** A subcommand of `marrow`. */
 export interface CliCommand {
@@ -18,6 +24,7 @@ export interface CliCommand {
   readonly usage: string;
   /** Summary in one line. */
   readonly summary: string;
+  readonly exits: Exits;
   /** @throws UsageError */
   run(args: readonly string[], io: CommandIo): Promise<ExitCode>;
 }

@@ -6,10 +6,19 @@ import { closeSync, openSync, readFileSync, readSync, statSync } from 'node:fs';
 import { basename } from 'node:path';
 import { isWorthDiagnosing } from '../formats/diagnose/diagnose.ts';
 import { type Diagnostic, withoutPlace } from '../model/diagnostic.ts';
+import { type Character, EMPTY_DOCUMENT } from '../model/document.ts';
 import { isEmptyDump } from '../model/dump.ts';
-import type { BrokenFile, FileContent, FileKind, ParsedFile, SourceFile } from '../model/files.ts';
+import {
+  type BrokenFile,
+  byPath,
+  type FileContent,
+  type FileKind,
+  type ParsedFile,
+  type SourceFile,
+} from '../model/files.ts';
 import { type Format, formatOf } from '../project/codecs.ts';
 import { READABLE_EXTENSIONS } from '../project/kinds.ts';
+import { type OpenResult, openFiles } from '../project/open/open-files.ts';
 import { UsageError } from './arguments.ts';
 import { findGiven, type GivenPath } from './paths.ts';
 
@@ -18,6 +27,8 @@ const CHUNK_BYTES = 1 << 20;
 /** A file named on the command line, read or not. */
 export interface LoadedFile {
   readonly name: string;
+  /** Relative to the caller's folder, `/` between folders. */
+  readonly path: string;
   /** By its name; `unknown` if Marrow doesn't read it. */
   readonly kind: FileKind | 'unknown';
   /** Absent if the file has errors. */
@@ -47,8 +58,8 @@ export function loadFiles(args: readonly string[], folder: string, otherwise?: F
   const given = findGiven(args, folder);
   for (const arg of given.missing) {
     const [name, kind] = [basename(arg), kindOf(arg)];
-    diagnostics.push(withoutPlace('error', 'file-missing', `There is no file "${arg}" in ${folder}.`, name));
-    all.push({ name, kind });
+    diagnostics.push(withoutPlace('error', 'file-missing', `There is no file "${arg}" in ${folder}.`, arg));
+    all.push({ name, path: arg, kind });
     if (kind !== 'unknown') broken.push({ kind, source: { name, path: arg, bytes: 0 } });
   }
   for (const path of given.files) {
@@ -56,10 +67,11 @@ export function loadFiles(args: readonly string[], folder: string, otherwise?: F
     const format = formatOf(name) ?? otherwise;
     const kind = format?.kind ?? 'unknown';
     const { content, bytes, diagnostics: found } = loadOne(path, name, format);
-    diagnostics.push(...found);
-    all.push({ name, kind, ...(content && { content }) });
+    // Readers know the name alone, which files of many folders share.
+    diagnostics.push(...found.map((diagnostic) => ({ ...diagnostic, file: path.path })));
+    all.push({ name, path: path.path, kind, ...(content && { content }) });
     const source: SourceFile = { name, path: path.path, bytes };
-    if (content && isEmptyDump(content)) diagnostics.push(unknownFormat(name));
+    if (content && isEmptyDump(content)) diagnostics.push(unknownFormat(path.path));
     else if (content) files.push({ ...content, source });
     else if (kind !== 'unknown') broken.push({ kind, source });
   }
@@ -97,6 +109,22 @@ function readFile(path: string, bytes: number, name: string, format: Format): Om
   const { diagnose } = format;
   const diagnostics = diagnose && isWorthDiagnosing(told, bytes) ? diagnose(name, readFileSync(path), told) : told;
   return value ? { content: value, diagnostics } : { diagnostics };
+}
+
+/** The characters of what was loaded; `diagnostics` are those of both. */
+export function openLoaded({ files, broken, diagnostics }: Loaded): OpenResult {
+  const opened = openFiles(EMPTY_DOCUMENT, files, broken, undefined, byPath);
+  return { ...opened, diagnostics: [...diagnostics, ...opened.diagnostics] };
+}
+
+/** A skin alone does not move, and an animation alone moves nothing. */
+export function withoutSkeleton(characters: readonly Character[]): Diagnostic[] {
+  return characters.flatMap(({ name, skeleton, skins, sources }) => {
+    if (skeleton) return [];
+    const found = 'Expected a skeleton with these files, found none.';
+    const assumed = skins.length > 0 ? 'vertices are those of the file, not moved' : 'channels alone, without joints';
+    return [withoutPlace('info', 'skeleton-missing', found, sources[0]?.path ?? name, assumed)];
+  });
 }
 
 function kindOf(name: string): FileKind | 'unknown' {

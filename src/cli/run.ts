@@ -22,7 +22,7 @@ export async function run(args: readonly string[], io: CommandIo): Promise<ExitC
     return 2;
   }
   if (beforeDashes(rest).some((arg) => arg === '--help' || arg === '-h')) {
-    await io.out(`${usageLine(command)}\n\n${command.summary}\n`);
+    await io.out(`${usageLine(command)}\n\n${command.summary}\n\nExit codes: ${exitsOf(command)}.\n`);
     return 0;
   }
   try {
@@ -43,12 +43,17 @@ function usageLine(command: CliCommand): string {
   return `usage: marrow ${command.name} ${command.usage}`;
 }
 
+function exitsOf({ exits }: CliCommand): string {
+  return Object.entries(exits)
+    .map(([code, outcome]) => `${code} ${outcome}`)
+    .join(', ');
+}
+
 function help(): string {
-  const lines = COMMANDS.map((c) => `  marrow ${c.name} ${c.usage}\n      ${c.summary}`);
+  const lines = COMMANDS.map((c) => `  marrow ${c.name} ${c.usage}\n      ${c.summary}\n      exits: ${exitsOf(c)}`);
   return `usage:\n${lines.join('\n')}
 
 FILE may be a folder: all files in it. Options as "--x v" or "--x=v"; values may begin with a minus.
 Paths are relative to the caller's folder; angles are radians, times seconds.
-Exit code 0, or 1 when a file has errors, 2 for wrong usage.
 `;
 }

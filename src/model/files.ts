@@ -17,6 +17,12 @@ export interface SourceFile {
   readonly bytes: number;
 }
 
+/** How messages name a file: by its name, or by its path where files of one name come from many folders. */
+export type FileNaming = (source: SourceFile) => string;
+
+export const byFileName: FileNaming = ({ name }) => name;
+export const byPath: FileNaming = ({ path }) => path;
+
 /** An image for a skin's material. The bytes are the file's own; the view decodes them. */
 export interface Texture {
   readonly name: string;

@@ -136,7 +136,7 @@ describe('marrow info', () => {
 
   it('expands a folder to its files, in natural order and without hidden ones', async () => {
     const { files } = await commandJson<InfoJson>(['info', 'many'], folder);
-    expect(files.map((f) => f.name)).toEqual(['a9.skel', 'a10.skel']);
+    expect(files.map((f) => f.name)).toEqual(['many/a9.skel', 'many/a10.skel']);
   });
 
   it('reads names with blanks, commas and percents, and each file once', async () => {
@@ -245,9 +245,9 @@ describe('marrow convert', () => {
     const before = readdirSync(folder);
     expect((await convert('broken.skel', 'kept.skel')).code).toBe(1);
     expect(written('kept.skel')).toBe(SKEL);
-    expect((await convert('hero.skel', 'no/such/folder.skel')).code).toBe(1);
+    expect((await convert('hero.skel', 'no/such/folder.skel')).code).toBe(3);
     mkdirSync(join(folder, 'folder.skel'));
-    expect((await convert('hero.skel', 'folder.skel')).code).toBe(1);
+    expect((await convert('hero.skel', 'folder.skel')).code).toBe(3);
     expect(statSync(join(folder, 'folder.skel')).isDirectory()).toBe(true);
     rmSync(join(folder, 'folder.skel'), { recursive: true });
     expect(readdirSync(folder)).toEqual(before);

@@ -42,6 +42,8 @@ export interface PoseJson {
       readonly type: string;
       readonly dofs: readonly number[];
       readonly world: readonly number[];
+      readonly local?: readonly number[];
+      readonly skinning?: readonly number[];
       readonly tip?: readonly number[];
     }[];
     readonly endSites?: readonly { readonly joint: number; readonly position: readonly number[] }[];

@@ -1,17 +1,19 @@
-/** `marrow channels`: values of an animation's channels at given times, without skeleton or limits. */
+/** `marrow channels`: values and slopes of an animation's channels at given times, without skeleton or limits. */
 import { compileClip } from '../../evaluate/compiled-clip.ts';
-import { evaluateChannel } from '../../evaluate/curves.ts';
-import type { ChannelClip } from '../../model/clip.ts';
+import { evaluateChannel, evaluateSlope } from '../../evaluate/curves.ts';
+import { resolvedSlopes } from '../../evaluate/slopes.ts';
+import { type ChannelClip, keysOf, TANGENT_KINDS } from '../../model/clip.ts';
 import { hasErrors } from '../../model/diagnostic.ts';
 import { numbersOf, parseArguments, UsageError } from '../arguments.ts';
-import type { CliCommand } from '../io.ts';
+import { type CliCommand, FILE_EXITS } from '../io.ts';
 import { loadFiles } from '../load.ts';
 import { printJson, report } from '../report.ts';
 
 export const channels: CliCommand = {
   name: 'channels',
   usage: 'FILE.anim --times t,t,… [--json]',
-  summary: 'the value of each channel at each time',
+  summary: 'the value of each channel at each time; with --json its slopes and keys, too',
+  exits: FILE_EXITS,
   async run(args, io) {
     const given = parseArguments(args, { times: 'value', json: 'flag' });
     const text = given.value('times');
@@ -21,9 +23,12 @@ export const channels: CliCommand = {
     if (all.length !== 1 || all[0].kind !== 'anim') throw new UsageError('channels takes one .anim file.');
     report(diagnostics, io);
     const { content } = all[0];
-    const values = content?.kind === 'anim' ? valuesAt(content.clip, times) : [];
-    if (given.flag('json')) await printJson({ channels: values, times, diagnostics }, io);
-    else await io.out(values.map((row, c) => `channel ${c}: ${row.join(' ')}\n`).join(''));
+    const clip = content?.kind === 'anim' ? content.clip : undefined;
+    const values = clip ? valuesAt(clip, times) : [];
+    if (given.flag('json')) {
+      const curves = clip && { slopes: slopesAt(clip, times), keys: clip.channels.map((_, c) => keysIn(clip, c)) };
+      await printJson({ channels: values, times, ...curves, diagnostics }, io);
+    } else await io.out(values.map((row, c) => `channel ${c}: ${row.join(' ')}\n`).join(''));
     return hasErrors(diagnostics) ? 1 : 0;
   },
 };
@@ -31,4 +36,24 @@ export const channels: CliCommand = {
 function valuesAt(clip: ChannelClip, times: readonly number[]): number[][] {
   const compiled = compileClip(clip);
   return clip.channels.map((_, c) => times.map((time) => evaluateChannel(compiled, c, time)));
+}
+
+/** In value per second, on the side after the time. */
+function slopesAt(clip: ChannelClip, times: readonly number[]): number[][] {
+  const compiled = compileClip(clip);
+  return clip.channels.map((_, c) => times.map((time) => evaluateSlope(compiled, c, time, 'out')));
+}
+
+/** The keys of a channel with the slopes that their tangents come to. */
+function keysIn(clip: ChannelClip, channel: number) {
+  const keys = keysOf(clip.channels[channel]);
+  const slopes = resolvedSlopes(keys);
+  return Array.from(keys.times, (time, k) => ({
+    time,
+    value: keys.values[k],
+    slopeIn: slopes.in[k],
+    slopeOut: slopes.out[k],
+    tangentIn: TANGENT_KINDS[keys.tangentsIn.kinds[k]],
+    tangentOut: TANGENT_KINDS[keys.tangentsOut.kinds[k]],
+  }));
 }

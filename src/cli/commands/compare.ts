@@ -6,28 +6,27 @@ import { runToEnd } from '../../evaluate/steps.ts';
 import { type Comparison, compare, DEFAULT_TOLERANCE, type FirstWrong } from '../../lesson/compare.ts';
 import { type Fitted, fitDumps, type NamedDump } from '../../lesson/fit-dump.ts';
 import { type Diagnostic, hasErrors, withoutPlace } from '../../model/diagnostic.ts';
-import { type Character, EMPTY_DOCUMENT } from '../../model/document.ts';
+import type { Character } from '../../model/document.ts';
 import { dumpFormat } from '../../project/codecs.ts';
-import { openFiles } from '../../project/open/open-files.ts';
 import { numberOf, parseArguments, UsageError } from '../arguments.ts';
 import type { CliCommand } from '../io.ts';
-import { loadFiles } from '../load.ts';
+import { loadFiles, openLoaded } from '../load.ts';
 import { printJson, report } from '../report.ts';
 
 export const compareCommand: CliCommand = {
   name: 'compare',
   usage: 'FILE… DUMP… [--time T] [--tolerance X] [--json]',
   summary: "where another program's numbers are wrong, and the mistake that explains them",
+  exits: { 0: 'all agree', 1: 'numbers differ', 2: 'wrong usage, or a file is missing, has errors or does not fit' },
   async run(args, io) {
     const given = parseArguments(args, { time: 'value', tolerance: 'value', json: 'flag' });
     const [timeText, toleranceText] = [given.value('time'), given.value('tolerance')];
     const time = timeText === undefined ? undefined : numberOf('time', timeText);
     const tolerance = toleranceText === undefined ? DEFAULT_TOLERANCE : numberOf('tolerance', toleranceText);
     if (!(tolerance > 0)) throw new UsageError(`--tolerance takes a number above 0, not ${tolerance}.`);
-    const loaded = loadFiles(given.files, io.folder, dumpFormat());
-    const { document, dumps, diagnostics: opened } = openFiles(EMPTY_DOCUMENT, loaded.files, loaded.broken);
-    const diagnostics = [...loaded.diagnostics, ...opened];
-    const named = dumps.map(({ dump, source }): NamedDump => ({ fileName: source.name, dump }));
+    const { document, dumps, diagnostics: opened } = openLoaded(loadFiles(given.files, io.folder, dumpFormat()));
+    const diagnostics = [...opened];
+    const named = dumps.map(({ dump, source }): NamedDump => ({ fileName: source.path, dump }));
     const { fitted, character } = fitFirst(document.characters, named, time);
     if (!hasErrors(diagnostics)) diagnostics.push(...missing(document.characters, named), ...fitted.diagnostics);
     report(diagnostics, io);

@@ -32,6 +32,12 @@ export const convert: CliCommand = {
   name: 'convert',
   usage: 'IN… OUT [--fps N] [--tolerance T] [--json]  |  IN… --to skel|anim|bvh [--out FOLDER] [--force] …',
   summary: 'writes OUT in the format of its extension, or all of IN as files of one kind (skel: with its animations)',
+  exits: {
+    0: 'all was written',
+    1: 'a file has errors, is missing or cannot be converted',
+    2: 'wrong usage',
+    3: 'all was read, but a file could not be written',
+  },
   async run(args, io) {
     const given = parseArguments(args, {
       json: 'flag',
@@ -82,7 +88,7 @@ async function toKind(given: Arguments, to: string, io: CommandIo): Promise<Exit
     },
   });
   if (isJson) await printJson({ written, diagnostics }, io);
-  return isWhole ? 0 : 1;
+  return isWhole ? 0 : failureOf(diagnostics);
 }
 
 function labelOf(path: string): string {
@@ -119,7 +125,13 @@ async function toFile(given: Arguments, io: CommandIo): Promise<ExitCode> {
   if (given.flag('json'))
     await printJson({ written: failed ? null : { name, kind: format.kind, bytes }, diagnostics }, io);
   else if (!failed) await io.out(`${out}: ${format.label}, ${bytes} bytes\n`);
-  return failed ? 1 : 0;
+  return failed ? failureOf(diagnostics) : 0;
+}
+
+/** What was read wrong is mended in the files; what could not be written, elsewhere. */
+function failureOf(diagnostics: readonly Diagnostic[]): ExitCode {
+  const errors = diagnostics.filter(({ severity }) => severity === 'error');
+  return errors.length > 0 && errors.every(({ code }) => code === 'file-not-written') ? 3 : 1;
 }
 
 type Picked = { readonly output: Output } | { readonly refusal: Diagnostic };
@@ -131,7 +143,7 @@ function pick(files: readonly ParsedFile[], format: Format, out: string, options
     return {
       refusal: tooMany(
         format,
-        fitting.map((file) => file.source.name),
+        fitting.map((file) => file.source.path),
         out,
       ),
     };
@@ -145,7 +157,7 @@ function pick(files: readonly ParsedFile[], format: Format, out: string, options
   const target = TARGETS.find((t) => t === kind);
   const converted = target ? convertedTo(target, files, format, out, options) : copiedTo(files, format, out, options);
   if (converted) return converted;
-  const held = files.map((file) => file.source.name).join(', ') || 'nothing';
+  const held = files.map((file) => file.source.path).join(', ') || 'nothing';
   const message = `Expected ${format.label} input for ${out}, found ${held}.`;
   return { refusal: refusal('part-missing', message, out) };
 }

@@ -12,28 +12,27 @@ import { compileSkeleton } from '../../evaluate/kinematics.ts';
 import { dofCountOf, poseAt } from '../../evaluate/pose.ts';
 import type { Vec3 } from '../../math/vec3.ts';
 import { hasErrors } from '../../model/diagnostic.ts';
-import { type Character, EMPTY_DOCUMENT } from '../../model/document.ts';
+import type { Character } from '../../model/document.ts';
 import { jointDofCount, rootDofCount } from '../../model/dofs.ts';
 import type { Skeleton } from '../../model/skeleton.ts';
-import { openFiles } from '../../project/open/open-files.ts';
 import { numbersOf, parseArguments, UsageError } from '../arguments.ts';
-import type { CliCommand } from '../io.ts';
-import { loadFiles } from '../load.ts';
+import { type CliCommand, FILE_EXITS } from '../io.ts';
+import { loadFiles, openLoaded } from '../load.ts';
 import { printJson, report } from '../report.ts';
 
 export const ik: CliCommand = {
   name: 'ik',
   usage: 'FILE.skel --pin JOINT[@x,y,z]=x,y,z[,weight] … [--dofs v,v,…] [--free-root] [--json]',
   summary: 'the pose that moves points on joints (a name or #index; by default tip or origin) to their targets',
+  exits: FILE_EXITS,
   async run(args, io) {
     const given = parseArguments(args, { pin: 'value', dofs: 'value', 'free-root': 'flag', json: 'flag' });
     const asked = given.values('pin').map(readPin);
     if (asked.length === 0) throw new UsageError('ik needs at least one pin: --pin JOINT=x,y,z');
     const dofs = given.value('dofs');
     const start = dofs === undefined ? undefined : numbersOf('dofs', dofs);
-    const loaded = loadFiles(given.files, io.folder);
-    const opened = openFiles(EMPTY_DOCUMENT, loaded.files, loaded.broken);
-    const diagnostics = [...loaded.diagnostics, ...opened.diagnostics];
+    const opened = openLoaded(loadFiles(given.files, io.folder));
+    const { diagnostics } = opened;
     report(diagnostics, io);
     const posable = opened.document.characters.filter((character) => character.skeleton);
     if (hasErrors(diagnostics) && posable.length !== 1) {

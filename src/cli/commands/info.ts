@@ -1,23 +1,23 @@
 /** `marrow info`: what files contain, their problems, and which of them belong together. */
 import { hasErrors } from '../../model/diagnostic.ts';
-import { type Character, type Document, EMPTY_DOCUMENT } from '../../model/document.ts';
+import type { Character, Document } from '../../model/document.ts';
 import { factsOf } from '../../project/kinds.ts';
-import { openFiles } from '../../project/open/open-files.ts';
 import { refusal } from '../../project/save/conversion.ts';
 import { parseArguments } from '../arguments.ts';
-import type { CliCommand } from '../io.ts';
-import { type LoadedFile, loadFiles } from '../load.ts';
+import { type CliCommand, FILE_EXITS } from '../io.ts';
+import { type LoadedFile, loadFiles, openLoaded, withoutSkeleton } from '../load.ts';
 import { printJson, report } from '../report.ts';
 
 export const info: CliCommand = {
   name: 'info',
   usage: 'FILE… [--json]',
   summary: 'what files contain, their problems, and which belong together',
+  exits: FILE_EXITS,
   async run(args, io) {
     const given = parseArguments(args, { json: 'flag' });
     const loaded = loadFiles(given.files, io.folder);
-    const opened = openFiles(EMPTY_DOCUMENT, loaded.files, loaded.broken);
-    const diagnostics = [...loaded.diagnostics, ...opened.diagnostics];
+    const opened = openLoaded(loaded);
+    const diagnostics = [...opened.diagnostics, ...withoutSkeleton(opened.document.characters)];
     // A folder counts by its content.
     if (loaded.all.length === 0) {
       diagnostics.push(refusal('nothing-found', 'There is no readable file here.', given.files.join(' ')));
@@ -26,7 +26,7 @@ export const info: CliCommand = {
     const files = loaded.all.map(describeFile);
     if (given.flag('json')) {
       const { document } = opened;
-      const unused = document.unused.map(({ file, why }) => ({ name: file.source.name, why }));
+      const unused = document.unused.map(({ file, why }) => ({ name: file.source.path, why }));
       await printJson({ files, characters: document.characters.map(describeCharacter), unused, diagnostics }, io);
     } else if (files.length > 0) await io.out(asText(files, opened.document));
     return hasErrors(diagnostics) ? 1 : 0;
@@ -34,14 +34,15 @@ export const info: CliCommand = {
 };
 
 interface FileFacts {
+  /** With folders: a class hands in many files of one name. */
   readonly name: string;
   readonly kind: string;
   readonly loaded: boolean;
   readonly [count: string]: unknown;
 }
 
-function describeFile({ name, kind, content }: LoadedFile): FileFacts {
-  return { name, kind, loaded: content !== undefined, ...(content && factsOf(content)) };
+function describeFile({ path, kind, content }: LoadedFile): FileFacts {
+  return { name: path, kind, loaded: content !== undefined, ...(content && factsOf(content)) };
 }
 
 function describeCharacter({ name, skeleton, skins, morphs, clips, sources }: Character) {
@@ -55,7 +56,7 @@ function describeCharacter({ name, skeleton, skins, morphs, clips, sources }: Ch
   };
 }
 
-/** `wasp.skel   skel   joints 19, dofs 57, roots 1`, then the characters and files left unused. */
+/** `bee/wasp.skel   skel   joints 19, dofs 57, roots 1`, then the characters and files left unused. */
 function asText(files: readonly FileFacts[], { characters, unused }: Document): string {
   const width = Math.max(...files.map((f) => f.name.length));
   const lines = files.map(({ name, kind, loaded, ...rest }) => {
@@ -68,6 +69,6 @@ function asText(files: readonly FileFacts[], { characters, unused }: Document): 
   for (const { name, sources } of characters) {
     lines.push(`character ${name}: ${sources.map((source) => source.path).join(', ')}`);
   }
-  for (const { file, why } of unused) lines.push(`unused ${file.source.name}: ${why}`);
+  for (const { file, why } of unused) lines.push(`unused ${file.source.path}: ${why}`);
   return `${lines.join('\n')}\n`;
 }

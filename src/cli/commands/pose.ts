@@ -6,27 +6,29 @@
  *
  * and clamped to the joints' limits. All in doubles, radians, and the character's own space.
  */
-import { blendMorphs, compileSkin, deform } from '../../evaluate/deform.ts';
+import { blendMorphs, compileSkin, deform, skinMatrices } from '../../evaluate/deform.ts';
 import { type EndSitePosition, endSitePositions, tipPosition } from '../../evaluate/end-sites.ts';
-import { applyConstraints, compileSkeleton, worldMatrices } from '../../evaluate/kinematics.ts';
+import { applyConstraints, compileSkeleton, localMatrices, worldMatrices } from '../../evaluate/kinematics.ts';
 import { dofCountOf, poseAt } from '../../evaluate/pose.ts';
 import { hasErrors } from '../../model/diagnostic.ts';
-import { type Character, EMPTY_DOCUMENT, shownClip, shownSkin } from '../../model/document.ts';
+import { type Character, shownClip, shownSkin } from '../../model/document.ts';
 import { jointDofCount, rootDofCount } from '../../model/dofs.ts';
 import { jointTypeOf } from '../../model/joint-types.ts';
-import { openFiles } from '../../project/open/open-files.ts';
 import { type Arguments, numberOf, numbersOf, parseArguments, UsageError } from '../arguments.ts';
-import type { CliCommand } from '../io.ts';
-import { loadFiles } from '../load.ts';
+import { type CliCommand, FILE_EXITS } from '../io.ts';
+import { loadFiles, openLoaded, withoutSkeleton } from '../load.ts';
 import { printJson, report } from '../report.ts';
 
 export const pose: CliCommand = {
   name: 'pose',
-  usage: 'FILE… [--time T | --frame N] [--root x,y,z] [--dofs v,v,…] [--morphs w,w,…] [--vertices] [--json]',
-  summary: 'joints and vertices in a pose or at a time of the animation',
+  usage:
+    'FILE… [--time T | --times T,T,… | --frame N] [--root x,y,z] [--dofs v,v,…] [--morphs w,w,…] [--vertices] [--json]',
+  summary: 'joints and vertices in a pose or at times of the animation; --json: W, L, W·B⁻¹ of each joint',
+  exits: FILE_EXITS,
   async run(args, io) {
     const given = parseArguments(args, {
       time: 'value',
+      times: 'value',
       frame: 'value',
       root: 'value',
       dofs: 'value',
@@ -35,19 +37,28 @@ export const pose: CliCommand = {
       json: 'flag',
     });
     const asked = readAsked(given);
-    const loaded = loadFiles(given.files, io.folder);
-    const opened = openFiles(EMPTY_DOCUMENT, loaded.files, loaded.broken);
-    const diagnostics = [...loaded.diagnostics, ...opened.diagnostics];
+    const times = readTimes(given);
+    const opened = openLoaded(loadFiles(given.files, io.folder));
     const { characters } = opened.document;
+    const diagnostics = [...opened.diagnostics, ...withoutSkeleton(characters)];
     // Reported first: a broken file explains why a list doesn't match.
     report(diagnostics, io);
     if (!hasErrors(diagnostics)) {
       checkCounts(characters, asked);
       checkFrame(characters, asked);
     }
-    const posed = characters.filter((c) => fits(c, asked)).map((c) => poseCharacter(c, asked, given.flag('vertices')));
-    if (given.flag('json')) await printJson({ characters: posed, diagnostics }, io);
-    else await io.out(posed.map(asText).join('\n'));
+    const fitting = characters.filter((c) => fits(c, asked));
+    const frames = (times ?? [asked.time]).map((time) => ({
+      ...(time !== undefined && { time }),
+      characters: fitting.map((c) => poseCharacter(c, { ...asked, time }, given.flag('vertices'))),
+    }));
+    if (given.flag('json')) await printJson({ ...(times ? { frames } : frames[0]), diagnostics }, io);
+    else {
+      for (const { time, characters: posed } of frames) {
+        if (times) await io.out(`time ${time}\n`);
+        await io.out(posed.map(asText).join('\n'));
+      }
+    }
     return hasErrors(diagnostics) ? 1 : 0;
   },
 };
@@ -82,6 +93,18 @@ function readAsked(given: Arguments): Asked {
     dofs: list('dofs'),
     morphs: list('morphs'),
   };
+}
+
+/** Several times, each a frame of the result. */
+function readTimes(given: Arguments): readonly number[] | undefined {
+  const text = given.value('times');
+  if (text === undefined) return undefined;
+  if (given.value('time') !== undefined || given.value('frame') !== undefined) {
+    throw new UsageError('Give one of --time, --times and --frame.');
+  }
+  const times = numbersOf('times', text);
+  if (times.length === 0) throw new UsageError('--times takes at least one number; found none.');
+  return times;
 }
 
 /** A list applies to every character with such DOFs; a list of another length is an error. */
@@ -162,6 +185,10 @@ interface PosedJoint {
   readonly dofs: readonly number[];
   /** World matrix: 16 numbers, column-major. */
   readonly world: readonly number[];
+  /** Relative to the parent; of the root, to the character. */
+  readonly local: readonly number[];
+  /** W·B⁻¹; absent if the skin has no binding for it. */
+  readonly skinning?: readonly number[];
   /** Tip of its bone; absent if it has none of its own. */
   readonly tip?: readonly number[];
 }
@@ -171,7 +198,12 @@ function poseCharacter(character: Character, asked: Asked, withVertices: boolean
   const { skeleton, morphs } = character;
   const compiled = skeleton && compileSkeleton(skeleton);
   const world = compiled && new Float64Array(16 * compiled.jointCount);
-  if (compiled && world) worldMatrices(compiled, values, world);
+  const local = compiled && new Float64Array(16 * compiled.jointCount);
+  if (compiled && world && local) {
+    worldMatrices(compiled, values, world);
+    localMatrices(compiled, values, local);
+  }
+  const skinning = world ? skinningOf(character, world) : undefined;
 
   const joints = (skeleton?.joints ?? []).map((joint, index) => ({
     index,
@@ -179,7 +211,9 @@ function poseCharacter(character: Character, asked: Asked, withVertices: boolean
     parent: joint.parent,
     type: jointTypeOf(joint.motion).keyword,
     dofs: compiled ? Array.from(values.subarray(compiled.firstDof[index], compiled.firstDof[index + 1])) : [],
-    world: world ? Array.from(world.subarray(16 * index, 16 * index + 16)) : [],
+    world: world ? matrixAt(world, index) : [],
+    local: local ? matrixAt(local, index) : [],
+    ...(skinning && 16 * index < skinning.length && { skinning: matrixAt(skinning, index) }),
     ...(world && joint.length !== undefined && { tip: tipPosition(joint.length, world, index) }),
   }));
   const endSites = skeleton && world ? endSitePositions(skeleton, world) : [];
@@ -195,6 +229,20 @@ function poseCharacter(character: Character, asked: Asked, withVertices: boolean
     ...(withVertices && { positions: Array.from(positions ?? []), normals: Array.from(normals ?? []) }),
     bounds: boundsOf(points),
   };
+}
+
+function matrixAt(matrices: Float64Array, joint: number): number[] {
+  return Array.from(matrices.subarray(16 * joint, 16 * joint + 16));
+}
+
+/** W·B⁻¹ of the joints that the shown skin has bindings for. */
+function skinningOf(character: Character, world: Float64Array): Float64Array | undefined {
+  const skin = shownSkin(character);
+  if (!skin) return undefined;
+  const compiled = compileSkin(skin);
+  const out = new Float64Array(16 * compiled.matrixCount);
+  skinMatrices(compiled, world, out);
+  return out;
 }
 
 /** The character's DOFs, in the order of `model/dofs.ts`. */

@@ -97,7 +97,7 @@ class JsonDump {
       this.list(undefined, value, this.line);
       return;
     }
-    const joints = keys.some((key) => /^(joints|bones)$/i.test(key));
+    const joints = hasJoints(value);
     for (const [key, inside] of Object.entries(value)) {
       const kind = kindOfKey(key);
       if (kind === 'channels') this.channels(inside, value);
@@ -124,8 +124,8 @@ class JsonDump {
       for (const item of items) this.row(item, this.line, labelOf(item));
       return;
     }
-    // Frames of a take have a time each; joints don't.
-    if (keys.size === 0 || items.some((item) => isNumber(item.time))) {
+    // Frames of a take have a time each, characters have joints; joints have neither.
+    if (keys.size === 0 || items.some((item) => isNumber(item.time) || hasJoints(item))) {
       for (const item of items) this.find(item, depth + 1);
       return;
     }
@@ -229,6 +229,10 @@ function flatten(item: unknown, out: number[]): boolean {
       );
   }
   return false;
+}
+
+function hasJoints(value: Json): boolean {
+  return Object.keys(value).some((key) => /^(joints|bones)$/i.test(key));
 }
 
 function pointOf({ x, y, z }: Json): number[] | undefined {

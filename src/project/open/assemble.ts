@@ -11,6 +11,7 @@ import { jointDofCount } from '../../model/dofs.ts';
 import {
   baseName,
   type CapturedFigure,
+  type FileNaming,
   folderOf,
   type ParsedFile,
   type SourceFile,
@@ -151,11 +152,11 @@ function asMeant({ skeleton, clips: [clip] }: WholeCharacter): CapturedFigure {
 }
 
 /** Reports parts of a character that don't fit; only pairs of which at least one is new. */
-export function checkParts(before: Character | undefined, after: Character): Diagnostic[] {
+export function checkParts(before: Character | undefined, after: Character, naming: FileNaming): Diagnostic[] {
   const problems: Diagnostic[] = [];
   const newSkeleton = before?.skeleton !== after.skeleton;
   const { parts = NO_MARKS } = after;
-  const called = (mark: PartMark | undefined, otherwise: string) => mark?.file?.source.name ?? otherwise;
+  const called = (mark: PartMark | undefined, otherwise: string) => (mark?.file ? naming(mark.file.source) : otherwise);
   if (before && newSkeleton && after.skeleton) {
     problems.push(...lostOver(before, after, called(parts.skeleton, `${after.skeleton.name}.skel`)));
   }

@@ -13,6 +13,7 @@ import {
   type BrokenFile,
   baseName,
   type FileKind,
+  type FileNaming,
   folderOf,
   type ParsedFile,
   type SourceFile,
@@ -56,7 +57,7 @@ export function isRead(file: ReadFile): file is ParsedFile {
   return !isBroken(file);
 }
 
-export function groupFiles(files: readonly ReadFile[]): Grouping {
+export function groupFiles(files: readonly ReadFile[], called: FileNaming): Grouping {
   const diagnostics: Diagnostic[] = [];
   const groups: { -readonly [K in keyof FileGroup]: FileGroup[K] }[] = [];
   const idleRigs: ReadFile[] = [];
@@ -72,7 +73,7 @@ export function groupFiles(files: readonly ReadFile[]): Grouping {
     const find = (kind: FileKind & FormatKind, name: string | undefined) => {
       if (name === undefined) return undefined;
       const found = lookUp(files, file, kind, name);
-      if (!found) diagnostics.push(partNotGiven(file, kind, name));
+      if (!found) diagnostics.push(partNotGiven(called(file.source), kind, name));
       return found;
     };
     const skeleton = find('skel', rig.skeleton);
@@ -160,8 +161,8 @@ function lookUp(files: readonly ReadFile[], rig: ReadFile, kind: ReadFile['kind'
   return fits.find((f) => folderOf(f.source) === folderOf(rig.source)) ?? fits[0];
 }
 
-function partNotGiven(rig: ParsedFile, kind: FormatKind, name: string): Diagnostic {
+function partNotGiven(rig: string, kind: FormatKind, name: string): Diagnostic {
   const message = `The ${KINDS[kind].label} "${name}" named by the rig was not among the files.`;
   const assumed = kind === 'morph' ? 'later morphs move up by one' : 'opened without it';
-  return withoutPlace('warning', 'part-not-given', message, rig.source.name, assumed);
+  return withoutPlace('warning', 'part-not-given', message, rig, assumed);
 }

@@ -15,8 +15,10 @@ import { type Diagnostic, hasErrors, withoutPlace } from '../../model/diagnostic
 import { type Character, type Document, EMPTY_DOCUMENT, findCharacter, type UnusedFile } from '../../model/document.ts';
 import {
   type BrokenFile,
+  byFileName,
   type FileContent,
   type FileKind,
+  type FileNaming,
   folderOf,
   type ParsedFile,
   type SourceFile,
@@ -48,14 +50,16 @@ export interface OpenResult {
  * @param files in the order that decides between alternatives: as given on a command line, by name for a drop
  * @param broken files given with them that have errors
  * @param selectedId the character that receives a single skin, morph or anim
+ * @param called how messages name files
  */
 export function openFiles(
   document: Document,
   files: readonly ParsedFile[],
   broken: readonly BrokenFile[] = [],
   selectedId?: string,
+  called = byFileName,
 ): OpenResult {
-  return new Opening(document, files, broken, selectedId).result();
+  return new Opening(document, files, broken, selectedId, called).result();
 }
 
 /** One opening in progress. */
@@ -81,6 +85,7 @@ class Opening {
     private readonly files: readonly ParsedFile[],
     broken: readonly BrokenFile[],
     private readonly selectedId: string | undefined,
+    private readonly called: FileNaming,
   ) {
     const { unused, charactersMade } = document;
     const makesWay = document.isOpeningSample && !isForCharacters([...files, ...broken]);
@@ -90,8 +95,8 @@ class Opening {
     this.waiting = unused.filter(({ file }) => !files.some((f) => f.source.path === file.source.path));
     this.textures = [...files, ...this.waiting.map((w) => w.file)].filter((f) => f.kind === 'texture');
 
-    const called = this.waiting.map((w) => w.file).filter((file) => this.isCalledFor(file));
-    const grouping = groupFiles([...files, ...broken.map((b) => ({ ...b, broken: true as const })), ...called]);
+    const wanted = this.waiting.map((w) => w.file).filter((file) => this.isCalledFor(file));
+    const grouping = groupFiles([...files, ...broken.map((b) => ({ ...b, broken: true as const })), ...wanted], called);
     this.diagnostics.push(...grouping.diagnostics);
     for (const group of grouping.groups) this.openGroup(group);
     const openLoose: { readonly [R in LooseRole]: (loose: readonly ParsedFile[]) => void } = {
@@ -125,7 +130,7 @@ class Opening {
     for (const { file, why } of unused) {
       if (!files.includes(file)) continue;
       this.diagnostics.push(
-        withoutPlace('info', 'file-unused', `Not used: ${why}`, file.source.name, 'kept for a matching file'),
+        withoutPlace('info', 'file-unused', `Not used: ${why}`, this.called(file.source), 'kept for a matching file'),
       );
     }
     const changed = files.filter((f) => used.has(f) || f.kind === 'texture');
@@ -152,7 +157,7 @@ class Opening {
     const parts = members.filter(isRead);
     const hole = members.find(isBroken);
     if (hole) {
-      this.holdBack(parts, `it belongs with ${hole.source.name}, which has errors`);
+      this.holdBack(parts, `it belongs with ${this.called(hole.source)}, which has errors`);
       return;
     }
     const skeletonFile = parts.find((p) => p === group.skeleton);
@@ -209,7 +214,7 @@ class Opening {
       this.unused.push({ file, why: 'No open character has the joints of its poses.' });
       return;
     }
-    const { character, diagnostics } = givePoses(target, file);
+    const { character, diagnostics } = givePoses(target, file, this.called);
     this.diagnostics.push(...diagnostics);
     this.characters = characters.map((c) => (c === target ? character : c));
     this.opened.add(target.id);
@@ -228,7 +233,7 @@ class Opening {
       const fresh = this.characters.filter((c) => this.opened.has(c.id));
       const target = partOpening(file)?.onSkin ? bySkinName(file.source, fresh) : undefined;
       const next = target && withFile(target, file, target);
-      if (target && next && !hasErrors(checkParts(target, next))) this.settle(target, next, [file]);
+      if (target && next && !hasErrors(checkParts(target, next, this.called))) this.settle(target, next, [file]);
       else this.unused.push(waiting);
     }
   }
@@ -251,11 +256,11 @@ class Opening {
   /** Adds the finished character, unless a part does not fit. */
   private settle(before: Character | undefined, after: Character, parts: readonly ParsedFile[]): void {
     const dressed = withTextures(after, this.textures);
-    const problems = checkParts(before, dressed);
+    const problems = checkParts(before, dressed, this.called);
     this.diagnostics.push(...problems);
     const error = problems.find((p) => p.severity === 'error');
     if (error) {
-      const others = parts.filter((p) => p.source.name !== error.file);
+      const others = parts.filter((p) => this.called(p.source) !== error.file);
       this.holdBack(others, `it belongs with ${error.file}, which does not fit`);
       return;
     }
@@ -272,7 +277,7 @@ class Opening {
 
   private holdBack(files: readonly ParsedFile[], because: string): void {
     for (const { source } of files) {
-      this.diagnostics.push(withoutPlace('info', 'held-back', `Not opened, because ${because}.`, source.name));
+      this.diagnostics.push(withoutPlace('info', 'held-back', `Not opened, because ${because}.`, this.called(source)));
     }
   }
 

@@ -3,7 +3,7 @@ import { takePose } from '../../edit/pose/by-names.ts';
 import { addPoses, withPoses } from '../../edit/pose/library.ts';
 import { type Diagnostic, withoutPlace } from '../../model/diagnostic.ts';
 import type { Character } from '../../model/document.ts';
-import { type ParsedFile, type SourceFile, sameName } from '../../model/files.ts';
+import { type FileNaming, type ParsedFile, type SourceFile, sameName } from '../../model/files.ts';
 import { NO_MARKS, readAs, UNMARKED } from '../../model/part.ts';
 import { formatKindOf, KINDS } from '../kinds.ts';
 
@@ -41,14 +41,14 @@ export function fittingCharacter({ poses }: PoseFile, characters: readonly Chara
  * Adds the file's poses to the character and reports what does not fit. If all its poses came from a file of that name,
  * the new ones replace them.
  */
-export function givePoses(character: Character, { poses, source }: PoseFile) {
+export function givePoses(character: Character, { poses, source }: PoseFile, called: FileNaming) {
   const diagnostics: Diagnostic[] = [];
   const missing = new Set(poses.flatMap((pose) => takePose(character, pose).missing));
   if (missing.size > 0) {
     const [first] = missing;
     const others = missing.size > 1 ? ` and ${missing.size - 1} more` : '';
     const message = `${character.name} has no joint "${first}"${others} for the poses.`;
-    diagnostics.push(withoutPlace('warning', 'pose-joint-missing', message, source.name, 'left out'));
+    diagnostics.push(withoutPlace('warning', 'pose-joint-missing', message, called(source), 'left out'));
   }
   const { poses: mark, ...marks } = character.parts ?? NO_MARKS;
   const isThis = (own: SourceFile) => sameName(own.name, source.name);
