@@ -156,6 +156,8 @@ export class SelectedGizmo {
       const note = limitNote(all[dof], limit, character.clampsToLimits, character, angles);
       return moved.dofs.length > 1 ? `${all[dof].name} ${note}` : note;
     });
+    const others = new Set(moved.others.map(({ index }) => all[index].joint));
+    if (others.size > 0) told.push(`${1 + others.size} joints`);
     if (told.length || held.length) this.readout?.show(at.clientX, at.clientY, told.join('  '), held.join(', '));
   }
 

@@ -8,6 +8,7 @@
  */
 import type { Vec3 } from '../../../math/vec3.ts';
 import { findCharacter } from '../../../model/document.ts';
+import { withJointActive } from '../../../model/selected-joints.ts';
 import type { Workbench } from '../../state/workbench.ts';
 import { type CanvasDrag, type CanvasPointer, CLICK_PIXELS, LONG_PRESS_MS } from '../viewport/canvas-tools.ts';
 import { HandPull, type IkGrip, type PullState } from './hand-pull.ts';
@@ -120,7 +121,7 @@ export class PinDrag implements CanvasDrag {
   }
 
   /**
-   * Selects the dragged joint, since it is what one keys and inspects next. Only after a step: Escape leaves the
+   * Selects the dragged joint, or makes it the active one of those selected, since it is what one keys and inspects next. Only after a step: Escape leaves the
    * selection alone, and undo restores the previous one.
    */
   private select(): void {
@@ -132,7 +133,10 @@ export class PinDrag implements CanvasDrag {
     const isSame = selection.characterId === characterId;
     if (isSame && selection.joint === joint) {
       if (viewport.pickedCopy(character) !== placement) store.select({ ...selection, placement });
-    } else store.select({ characterId, placement, joint, ...(isSame && selection.keys && { keys: selection.keys }) });
+    } else {
+      const active = withJointActive(selection, { characterId, placement, joint });
+      store.select({ ...active, ...(isSame && selection.keys && { keys: selection.keys }) });
+    }
   }
 
   private readonly onLongPress = () => {

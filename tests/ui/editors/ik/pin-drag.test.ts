@@ -2,7 +2,7 @@ import { afterEach, beforeEach, describe, expect, it, vi } from 'vitest';
 import { PinDrag } from '../../../../src/ui/editors/ik/pin-drag.ts';
 import { type CanvasPointer, LONG_PRESS_MS } from '../../../../src/ui/editors/viewport/canvas-tools.ts';
 import { channel, clip, documentOf } from '../../builders.ts';
-import { apart, BODY_JOINT, body, HAND_L, ikPage } from './ik-page.ts';
+import { apart, BODY_JOINT, body, HAND_L, HAND_R, ikPage } from './ik-page.ts';
 
 const KEYS = [{ channel: 0, indices: [0] }];
 
@@ -94,6 +94,12 @@ describe('a drag of a point', () => {
     second.drag.move(at(10, -20));
     second.drag.end(at(20, -20));
     expect(store.selection).toBe(selection);
+    // Of several selected joints the dragged one becomes active.
+    store.select({ characterId: 'c2', joint: HAND_L, others: [BODY_JOINT, HAND_R] });
+    const third = dragBody();
+    third.drag.move(at(10, -20));
+    third.drag.end(at(30, -20));
+    expect(store.selection).toEqual({ characterId: 'c2', placement: 0, joint: BODY_JOINT, others: [HAND_R, HAND_L] });
   });
 
   it('a drag of a point keeps the selection if it is a click', () => {
