@@ -31,7 +31,7 @@ const MAY_IMPORT: Readonly<Record<string, readonly string[]>> = {
   // What panels share: the workbench, settings, actions found by their ids.
   'ui/state': ['ui/kit', 'view', 'project', 'edit', 'evaluate', ...BASE],
   // A folder a panel or tool, with its own actions.
-  'ui/editors': ['ui/state', 'ui/kit', 'view', 'edit', 'evaluate', ...BASE],
+  'ui/editors': ['ui/state', 'ui/kit', 'view', 'edit', 'lesson', 'evaluate', ...BASE],
   // What puts them together: layout, menu bar, the one list of actions, dialogs.
   'ui/shell': ['ui/styles', 'ui/editors', 'ui/state', 'ui/kit', 'view', 'project', 'edit', 'evaluate', ...BASE],
   cli: ['project', 'lesson', 'formats', 'evaluate', 'edit', ...BASE],

@@ -102,6 +102,13 @@ const STATES: readonly (readonly [name: string, enter: (page: Page) => Promise<u
       await tab(page, 'poses');
     },
   ],
+  [
+    'the steps of a joint are shown',
+    async (page) => {
+      await tab(page, 'steps');
+      await page.locator('.step-matrix').first().waitFor();
+    },
+  ],
   ['IK mode', (page) => run(page, 'posing.ik')],
   ['Rig mode', (page) => run(page, 'posing.rig')],
   [

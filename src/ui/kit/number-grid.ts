@@ -20,10 +20,12 @@ export interface GridOptions {
   readonly label: string;
   readonly rows: number;
   readonly columns: number;
-  /** Before each row. */
-  readonly rowLabels?: readonly string[];
+  /** Before each row: text, or an element with text. */
+  readonly rowLabels?: readonly (string | HTMLElement)[];
   /** Above each column; `x y z` are coloured. */
   readonly columnLabels?: readonly string[];
+  /** Text of a number on screen; default three decimals, as far as they fit. */
+  text?(value: number): string;
 }
 
 const COPIED_MS = 700;
@@ -47,8 +49,10 @@ export class NumberGrid {
     }
     for (let r = 0; r < rows; r++) {
       const row = element('tr', { role: 'row' });
-      const text = rowLabels?.[r];
-      if (text !== undefined) row.append(element('th', { scope: 'row', class: axisClass(text), tooltip: text }, text));
+      const label = rowLabels?.[r];
+      const text = labelText(label);
+      if (label !== undefined)
+        row.append(element('th', { scope: 'row', class: axisClass(text), tooltip: text }, label));
       for (let c = 0; c < columns; c++) row.append(this.cell(r * columns + c));
       this.element.append(row);
     }
@@ -70,7 +74,8 @@ export class NumberGrid {
     const index = row * this.options.columns + column;
     if (Object.is(this.values[index], value)) return;
     this.values[index] = value;
-    setText(this.cells[index], aligned(value, decimalsWithin(value, CHARACTERS)));
+    const text = this.options.text?.(value) ?? aligned(value, decimalsWithin(value, CHARACTERS));
+    setText(this.cells[index], text);
   }
 
   /** A 4×4 matrix, column-major from `offset`, shown with its columns as columns. */
@@ -88,7 +93,7 @@ export class NumberGrid {
     const lines: string[] = [];
     for (let r = 0; r < rows; r++) {
       const numbers = this.rowText(r);
-      lines.push(rowLabels ? `${rowLabels[r]} ${numbers}` : numbers);
+      lines.push(rowLabels ? `${labelText(rowLabels[r])} ${numbers}` : numbers);
     }
     return lines.join('\n');
   }
@@ -195,6 +200,10 @@ export function cellAfter(
     ArrowDown: index + columns <= last ? columns : 0,
   };
   return steps[key] === undefined ? undefined : index + steps[key];
+}
+
+function labelText(label: string | HTMLElement | undefined): string {
+  return (typeof label === 'string' ? label : label?.textContent) ?? '';
 }
 
 /** An infinite limit is copied as a word: no file has the number `Infinity`. */

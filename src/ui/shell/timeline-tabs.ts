@@ -24,4 +24,8 @@ export const TABS: Readonly<Record<TimelineTabName, TabRecord>> = {
     label: 'Pose library',
     load: async (wb) => (await import('../editors/poses/panel.ts')).posesPanel(wb),
   },
+  steps: {
+    label: 'Steps',
+    load: async (wb) => (await import('../editors/steps/panel.ts')).stepsPanel(wb),
+  },
 };

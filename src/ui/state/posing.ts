@@ -30,6 +30,13 @@ export interface ChosenDof {
   readonly name: string;
 }
 
+/** One of a character's DOFs. */
+export interface LitDof {
+  readonly characterId: string;
+  /** Into the character's DOFs. */
+  readonly dof: number;
+}
+
 /** Other changes of a character that go with editing DOFs of a joint, from the first change to the release. */
 export interface BesideDofs {
   /** The DOFs at their values with all that changes with them, for `setDofs`. */
@@ -53,6 +60,8 @@ export class Posing {
   readonly controls: Observable<HTMLElement | undefined> = observable<HTMLElement | undefined>(undefined);
   /** For FK; see `active-dof.ts`. */
   readonly chosenDof: Observable<ChosenDof | undefined> = observable<ChosenDof | undefined>(undefined);
+  /** A DOF that is pointed at elsewhere than in its row, which lights up. */
+  readonly litDof: Observable<LitDof | undefined> = observable<LitDof | undefined>(undefined);
   /** While pins hold: how they adapt to a change of DOFs of one joint; undefined if they aren't affected. */
   beside: ((characterId: string, dofs: readonly number[]) => BesideDofs | undefined) | undefined;
   /** Characters as they came in, by id: what differs from it was set by hand. */

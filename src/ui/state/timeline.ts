@@ -11,7 +11,7 @@ import type { TimeWindow } from '../kit/time-window.ts';
 import type { CycleQuestion } from './cycle-question.ts';
 import { Takes } from './takes.ts';
 
-export const TIMELINE_TABS = ['curves', 'dope', 'takes', 'poses'] as const;
+export const TIMELINE_TABS = ['curves', 'dope', 'takes', 'poses', 'steps'] as const;
 export type TimelineTabName = (typeof TIMELINE_TABS)[number];
 
 /** Which channels are listed: the selected joint's (with the root translation for the root), all, or pinned ones. */

@@ -73,6 +73,12 @@ export function fillInspector(wb: Workbench, panel: HTMLElement): void {
     flashDropped(wb, panel, now.document, before.document);
     showSoon();
   });
+  wb.posing.litDof.subscribe((lit) => {
+    const own = lit && lit.characterId === currentCharacter(wb)?.id ? String(lit.dof) : undefined;
+    for (const row of panel.querySelectorAll<HTMLElement>('.dof')) {
+      row.classList.toggle('lit', own !== undefined && row.dataset.dof === own);
+    }
+  });
   wb.settings.subscribe((now, before) => {
     if (now.angles !== before.angles || now.timeDisplay !== before.timeDisplay) showSoon();
   });

@@ -157,6 +157,10 @@ export function outliner(wb: Workbench): HTMLElement {
     const others = now.document.characters !== before.document.characters && now.selection.characterId === undefined;
     if (now.selection !== before.selection || others) showSelection(now);
   });
+  wb.viewport.onHover(() => {
+    const { hovered } = wb.viewport;
+    tree.light(hovered && jointKey(hovered.characterId, hovered.joint));
+  });
   wb.posing.rig.renameAsked.subscribe(() => {
     const { focused } = tree;
     if (focused?.kind === 'joint') startRename(focused);

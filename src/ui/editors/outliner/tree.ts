@@ -69,6 +69,7 @@ export class Tree {
   private anchorKey: string | undefined;
   private focusedKey: string | undefined;
   private meantKey: string | undefined;
+  private litKey: string | undefined;
   /** Letters go to rows while the focus came by keyboard; after a click they are the page's shortcuts. */
   private takesLetters = false;
   private isPressed = false;
@@ -139,6 +140,13 @@ export class Tree {
     this.mark();
   }
 
+  /** Lights a row up as if under the pointer: the joint that is pointed at elsewhere. */
+  light(key: string | undefined): void {
+    if (key === this.litKey) return;
+    this.litKey = key;
+    this.mark();
+  }
+
   /** As if reached with the arrow keys; does nothing without a row. */
   goTo(row: OutlineRow | undefined): void {
     this.element.focus();
@@ -165,6 +173,7 @@ export class Tree {
     made.setAttribute('aria-selected', String(this.selected.has(key)));
     made.classList.toggle('selected-too', this.selected.has(key) && key !== this.activeKey);
     made.classList.toggle('meant', key === this.meantKey);
+    made.classList.toggle('lit', key === this.litKey);
     setTooltip(made, key === this.meantKey ? MEANT : undefined);
   }
 

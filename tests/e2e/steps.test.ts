@@ -1,0 +1,78 @@
+/** The steps of a joint and of a vertex, as the page shows and copies them. */
+import type { Page } from 'playwright-core';
+import { expect, it } from 'vitest';
+import { compileSkin, deform } from '../../src/evaluate/deform.ts';
+import { compileSkeleton, worldMatrices } from '../../src/evaluate/kinematics.ts';
+import { dofCountOf, poseAt } from '../../src/evaluate/pose.ts';
+import { dropFiles, withPage } from '../helpers/page.ts';
+import { describeShared, sharedBytes } from '../helpers/shared.ts';
+import { characterOf, SHARED } from '../lesson/lesson-files.ts';
+
+const WASP = ['wasp.skel', 'wasp.skin', 'wasp_walk.anim'];
+
+/** The table of the last card of that name, as copied by keyboard: rows of numbers. */
+async function copied(page: Page, card: string): Promise<readonly (readonly number[])[]> {
+  await page.locator(`.step-card[aria-label="${card}"] .grid`).first().locator('[tabindex="0"]').focus();
+  await page.keyboard.press('ControlOrMeta+Enter');
+  await page.locator('.step-card .copied').first().waitFor();
+  const text = await page.evaluate(() => navigator.clipboard.readText());
+  return text.split('\n').map((line) => line.split(' ').map(Number));
+}
+
+/** The skin as `marrow pose --vertices` has it. */
+function waspAt(timeSeconds: number) {
+  const wasp = characterOf(...SHARED.wasp);
+  if (!wasp.skeleton) throw new Error('No skeleton.');
+  const dofs = new Float64Array(dofCountOf(wasp));
+  const world = new Float64Array(16 * wasp.skeleton.joints.length);
+  const skin = compileSkin(wasp.skins[0]);
+  const positions = wasp.skins[0].positions.slice();
+  const normals = skin.normals.slice();
+  poseAt(wasp, timeSeconds, dofs);
+  worldMatrices(compileSkeleton(wasp.skeleton), dofs, world);
+  deform(skin, world, positions, normals, positions, normals);
+  return { positions, normals };
+}
+
+describeShared('the steps of the wasp', () => {
+  it('the steps end at the numbers that are drawn, and their symbols and slider change nothing in the document', () =>
+    withPage(async ({ page }) => {
+      await page.context().grantPermissions(['clipboard-read', 'clipboard-write']);
+      await dropFiles(
+        page,
+        WASP.map((name) => ({ name, bytes: sharedBytes(`data/cse169/${name}`) })),
+      );
+      await page.waitForFunction(() => window.marrow.characters()[0]?.vertexCount === 694);
+      await page.evaluate(() => window.marrow.seek(0.4));
+      const opened = await page.evaluate(() => window.marrow.steps().undo);
+      await page.locator('#timeline-tab-steps').click();
+      await page.locator('.steps .empty').waitFor();
+      await page.locator('[role=treeitem]', { hasText: 'hip_03_r' }).click();
+      const world = await copied(page, 'W₇');
+      const drawn = await page.evaluate(() => window.marrow.worldMatrices()[7]);
+      expect(world.flatMap((_, r) => world.map((row) => row[r]))).toEqual(drawn);
+
+      const slider = page.getByRole('slider', { name: 'Steps applied in the viewport' });
+      await slider.fill('2');
+      await page.locator('.step-card.now[aria-label="Rz(rz)"]').waitFor();
+      await page.locator('.step-card[aria-label="Rz(rz)"] .symbol').focus();
+      await page.locator('.inspector .dof.lit', { hasText: 'rz' }).waitFor();
+      await page.locator('.step-card[aria-label="W₀"] .symbol').focus();
+      await page.locator('.row-joint.lit', { hasText: 'root' }).waitFor();
+
+      await page.keyboard.press('q');
+      const at = await page.evaluate(() => {
+        const p = window.marrow.vertices();
+        return window.marrow.pointOnPage([p[900], p[901], p[902]]);
+      });
+      if (!at) throw new Error('The vertex is not in view.');
+      await page.mouse.click(at.x, at.y);
+      const vertex = Number((await page.locator('.facts-head .label').textContent())?.replace('Vertex ', ''));
+      const [place] = await copied(page, 'v′');
+      const [normal] = await copied(page, 'n′ = n / |n|');
+      const meant = waspAt(0.4);
+      expect(place).toEqual([...meant.positions.subarray(3 * vertex, 3 * vertex + 3)]);
+      expect(normal).toEqual([...meant.normals.subarray(3 * vertex, 3 * vertex + 3)]);
+      expect(await page.evaluate(() => window.marrow.steps().undo)).toBe(opened);
+    }));
+});
