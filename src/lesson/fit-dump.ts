@@ -27,11 +27,18 @@ export interface NamedDump {
   readonly dump: Dump;
 }
 
-/** @param time of dumps that state none; undefined: the file pose */
+/** @param time of dumps that state none; undefined: the only time that others state, else the file pose */
 export function fitDumps(character: Character, dumps: readonly NamedDump[], time: FrameTime): Fitted {
-  const fit = new Fit(character, time);
+  const fit = new Fit(character, time ?? onlyTime(dumps));
   for (const { fileName, dump } of dumps) fit.add(dump, fileName);
   return fit.result();
+}
+
+/** The time that dumps state, if it is one. */
+function onlyTime(dumps: readonly NamedDump[]): FrameTime {
+  const stated = new Set(dumps.flatMap(({ dump }) => [dump.time, ...dump.blocks.map((block) => block.time)]));
+  stated.delete(undefined);
+  return stated.size === 1 ? [...stated][0] : undefined;
 }
 
 /** Numbers of one joint, vertex or time. */

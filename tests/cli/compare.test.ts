@@ -142,6 +142,15 @@ describe('marrow compare', () => {
     ]);
   });
 
+  it('takes a dump without a time to be of the time that another one states', async () => {
+    const lines = (await ownMatrices()).map((m) => m.join(' ')).join('\n');
+    write('stated@0.5.txt', lines);
+    write('positions.txt', (await ownMatrices()).map((m) => m.slice(12, 15).join(' ')).join('\n'));
+    const found = await commandJson<CompareJson>(['compare', 'a.skel', 'stated@0.5.txt', 'positions.txt'], folder);
+    expect(found).toMatchObject({ agrees: true, time: 0.5, compared: { world: 3, positions: 3 } });
+    expect(found.times).toBeUndefined();
+  });
+
   it('takes files of any name as dumps, and the tolerance as given', async () => {
     const matrices = (await ownMatrices()).map((m) => m.map((v, i) => (i === 12 ? v + 0.01 : v)));
     write('mine', matrices.map((m) => m.join(' ')).join('\n'));

@@ -86,12 +86,17 @@ describe('a heading in a dump', () => {
     },
   );
 
-  it.each(['time 1.5', '# time 1.5', 'Time: 1.5 s', '// t = 1.5', 'world matrices at time 1.5', 'time=1.50'])(
-    'states the time: %s',
-    (heading) => {
-      expect(blocksOf(`${heading}\n1 2 3\n`)[0].time).toBe(1.5);
-    },
-  );
+  it.each([
+    'time 1.5',
+    '# time 1.5',
+    'Time: 1.5 s',
+    '// t = 1.5',
+    'world matrices at time 1.5',
+    'time=1.50',
+    'time,1.5',
+  ])('states the time: %s', (heading) => {
+    expect(blocksOf(`${heading}\n1 2 3\n`)[0].time).toBe(1.5);
+  });
 
   it('states the time of every block until the next one', () => {
     const blocks = blocksOf('world\ntime 0\n1 2 3\ntime 0.5\n4 5 6\n');

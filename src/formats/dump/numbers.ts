@@ -39,7 +39,7 @@ export function numbersIn(text: string): number[] | undefined {
 
 /** The time that a heading or comment states: `time 1.5`, `time = 1.5 s`, `t=1.5`. */
 export function timeIn(text: string): number | undefined {
-  const found = /\b(?:time|t)\s*(?:is|at|[:=(])?\s*([-+]?(?:\d+\.?\d*|\.\d+)(?:e[-+]?\d+)?)(?!\d)/i.exec(
+  const found = /\b(?:time|t)\s*(?:is|at|[:=(,])?\s*([-+]?(?:\d+\.?\d*|\.\d+)(?:e[-+]?\d+)?)(?!\d)/i.exec(
     text.slice(0, MAX_HEADING),
   )?.[1];
   return found === undefined ? undefined : Number(found);
