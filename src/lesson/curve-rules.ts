@@ -26,12 +26,17 @@ export type HermiteBasis = readonly number[];
 
 export const HERMITE: HermiteBasis = [2, -2, 1, 1, -3, 3, -2, -1, 0, 0, 1, 0, 1, 0, 0, 0];
 
+/** What follows from a negative remainder: the first segment runs on or its key holds; `first`: in mirrored periods, too. */
+type Unfolded = 'run on' | 'hold' | 'run on first' | 'hold first';
+
 export interface CurveRules {
   readonly smooth: 'across' | 'mean of segments';
   readonly smoothEnds: 'segment' | 'flat';
   readonly linear: 'own side' | 'other side';
   /** `columns`: the tangents are read in the other's place; `slopes`: the slopes are used in it. */
   readonly swapped: 'none' | 'columns' | 'slopes';
+  /** Whether slopes of linear extrapolation are right although those between keys are swapped. */
+  readonly swapsInsideOnly: boolean;
   readonly isScaled: boolean;
   readonly between: 'cubic' | 'line' | 'step';
   readonly basis: HermiteBasis;
@@ -39,7 +44,7 @@ export interface CurveRules {
   readonly cycleOffset: 'times period' | 'none' | 'always added';
   readonly bounce: 'odd periods' | 'none' | 'even periods' | 'odd after only';
   /** How a time before the first key is folded: `hold` and `run on` leave it before the keys. */
-  readonly modulo: 'floor' | 'run on' | 'hold' | 'run on, floor' | 'hold, floor';
+  readonly modulo: 'floor' | Unfolded | `${Unfolded}, floor`;
   /** `range only`: times within the range are not folded. */
   readonly period: 'keys' | 'range' | 'range, run on' | 'range only' | 'length of range';
   readonly linearSlope: 'tangent' | 'segment';
@@ -50,6 +55,7 @@ export const RIGHT_CURVES: CurveRules = {
   smoothEnds: 'segment',
   linear: 'own side',
   swapped: 'none',
+  swapsInsideOnly: false,
   isScaled: true,
   between: 'cubic',
   basis: HERMITE,
@@ -87,8 +93,14 @@ function keyedValue(keys: KeyedChannel, range: readonly [number, number], time: 
   if (rules.period === 'range only' && time >= range[0] && time <= range[1]) return values[at];
   const folded = fold(keys, range, time, rules);
   const { period } = folded;
+  const isUnmirrored = folded.isUnfolded && rules.modulo.includes('first');
   if (kind === 'bounce')
-    return inside(keys, isMirrored(period, rules) ? folded.mirrored : folded.time, rules, folded.runsOn);
+    return inside(
+      keys,
+      isMirrored(period, rules) && !isUnmirrored ? folded.mirrored : folded.time,
+      rules,
+      folded.runsOn,
+    );
   const value = inside(keys, folded.time, rules, folded.runsOn);
   if (kind === 'cycle' || rules.cycleOffset === 'none') return value;
   return value + (rules.cycleOffset === 'always added' ? Math.abs(period) : period) * (values[last] - values[0]);
@@ -99,6 +111,8 @@ interface Folded {
   readonly time: number;
   /** In a period that runs backwards. */
   readonly mirrored: number;
+  /** Whether the time is left before the keys. */
+  readonly isUnfolded: boolean;
   /** Whether a time outside the keys continues the segment at that end; else the key holds. */
   readonly runsOn: boolean;
 }
@@ -122,7 +136,8 @@ function fold(
     period++;
     rest = 0;
   } else if (rest < rounding) rest = 0;
-  if (modulo !== 'floor' && time < start && rest !== 0) {
+  const isUnfolded = modulo !== 'floor' && time < start && rest !== 0;
+  if (isUnfolded) {
     rest -= length;
     if (!modulo.endsWith('floor')) period++;
   }
@@ -130,6 +145,7 @@ function fold(
     period,
     time: start + rest,
     mirrored: stop - rest,
+    isUnfolded,
     runsOn: modulo.startsWith('run on') || of === 'range, run on',
   };
 }
@@ -170,7 +186,8 @@ function endSlope(keys: Keys, isBefore: boolean, rules: CurveRules): number {
   const last = keys.times.length - 1;
   if (rules.linearSlope === 'segment')
     return isBefore ? secant(keys, 0, Math.min(1, last)) : secant(keys, Math.max(0, last - 1), last);
-  return isBefore ? slopeBy(keys, 0, 'in', rules) : slopeBy(keys, last, 'out', rules);
+  const by: CurveRules = rules.swapsInsideOnly ? { ...rules, swapped: 'none' } : rules;
+  return isBefore ? slopeBy(keys, 0, 'in', by) : slopeBy(keys, last, 'out', by);
 }
 
 /** The slope on one side of a key. */

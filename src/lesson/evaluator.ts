@@ -172,11 +172,14 @@ export class Evaluator {
       });
       if (rules.pose === 'rest, root at offset' && compiled.hasRootTranslation) dofs.fill(0, 0, 3);
     }
-    if (rules.breadthFirst === 'dofs' || rules.breadthFirst === 'both') {
+    if (rules.breadthFirst.of === 'dofs' || rules.breadthFirst.of === 'both') {
       moved.set(dofs);
       let next = firstDof[0];
       for (const j of this.breadthFirst) {
-        for (let d = firstDof[j]; d < firstDof[j + 1]; d++) dofs[d] = moved[next++];
+        for (let d = firstDof[j]; d < firstDof[j + 1]; d++, next++) {
+          if (rules.breadthFirst.isInverse) dofs[next] = moved[d];
+          else dofs[d] = moved[next];
+        }
       }
     }
     const { isReversed, for: breadth, withRoot } = rules.dofOrder;
@@ -269,18 +272,19 @@ export class Evaluator {
       else if (rules.concatenation === 'parent first') multiplyAffine(world, 16 * above, local, o, world, o);
       else multiplyAffine(local, o, world, 16 * above, world, o);
     }
-    if (rules.breadthFirst === 'joints' || rules.breadthFirst === 'both') {
-      this.permute(world);
-      this.permute(local);
+    if (rules.breadthFirst.of === 'joints' || rules.breadthFirst.of === 'both') {
+      this.permute(world, rules.breadthFirst.isInverse);
+      this.permute(local, rules.breadthFirst.isInverse);
     }
   }
 
-  private permute(matrices: Float64Array): void {
+  private permute(matrices: Float64Array, isInverse: boolean): void {
     const { breadthFirst, mapped } = this;
     mapped.set(matrices);
     for (let j = 0; j < breadthFirst.length; j++) {
-      const from = 16 * breadthFirst[j];
-      for (let i = 0; i < 16; i++) matrices[16 * j + i] = mapped[from + i];
+      const from = isInverse ? j : breadthFirst[j];
+      const to = isInverse ? breadthFirst[j] : j;
+      for (let i = 0; i < 16; i++) matrices[16 * to + i] = mapped[16 * from + i];
     }
   }
 

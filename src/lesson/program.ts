@@ -30,7 +30,7 @@ export interface JointRules {
   /** At rest, with the root where it is given, at its offset, or at 0. */
   readonly pose: 'given' | 'rest' | 'rest, root at offset' | 'rest, root at 0';
   /** Whose DOFs the values are, or whose matrix a joint's is. */
-  readonly breadthFirst: 'none' | 'dofs' | 'joints' | 'both';
+  readonly breadthFirst: { readonly of: 'none' | 'dofs' | 'joints' | 'both'; readonly isInverse: boolean };
   /** rx and rz exchanged. */
   readonly dofOrder: { readonly isReversed: boolean; readonly for: Breadth; readonly withRoot: boolean };
   readonly concatenation: 'parent first' | 'parent last' | 'no parent';
@@ -58,6 +58,7 @@ export interface SkinRules {
     | 'first four'
     | 'first four normalised'
     | 'largest'
+    | 'largest as whole'
     | 'largest four'
     | 'largest four normalised'
     | 'first four, cut ones normalised';
@@ -94,7 +95,7 @@ export const RIGHT_PROGRAM: Program = {
     root: 'moves',
     hasLimits: true,
     pose: 'given',
-    breadthFirst: 'none',
+    breadthFirst: { of: 'none', isInverse: false },
     dofOrder: { isReversed: false, for: 'balls', withRoot: false },
     concatenation: 'parent first',
     world: [],

@@ -274,7 +274,7 @@ function attached(given: Attachments, rules: SkinRules, jointCount: number): Att
     for (const a of own) sum += given.weights[a];
     const isWhole =
       rules.weights === 'normalised' ||
-      rules.attachments === 'first as whole' ||
+      rules.attachments.endsWith('as whole') ||
       rules.attachments.endsWith('four normalised') ||
       (rules.attachments.endsWith('cut ones normalised') && given.start[v + 1] - given.start[v] > 4);
     const scale = isWhole && sum !== 0 ? 1 / sum : 1;

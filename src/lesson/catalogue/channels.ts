@@ -5,6 +5,10 @@ import { inCurves, type Mistake, type Variant } from './mistake.ts';
 const SMOOTH_FORMULA = 'm = (v[i+1] − v[i−1]) / (t[i+1] − t[i−1]); at the ends the slope of the segment';
 const HERMITE_FORMULA = 'p(u) = a·u³ + b·u² + c·u + d; c = (t₁ − t₀)·m₀';
 
+const MODULO = (['run on', 'hold', 'run on first', 'hold first'] as const).flatMap((rest) => [
+  rest,
+  `${rest}, floor` as const,
+]);
 const ROWS = ['a', 'b', 'c', 'd'];
 const INPUTS = ['p₀', 'p₁', 'm₀', 'm₁'];
 
@@ -45,7 +49,10 @@ export const CHANNELS: readonly Mistake[] = [
     subject: 'channels',
     sentence: () => 'In and out tangents are exchanged: a key has time, value, in, out; a segment uses out, then in.',
     formula: 'keys { time value tan_in tan_out }',
-    variants: [inCurves('columns', { swapped: 'columns' }), inCurves('slopes', { swapped: 'slopes' })],
+    variants: (['columns', 'slopes'] as const).flatMap((swapped) => [
+      inCurves(swapped, { swapped }),
+      inCurves(`${swapped}, between keys only`, { swapped, swapsInsideOnly: true }),
+    ]),
   },
   {
     code: 'tangents-unscaled',
@@ -116,9 +123,7 @@ export const CHANNELS: readonly Mistake[] = [
     sentence: (detail) =>
       `fmod of a negative time is negative (${detail}); fold times before the first key with floor.`,
     formula: 'n = ⌊(t − t_first) / P⌋, t − n·P',
-    variants: (['run on', 'hold', 'run on, floor', 'hold, floor'] as const).map((modulo) =>
-      inCurves(modulo, { modulo }),
-    ),
+    variants: MODULO.map((modulo) => inCurves(modulo, { modulo })),
   },
   {
     code: 'period-of-range',
@@ -196,6 +201,13 @@ function hermiteVariants(): readonly Variant[] {
       `sign of ${INPUTS[c]}`,
       HERMITE.map((v, k) => (k % 4 === c ? -v : v)),
     );
+  const [a, b, c] = [0, 1, 2].map((row) => HERMITE.slice(4 * row, 4 * row + 4));
+  add('1 − u for u', [
+    ...a.map((value) => -value),
+    ...a.map((value, k) => 3 * value + b[k]),
+    ...a.map((value, k) => -3 * value - 2 * b[k] - c[k]),
+    ...a.map((value, k) => value + b[k] + c[k] + HERMITE[12 + k]),
+  ]);
   add(
     'a b c d reversed',
     HERMITE.map((_, k) => HERMITE[4 * (3 - Math.floor(k / 4)) + (k % 4)]),

@@ -11,6 +11,7 @@ const BREADTHS: readonly (readonly [Breadth, string])[] = [
   ['balls', 'in ball joints'],
 ];
 const DEGREE = Math.PI / 180;
+const COUNTED = { joints: 'joints', dofs: 'DOFs', both: 'joints and DOFs' } as const;
 
 /** Factors are written from left to right, the last one applied first. */
 function product(order: EulerOrder): string {
@@ -128,11 +129,11 @@ export const KINEMATICS: readonly Mistake[] = [
     sentence: (detail) =>
       `You count ${detail} level by level; the order is depth-first: a joint, then all its descendants.`,
     formula: 'joints and their DOFs in depth-first pre-order',
-    variants: [
-      inJoints('joints', { breadthFirst: 'joints' }),
-      inJoints('DOFs', { breadthFirst: 'dofs' }),
-      inJoints('joints and DOFs', { breadthFirst: 'both' }),
-    ],
+    variants: [false, true].flatMap((isInverse) =>
+      (['joints', 'dofs', 'both'] as const).map((of) =>
+        inJoints(`${COUNTED[of]}${isInverse ? ', put in their places' : ''}`, { breadthFirst: { of, isInverse } }),
+      ),
+    ),
   },
   {
     code: 'dof-order',

@@ -41,6 +41,7 @@ export const SKINNING: readonly Mistake[] = [
       inSkin('the first, with its weight', { attachments: 'first' }),
       inSkin('the first, with weight 1', { attachments: 'first as whole' }),
       inSkin('the largest, with its weight', { attachments: 'largest' }),
+      inSkin('the largest, with weight 1', { attachments: 'largest as whole' }),
     ],
   },
   {
