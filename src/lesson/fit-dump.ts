@@ -217,6 +217,13 @@ class Fit {
     const rows = lines.length === 1 ? '1 row' : `${lines.length} rows`;
     const what = holds ? ` for ${holds}` : '';
     const found = `found ${values.length} numbers${what} in ${rows}`;
+    if ((holds === 'vertices' || holds === 'normals') && this.vertices === 0) {
+      return new Misfit(
+        'dump-length',
+        `Expected a skin among the files, since these are ${holds}; ${found}.`,
+        lines[0] ?? 0,
+      );
+    }
     return new Misfit('dump-length', `Expected ${this.wouldDo()}; ${found}.`, lines[0] ?? 0);
   }
 

@@ -281,20 +281,24 @@ export function worstVertices(
   frames: readonly FrameTarget[],
   own: readonly { readonly vertices: Float64Array; readonly normals: Float64Array }[],
 ): number[] {
-  const errors = new Map<number, number>();
+  const counts = frames.map(({ vertices, normals }) => ((vertices ?? normals)?.length ?? 0) / 3);
+  const errors = new Float64Array(Math.max(0, ...counts));
   frames.forEach(({ vertices, normals }, f) => {
     for (const [theirs, ours] of [
       [vertices, own[f].vertices],
       [normals, own[f].normals],
     ] as const) {
       for (let o = 0; theirs && o < theirs.length; o += 3) {
-        const error = pointError(theirs, o, ours, o, 1);
-        errors.set(o / 3, Math.max(error, errors.get(o / 3) ?? 0));
+        errors[o / 3] = Math.max(errors[o / 3], pointError(theirs, o, ours, o, 1));
       }
     }
   });
-  return [...errors]
-    .sort((a, b) => b[1] - a[1])
-    .slice(0, FEW_VERTICES)
-    .map(([v]) => v);
+  const worst: number[] = [];
+  for (let v = 0; v < errors.length; v++) {
+    if (worst.length === FEW_VERTICES && errors[v] <= errors[worst[worst.length - 1]]) continue;
+    const at = worst.findIndex((w) => errors[v] > errors[w]);
+    worst.splice(at < 0 ? worst.length : at, 0, v);
+    worst.length = Math.min(worst.length, FEW_VERTICES);
+  }
+  return worst;
 }

@@ -160,6 +160,7 @@ describe('marrow compare', () => {
 
   it.each([
     ['too few numbers', '1 2 3 4\n5 6 7 8\n', 'dump-length', 1],
+    ['vertices without a skin', 'v 1 2 3\n', 'dump-length', 1],
     [
       'a name of no joint',
       `root: ${'0 '.repeat(16)}\nleg: ${'0 '.repeat(16)}\nhand: ${'0 '.repeat(16)}\n`,
