@@ -103,6 +103,14 @@ const STATES: readonly (readonly [name: string, enter: (page: Page) => Promise<u
     },
   ],
   [
+    'it is told why a curve has its values',
+    async (page) => {
+      await tab(page, 'curves');
+      if ((await page.locator('.why').count()) === 0) await run(page, 'timeline.showsWhy');
+      await page.locator('.why-body:not([hidden])').waitFor({ state: 'attached' });
+    },
+  ],
+  [
     'the steps of a joint are shown',
     async (page) => {
       await tab(page, 'steps');

@@ -1,6 +1,8 @@
 /** The steps of a joint and of a vertex, as the page shows and copies them. */
-import type { Page } from 'playwright-core';
+import type { Locator, Page } from 'playwright-core';
 import { expect, it } from 'vitest';
+import { compileClip } from '../../src/evaluate/compiled-clip.ts';
+import { evaluateChannel } from '../../src/evaluate/curves.ts';
 import { compileSkin, deform } from '../../src/evaluate/deform.ts';
 import { compileSkeleton, worldMatrices } from '../../src/evaluate/kinematics.ts';
 import { dofCountOf, poseAt } from '../../src/evaluate/pose.ts';
@@ -10,11 +12,14 @@ import { characterOf, SHARED } from '../lesson/lesson-files.ts';
 
 const WASP = ['wasp.skel', 'wasp.skin', 'wasp_walk.anim'];
 
-/** The table of the last card of that name, as copied by keyboard: rows of numbers. */
-async function copied(page: Page, card: string): Promise<readonly (readonly number[])[]> {
-  await page.locator(`.step-card[aria-label="${card}"] .grid`).first().locator('[tabindex="0"]').focus();
+/** The first table of a card. */
+const tableOf = (page: Page, card: string) => page.locator(`.step-card[aria-label="${card}"] .grid`).first();
+
+/** A table as copied by keyboard: rows of numbers. */
+async function copied(page: Page, table: Locator): Promise<readonly (readonly number[])[]> {
+  await table.locator('[tabindex="0"]').focus();
   await page.keyboard.press('ControlOrMeta+Enter');
-  await page.locator('.step-card .copied').first().waitFor();
+  await table.locator('.copied').first().waitFor();
   const text = await page.evaluate(() => navigator.clipboard.readText());
   return text.split('\n').map((line) => line.split(' ').map(Number));
 }
@@ -34,6 +39,13 @@ function waspAt(timeSeconds: number) {
   return { positions, normals };
 }
 
+/** As `marrow channels` has it. */
+function rxOfHipAt(timeSeconds: number): number {
+  const clip = characterOf(...SHARED.wasp).clips[0];
+  // Three of the root's translation, three of each joint before the hip, which is number 7.
+  return evaluateChannel(compileClip(clip), 3 + 3 * 7, timeSeconds);
+}
+
 describeShared('the steps of the wasp', () => {
   it('the steps end at the numbers that are drawn, and their symbols and slider change nothing in the document', () =>
     withPage(async ({ page }) => {
@@ -48,7 +60,7 @@ describeShared('the steps of the wasp', () => {
       await page.locator('#timeline-tab-steps').click();
       await page.locator('.steps .empty').waitFor();
       await page.locator('[role=treeitem]', { hasText: 'hip_03_r' }).click();
-      const world = await copied(page, 'W₇');
+      const world = await copied(page, tableOf(page, 'W₇'));
       const drawn = await page.evaluate(() => window.marrow.worldMatrices()[7]);
       expect(world.flatMap((_, r) => world.map((row) => row[r]))).toEqual(drawn);
 
@@ -60,6 +72,12 @@ describeShared('the steps of the wasp', () => {
       await page.locator('.step-card[aria-label="W₀"] .symbol').focus();
       await page.locator('.row-joint.lit', { hasText: 'root' }).waitFor();
 
+      await page.locator('#timeline-tab-curves').click();
+      await page.evaluate(() => window.marrow.run('timeline.showsWhy'));
+      const [[, value]] = await copied(page, page.locator('.why .grid[aria-label="Value"]'));
+      expect(value).toBe(rxOfHipAt(0.4));
+      await page.locator('#timeline-tab-steps').click();
+
       await page.keyboard.press('q');
       const at = await page.evaluate(() => {
         const p = window.marrow.vertices();
@@ -68,8 +86,8 @@ describeShared('the steps of the wasp', () => {
       if (!at) throw new Error('The vertex is not in view.');
       await page.mouse.click(at.x, at.y);
       const vertex = Number((await page.locator('.facts-head .label').textContent())?.replace('Vertex ', ''));
-      const [place] = await copied(page, 'v′');
-      const [normal] = await copied(page, 'n′ = n / |n|');
+      const [place] = await copied(page, tableOf(page, 'v′'));
+      const [normal] = await copied(page, tableOf(page, 'n′ = n / |n|'));
       const meant = waspAt(0.4);
       expect(place).toEqual([...meant.positions.subarray(3 * vertex, 3 * vertex + 3)]);
       expect(normal).toEqual([...meant.normals.subarray(3 * vertex, 3 * vertex + 3)]);

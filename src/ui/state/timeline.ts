@@ -58,6 +58,8 @@ export interface TimelineView extends ChannelView {
   readonly handles: HandleMode;
   /** A box around the selected keys, whose edges scale them. */
   readonly scaleFrame: boolean;
+  /** Beside the curves: where slopes and values come from. */
+  readonly showsWhy: boolean;
   /** The dope sheet also lists rows without keys. */
   readonly allRows: boolean;
   /** Keys dragged in the dope sheet move all later keys of their channels too. */
@@ -79,6 +81,7 @@ export const DEFAULT_TIMELINE_VIEW: TimelineView = {
   onCollision: 'replace',
   handles: 'auto',
   scaleFrame: false,
+  showsWhy: false,
   allRows: false,
   ripples: false,
 };

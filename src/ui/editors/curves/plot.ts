@@ -1,4 +1,5 @@
 /** The plot: the picture of the curves with its overlays, kept up to date with document, settings and time. */
+import { keysOf } from '../../../model/clip.ts';
 import { element, setText, uniqueId } from '../../kit/dom.ts';
 import { HAS_KEYS } from '../../kit/focus.ts';
 import { oncePerFrame } from '../../kit/frame.ts';
@@ -16,7 +17,8 @@ import { CurveReadout } from './readout.ts';
 import { ScaleFrame } from './scale-frame.ts';
 import { fit as fitted } from './scene/fit.ts';
 import type { CurveScene } from './scene/scene.ts';
-import { type CurveSpace, PLOT_TOP, pan, xOf, yOf, zoom } from './scene/space.ts';
+import { type CurveSpace, PLOT_TOP, pan, timeAt, xOf, yOf, zoom } from './scene/space.ts';
+import type { WhyPlace } from './why/why-subject.ts';
 
 type FitKind = 'all' | 'values';
 
@@ -34,6 +36,8 @@ export class CurvePlot implements PlotHost {
   });
   private readonly empty = element('p', { class: 'empty curve-empty', hidden: true });
   readonly drawSoon = oncePerFrame(() => this.draw());
+  /** Called after each draw: what is pointed at may be another. */
+  afterDraw: (() => void) | undefined;
   private visible = false;
   private pendingFit: FitKind | undefined = 'all';
   private box: SelectionBox | undefined;
@@ -125,6 +129,21 @@ export class CurvePlot implements PlotHost {
     return { x: left + xOf(space, timeSeconds), y: top + yOf(space, line, value) };
   }
 
+  /** What is pointed at and selected, for explanations. */
+  whyPlace(): WhyPlace {
+    const { wb, plotScene, input } = this;
+    const { clip, lines, space, selected, offsetSeconds } = plotScene.scene;
+    const { pointer } = input;
+    return {
+      hover: input.shownHover(),
+      pointerTime: pointer && timeAt(space, pointer.x) + offsetSeconds,
+      playhead: wb.transport.get().timeSeconds + offsetSeconds,
+      selected,
+      drawn: lines.map(({ channel }) => channel),
+      timesOf: (channel) => keysOf(clip.channels[channel]).times,
+    };
+  }
+
   showBox(box: SelectionBox | undefined): void {
     this.box = box;
     this.drawSoon();
@@ -203,6 +222,7 @@ export class CurvePlot implements PlotHost {
     this.picture.drawOverlay(wb.transport.get().timeSeconds, hover, this.box);
     this.frame.show(scene);
     this.readout.show(scene, this.input.pointer, hover);
+    this.afterDraw?.();
   }
 
   /** Fits the view when other channels or another take are shown, but not when keys move. */

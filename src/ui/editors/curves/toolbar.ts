@@ -26,7 +26,7 @@ const HANDLE_ICONS: Readonly<Record<HandleMode, IconName>> = {
 const YIELDING: Readonly<Record<string, readonly string[]>> = {
   'key-tools': ['insertKey', 'delete', 'onCollision.replace', 'onCollision.step'],
   'snap-tools': ['snapsToFrames', 'snapsToValues', 'scaleFrame'],
-  'fit-tools': ['fitSelected', 'fitAll', 'normalised'],
+  'fit-tools': ['fitSelected', 'fitAll', 'normalised', 'showsWhy'],
 };
 
 const EXTRAPOLATIONS = ['constant', 'linear', 'cycle', 'cycle_offset', 'bounce'];
@@ -140,6 +140,7 @@ export function curveToolbar(
       tool('fitSelected', 'Fit selected keys', 'frame'),
       tool('fitAll', 'Fit all', 'fitAll'),
       tool('normalised', 'Normalised', 'normalised'),
+      tool('showsWhy', 'Why this curve', 'why'),
     ),
     more,
     keyFields(wb),

@@ -46,7 +46,7 @@ export const HANDLE_LABELS: Readonly<Record<HandleMode, string>> = {
   together: 'Always move opposite handle',
 };
 
-type Switch = 'snapsToFrames' | 'snapsToValues' | 'scaleFrame' | 'normalised';
+type Switch = 'snapsToFrames' | 'snapsToValues' | 'scaleFrame' | 'normalised' | 'showsWhy';
 
 /** A switch of the timeline. */
 function toggle(
@@ -196,6 +196,7 @@ export const TIMELINE_ACTIONS: readonly Action[] = [
   choice('handles', 'alone', HANDLE_LABELS.alone, 'Keys/Editing', 17),
   choice('handles', 'together', HANDLE_LABELS.together, 'Keys/Editing', 17),
   toggle('scaleFrame', 'Transform box', ['T'], 'scaleFrame', 18),
+  toggle('showsWhy', 'Why this curve', [], 'why', 18),
   choice('list', 'selected', LIST_LABELS.selected, 'Keys/Channels', 15),
   choice('list', 'all', LIST_LABELS.all, 'Keys/Channels', 15),
   choice('list', 'pinned', LIST_LABELS.pinned, 'Keys/Channels', 15),

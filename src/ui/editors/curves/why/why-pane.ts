@@ -1,0 +1,110 @@
+/**
+ * *Why this curve*, beside the plot: of the curve under the pointer, or of the selected key, where its slopes come from,
+ * and how they make the value. Updated with the plot, while visible.
+ */
+import { whyValue } from '../../../../lesson/why/channel-why.ts';
+import { keysOf } from '../../../../model/clip.ts';
+import { element } from '../../../kit/dom.ts';
+import { NumberGrid } from '../../../kit/number-grid.ts';
+import { shown } from '../../../kit/number-text.ts';
+import type { Uses } from '../../../state/workbench.ts';
+import { channelName, namedChannel } from '../../timeline/channels.ts';
+import { currentTake } from '../../timeline/current-take.ts';
+import { type WhyPlace, type WhySubject, whySubject } from './why-subject.ts';
+import { keyLines, placeLines, slopeLines } from './why-text.ts';
+
+const NOTHING = 'Point at a curve, or select a key, to see where its slopes and values come from.';
+
+export class WhyPane {
+  readonly element = element('section', { class: 'why', 'aria-label': 'Why this curve', 'data-panel': 'why' });
+  private readonly title = element('h3', { class: 'step-head' });
+  private readonly unit = element('p', { class: 'step-law' });
+  private readonly keyPart = new Lines('key');
+  private readonly placePart = new Lines('place');
+  private readonly slopePart = new Lines('slopes');
+  private readonly inputs = new NumberGrid({
+    label: 'Hermite inputs',
+    rows: 1,
+    columns: 4,
+    columnLabels: ['p₀', 'p₁', 'h·m₀', 'h·m₁'],
+  });
+  private readonly cubic = new NumberGrid({
+    label: 'Coefficients of the cubic',
+    rows: 2,
+    columns: 4,
+    rowLabels: ['in u', 'in s'],
+    columnLabels: ['a', 'b', 'c', 'd'],
+  });
+  private readonly result = new NumberGrid({ label: 'Value', rows: 1, columns: 2, columnLabels: ['u', 'value'] });
+  private readonly segment: HTMLElement;
+  private readonly empty = element('p', { class: 'empty' }, NOTHING);
+  private readonly body: HTMLElement;
+
+  constructor(private readonly wb: Uses<'store' | 'settings'>) {
+    this.segment = element(
+      'div',
+      { class: 'why-segment' },
+      this.slopePart.element,
+      this.inputs.element,
+      element('p', { class: 'step-law' }, 'a·u³ + b·u² + c·u + d, u = (t − t₀) / h; in s since the key as evaluated'),
+      this.cubic.element,
+    );
+    this.body = element(
+      'div',
+      { class: 'why-body', hidden: true },
+      this.title,
+      this.unit,
+      this.keyPart.element,
+      this.placePart.element,
+      this.segment,
+      this.result.element,
+    );
+    this.element.append(this.empty, this.body);
+  }
+
+  show(place: WhyPlace): void {
+    const take = currentTake(this.wb);
+    const subject = take && whySubject(place);
+    const why = take && subject && whyValue(take.clip, subject.channel, subject.time);
+    this.empty.hidden = why !== undefined;
+    this.body.hidden = why === undefined;
+    if (!take || !subject || !why) return;
+    const { character, clip } = take;
+    const named = namedChannel(character, subject.channel);
+    const keys = keysOf(clip.channels[subject.channel]);
+    this.title.textContent = channelName(named);
+    this.unit.textContent = `at ${shown(subject.time)} s of the take${named.unit === 'angle' ? ', in radians' : ''}`;
+    this.keyPart.show(keyOf(subject, keys.times.length) === undefined ? [] : keyLines(keys, subject.key ?? 0));
+    this.placePart.show(placeLines(why));
+    const segment = why.kind === 'keys' ? why.segment : undefined;
+    this.segment.hidden = !segment;
+    if (segment) {
+      this.slopePart.show(slopeLines(keys, segment));
+      this.inputs.setRow(0, segment.inputs);
+      this.cubic.setRow(0, segment.inU);
+      this.cubic.setRow(1, segment.inSeconds);
+    }
+    this.result.setRow(0, [segment?.u ?? 0, why.value]);
+  }
+}
+
+/** The subject's key, if the channel still has it. */
+function keyOf({ key }: WhySubject, keyCount: number): number | undefined {
+  return key !== undefined && key < keyCount ? key : undefined;
+}
+
+/** Lines of text that change in place. */
+class Lines {
+  readonly element: HTMLElement;
+  private shown: readonly string[] = [];
+
+  constructor(name: string) {
+    this.element = element('div', { class: `why-lines why-${name}` });
+  }
+
+  show(lines: readonly string[]): void {
+    if (lines.length === this.shown.length && lines.every((line, i) => line === this.shown[i])) return;
+    this.shown = lines;
+    this.element.replaceChildren(...lines.map((line) => element('p', {}, line)));
+  }
+}
