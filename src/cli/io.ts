@@ -6,6 +6,10 @@ export interface CommandIo {
   out(text: string): Promise<void>;
   /** Messages for people. */
   err(text: string): void;
+  /** A line that the next one replaces, empty to clear it; absent if no one watches. */
+  progress?(line: string): void;
+  /** What other threads run; absent if there are none. */
+  readonly program?: URL;
 }
 
 /** What each means is said by the command's `exits`. */

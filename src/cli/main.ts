@@ -3,6 +3,7 @@
  * The command's entry: wires `run` to the process. Sets `exitCode` instead of calling `process.exit`, which would cut
  * off output still buffered for a pipe.
  */
+import { gradeInThread } from './grade/threads.ts';
 import { callersFolder } from './paths.ts';
 import { run } from './run.ts';
 
@@ -22,8 +23,13 @@ function write(text: string): Promise<void> {
   });
 }
 
-process.exitCode = await run(process.argv.slice(2), {
-  folder: callersFolder('marrow'),
-  out: write,
-  err: (text) => void (closed || process.stderr.write(text)),
-});
+// A class is judged by several threads that run this very program.
+if (!gradeInThread()) {
+  process.exitCode = await run(process.argv.slice(2), {
+    folder: callersFolder('marrow'),
+    out: write,
+    err: (text) => void (closed || process.stderr.write(text)),
+    ...(process.stderr.isTTY && { progress: (line) => void (closed || process.stderr.write(`\r\x1b[K${line}`)) }),
+    program: new URL(import.meta.url),
+  });
+}

@@ -8,7 +8,7 @@
 import type { Diagnostic } from '../model/diagnostic.ts';
 import type { CommandIo } from './io.ts';
 
-export function report(diagnostics: readonly Diagnostic[], io: CommandIo): void {
+export function report(diagnostics: readonly Diagnostic[], io: Pick<CommandIo, 'err'>): void {
   for (const diagnostic of diagnostics) io.err(`${describe(diagnostic)}\n`);
 }
 

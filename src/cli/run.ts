@@ -3,12 +3,13 @@ import { UsageError } from './arguments.ts';
 import { channels } from './commands/channels.ts';
 import { compareCommand } from './commands/compare.ts';
 import { convert } from './commands/convert.ts';
+import { grade } from './commands/grade.ts';
 import { ik } from './commands/ik.ts';
 import { info } from './commands/info.ts';
 import { pose } from './commands/pose.ts';
 import type { CliCommand, CommandIo, ExitCode } from './io.ts';
 
-const COMMANDS: readonly CliCommand[] = [info, pose, ik, channels, compareCommand, convert];
+const COMMANDS: readonly CliCommand[] = [info, pose, ik, channels, compareCommand, grade, convert];
 
 export async function run(args: readonly string[], io: CommandIo): Promise<ExitCode> {
   const [name, ...rest] = args;

@@ -1,6 +1,6 @@
 /** The built command as a process: exit codes, pipes and npm's folders. */
 import { execFile, spawn } from 'node:child_process';
-import { accessSync, constants, existsSync, mkdtempSync, rmSync, writeFileSync } from 'node:fs';
+import { accessSync, constants, existsSync, mkdirSync, mkdtempSync, rmSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { fileURLToPath } from 'node:url';
@@ -53,6 +53,25 @@ describe('the built command', () => {
     expect(broken).toMatchObject({ code: 1, err: expect.stringContaining('broken.skel:1:') });
     expect(JSON.parse(broken.out).diagnostics).toHaveLength(1);
     expect(wrong).toMatchObject({ code: 2, out: '', err: expect.stringContaining('usage: marrow info') });
+  });
+
+  it('grades a class in several threads as in one, and goes on after a broken submission', async () => {
+    const skel = 'balljoint root { offset 0 1 0 pose 0.1 0.2 0.3 }';
+    const write = (path: string, text: string) => {
+      mkdirSync(join(folder, path), { recursive: true });
+      writeFileSync(join(folder, path, 'test.skel'), text);
+    };
+    write('ref', skel);
+    for (let i = 0; i < 12; i++)
+      write(`class/s${i}`, i === 3 ? 'balljoint {' : i === 5 ? skel.replace('0.3', '0.4') : skel);
+    const { code, out } = await marrow('grade', 'class', '--reference', 'ref', '--json');
+    expect(code).toBe(1);
+    const { submissions } = JSON.parse(out);
+    expect(submissions.map(({ name }: { name: string }) => name)).toEqual(
+      Array.from({ length: 12 }, (_, i) => `s${i}`),
+    );
+    const verdicts = submissions.map(({ verdict }: { verdict: string }) => verdict);
+    expect(verdicts.slice(2, 7)).toEqual(['right', 'not judged', 'right', 'wrong', 'right']);
   });
 
   it('writes long results whole into a pipe that is read late', async () => {

@@ -1,0 +1,86 @@
+/** The result of judging a submission: plain data, which threads pass on and `--json` prints. */
+import type { Compared, FirstWrong } from '../../lesson/compare.ts';
+import type { Diagnostic } from '../../model/diagnostic.ts';
+
+export type Verdict = 'right' | 'wrong' | 'not judged';
+
+export interface Grade {
+  /** The folder's name. */
+  readonly name: string;
+  /** Relative to the caller's folder. */
+  readonly path: string;
+  readonly verdict: Verdict;
+  /** Whether all files that have a counterpart were read without errors. */
+  readonly loads: boolean;
+  /** How many were compared, and the largest errors; null if none were. */
+  readonly joints: number;
+  readonly jointError: number | null;
+  readonly vertexError: number | null;
+  readonly channels: ChannelCount | null;
+  readonly parts: readonly PartGrade[];
+  /** With paths relative to the caller's folder, and lines. */
+  readonly problems: readonly Diagnostic[];
+}
+
+export interface ChannelCount {
+  readonly right: number;
+  readonly of: number;
+}
+
+/** A character by what its files evaluate to, or a file with numbers. */
+export interface PartGrade {
+  /** Paths relative to the caller's folder. */
+  readonly files: readonly string[];
+  readonly agrees: boolean;
+  /** Numbers of items, over all times. */
+  readonly compared: Compared;
+  /** Of the character, if joints were compared. */
+  readonly joints: number;
+  /** Largest error of all kinds; null if it is no number, or if nothing could be compared. */
+  readonly worst: number | null;
+  readonly jointError: number | null;
+  readonly vertexError: number | null;
+  readonly channels: ChannelCount | null;
+  /** What can't be compared: "7 joints, expected 19". */
+  readonly mismatches: readonly string[];
+  readonly first?: FirstWrong;
+  /** Of the first wrong joint or vertex. */
+  readonly time?: number;
+  /** Names of joints. */
+  readonly own: readonly string[];
+  readonly inherited: readonly string[];
+  readonly causes: readonly GradedCause[];
+}
+
+export interface GradedCause {
+  readonly code: string;
+  readonly detail: string;
+  readonly sentence: string;
+  readonly formula: string;
+  readonly explains: number;
+  readonly of: number;
+}
+
+/** The part to tell about in a line: the first that is wrong. */
+export function wrongPart({ parts }: Grade): PartGrade | undefined {
+  return parts.find(({ agrees }) => !agrees);
+}
+
+/** `joint 7 "hip" at 1.5 s`; empty if all agree. */
+export function firstWrongText({ first, time, mismatches }: PartGrade): string {
+  if (mismatches.length > 0) return mismatches.join('; ');
+  if (!first) return '';
+  const at = first.time ?? time;
+  return `${first.what} ${first.index}${first.name ? ` "${first.name}"` : ''}${at === undefined ? '' : ` at ${at} s`}`;
+}
+
+/** Of errors: three digits, enough to see how large they are. */
+export function errorText(error: number | null): string {
+  if (error === null) return '';
+  return Number.isFinite(error) ? String(Number(error.toPrecision(3))) : 'not a number';
+}
+
+/** `path:line:column`, as far as known. */
+export function placeOf({ file, line, column }: Diagnostic): string {
+  return [file, ...(line > 0 ? [line] : []), ...(line > 0 && column > 0 ? [column] : [])].join(':');
+}

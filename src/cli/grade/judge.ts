@@ -1,0 +1,305 @@
+/**
+ * Judges a submission: a folder with files and dumps.
+ *
+ * Files are compared by what they evaluate to. Each takes the place of the reference's file of the same name, first of
+ * the same path, else of the same base name; where the submission has none, the reference's own stays. Dumps are
+ * compared with the reference's character whose name theirs begins with, else with the first that they fit.
+ */
+import { relative, sep } from 'node:path';
+import { runToEnd } from '../../evaluate/steps.ts';
+import { type Comparison, compare } from '../../lesson/compare.ts';
+import { Evaluator } from '../../lesson/evaluator.ts';
+import { fitDumps } from '../../lesson/fit-dump.ts';
+import { RIGHT_PROGRAM } from '../../lesson/program.ts';
+import type { ChannelTarget, FrameTarget, Targets } from '../../lesson/targets.ts';
+import { ownValues } from '../../lesson/trial.ts';
+import { type Diagnostic, hasErrors, withoutPlace } from '../../model/diagnostic.ts';
+import { type Character, EMPTY_DOCUMENT, shownClip, shownSkin } from '../../model/document.ts';
+import { type BrokenFile, baseName, type ParsedFile, type SourceFile, stemOf } from '../../model/files.ts';
+import { vertexCount } from '../../model/skin.ts';
+import { formatOf } from '../../project/codecs.ts';
+import { type DumpFile, openFiles } from '../../project/open/open-files.ts';
+import { type Loaded, loadFiles } from '../load.ts';
+import { findGiven } from '../paths.ts';
+import type { ChannelCount, Grade, PartGrade } from './grade.ts';
+import { type Reference, timesFor } from './reference.ts';
+
+export interface JudgeOptions {
+  /** The caller's, absolute: paths in results are relative to it. */
+  readonly folder: string;
+  readonly times: readonly number[] | undefined;
+  readonly tolerance: number;
+}
+
+/** Of a matrix. */
+const LEAST_NUMBERS = 12;
+
+/**
+ * Never throws: a submission that can't be judged has a problem that says why.
+ * @param submission its folder, absolute
+ */
+export function judge(submission: string, reference: Reference, options: JudgeOptions): Grade {
+  try {
+    return new Judging(submission, reference, options).grade();
+  } catch (error) {
+    const path = slashed(relative(options.folder, submission));
+    const reason = error instanceof Error ? error.message : String(error);
+    return notJudged(
+      path,
+      withoutPlace('error', 'judging-failed', `The submission stopped the judging: ${reason}.`, path),
+    );
+  }
+}
+
+export function notJudged(path: string, ...problems: readonly Diagnostic[]): Grade {
+  return {
+    name: baseName(path),
+    path,
+    verdict: 'not judged',
+    loads: false,
+    joints: 0,
+    jointError: null,
+    vertexError: null,
+    channels: null,
+    parts: [],
+    problems,
+  };
+}
+
+class Judging {
+  private readonly path: string;
+  private readonly problems: Diagnostic[] = [];
+  private readonly parts: PartGrade[] = [];
+  private loads = true;
+
+  constructor(
+    private readonly submission: string,
+    private readonly reference: Reference,
+    private readonly options: JudgeOptions,
+  ) {
+    this.path = slashed(relative(options.folder, submission));
+  }
+
+  grade(): Grade {
+    const { reference, path, problems, parts } = this;
+    const given = findGiven([this.submission], this.options.folder).files.map((file) => file.path);
+    const counterparts = new Map<string, string>();
+    for (const { source } of reference.files) {
+      const own = this.counterpartOf(source, given);
+      if (own !== undefined) counterparts.set(source.path, own);
+    }
+    const used = new Set(counterparts.values());
+    // Programs, pictures and notes are left alone.
+    const read = given.filter((file) => used.has(file) || formatOf(file)?.kind === 'dump');
+    if (read.length === 0) {
+      const names = reference.files.map(({ source }) => source.name).join(', ');
+      const message = `Expected files with the reference's names (${names}) or a dump, found none.`;
+      return notJudged(path, withoutPlace('error', 'nothing-to-judge', message, path));
+    }
+    const loaded = loadFiles(read, this.options.folder);
+    problems.push(...loaded.diagnostics.filter(({ code }) => code !== 'format-unknown'));
+    if (used.size > 0) this.judgeFiles(loaded, counterparts);
+    for (const file of loaded.files) if (file.kind === 'dump' && !used.has(file.source.path)) this.judgeDump(file);
+    if (parts.length === 0 && !hasErrors(problems)) {
+      const message = 'Nothing in it could be compared with the reference.';
+      problems.push(withoutPlace('error', 'nothing-to-judge', message, path));
+    }
+    const isJudged = parts.length > 0 && this.loads;
+    const channels = parts.flatMap((part) => part.channels ?? []);
+    return {
+      name: baseName(path),
+      path,
+      verdict: !isJudged ? 'not judged' : parts.every(({ agrees }) => agrees) ? 'right' : 'wrong',
+      loads: this.loads,
+      joints: Math.max(0, ...parts.map((part) => part.joints)),
+      jointError: largest(parts.map(({ jointError }) => jointError)),
+      vertexError: largest(parts.map(({ vertexError }) => vertexError)),
+      channels: channels.length > 0 ? sumOf(channels) : null,
+      parts,
+      problems,
+    };
+  }
+
+  /** The file of the same path within the submission, else of the same base name and highest up. */
+  private counterpartOf({ path, name }: SourceFile, given: readonly string[]): string | undefined {
+    const inside = (file: string) => file.slice(this.path.length + 1).toLowerCase();
+    const same = given.find((file) => inside(file) === path.toLowerCase());
+    if (same !== undefined) return same;
+    const named = given.filter((file) => baseName(file).toLowerCase() === name.toLowerCase());
+    const depth = (file: string) => file.split('/').length;
+    return named.sort((a, b) => depth(a) - depth(b))[0];
+  }
+
+  private judgeFiles(loaded: Loaded, counterparts: ReadonlyMap<string, string>): void {
+    const { reference, problems } = this;
+    const readByPath = new Map(loaded.files.map((file) => [file.source.path, file]));
+    // In the reference's folders and order, so that the same files belong together.
+    const files: ParsedFile[] = [];
+    const broken: BrokenFile[] = [];
+    for (const file of reference.files) {
+      const own = counterparts.get(file.source.path);
+      const theirs = own === undefined ? file : readByPath.get(own);
+      if (theirs)
+        files.push({ ...theirs, source: { ...theirs.source, name: file.source.name, path: file.source.path } });
+      else broken.push({ kind: file.kind, source: file.source });
+    }
+    if (broken.length > 0) this.loads = false;
+    const called = ({ path, name }: SourceFile) => counterparts.get(path) ?? name;
+    const opened = openFiles(EMPTY_DOCUMENT, files, broken, undefined, called);
+    // What the reference's own files say is the teacher's affair.
+    const theirs = new Set(counterparts.values());
+    const found = opened.diagnostics.filter(({ file, code }) => theirs.has(file) && code !== 'format-unknown');
+    problems.push(...found);
+    if (hasErrors(found)) this.loads = false;
+    const characters = byKey(opened.document.characters);
+    for (const [key, right] of byKey(reference.characters)) {
+      const own = right.sources.flatMap(({ path }) => counterparts.get(path) ?? []);
+      const character = characters.get(key);
+      if (own.length > 0 && character) this.parts.push(this.judgeCharacter(right, character, own));
+    }
+  }
+
+  private judgeCharacter(right: Character, theirs: Character, files: readonly string[]): PartGrade {
+    const mismatches: string[] = [];
+    const compareCounts = (what: string, count: (character: Character) => number) => {
+      const [expected, found] = [count(right), count(theirs)];
+      if (expected !== found) mismatches.push(`${found} ${what}, expected ${expected}`);
+      return expected === found && expected > 0;
+    };
+    const hasJoints = compareCounts('joints', ({ skeleton }) => skeleton?.joints.length ?? 0);
+    const hasVertices = compareCounts('vertices', (character) => {
+      const skin = shownSkin(character);
+      return skin ? vertexCount(skin) : 0;
+    });
+    compareCounts('channels', (character) => shownClip(character)?.channels.length ?? 0);
+    const times = timesFor(right, this.options.times);
+    const evaluator = new Evaluator(theirs);
+    const frames = !(hasJoints || hasVertices)
+      ? []
+      : times.map((time): FrameTarget => {
+          const wanted = { local: false, vertices: hasVertices, normals: hasVertices };
+          const { world, vertices, normals } = evaluator.frame(RIGHT_PROGRAM, time, wanted);
+          return {
+            time,
+            ...(hasJoints && { world: world.slice() }),
+            ...(hasVertices && { vertices: vertices.slice(), normals: normals.slice() }),
+          };
+        });
+    return this.part(files, right, { frames, channels: channelsOf(right, theirs, times) }, mismatches);
+  }
+
+  private judgeDump(file: DumpFile): void {
+    const { times } = this.options;
+    const time = times?.length === 1 ? times[0] : undefined;
+    const named = [{ fileName: file.source.path, dump: file.dump }];
+    const stem = stemOf(file.source).toLowerCase();
+    const shared = (character: Character) =>
+      Math.max(0, ...character.sources.map((s) => (stem.startsWith(stemOf(s).toLowerCase()) ? stemOf(s).length : 0)));
+    const characters = [...this.reference.characters].sort((a, b) => shared(b) - shared(a));
+    const [first, ...others] = characters.map((character) => ({ character, fitted: fitDumps(character, named, time) }));
+    const found = [first, ...others].find(({ fitted }) => fitted.targets);
+    if (!found?.fitted.targets) {
+      // A note with some numbers in it is no dump.
+      const count = file.dump.blocks.reduce((sum, { values }) => sum + values.length, 0);
+      const severity = count < LEAST_NUMBERS ? 'info' : 'warning';
+      const assumed = 'not compared';
+      this.problems.push(...first.fitted.diagnostics.map((d): Diagnostic => ({ ...d, severity, assumed })));
+      return;
+    }
+    this.parts.push(this.part([file.source.path], found.character, found.fitted.targets, []));
+  }
+
+  private part(files: readonly string[], right: Character, targets: Targets, mismatches: readonly string[]): PartGrade {
+    const comparison = runToEnd(compare(right, targets, this.options.tolerance));
+    return gradeOf(files, right, targets, comparison, mismatches, this.options.tolerance);
+  }
+}
+
+function gradeOf(
+  files: readonly string[],
+  right: Character,
+  targets: Targets,
+  { agrees, compared, worst, first, frames, own, inherited, causes }: Comparison,
+  mismatches: readonly string[],
+  tolerance: number,
+): PartGrade {
+  const named = (joints: readonly number[]) => joints.map((j) => right.skeleton?.joints[j]?.name || `joint ${j}`);
+  const wrong = frames.find((frame) => !frame.agrees);
+  const errorIn = (pick: (frame: Comparison['frames'][number]) => Float64Array) =>
+    largest(frames.map((frame) => (pick(frame).length > 0 ? pick(frame).reduce((a, b) => Math.max(a, b), 0) : null)));
+  return {
+    files,
+    agrees: agrees && mismatches.length === 0,
+    compared,
+    joints: Math.max(0, ...frames.map(({ jointErrors }) => jointErrors.length)),
+    worst: frames.length > 0 || compared.channels > 0 ? worst : null,
+    jointError: errorIn(({ jointErrors }) => jointErrors),
+    vertexError: errorIn(({ vertexErrors }) => vertexErrors),
+    channels: countChannels(right, targets.channels, tolerance),
+    mismatches,
+    ...(first && { first }),
+    ...(wrong?.time !== undefined && { time: wrong.time }),
+    own: named(own),
+    inherited: named(inherited),
+    causes: causes.map(({ code, detail, sentences, formulas, explains, of }) => ({
+      code,
+      detail,
+      sentence: sentences.join(' '),
+      formula: [...new Set(formulas)].join('; '),
+      explains,
+      of,
+    })),
+  };
+}
+
+/** Their values of the channels that both have. Captures are compared by their joints. */
+function channelsOf(right: Character, theirs: Character, times: readonly (number | undefined)[]): ChannelTarget {
+  const [own, clip] = [shownClip(right), shownClip(theirs)];
+  const count = own && clip && !own.samples && !clip.samples ? Math.min(own.channels.length, clip.channels.length) : 0;
+  const at = times.filter((time) => time !== undefined);
+  const channels = Uint32Array.from({ length: count * at.length }, (_, i) => Math.floor(i / at.length));
+  const target = {
+    channels,
+    times: Float64Array.from(channels, (_, i) => at[i % at.length]),
+    values: new Float64Array(0),
+  };
+  return { ...target, values: ownValues(theirs, target) };
+}
+
+function countChannels(right: Character, target: ChannelTarget, tolerance: number): ChannelCount | null {
+  if (target.channels.length === 0) return null;
+  const own = ownValues(right, target);
+  const wrong = new Set<number>();
+  target.channels.forEach((c, i) => {
+    if (!(Math.abs(own[i] - target.values[i]) <= tolerance)) wrong.add(c);
+  });
+  const of = new Set(target.channels).size;
+  return { right: of - wrong.size, of };
+}
+
+/** By their files; roots of one file in order. */
+function byKey(characters: readonly Character[]): ReadonlyMap<string, Character> {
+  const keyed = new Map<string, Character>();
+  for (const character of characters) {
+    const files = character.sources.map(({ path }) => path).join('\n');
+    for (let root = 0; ; root++) {
+      const key = `${files}\n${root}`;
+      if (keyed.has(key)) continue;
+      keyed.set(key, character);
+      break;
+    }
+  }
+  return keyed;
+}
+
+function sumOf(counts: readonly ChannelCount[]): ChannelCount {
+  return counts.reduce((sum, { right, of }) => ({ right: sum.right + right, of: sum.of + of }), { right: 0, of: 0 });
+}
+
+function largest(errors: readonly (number | null)[]): number | null {
+  return errors.reduce((most, error) => (error === null ? most : Math.max(most ?? 0, error)), null);
+}
+
+function slashed(path: string): string {
+  return path.split(sep).join('/');
+}

@@ -1,0 +1,199 @@
+/** `marrow grade`: a class of small submissions. The threads are tested with the built command. */
+import { mkdirSync, mkdtempSync, rmSync, writeFileSync } from 'node:fs';
+import { tmpdir } from 'node:os';
+import { dirname, join } from 'node:path';
+import { afterAll, beforeAll, describe, expect, it } from 'vitest';
+import type { Grade } from '../../src/cli/grade/grade.ts';
+import { command, commandJson, type PoseJson } from '../helpers/command.ts';
+
+const SKEL = `balljoint root { offset 1 0 0 pose 0.2 0.3 0.5
+  balljoint arm { offset 0 2 0 pose 0.25 -0.4 0.1
+    balljoint hand { offset 0 1 0 pose 0.5 0.1 -0.3 } } }
+`;
+const SKIN = `positions 4 { 0 3 0 1 3 0 0 1 1 0.5 2 0.5 }
+normals 4 { 0 0 1 0 1 0 1 0 0 0 0 1 }
+skinweights 4 { 1 1 1 2 0 0.5 1 0.5 1 0 1 2 1 0.25 2 0.75 }
+triangles 1 { 0 1 2 }
+bindings 3 { matrix { 1 0 0 0 1 0 0 0 1 1 0 0 } matrix { 1 0 0 0 1 0 0 0 1 1 2 0 } matrix { 1 0 0 0 1 0 0 0 1 1 3 0 } }
+`;
+const anim = (second: number) => `animation { range 0 2 numchannels 12
+${Array.from({ length: 12 }, (_, c) => `channel { extrapolate cycle bounce keys 3 { 0 ${0.1 * c} smooth smooth ${second} 0.5 smooth smooth 2 0.2 linear linear } }`).join('\n')} }
+`;
+const BVH = `HIERARCHY
+ROOT hip { OFFSET 0 1 0 CHANNELS 6 Xposition Yposition Zposition Zrotation Xrotation Yrotation
+JOINT knee { OFFSET 0 -1 0 CHANNELS 3 Zrotation Xrotation Yrotation End Site { OFFSET 0 -1 0 } } }
+MOTION
+Frames: 2
+Frame Time: 0.5
+0 1 0 10 20 30 5 6 7
+0 2 0 15 25 35 5 6 8
+`;
+const AXIS = '1 0 0 1 30 1\n2 1 0 0 -20 0\n';
+
+let folder = '';
+const write = (name: string, text: string) => {
+  mkdirSync(dirname(join(folder, name)), { recursive: true });
+  writeFileSync(join(folder, name), text);
+};
+const handIn = (path: string, { skel = SKEL, skin = SKIN, anim: take = anim(1) } = {}) => {
+  write(`${path}/test.skel`, skel);
+  write(`${path}/test.skin`, skin);
+  write(`${path}/test.anim`, take);
+};
+const NASTY = 'O\'Neil, <i>"&amp;';
+
+beforeAll(async () => {
+  folder = mkdtempSync(join(tmpdir(), 'marrow-'));
+  handIn('ref');
+  handIn('class/ann');
+  write('class/ann/main.cpp', 'int main() { return 0; }');
+  write('class/ann/readme.txt', 'I used 2 late days.\n');
+  handIn('class/bob/hw/project2', { skel: SKEL.replace('offset 0 2 0', 'offset 0 2.5 0') });
+  handIn('class/cid', { skel: SKEL.replace('0 2 0', '0 two 0') });
+  handIn('class/dan', { anim: anim(1.5) });
+  handIn('class/eve', { skel: SKEL.replace('balljoint hand', 'balljoint thumb { } balljoint hand') });
+  write('class/fay/notes.md', 'nothing');
+  handIn(`class/${NASTY}`, { skel: 'balljoint root { <script>alert(1)</script>' });
+  const { out } = await command(
+    ['pose', 'ref/test.skel', 'ref/test.skin', 'ref/test.anim', '--time', '0.7', '--json'],
+    folder,
+  );
+  const { joints } = (JSON.parse(out) as PoseJson).characters[0];
+  write('class/gus/joints@0.7.txt', joints.map(({ world }) => world.join(' ')).join('\n'));
+  write('class/hal/joints@0.7.txt', joints.map(({ local }) => local?.join(' ')).join('\n'));
+  write('class/ida/test.skin', SKIN.replace('0 3 0', '0 3.5 0'));
+});
+afterAll(() => rmSync(folder, { recursive: true, force: true }));
+
+const GRADE = ['grade', 'class', '--reference', 'ref'];
+const grades = async (...args: string[]) =>
+  (await commandJson<{ submissions: readonly Grade[] }>([...GRADE, ...args], folder, 1)).submissions;
+const gradeOf = async (name: string) => {
+  const found = (await grades()).find((grade) => grade.name === name);
+  if (!found) throw new Error(`There is no submission ${name}.`);
+  return found;
+};
+
+describe('marrow grade', () => {
+  it('judges every submission, by its name', async () => {
+    const found = await grades();
+    expect(found.map(({ name, verdict }) => [name, verdict])).toEqual([
+      ['ann', 'right'],
+      ['bob', 'wrong'],
+      ['cid', 'not judged'],
+      ['dan', 'wrong'],
+      ['eve', 'wrong'],
+      ['fay', 'not judged'],
+      ['gus', 'right'],
+      ['hal', 'wrong'],
+      ['ida', 'wrong'],
+      [NASTY, 'not judged'],
+    ]);
+  });
+
+  it('counts joints, errors and channels of files by what they evaluate to', async () => {
+    const ann = await gradeOf('ann');
+    expect(ann).toMatchObject({
+      loads: true,
+      joints: 3,
+      jointError: 0,
+      vertexError: 0,
+      channels: { right: 12, of: 12 },
+    });
+    expect(ann.problems.filter(({ severity }) => severity !== 'info')).toEqual([]);
+    const bob = await gradeOf('bob');
+    expect(bob.parts[0]).toMatchObject({ own: ['arm'], first: { what: 'joint', index: 1, name: 'arm' } });
+    expect(bob.parts[0].files).toContain('class/bob/hw/project2/test.skel');
+    // Of lengths over the size of the character.
+    expect(bob.jointError).toBeGreaterThan(0.05);
+    const dan = await gradeOf('dan');
+    expect(dan.channels?.right).toBeLessThan(12);
+    expect(dan.channels?.of).toBe(12);
+  });
+
+  it('says where a file is broken, and what is missing', async () => {
+    const cid = await gradeOf('cid');
+    expect(cid.loads).toBe(false);
+    expect(cid.problems).toContainEqual(
+      expect.objectContaining({ file: 'class/cid/test.skel', line: 2, severity: 'error' }),
+    );
+    expect((await gradeOf('fay')).problems).toMatchObject([{ code: 'nothing-to-judge', file: 'class/fay' }]);
+    expect((await gradeOf('eve')).parts[0].mismatches).toEqual(['4 joints, expected 3']);
+  });
+
+  it('compares dumps with the reference, with their cause', async () => {
+    expect((await gradeOf('gus')).parts[0]).toMatchObject({ files: ['class/gus/joints@0.7.txt'], agrees: true });
+    const [part] = (await gradeOf('hal')).parts;
+    expect(part).toMatchObject({ agrees: false, causes: [{ code: 'no-parent', explains: 3, of: 3 }] });
+  });
+
+  it("completes a submission with the reference's own files", async () => {
+    const ida = await gradeOf('ida');
+    expect(ida).toMatchObject({ jointError: 0, channels: { right: 12, of: 12 } });
+    expect(ida.parts[0]).toMatchObject({ files: ['class/ida/test.skin'], first: { what: 'vertex', index: 0 } });
+  });
+
+  it('takes the tolerance and the times as given', async () => {
+    expect((await grades('--tolerance', '2')).find(({ name }) => name === 'bob')?.verdict).toBe('right');
+    // At the first key nothing of it is seen.
+    expect((await grades('--times', '0')).find(({ name }) => name === 'dan')?.verdict).toBe('right');
+  });
+
+  it.each([
+    ['motion capture', 'walk.bvh', BVH, BVH.replace('10 20 30', '10 21 30')],
+    ['axis-angle skeletons', 'arm.axskel', AXIS, AXIS.replace('-20', '-25')],
+  ])('judges %s', async (_, name, right, wrong) => {
+    write(`mocap-${name}/ref/${name}`, right);
+    write(`mocap-${name}/class/a/${name}`, right);
+    write(`mocap-${name}/class/b/${name}`, wrong);
+    const args = ['grade', `mocap-${name}/class`, '--reference', `mocap-${name}/ref`];
+    const { submissions } = await commandJson<{ submissions: readonly Grade[] }>(args, folder);
+    expect(submissions.map(({ verdict }) => verdict)).toEqual(['right', 'wrong']);
+  });
+
+  it('prints a line each, with paths and lines of problems', async () => {
+    const { out, code } = await command(GRADE, folder);
+    expect(code).toBe(1);
+    const lines = out.split('\n');
+    expect(lines.find((line) => line.startsWith('cid'))).toMatch(/not judged {2}no .* class\/cid\/test\.skel:2:\d+ /);
+    expect(lines.find((line) => line.startsWith('hal'))).toMatch(/joint 1 "arm" at 0\.7 s +no-parent/);
+    expect(out).toContain('10 submissions: 2 right, 5 wrong, 3 not judged.');
+  });
+
+  it('prints CSV that a spreadsheet reads, whatever the names', async () => {
+    write('odd/=1+1/test.skel', SKEL);
+    const { out } = await command([...GRADE, '--csv'], folder);
+    expect(out).toContain(`"O'Neil, <i>""&amp;",not judged,no,`);
+    expect(out.split('\r\n')).toHaveLength(12);
+    expect((await command(['grade', 'odd', '--reference', 'ref', '--csv'], folder)).out).toContain("\r\n'=1+1,right,");
+  });
+
+  it('prints HTML with a page each, every name escaped, and nothing from outside', async () => {
+    const { out } = await command([...GRADE, '--html'], folder);
+    expect(out.match(/<section id=/g)).toHaveLength(10);
+    expect(out).toContain('O&#39;Neil, &lt;i&gt;&quot;&amp;amp;');
+    expect(out).not.toContain('<i>');
+    expect(out).not.toContain('<script');
+    expect(out).not.toMatch(/(?:src|href)="(?!#)/);
+    expect(out).toContain('class/cid/test.skel:2:');
+  });
+
+  it('says that wrong usage is wrong', async () => {
+    write('broken/test.skel', 'balljoint {');
+    mkdirSync(join(folder, 'bare'), { recursive: true });
+    for (const [args, message] of [
+      [['grade', 'class'], '--reference is missing'],
+      [['grade', '--reference', 'ref'], 'takes one folder'],
+      [['grade', 'none', '--reference', 'ref'], 'There is no folder "none"'],
+      [['grade', 'class', '--reference', 'none'], 'There is no folder "none"'],
+      [['grade', 'class', '--reference', 'broken'], 'broken/test.skel:1:'],
+      [['grade', 'class', '--reference', 'bare'], 'has no skeleton'],
+      [['grade', 'bare', '--reference', 'ref'], 'There are no folders in "bare"'],
+      [[...GRADE, '--csv', '--html'], 'Give one of'],
+      [[...GRADE, '--tolerance', '-1'], 'above 0'],
+    ] as const) {
+      const { code, err } = await command(args, folder);
+      expect([code, err], args.join(' ')).toEqual([2, expect.stringContaining(message)]);
+    }
+  });
+});
