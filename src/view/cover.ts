@@ -28,7 +28,11 @@ export class Cover {
   begin(x: number, y: number, z: number, w: 0 | 1): void {
     this.count = 0;
     this.left = BUDGET;
-    this.eye.set([x, y, z, w]);
+    const { eye } = this;
+    eye[0] = x;
+    eye[1] = y;
+    eye[2] = z;
+    eye[3] = w;
   }
 
   get isEmpty(): boolean {

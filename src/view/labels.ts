@@ -2,8 +2,8 @@
  * Names of joints and characters, on a 2D canvas over the scene: crisp at any scale, in any script, without an element
  * per name. A name that would overlap one already drawn is left out. The names of characters come first, the selected
  * one's before the others in a fixed order, so that dancers who pass each other don't make names flicker, and none gives
- * way to the pointer on its way to it; then the hovered joint's and the selected one's; then joints: those in front, nearest first, then, dimmed, those behind a
- * skin or a box (`label-cover.ts`).
+ * way to the pointer on its way to it; then the hovered joint's and the selected one's; then joints: those in front,
+ * nearest first, then, dimmed, those behind a skin or a box (`label-cover.ts`).
  */
 import { type Camera, Matrix4 } from 'three';
 import { jointName } from '../model/joint-name.ts';
@@ -157,7 +157,10 @@ export class Labels {
     let count = 0;
     for (const { firstInstance, skeleton } of this.drawn) {
       const first = count;
-      let [left, right, top, bottom] = [Infinity, -Infinity, Infinity, -Infinity];
+      let left = Infinity;
+      let right = -Infinity;
+      let top = Infinity;
+      let bottom = -Infinity;
       for (let j = 0; j < skeleton.joints.length && count < CANDIDATES; j++) {
         if (!this.project(positions, firstInstance + j, count)) continue;
         left = Math.min(left, screen[3 * count]);
@@ -171,7 +174,10 @@ export class Labels {
       if (skeleton.joints.length > 1 && right - left < MIN_SIZE && bottom - top < MIN_SIZE) count = first;
       firstName += skeleton.joints.length;
     }
-    Object.assign(candidates, { count, positions, cover, color: theme.label });
+    candidates.count = count;
+    candidates.positions = positions;
+    candidates.cover = cover;
+    candidates.color = theme.label;
     this.choice.choose(candidates);
   }
 
@@ -203,7 +209,9 @@ export class Labels {
   /** From a name at the height `y` to its character at `place`, if that is far away or tiny. */
   private pointFrom(y: number, color: string): void {
     const { pen, place, ratio } = this;
-    const [x, , top, bottom] = place;
+    const x = place[0];
+    const top = place[2];
+    const bottom = place[3];
     const from = y + LINE_HEIGHT / 2;
     const isDot = bottom - top < DOT_BELOW;
     const isLeading = top - from >= MIN_LEADER && (isDot || y < place[1]);

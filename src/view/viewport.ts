@@ -237,7 +237,7 @@ export class Viewport {
   /** Sets what finds the names of joints behind skins and boxes. Given, not made here: the first picture does without. */
   coverLabels(cover: LabelCover): void {
     this.labelCover = cover;
-    this.requestDraw();
+    this.requestRender();
   }
 
   /** Sets the function that returns how many CSS pixels at the top are covered by overlays, for framing. */

@@ -153,7 +153,8 @@ export class Slider extends NumberController {
 
   /** The text so far isn't what is meant: `20` of `20 km`. */
   private takeBack(): void {
-    if (Object.is(this.object.value, this.before)) return;
+    // Of several values, others may have changed while the shown one is as before.
+    if (Object.is(this.object.value, this.before) && !this.object.options.isForSeveral) return;
     if (!this.takenBack) this.setValue(this.before);
     else {
       this.takenBack();

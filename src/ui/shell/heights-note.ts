@@ -4,7 +4,7 @@ import type { Character } from '../../model/document.ts';
 import { button, element, setText } from '../kit/dom.ts';
 import { icon } from '../kit/icons.ts';
 import { shown } from '../kit/number-text.ts';
-import { runAction } from '../state/action.ts';
+import { findAction, tryAction } from '../state/action.ts';
 import type { Uses } from '../state/workbench.ts';
 
 /** The largest is more than this many times as tall as the smallest. */
@@ -18,7 +18,11 @@ export function heightsNote(wb: Uses<'store' | 'actions'>): HTMLElement {
     'section',
     { class: 'offer heights-note', 'aria-label': 'Heights' },
     text,
-    button('Same height', { class: 'link' }, 'Same height', () => runAction(wb, 'edit.sameHeight')),
+    button('Same height', { class: 'link' }, 'Same height', () => {
+      const action = findAction(wb, 'edit.sameHeight');
+      // Refused if the selected character has no height of its own.
+      if (action) tryAction(wb, action);
+    }),
     button('Dismiss', { class: 'tool small' }, icon('close'), () => {
       dismissed = idsOf(measured);
       show();

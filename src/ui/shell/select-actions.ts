@@ -4,13 +4,13 @@ import { withJoints } from '../../model/selected-joints.ts';
 import { NOTHING_SELECTED } from '../../model/session.ts';
 import type { Joint } from '../../model/skeleton.ts';
 import { currentCharacter } from '../state/action.ts';
-import { NO_CHARACTER, NO_SKELETON, needs } from '../state/needs.ts';
+import { NO_CHARACTER, NO_JOINT, NO_SKELETON, needs } from '../state/needs.ts';
 import { selectedJoints, selectedJointsOf } from '../state/selected-joint.ts';
 import type { Action, Uses } from '../state/workbench.ts';
 
 const hasCharacter = needs(NO_CHARACTER, (wb: Uses<'store'>) => currentCharacter(wb) !== undefined);
 const hasSkeleton = needs(NO_SKELETON, (wb: Uses<'store'>) => currentCharacter(wb)?.skeleton !== undefined);
-const hasJoint = needs('Select a joint first.', (wb: Uses<'store'>) => selectedJoints(wb) !== undefined);
+const hasJoint = needs(NO_JOINT, (wb: Uses<'store'>) => selectedJoints(wb) !== undefined);
 
 export const SELECT_ACTIONS: readonly Action[] = [
   {

@@ -22,7 +22,10 @@ export type MenuSubject = 'joint' | 'character' | 'background';
 
 type Hit = ReturnType<Workbench['viewport']['pick']>;
 
-/** Selects what was hit, unless it is selected already; one of several selected joints becomes active. Nothing hit: the selection stays. */
+/**
+ * Selects what was hit, unless it is selected already; one of several selected joints becomes active. Nothing hit: the
+ * selection stays.
+ */
 export function selectForMenu(wb: Uses<'store'>, hit: Hit): MenuSubject {
   if (!hit) return 'background';
   const { characterId, placement, joint } = hit;

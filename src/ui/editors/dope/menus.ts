@@ -25,7 +25,10 @@ const EMPTY_IDS = [
   ['dope.allRows', 'dope.unfoldAll', 'dope.foldAll', 'timeline.fitAll'],
 ] as const;
 
-/** The menu at a point of the sheet; by keyboard that of the selected keys, if there are any. Keys there are selected first, so that the menu applies to what was clicked. */
+/**
+ * The menu at a point of the sheet; by keyboard that of the selected keys, if there are any. Keys there are selected
+ * first, so that the menu applies to what was clicked.
+ */
 export function sheetMenu(
   wb: Uses<'store' | 'actions' | 'transport' | 'timeline' | 'settings'>,
   rows: readonly DopeRow[],

@@ -121,8 +121,8 @@ export class PinDrag implements CanvasDrag {
   }
 
   /**
-   * Selects the dragged joint, or makes it the active one of those selected, since it is what one keys and inspects next. Only after a step: Escape leaves the
-   * selection alone, and undo restores the previous one.
+   * Selects the dragged joint, or makes it the active one of those selected, since it is what one keys and inspects
+   * next. Only after a step: Escape leaves the selection alone, and undo restores the previous one.
    */
   private select(): void {
     const { store, viewport } = this.wb;

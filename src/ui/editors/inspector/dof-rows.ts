@@ -99,7 +99,7 @@ export function addDofRow(
     const now = findCharacter(wb.store.document, id);
     // Playback would overwrite the value with the next frame.
     const key = autoKey(wb);
-    if (now && (key || isDriven(now, index))) pausePlayback(wb);
+    if (now && (key || together.some((dof) => isDriven(now, dof)))) pausePlayback(wb);
     beside ??= wb.posing.beside?.(id, together);
     from ??= now && shownDofs(wb, now);
     const one = { index, value: value / factor };

@@ -2,7 +2,7 @@
 
 import type { NamedPose } from '../../../model/poses.ts';
 import { currentCharacter } from '../../state/action.ts';
-import { NO_CHARACTER, NO_SKELETON, needs } from '../../state/needs.ts';
+import { NO_CHARACTER, NO_JOINT, NO_SKELETON, needs } from '../../state/needs.ts';
 import { selectedJoints, selectedJointsText } from '../../state/selected-joint.ts';
 import type { Action, Uses } from '../../state/workbench.ts';
 
@@ -11,7 +11,7 @@ const edits = () => import('./pose-edits.ts');
 const hasCharacter = needs(NO_CHARACTER, (wb: Uses<'store'>) => currentCharacter(wb) !== undefined);
 const hasSkeleton = needs(NO_SKELETON, (wb: Uses<'store'>) => currentCharacter(wb)?.skeleton !== undefined);
 
-const hasJoint = needs('Select a joint first.', (wb: Uses<'store'>) => selectedJoints(wb) !== undefined);
+const hasJoint = needs(NO_JOINT, (wb: Uses<'store'>) => selectedJoints(wb) !== undefined);
 
 /** In the library of the current character. */
 export function focusedPose(wb: Uses<'store' | 'posing'>): NamedPose | undefined {

@@ -8,7 +8,7 @@ import { silentChannels } from '../../../evaluate/retarget/moved-dofs.ts';
 import { type Character, shownClip } from '../../../model/document.ts';
 import { shown } from '../../kit/number-text.ts';
 import { currentCharacter } from '../../state/action.ts';
-import { NO_SKELETON, needs } from '../../state/needs.ts';
+import { NO_JOINT, NO_SKELETON, needs } from '../../state/needs.ts';
 import { selectedJointsOf, selectedJointsText } from '../../state/selected-joint.ts';
 import type { NEW_KEY_TANGENTS } from '../../state/settings.ts';
 import { keyNameOf } from '../../state/tooltips.ts';
@@ -197,7 +197,7 @@ function withJoints(
   const character = currentCharacter(wb);
   if (!character) return;
   const joints = selectedJointsOf(wb, character.id);
-  if (joints.length === 0) wb.messages.note('Select a joint first.');
+  if (joints.length === 0) wb.messages.note(NO_JOINT);
   else run(character, dofsOfJoints(character, joints));
 }
 

@@ -2,7 +2,7 @@
 
 import type { NamedAxis } from '../../../edit/rig/rigging.ts';
 import { currentCharacter } from '../../state/action.ts';
-import { NO_SKELETON, needs, reasonOf } from '../../state/needs.ts';
+import { NO_JOINT, NO_SKELETON, needs, reasonOf } from '../../state/needs.ts';
 import { isPanelOpen, openPanel } from '../../state/panels.ts';
 import { selectedJoint, selectedJointsText } from '../../state/selected-joint.ts';
 import type { Action, Uses } from '../../state/workbench.ts';
@@ -11,7 +11,7 @@ const edits = () => import('./rig-edits.ts');
 
 const inRigMode = (wb: Uses<'posing'>) => wb.posing.mode.get() === 'rig';
 const hasSkeleton = needs(NO_SKELETON, (wb: Uses<'store'>) => currentCharacter(wb)?.skeleton !== undefined);
-const hasJoint = needs('Select a joint first.', (wb: Uses<'store'>) => selectedJoint(wb) !== undefined);
+const hasJoint = needs(NO_JOINT, (wb: Uses<'store'>) => selectedJoint(wb) !== undefined);
 
 function inRig(action: Action): Action {
   return {

@@ -13,6 +13,7 @@ import { motionOfKind } from '../../../model/joint-types.ts';
 import type { Motion, Skeleton } from '../../../model/skeleton.ts';
 import { currentCharacter } from '../../state/action.ts';
 import { attempt } from '../../state/attempt.ts';
+import { NO_JOINT } from '../../state/needs.ts';
 import { pausePlayback } from '../../state/pause-playback.ts';
 import { jointsText, selectedJointsOf } from '../../state/selected-joint.ts';
 import type { Uses, Workbench } from '../../state/workbench.ts';
@@ -110,7 +111,7 @@ function withJoints(
   const character = currentCharacter(wb);
   const joints = character ? selectedJointsOf(wb, character.id) : [];
   if (!character?.skeleton || joints.length === 0) {
-    wb.messages.note('Select a joint first.');
+    wb.messages.note(NO_JOINT);
     return;
   }
   const { skeleton } = character;

@@ -229,6 +229,8 @@ export function rigTool(wb: Workbench): ModeTool {
         const { characterId, placement, joint } = hit;
         selectHit(wb, { characterId, placement, joint }, adds);
       }
+      // Under its name.
+      else if (hit && !adds) store.select({ characterId: hit.characterId, placement: hit.placement });
       // Keeps the character selected.
       else if (current && !adds) store.select({ characterId: current.id });
       return true;

@@ -8,7 +8,7 @@
  *     menu      the right button without motion, or a finger held still that no tool has taken
  */
 import { CLICK_PIXELS } from '../../../view/camera-travel.ts';
-import { isMac, waitOutDrag } from '../../kit/keyboard.ts';
+import { buttonMeant, isMac, waitOutDrag } from '../../kit/keyboard.ts';
 
 /** A press that moved further was a drag: for tools as for the camera. */
 export { CLICK_PIXELS };
@@ -181,9 +181,8 @@ export function listenToCanvas(
   canvas.addEventListener('contextmenu', (event) => event.preventDefault(), { signal });
 }
 
-/** On a Mac also Ctrl+click. */
-function asksForMenu({ button, ctrlKey, pointerType }: PointerEvent): boolean {
-  return pointerType !== 'touch' && (button === 2 || (isMac && ctrlKey && button === 0));
+function asksForMenu(event: PointerEvent): boolean {
+  return event.pointerType !== 'touch' && buttonMeant(event, isMac) === 2;
 }
 
 function isNear(at: CanvasPointer, from: CanvasPointer): boolean {
