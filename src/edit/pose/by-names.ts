@@ -37,7 +37,7 @@ export interface TakenPose {
   readonly values: ReadonlyMap<number, number>;
   /** Joints of the pose that the character has, at least in part. */
   readonly found: number;
-  /** Names of those that it lacks. */
+  /** Names of those that it lacks, except for joints without values. */
   readonly missing: readonly string[];
 }
 
@@ -56,7 +56,7 @@ export function takePose(character: Posed, pose: PoseByNames, known?: ArrayLike<
   pose.joints.forEach((posed, i) => {
     const joint = targets[i];
     if (joint < 0) {
-      missing.push(posed.name);
+      if (posed.dofs.length > 0) missing.push(posed.name);
       return;
     }
     const dofs = dofsOf(joints[joint].motion);

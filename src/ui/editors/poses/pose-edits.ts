@@ -48,7 +48,8 @@ export function copyJoints(wb: Uses<'store' | 'transport' | 'posing' | 'messages
   const pose = {
     ...whole,
     ...(joints.includes(0) && root && { root }),
-    joints: whole.joints.filter((_, joint) => joints.includes(joint)),
+    // The others without values: names may repeat, and then the place in the list tells the joint.
+    joints: whole.joints.map((one, joint) => (joints.includes(joint) ? one : { ...one, dofs: [] })),
     weights: [],
   };
   const from = `${jointsText(skeleton, joints)} of ${character.name}`;
@@ -82,9 +83,10 @@ export function pasteCopied(wb: Uses<'store' | 'transport' | 'timeline' | 'posin
   if (!character || !copied) return;
   attempt(wb.messages, () => {
     addKeyed(wb, pastePose, { characterId: character.id, pose: copied.pose, ...moment(wb) });
-    const { missing, found } = takePose(character, copied.pose);
+    const { missing } = takePose(character, copied.pose);
     if (missing.length === 0) return;
-    const joints = plural(found, 'joint');
+    const given = copied.pose.joints.filter(({ dofs }) => dofs.length > 0);
+    const joints = plural(given.length - missing.length, 'joint');
     wb.messages.note(`Pasted ${joints}; ${character.name} has no ${someNames(missing)}, which was skipped.`, 'warning');
   });
 }

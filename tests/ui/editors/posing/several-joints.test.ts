@@ -18,7 +18,12 @@ const bones = { ...bare, joints: bare.joints.map((one, j) => ({ ...one, offset: 
 const POSE = Array.from({ length: 18 }, (_, dof) => (dof < 6 ? 0 : 0.01 * dof));
 
 function selecting(...joints: readonly number[]) {
-  const { wb } = workbench(documentOf(character({ skeleton: bones, pose: POSE, shownClip: -1 })));
+  return selectingIn(bones, joints);
+}
+
+function selectingIn(rig: typeof bones, joints: readonly number[]) {
+  const before = documentOf(character({ skeleton: rig, pose: POSE, shownClip: -1 }));
+  const { wb } = workbench(before);
   wb.store.select(withJoints({ characterId: 'c1' }, joints));
   const action = (id: string) => {
     const found = actionsOf(wb).find((a) => a.id === id);
@@ -34,7 +39,7 @@ function selecting(...joints: readonly number[]) {
     /** Everything is as it was after one undo. */
     expectOneStep() {
       wb.store.undo();
-      expect(wb.store.document).toEqual(documentOf(character({ skeleton: bones, pose: POSE, shownClip: -1 })));
+      expect(wb.store.document).toEqual(before);
       expect(wb.store.undoLabel).toBeUndefined();
     },
   };
@@ -76,6 +81,28 @@ describe('actions on several selected joints', () => {
     await run('pose.resetToFile');
     await run('pose.paste');
     expect(now().pose).toEqual(POSE.map((value, dof) => ((dof >= 6 && dof < 9) || dof >= 15 ? value : 0)));
+  });
+
+  it.each(['leg', ''])('the copied pose of one of several joints called "%s" is pasted on that one', async (name) => {
+    const alike = { ...bones, joints: bones.joints.map((one) => ({ ...one, name })) };
+    const { now, run, wb } = selectingIn(alike, [3]);
+    await run('pose.copyJoints');
+    await run('pose.resetToFile');
+    await run('pose.paste');
+    expect(now().pose).toEqual(POSE.map((value, dof) => (dof >= 12 && dof < 15 ? value : 0)));
+    expect(wb.messages.passing.get() ?? '').not.toContain('skipped');
+  });
+
+  it('the copied pose of a joint that the other character lacks is told by this joint alone', async () => {
+    const { wb, run } = selecting(1, 4);
+    await run('pose.copyJoints');
+    const short = { ...bones, joints: bones.joints.slice(0, 2) };
+    wb.store.replace('Open', documentOf(character({ skeleton: short, pose: POSE.slice(0, 9), shownClip: -1 })));
+    await run('pose.resetToFile');
+    await run('pose.paste');
+    expect(wb.messages.list.get().at(-1)?.text ?? wb.messages.passing.get()).toContain(
+      'Pasted 1 joint; wasp has no “foot_r”, which was skipped.',
+    );
   });
 
   it('mirroring both legs swaps them once, as mirroring either does', async () => {
