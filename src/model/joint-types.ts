@@ -11,7 +11,7 @@ import { SCALE, SHEAR } from './joint-types/stretching.ts';
 import type { JointType } from './joint-types/type.ts';
 import type { BvhChannel, BvhMotion, CompoundDof, Dof, Joint, Motion } from './skeleton.ts';
 
-type MotionKind = Motion['kind'];
+export type MotionKind = Motion['kind'];
 
 /** In the order of the inspector's list. */
 export const JOINT_TYPES: { readonly [K in MotionKind]: JointType<Extract<Motion, { readonly kind: K }>> } = {
@@ -37,7 +37,7 @@ export function jointTypeOf({ kind }: { readonly kind: MotionKind }): JointType 
   return JOINT_TYPES[kind];
 }
 
-export function isSameType(a: Motion, b: Motion): boolean {
+export function isSameType(a: { readonly kind: MotionKind }, b: { readonly kind: MotionKind }): boolean {
   return a.kind === b.kind;
 }
 

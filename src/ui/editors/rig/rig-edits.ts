@@ -9,7 +9,7 @@ import { boxOf } from '../../../evaluate/bounds.ts';
 import { roundStep } from '../../../math/round-steps.ts';
 import { transformPoint, type Vec3, ZERO } from '../../../math/vec3.ts';
 import { type Character, type Document, findCharacter, shownSkin } from '../../../model/document.ts';
-import { motionOfKind } from '../../../model/joint-types.ts';
+import { isSameType, type MotionKind, motionOfKind } from '../../../model/joint-types.ts';
 import type { Motion, Skeleton } from '../../../model/skeleton.ts';
 import { currentCharacter } from '../../state/action.ts';
 import { attempt } from '../../state/attempt.ts';
@@ -187,10 +187,10 @@ export function renameIt(
 /** Gives the selected joints another type, with that type's initial parameters; reports lost keys. */
 export function setType(
   wb: Uses<'store' | 'transport' | 'timeline' | 'posing' | 'settings' | 'messages'>,
-  kind: Motion['kind'],
+  kind: MotionKind,
 ): void {
   withJoints(wb, (character, skeleton, joints) => {
-    const others = joints.filter((joint) => skeleton.joints[joint].motion.kind !== kind);
+    const others = joints.filter((joint) => !isSameType(skeleton.joints[joint].motion, { kind }));
     const each = others.map((joint) => ({ joint, motion: motionOfKind(kind, skeleton.joints[joint].motion) }));
     changeMotions(wb, character, each);
   });

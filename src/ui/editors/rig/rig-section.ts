@@ -189,11 +189,12 @@ export class RigSection {
     const { characterId, joint } = this.args();
     const all = findCharacter(this.wb.store.document, characterId)?.skeleton?.joints ?? [];
     const { kind } = motion;
-    const isOtherKind = all[joint]?.motion.kind !== kind;
+    const active = all[joint]?.motion;
+    const isOtherKind = !active || !isSameType(active, motion);
     const others = this.others.flatMap((other) => {
       const own = all[other]?.motion;
       if (!own) return [];
-      if (own.kind === kind) return isOtherKind ? [] : { joint: other, motion };
+      if (isSameType(own, motion)) return isOtherKind ? [] : { joint: other, motion };
       return isOtherKind ? { joint: other, motion: motionOfKind(kind, own) } : [];
     });
     return [{ joint, motion }, ...others];

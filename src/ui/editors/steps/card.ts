@@ -6,6 +6,9 @@ import { type GridOptions, NumberGrid } from '../../kit/number-grid.ts';
 import { errorSize } from '../../kit/number-text.ts';
 import { setTooltip } from '../../kit/tooltip.ts';
 
+/** Characters that fit into a card. */
+const LONG_LAW = 42;
+
 export class Card {
   readonly element: HTMLElement;
   private readonly note = element('p', { class: 'step-law' });
@@ -23,6 +26,7 @@ export class Card {
       element('h3', { class: 'step-head' }, formula),
       this.note,
     );
+    this.element.classList.toggle('step-long', law.length > LONG_LAW);
   }
 
   /** What is said below the formula. */
