@@ -41,7 +41,8 @@ const messages = new Messages();
 const loading = observable<Loading | undefined>(undefined);
 const viewportElement = document.createElement('div');
 const viewport = viewportIn(viewportElement);
-const worker = new WorkerClient(() => new Worker(new URL('./worker/entry.ts', import.meta.url), { type: 'module' }));
+const spawnWorker = () => new Worker(new URL('./worker/entry.ts', import.meta.url), { type: 'module' });
+const worker = new WorkerClient(spawnWorker);
 const reducesMotion = () => window.matchMedia('(prefers-reduced-motion: reduce)').matches;
 const opener = new Opener({ store, transport, messages, loading, viewport, worker, reducesMotion });
 const samples = listSamples(document.baseURI);
@@ -84,6 +85,7 @@ const workbench: Workbench = {
     handles,
     disk: { ...disk, download },
     framesPerSecond: () => transport.get().framesPerSecond,
+    sourceWorker: new WorkerClient(spawnWorker),
   }),
   kept: observable<KeptOffer | undefined>(undefined),
   offline: observable<Offline>(NOT_OFFLINE),

@@ -39,7 +39,12 @@ export class DiskHandles {
 
   /** Every file that a character was read from or saved to, each once; a zip for what it contains. */
   ofCharacter(character: Character): readonly DiskFile[] {
-    return [...new Set(character.sources.flatMap(({ path }) => this.files.get(path) ?? this.zipOf(path) ?? []))];
+    return [...new Set(character.sources.flatMap(({ path }) => this.at(path) ?? []))];
+  }
+
+  /** The file of a path, or the zip that contains it. */
+  at(path: string): DiskFile | undefined {
+    return this.files.get(path) ?? this.zipOf(path);
   }
 
   entries(): readonly KeptDiskFile[] {

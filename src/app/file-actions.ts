@@ -9,6 +9,7 @@ import { canReload, type ReloadParts, reload } from './reload.ts';
 import type { SampleSwitches } from './sample-display.ts';
 import { type BundledExample, fetchSample } from './samples.ts';
 import type { Disk, Saver } from './saver.ts';
+import { SourceTexts, type SourceTextsParts } from './source-texts.ts';
 import type { Unsaved } from './unsaved.ts';
 
 interface Parts extends Pick<ReloadParts, 'store' | 'messages'> {
@@ -20,6 +21,8 @@ interface Parts extends Pick<ReloadParts, 'store' | 'messages'> {
   readonly handles: DiskHandles;
   readonly disk: Disk;
   readonly framesPerSecond: () => number;
+  /** For work that may be cancelled any time. */
+  readonly sourceWorker: SourceTextsParts['worker'];
 }
 
 export function fileActions(parts: Parts): FileActions {
@@ -28,6 +31,12 @@ export function fileActions(parts: Parts): FileActions {
   samples.then((list) => {
     listed = list;
   });
+  const source = new SourceTexts({
+    worker: parts.sourceWorker,
+    handles: parts.handles,
+    readAgain: (file, signal) => readAgain(file, document.baseURI, signal),
+  });
+  opener.onGiven((given) => source.note(given));
   let saver: Saver | undefined;
   /** Loaded on the first save, with everything that writes files. */
   const saving = async (save: (saver: Saver) => Promise<void>) => {
@@ -69,5 +78,6 @@ export function fileActions(parts: Parts): FileActions {
     saveAll: (characterId) => void saving((s) => s.saveAll(characterId)),
     reload: (characterId) => void reload(reloading, characterId),
     canReload: (characterId) => canReload(parts, characterId),
+    source,
   };
 }

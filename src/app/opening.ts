@@ -52,6 +52,7 @@ export class Opener {
   private readonly parts: OpeningParts;
   private last: Promise<unknown> = Promise.resolve();
   private readonly listeners = new Set<(opened: OpenedFiles) => void>();
+  private readonly givenListeners = new Set<(given: readonly GivenFile[]) => void>();
 
   constructor(parts: OpeningParts) {
     this.parts = parts;
@@ -75,6 +76,11 @@ export class Opener {
     return () => this.listeners.delete(listener);
   }
 
+  /** Calls back with all files before they are read, also with those that turn out to have errors. */
+  onGiven(listener: (given: readonly GivenFile[]) => void): void {
+    this.givenListeners.add(listener);
+  }
+
   private async openNow(find: FindFiles, options: OpenOptions): Promise<readonly Diagnostic[]> {
     const { loading, messages, worker } = this.parts;
     const abort = new AbortController();
@@ -84,6 +90,7 @@ export class Opener {
       const files = await find(abort.signal);
       abort.signal.throwIfAborted();
       if (files.length === 0) return [];
+      for (const listener of this.givenListeners) listener(files);
       const output = await worker.run(
         'parse',
         // The worker doesn't need the handles.

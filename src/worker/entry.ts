@@ -2,6 +2,7 @@
 import { compareDumps } from './compare.ts';
 import { parse } from './parse.ts';
 import type { FromWorker, Progress, ToWorker } from './protocol.ts';
+import { mapSourceOf } from './source.ts';
 import { transferables } from './transferables.ts';
 
 /** The part of a dedicated worker's global scope that is used; the project's types are those of a page. */
@@ -17,6 +18,8 @@ scope.onmessage = async ({ data }) => {
   try {
     const onProgress = (progress: Progress) => scope.postMessage({ id, kind: 'progress', progress });
     if (data.job === 'parse') done({ id, kind: 'done', job: data.job, output: await parse(data.input, onProgress) });
+    else if (data.job === 'source')
+      done({ id, kind: 'done', job: data.job, output: await mapSourceOf(data.input, onProgress) });
     else done({ id, kind: 'done', job: data.job, output: compareDumps(data.input, onProgress) });
   } catch (error) {
     scope.postMessage({ id, kind: 'failed', message: error instanceof Error ? error.message : String(error) });

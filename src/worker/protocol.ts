@@ -10,10 +10,12 @@ import type { Character } from '../model/document.ts';
 import type { BrokenFile, ParsedFile } from '../model/files.ts';
 import type { Morph } from '../model/morph.ts';
 import type { Skin } from '../model/skin.ts';
+import type { SourceMap } from '../model/source-map.ts';
 
 export interface Jobs {
   parse: { takes: ParseInput; gives: ParseOutput };
   compare: { takes: CompareInput; gives: CompareOutput };
+  source: { takes: SourceInput; gives: SourceOutput };
 }
 
 export type JobName = keyof Jobs;
@@ -59,6 +61,18 @@ export interface CompareOutput {
   /** Absent if the dumps don't fit the character. */
   readonly comparison?: Comparison;
   readonly diagnostics: readonly Diagnostic[];
+}
+
+/** A text file, to be shown as it is. */
+export interface SourceInput extends GivenBlob {
+  /** Its path in the blob, which is a zip then. */
+  readonly inside?: string;
+}
+
+export interface SourceOutput {
+  readonly map: SourceMap;
+  /** The file itself, if it was in a zip. */
+  readonly text?: Blob;
 }
 
 type Each<F extends { [K in JobName]: unknown }> = F[JobName];

@@ -2,6 +2,7 @@ import { WorkerClient } from '../../src/worker/client.ts';
 import { compareDumps } from '../../src/worker/compare.ts';
 import { parse } from '../../src/worker/parse.ts';
 import type { Jobs } from '../../src/worker/protocol.ts';
+import { mapSourceOf } from '../../src/worker/source.ts';
 
 /** Runs the worker's jobs in this thread. */
 export class InThisThread extends WorkerClient {
@@ -12,6 +13,7 @@ export class InThisThread extends WorkerClient {
   }
   override async run<K extends keyof Jobs>(_job: K, input: Jobs[K]['takes']): Promise<Jobs[K]['gives']> {
     const nobody = () => undefined;
+    if ('blob' in input) return mapSourceOf(input, nobody);
     return 'files' in input ? parse(input, nobody) : compareDumps(input, nobody);
   }
 }

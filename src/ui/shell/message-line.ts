@@ -2,15 +2,18 @@
  * The newest unread message, as a line at the bottom of the viewport. It stays until dismissed, a refusal until the
  * next step (`stale-messages.ts`); only a confirmation disappears by itself.
  */
+import type { Diagnostic } from '../../model/diagnostic.ts';
 import { button, element } from '../kit/dom.ts';
 import { icon } from '../kit/icons.ts';
 import { plural } from '../kit/number-text.ts';
 import { PassingTime } from '../kit/passing-time.ts';
+import { type Message, mainProblem } from '../state/messages.ts';
+import { showInSource } from '../state/source.ts';
 import type { Uses } from '../state/workbench.ts';
 
 const PASSING_MS = 10_000;
 
-export function messageLine(wb: Uses<'messages'>): HTMLElement {
+export function messageLine(wb: Uses<'messages' | 'timeline' | 'settings'>): HTMLElement {
   const { messages } = wb;
   // Assertive errors would need a second region; a line that stays can wait until the reader has finished.
   const region = element('div', { class: 'message-line', role: 'status', 'aria-live': 'polite' });
@@ -38,11 +41,18 @@ export function messageLine(wb: Uses<'messages'>): HTMLElement {
       messages.askForList();
     };
     const listed = others > 0 || first.diagnostics.length > 0;
+    // The one whose line the text names.
+    const place = placedIn(first);
     const more = others > 0 ? `${plural(others, 'more message')}` : 'Details';
     region.className = `message-line severity-${first.severity}`;
     region.replaceChildren(
       icon(first.severity),
       element('span', { class: 'message-text', tooltip: first.text }, first.text),
+      place
+        ? button(`Show line ${place.line} of ${place.file} in Source`, { class: 'link' }, `Line ${place.line}`, () =>
+            showInSource(wb, place),
+          )
+        : '',
       listed ? button(more, { class: 'link', tooltip: 'Show all messages' }, more, showAll) : '',
       button('Dismiss', { class: 'tool small' }, icon('close'), () => messages.markAllRead()),
     );
@@ -58,4 +68,10 @@ export function messageLine(wb: Uses<'messages'>): HTMLElement {
   region.addEventListener('pointerleave', () => time.hold(false));
   show();
   return region;
+}
+
+/** The problem that a message's text tells, if it has a line. */
+function placedIn({ diagnostics }: Message): Diagnostic | undefined {
+  const told = mainProblem(diagnostics);
+  return told && told.line > 0 && told.file !== '' ? told : undefined;
 }

@@ -28,4 +28,8 @@ export const TABS: Readonly<Record<TimelineTabName, TabRecord>> = {
     label: 'Steps',
     load: async (wb) => (await import('../editors/steps/panel.ts')).stepsPanel(wb),
   },
+  source: {
+    label: 'Source',
+    load: async (wb) => (await import('../editors/source/panel.ts')).sourcePanel(wb),
+  },
 };

@@ -162,10 +162,15 @@ export function worst(diagnostics: readonly Diagnostic[]): Severity {
   return diagnostics.some((d) => d.severity === 'warning') ? 'warning' : 'info';
 }
 
+/** The first of the worst ones, which the text of their message tells; undefined if there are none. */
+export function mainProblem(diagnostics: readonly Diagnostic[]): Diagnostic | undefined {
+  const severity = worst(diagnostics);
+  return diagnostics.find((d) => d.severity === severity);
+}
+
 /** `wasp.skel:12: not opened, 2 errors, 1 warning. Expected a number, found "x".` */
 function summary(file: string, diagnostics: readonly Diagnostic[], fate: string | undefined): string {
-  const severity = worst(diagnostics);
-  const first = diagnostics.find((d) => d.severity === severity) ?? diagnostics[0];
+  const first = mainProblem(diagnostics) ?? diagnostics[0];
   const name = file === '' ? '' : `${file}${first.line > 0 ? `:${first.line}` : ''}: `;
   const head = [fate ?? '', diagnostics.length > 1 ? counts(diagnostics) : ''].filter(Boolean).join(', ');
   return `${name}${head && `${head}. `}${first.message}`;

@@ -9,9 +9,10 @@ import type { ChannelKeys, Selection } from '../../model/session.ts';
 import { type Observable, observable } from '../kit/observable.ts';
 import type { TimeWindow } from '../kit/time-window.ts';
 import type { CycleQuestion } from './cycle-question.ts';
+import type { SourcePlace } from './source.ts';
 import { Takes } from './takes.ts';
 
-export const TIMELINE_TABS = ['curves', 'dope', 'takes', 'poses', 'steps'] as const;
+export const TIMELINE_TABS = ['curves', 'dope', 'takes', 'poses', 'steps', 'source'] as const;
 export type TimelineTabName = (typeof TIMELINE_TABS)[number];
 
 /** Which channels are listed: the selected joint's (with the root translation for the root), all, or pinned ones. */
@@ -134,6 +135,8 @@ export class Timeline {
    * The next drag in the curve editor scales the selected keys: while its key is held, or once if chosen from a menu.
    */
   readonly scaling: Observable<boolean> = observable(false);
+  /** The last place that was asked to be shown in the tab *Source*. */
+  readonly sourceAsked: Observable<SourcePlace | undefined> = observable<SourcePlace | undefined>(undefined);
   /** The list of takes, and the comparison. */
   readonly takes: Takes = new Takes();
   /** Keys that were copied or cut last. */

@@ -16,6 +16,7 @@ import type { Offline } from './offline.ts';
 import type { Posing } from './posing.ts';
 import type { Settings } from './settings.ts';
 import type { Bindable } from './shortcuts.ts';
+import type { SourceFiles } from './source.ts';
 import type { Timeline } from './timeline.ts';
 
 /** The part of the viewport that the page uses, replaceable in tests. */
@@ -173,6 +174,8 @@ export interface FileActions {
   /** Reloads a character's files, if they have changed on disk. */
   reload(characterId: string): void;
   canReload(characterId: string): boolean;
+  /** The text of files, as they were opened. */
+  readonly source: SourceFiles;
   /**
    * Saves parts of one kind to a place that the user chooses. A kind that the character doesn't have is converted:
    * skeleton and animation from motion capture, and the reverse, at the transport's frame rate.

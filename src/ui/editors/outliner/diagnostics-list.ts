@@ -7,13 +7,14 @@ import { button, element } from '../../kit/dom.ts';
 import { icon } from '../../kit/icons.ts';
 import { count } from '../../kit/number-text.ts';
 import { caretPad, counts, type Message } from '../../state/messages.ts';
+import { showInSource } from '../../state/source.ts';
 import type { Uses } from '../../state/workbench.ts';
 
 /** The rest is counted; Copy includes all. */
 const MAX_SHOWN = 200;
 const EXCERPT_CHARACTERS = 200;
 
-export function diagnosticsList(wb: Uses<'messages'>): HTMLElement {
+export function diagnosticsList(wb: Uses<'messages' | 'timeline' | 'settings'>): HTMLElement {
   const list = element('div', { class: 'messages-list scrolls', tabindex: 0 });
   const carets = caretsInView();
   const show = (messages: readonly Message[]) => {
@@ -35,7 +36,7 @@ export function diagnosticsList(wb: Uses<'messages'>): HTMLElement {
   return list;
 }
 
-function messageBlock(wb: Uses<'messages'>, message: Message, room: number): HTMLElement {
+function messageBlock(wb: Uses<'messages' | 'timeline' | 'settings'>, message: Message, room: number): HTMLElement {
   const { diagnostics, severity, text, fate } = message;
   const file = diagnostics[0]?.file;
   const shown = diagnostics.slice(0, room);
@@ -58,7 +59,7 @@ function messageBlock(wb: Uses<'messages'>, message: Message, room: number): HTM
       button('Dismiss', { class: 'tool small' }, icon('close'), () => wb.messages.dismiss(message.id)),
     ),
     fate && element('p', { class: 'message-fate' }, `${fate[0].toUpperCase()}${fate.slice(1)}`),
-    ...shown.map((d) => diagnosticBlock(d, mixed)),
+    ...shown.map((d) => diagnosticBlock(wb, d, mixed)),
     diagnostics.length > shown.length &&
       element(
         'p',
@@ -68,7 +69,7 @@ function messageBlock(wb: Uses<'messages'>, message: Message, room: number): HTM
   );
 }
 
-function diagnosticBlock(d: Diagnostic, withIcon: boolean): HTMLElement {
+function diagnosticBlock(wb: Uses<'timeline' | 'settings'>, d: Diagnostic, withIcon: boolean): HTMLElement {
   const place = d.line > 0 ? `${d.line}:${d.column}` : '';
   return element(
     'div',
@@ -77,7 +78,8 @@ function diagnosticBlock(d: Diagnostic, withIcon: boolean): HTMLElement {
       'p',
       { class: `severity-${d.severity}` },
       withIcon && icon(d.severity),
-      place && element('span', { class: 'place' }, place),
+      place &&
+        button(`Show line ${d.line} of ${d.file} in Source`, { class: 'place link' }, place, () => showInSource(wb, d)),
       element('span', { class: 'sentence' }, d.message, d.assumed && element('i', {}, ` (${d.assumed})`)),
     ),
     d.excerpt && excerpt(d.excerpt.text, d.excerpt.caret),

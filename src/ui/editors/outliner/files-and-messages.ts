@@ -12,7 +12,7 @@ import { diagnosticsList } from './diagnostics-list.ts';
 
 type TabName = 'files' | 'messages';
 
-export function filesAndMessages(wb: Uses<'store' | 'settings' | 'messages'>): HTMLElement {
+export function filesAndMessages(wb: Uses<'store' | 'settings' | 'messages' | 'timeline'>): HTMLElement {
   const files = filesList(wb);
   const messages = diagnosticsList(wb);
   const tools = messageTools(wb);

@@ -1,0 +1,80 @@
+/**
+ * The text of files as they were given, for the tab *Source*. Blobs are kept, which refer to bytes on disk or in the
+ * browser's own storage: nothing is copied until lines are shown. After a restored session the file is read from disk.
+ */
+import type { DiskFile } from '../io/disk-files.ts';
+import type { GivenFile } from '../io/given.ts';
+import { baseName } from '../model/files.ts';
+import type { SourceMap } from '../model/source-map.ts';
+import { formatKindOf } from '../project/kinds.ts';
+import type { SourceFiles } from '../ui/state/source.ts';
+import type { Runs } from '../worker/client.ts';
+import type { DiskHandles } from './disk-handles.ts';
+
+export interface SourceTextsParts {
+  readonly worker: Runs<'source'>;
+  readonly handles: Pick<DiskHandles, 'at'>;
+  /** `readAgain` of `io/disk-files.ts`. */
+  readAgain(file: DiskFile, signal: AbortSignal): Promise<GivenFile>;
+}
+
+interface Found {
+  readonly blob: Blob;
+  /** Its path in the blob, which is a zip then. */
+  readonly inside?: string;
+}
+
+export class SourceTexts implements SourceFiles {
+  /** By path, in the order in which they were given. */
+  private readonly given = new Map<string, Blob>();
+
+  constructor(private readonly parts: SourceTextsParts) {}
+
+  /** Keeps given files, in place of earlier ones of their paths. */
+  note(files: readonly GivenFile[]): void {
+    for (const { path, blob } of files) {
+      this.given.delete(path);
+      this.given.set(path, blob);
+    }
+  }
+
+  isText(name: string): boolean {
+    const kind = formatKindOf(name);
+    return kind !== undefined && kind !== 'texture';
+  }
+
+  pathOf(name: string): string | undefined {
+    return [...this.given.keys()].findLast((path) => baseName(path) === name);
+  }
+
+  async read(
+    path: string,
+    signal: AbortSignal,
+    onText: (text: Blob) => void,
+    onProgress: (share: number) => void,
+  ): Promise<SourceMap> {
+    const { blob, inside } = await this.find(path, signal);
+    signal.throwIfAborted();
+    if (inside === undefined) onText(blob);
+    const { map, text } = await this.parts.worker.run(
+      'source',
+      { path, blob, ...(inside !== undefined && { inside }) },
+      { signal, onProgress: ({ done, of }) => onProgress(of > 0 ? done / of : 0) },
+    );
+    if (text) onText(text);
+    return map;
+  }
+
+  private async find(path: string, signal: AbortSignal): Promise<Found> {
+    const own = this.given.get(path);
+    if (own) return { blob: own };
+    const end = path.toLowerCase().lastIndexOf('.zip/');
+    const inside = end < 0 ? undefined : path.slice(end + '.zip/'.length);
+    const zip = end < 0 ? undefined : this.given.get(path.slice(0, end + '.zip'.length));
+    if (zip && inside !== undefined) return { blob: zip, inside };
+    const file = this.parts.handles.at(path);
+    if (!file) throw new Error('Its text is no longer at hand. Open the file again.');
+    const { blob } = await this.parts.readAgain(file, signal);
+    return file.path === path || inside === undefined ? { blob } : { blob, inside };
+  }
+}

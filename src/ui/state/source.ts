@@ -1,0 +1,40 @@
+/** The text of files: where it comes from, and how other panels ask for a place in it. */
+import type { SourceMap } from '../../model/source-map.ts';
+import { openPanel } from './panels.ts';
+import type { Uses } from './workbench.ts';
+
+/** A place in a file, as messages name it. */
+export interface SourcePlace {
+  /** Without folders. */
+  readonly file: string;
+  /** From 1. */
+  readonly line: number;
+}
+
+/** The text of files as they were opened: `SourceTexts` of the page. */
+export interface SourceFiles {
+  /** Whether a file of that name is text. */
+  isText(name: string): boolean;
+  /** The path of the file of that name that was given last, opened or not; undefined if there was none. */
+  pathOf(name: string): string | undefined;
+  /**
+   * Reads a file. Rejects with an `Error`, whose message is a sentence, if it can't be read, and with the signal's reason
+   * if it is aborted.
+   *
+   * @param onText called as soon as the bytes are known, before their lines are
+   * @param onProgress how much is read, from 0 to 1
+   */
+  read(
+    path: string,
+    signal: AbortSignal,
+    onText: (text: Blob) => void,
+    onProgress: (share: number) => void,
+  ): Promise<SourceMap>;
+}
+
+/** Shows a line of a file in the tab *Source*. */
+export function showInSource(wb: Uses<'timeline' | 'settings'>, place: SourcePlace): void {
+  openPanel(wb, 'timeline', true);
+  wb.timeline.sourceAsked.set(place);
+  wb.timeline.change({ tab: 'source' });
+}
