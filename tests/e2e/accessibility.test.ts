@@ -117,6 +117,13 @@ const STATES: readonly (readonly [name: string, enter: (page: Page) => Promise<u
       await page.locator('.step-matrix').first().waitFor();
     },
   ],
+  [
+    'the text of a file is shown',
+    async (page) => {
+      await tab(page, 'source');
+      await page.locator('.source-line').first().waitFor();
+    },
+  ],
   ['IK mode', (page) => run(page, 'posing.ik')],
   ['Rig mode', (page) => run(page, 'posing.rig')],
   [
@@ -288,7 +295,7 @@ it('a phone has all menus, the timeline and targets of 44 pixels', () =>
       const small = await smallTargets(page);
       await page.keyboard.press('c');
       await page.locator('.curve-plot').waitFor();
-      for (const name of ['dope', 'takes', 'poses', 'curves']) {
+      for (const name of ['dope', 'takes', 'poses', 'source', 'curves']) {
         await tab(page, name);
         await page.locator(`[aria-labelledby=timeline-tab-${name}] > :not(.empty)`).first().waitFor();
         small.push(...(await smallTargets(page)));

@@ -7,6 +7,7 @@
  *       space  as high as `tall-scroll.ts` says
  */
 import type { Severity } from '../../../model/diagnostic.ts';
+import type { LineRange } from '../../../model/source-map.ts';
 import { element, setAttribute, setText, uniqueId } from '../../kit/dom.ts';
 import { HAS_KEYS } from '../../kit/focus.ts';
 import { oncePerFrame } from '../../kit/frame.ts';
@@ -87,11 +88,12 @@ export class LineView {
   /** Moves the mark to a line, from 1, and shows it. */
   goTo(line: number): void {
     this.currentLine = Math.max(1, Math.min(this.lines, line));
-    this.reveal(this.currentLine);
+    this.reveal({ from: this.currentLine, to: this.currentLine });
   }
 
-  reveal(line: number): void {
-    this.setTop(topToReveal(this.list, this.top, line - 1));
+  /** Shows lines; the first one if there is no room for all. */
+  reveal({ from, to }: LineRange): void {
+    this.setTop(topToReveal(this.list, topToReveal(this.list, this.top, to - 1), from - 1));
   }
 
   private get list(): TallList {

@@ -173,10 +173,7 @@ class SourcePanel implements TimelineTab {
     this.view.element.hidden = !this.empty.hidden;
     setText(this.empty, failed || 'Open a file to see its text, with line numbers.');
     if (state?.kind === 'reading') this.controls.say(`Reading ${Math.round(100 * state.share)} %`);
-    else
-      this.controls.say(
-        this.status || (opened?.map ? plural(opened.count, 'line').replace(/^\d+/, count(opened.count)) : ''),
-      );
+    else this.controls.say(this.status || (opened?.map ? plural(opened.count, 'line') : ''));
   }
 
   private say(text: string): void {
@@ -235,7 +232,7 @@ class SourcePanel implements TimelineTab {
     const ascending = [...all].sort((a, b) => a.from - b.from);
     this.light(ascending);
     const isSame = before.length === ascending.length && before.every((l, i) => l.from === ascending[i].from);
-    if (reveals && !isSame && all.length) this.view.reveal(all[0].from);
+    if (reveals && !isSame && all.length) this.view.reveal(all[0]);
   }
 
   private light(lines: readonly LineRange[]): void {

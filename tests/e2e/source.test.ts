@@ -1,0 +1,57 @@
+/** The tab *Source*: lines light up, lines select, messages lead to their line; a file far higher than any element. */
+import { describe, expect, it } from 'vitest';
+import { dropFiles, withPage } from '../helpers/page.ts';
+
+const SKEL = [
+  'balljoint hips {',
+  ...['boxmin -0.1 0 -0.1', 'boxmax 0.1 1 0.1', 'rotylimit -1 1'],
+  'balljoint leg {',
+  ...['offset 0 1 0', 'boxmin -0.1 0 -0.1', 'boxmax 0.1 1 0.1', '}', '}', ''],
+].join('\n');
+const BROKEN = 'balljoint a {\noffset 0 0 0\nrotxlimit -1 x\n}\n';
+/** Pixels of its lines: more than the 33 million that an element can be high. */
+const LINES = 2_000_000;
+
+describe('the text of files', () => {
+  it('follows the selection, selects what is clicked, and shows the line of a message', () =>
+    withPage(async ({ page }) => {
+      const lit = page.locator('.source-line.is-lit .source-number');
+      const shownFile = () => page.locator('.source-file').evaluate((s: HTMLSelectElement) => s.value);
+      await dropFiles(page, [{ name: 'figure.skel', bytes: SKEL }]);
+      await page.waitForFunction(() => window.marrow.characters().some(({ name }) => name === 'figure'));
+      await page.locator('#timeline-tab-source').click();
+      await page.getByText('11 lines').waitFor();
+      await page.getByRole('treeitem', { name: 'leg' }).click();
+      await lit.first().waitFor();
+      expect(await lit.allTextContents()).toEqual(['5', '6', '7', '8', '9']);
+
+      await page.locator('.source-line[data-line="4"]').click();
+      await page.getByText('hips ry').waitFor();
+      await expect.poll(() => lit.allTextContents()).toEqual(['4']);
+      await page.keyboard.press('Control+g');
+      await page.keyboard.type('6');
+      await page.keyboard.press('Enter');
+      await page.keyboard.press('Enter');
+      await page.getByText('Joint leg', { exact: true }).waitFor();
+      await page.keyboard.press('Control+f');
+      await page.keyboard.type('ROTY');
+      await page.keyboard.press('Enter');
+      await page.getByText('Found on line 4').waitFor();
+
+      await dropFiles(page, [{ name: 'broken.skel', bytes: BROKEN }]);
+      await page.getByRole('button', { name: 'Show line 3 of broken.skel in Source' }).first().click();
+      await page.locator('.source-line.is-current[data-line="3"][data-severity="error"]').waitFor();
+      expect(await shownFile()).toBe('broken.skel');
+
+      await dropFiles(page, [{ name: 'many.skel', bytes: `balljoint a {${'\n'.repeat(LINES)}offset 0 x 0 }\n` }]);
+      const last = LINES + 1;
+      await page
+        .getByRole('button', { name: `Show line ${last} of many.skel in Source` })
+        .first()
+        .click();
+      await page.locator(`.source-line.is-current[data-line="${last}"]`, { hasText: 'offset 0 x 0' }).waitFor();
+      await page.getByText('2,000,002 lines').waitFor();
+      await page.locator('.source-lines').press('Home');
+      await page.locator('.source-line.is-current[data-line="1"]', { hasText: 'balljoint a' }).waitFor();
+    }));
+});
