@@ -108,7 +108,7 @@ export function targetAt({ marks, rows }: SourceMap, line: number): SourceTarget
 }
 
 /** The lines of a row, the last one up to where the next row begins. */
-export function linesOfRow(rows: RowLines, row: number): LineRange {
+function linesOfRow(rows: RowLines, row: number): LineRange {
   const from = lineOfRow(rows, row);
   const next = row + 1 < rows.count ? lineOfRow(rows, row + 1) - 1 : rows.end;
   return { from, to: Math.max(from, next) };
@@ -186,7 +186,7 @@ function isSamePart(own: SourceTarget, asked: SourceTarget, isPose: boolean): bo
 }
 
 /** Ascending, without overlaps; those next to each other are one. */
-export function joined(ranges: readonly LineRange[]): readonly LineRange[] {
+function joined(ranges: readonly LineRange[]): readonly LineRange[] {
   const all: { from: number; to: number }[] = [];
   for (const { from, to } of [...ranges].sort((a, b) => a.from - b.from)) {
     const last = all.at(-1);

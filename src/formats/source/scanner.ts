@@ -11,7 +11,7 @@ import type { Locator } from './locator.ts';
 
 /** Lines, or bytes if they are long, from one entry of the index to the next. */
 const ENTRY_LINES = 256;
-export const ENTRY_BYTES = 65536;
+const ENTRY_BYTES = 65536;
 /** Longer tokens are cut: no keyword and no sensible number is. */
 const TOKEN_BYTES = 64;
 const OPEN = 123;

@@ -8,7 +8,7 @@ import { icon } from '../kit/icons.ts';
 import { plural } from '../kit/number-text.ts';
 import { PassingTime } from '../kit/passing-time.ts';
 import { type Message, mainProblem } from '../state/messages.ts';
-import { showInSource } from '../state/source.ts';
+import { showInSource } from '../state/show-in-source.ts';
 import type { Uses } from '../state/workbench.ts';
 
 const PASSING_MS = 10_000;

@@ -1,7 +1,5 @@
-/** The text of files: where it comes from, and how other panels ask for a place in it. */
+/** The text of files, for the tab *Source*: where it comes from, and places in it. */
 import type { SourceMap } from '../../model/source-map.ts';
-import { openPanel } from './panels.ts';
-import type { Uses } from './workbench.ts';
 
 /** A place in a file, as messages name it. */
 export interface SourcePlace {
@@ -30,11 +28,4 @@ export interface SourceFiles {
     onText: (text: Blob) => void,
     onProgress: (share: number) => void,
   ): Promise<SourceMap>;
-}
-
-/** Shows a line of a file in the tab *Source*. */
-export function showInSource(wb: Uses<'timeline' | 'settings'>, place: SourcePlace): void {
-  openPanel(wb, 'timeline', true);
-  wb.timeline.sourceAsked.set(place);
-  wb.timeline.change({ tab: 'source' });
 }

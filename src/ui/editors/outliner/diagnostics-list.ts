@@ -7,7 +7,7 @@ import { button, element } from '../../kit/dom.ts';
 import { icon } from '../../kit/icons.ts';
 import { count } from '../../kit/number-text.ts';
 import { caretPad, counts, type Message } from '../../state/messages.ts';
-import { showInSource } from '../../state/source.ts';
+import { showInSource } from '../../state/show-in-source.ts';
 import type { Uses } from '../../state/workbench.ts';
 
 /** The rest is counted; Copy includes all. */
