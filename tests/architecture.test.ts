@@ -34,10 +34,13 @@ const MAY_IMPORT: Readonly<Record<string, readonly string[]>> = {
   'ui/editors': ['ui/state', 'ui/kit', 'view', 'edit', 'lesson', 'evaluate', ...BASE],
   // What puts them together: layout, menu bar, the one list of actions, dialogs.
   'ui/shell': ['ui/styles', 'ui/editors', 'ui/state', 'ui/kit', 'view', 'project', 'edit', 'evaluate', ...BASE],
-  cli: ['project', 'lesson', 'formats', 'evaluate', 'edit', ...BASE],
+  // Files that tell mistakes apart, with their answers.
+  kit: ['project', 'lesson', 'formats', 'evaluate', ...BASE],
+  cli: ['kit', 'project', 'lesson', 'formats', 'evaluate', 'edit', ...BASE],
   samples: ['formats', 'evaluate', ...BASE],
   // What `main.ts` wires together, where it takes more than a line.
   app: [
+    'kit',
     'ui/shell',
     'ui/editors',
     'ui/state',

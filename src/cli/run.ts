@@ -6,10 +6,11 @@ import { convert } from './commands/convert.ts';
 import { grade } from './commands/grade.ts';
 import { ik } from './commands/ik.ts';
 import { info } from './commands/info.ts';
+import { kit } from './commands/kit.ts';
 import { pose } from './commands/pose.ts';
 import type { CliCommand, CommandIo, ExitCode } from './io.ts';
 
-const COMMANDS: readonly CliCommand[] = [info, pose, ik, channels, compareCommand, grade, convert];
+const COMMANDS: readonly CliCommand[] = [info, pose, ik, channels, compareCommand, grade, kit, convert];
 
 export async function run(args: readonly string[], io: CommandIo): Promise<ExitCode> {
   const [name, ...rest] = args;
