@@ -3,6 +3,7 @@
  * stops, and the pose at that time is edited. One undo step; Escape cancels it.
  */
 import { setDofs } from '../../../edit/commands/pose.ts';
+import { jointIn } from '../../../edit/step-names.ts';
 import { type Character, findCharacter } from '../../../model/document.ts';
 import { characterDofs } from '../../../model/dofs.ts';
 import { addKeyed } from '../../state/add-keys.ts';
@@ -107,5 +108,7 @@ function constrainedDofs(
 function dragLabel(character: Character | undefined, joint: number, { verb, others }: DragResult): string {
   const all = characterDofs(character?.skeleton, []);
   const joints = new Set([joint, ...others.map(({ index }) => all[index].joint)]);
-  return `${verb} ${jointsText(character?.skeleton, [...joints])}`;
+  const what =
+    joints.size > 1 ? jointsText(character?.skeleton, [...joints]) : jointIn({ skeleton: character?.skeleton }, joint);
+  return `${verb} ${what}`;
 }

@@ -3,6 +3,7 @@
  * Owns the store's gesture; pointer motion belongs to `PinDrag` and `PinNudge`, the pose to `Pull`.
  */
 import { type SetDofs, setDofs } from '../../../edit/commands/pose.ts';
+import { jointIn } from '../../../edit/step-names.ts';
 import type { Command, Edit } from '../../../edit/store.ts';
 import type { Hindrance } from '../../../evaluate/ik/drag/hindrance.ts';
 import { type Gap, type Grip, Pull } from '../../../evaluate/ik/drag/pull.ts';
@@ -45,7 +46,7 @@ export class HandPull {
     this.edit = new HandEdit(wb.store, wb.messages, () => this.holdsStill);
     this.rest = wb.viewport.freezeRootMotion(character.id);
     wb.posing.ik.wantsRoot.set(false);
-    this.command = { ...setDofs, label: () => `Drag ${jointName(character.skeleton, grip.joint)}` };
+    this.command = { ...setDofs, label: () => `Drag ${jointIn(character, grip.joint)}` };
   }
 
   /** Undefined if nothing can be dragged: the character was removed or hidden, or the point can't be located. */

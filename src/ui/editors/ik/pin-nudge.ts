@@ -64,6 +64,8 @@ export class PinNudge {
       const { x, y } = eye.toScreen(from);
       hand.to(eye.inPlaneOf(from, x + way[0] * length, y + way[1] * length));
     }
+    // No frames follow a press in which the rest of the way could be shown.
+    while (hand.goOn());
     clearTimeout(this.timer);
     this.timer = setTimeout(() => this.finish(), BURST_MS);
     return true;

@@ -13,6 +13,7 @@ import {
 } from '../../../edit/commands/poses.ts';
 import { poseByNames, takePose } from '../../../edit/pose/by-names.ts';
 import { counterpartOf } from '../../../edit/pose/mirror.ts';
+import { jointIn } from '../../../edit/step-names.ts';
 import { CommandError, documentIn } from '../../../edit/store.ts';
 import { dofCountOf, poseAt } from '../../../evaluate/pose.ts';
 import { coupleOf } from '../../../model/couples.ts';
@@ -65,7 +66,8 @@ export function resetJoints(wb: Uses<'store' | 'transport' | 'timeline' | 'setti
   const inFile = filePose(skeleton, 0);
   const own = dofsOfJoints(character, joints).filter((index) => !coupleOf(skeleton, index));
   const dofs = own.map((index) => ({ index, value: inFile[index] ?? 0 }));
-  const label = `Reset ${jointsText(skeleton, joints)} to file pose`;
+  const what = joints.length > 1 ? jointsText(skeleton, joints) : jointIn({ skeleton }, joints[0]);
+  const label = `Reset ${what} to file pose`;
   const command = { ...setDofs, label: () => label };
   attempt(wb.messages, () => addKeyed(wb, command, { characterId: character.id, dofs, ...moment(wb) }));
 }

@@ -62,6 +62,16 @@ describe('arrow keys', () => {
     expect(steps()).toBe(2);
   });
 
+  it('the same place of the pin gives the same pose at once, whichever presses led there', () => {
+    const further = { shiftKey: true };
+    // To where the arm is straight, beyond it, and back.
+    for (let i = 0; i < 2; i++) press('ArrowRight', further);
+    const { pose } = page.wb.store.document.characters[0];
+    for (const key of ['ArrowRight', 'ArrowLeft']) press(key, further);
+    const again = page.wb.store.document.characters[0].pose;
+    expect(Math.max(...again.map((value, dof) => Math.abs(value - pose[dof])))).toBeLessThan(1e-6);
+  });
+
   it('another pin starts another step', () => {
     press('ArrowLeft');
     page.wb.posing.ik.selected.set({ characterId: 'c1', pin: 2 });
