@@ -74,7 +74,7 @@ describeShared('the steps of the wasp', () => {
 
       await page.locator('#timeline-tab-curves').click();
       await page.evaluate(() => window.marrow.run('timeline.showsWhy'));
-      const [[, value]] = await copied(page, page.locator('.why .grid[aria-label="Value"]'));
+      const [[value]] = await copied(page, page.locator('.why .grid[aria-label="Value"]'));
       expect(value).toBe(rxOfHipAt(0.4));
       await page.locator('#timeline-tab-steps').click();
 

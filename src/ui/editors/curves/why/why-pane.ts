@@ -35,7 +35,13 @@ export class WhyPane {
     rowLabels: ['in u', 'in s'],
     columnLabels: ['a', 'b', 'c', 'd'],
   });
-  private readonly result = new NumberGrid({ label: 'Value', rows: 1, columns: 2, columnLabels: ['u', 'value'] });
+  private readonly at = new NumberGrid({
+    label: 'Place in the segment',
+    rows: 1,
+    columns: 2,
+    columnLabels: ['u', 's'],
+  });
+  private readonly result = new NumberGrid({ label: 'Value', rows: 1, columns: 1, columnLabels: ['value'] });
   private readonly segment: HTMLElement;
   private readonly empty = element('p', { class: 'empty' }, NOTHING);
   private readonly body: HTMLElement;
@@ -48,6 +54,7 @@ export class WhyPane {
       this.inputs.element,
       element('p', { class: 'step-law' }, 'a·u³ + b·u² + c·u + d, u = (t − t₀) / h; in s since the key as evaluated'),
       this.cubic.element,
+      this.at.element,
     );
     this.body = element(
       'div',
@@ -83,8 +90,9 @@ export class WhyPane {
       this.inputs.setRow(0, segment.inputs);
       this.cubic.setRow(0, segment.inU);
       this.cubic.setRow(1, segment.inSeconds);
+      this.at.setRow(0, [segment.u, segment.tau]);
     }
-    this.result.setRow(0, [segment?.u ?? 0, why.value]);
+    this.result.set(0, 0, why.value);
   }
 }
 
