@@ -123,6 +123,35 @@ describe('the page', () => {
       { early: true, expected: /rest-/ },
     ));
 
+  it('keys pressed while the search loads go into its field, and none to a panel', () =>
+    withPage(
+      async ({ page }) => {
+        let send: (() => void) | undefined;
+        const asked = page.waitForRequest('**/command-search-*.js');
+        await page.route('**/command-search-*.js', (route) => {
+          send = () => void route.continue();
+        });
+        await page.reload();
+        await asked;
+        await shown(page, 'post');
+        const tree = page.getByRole('tree').first();
+        await tree.focus();
+        await page.keyboard.press('Control+k');
+        // T would hide the outliner, D change the units, and the outliner goes to rows by their letters.
+        await page.keyboard.type('dark tx');
+        await page.keyboard.press('Backspace');
+        await page.keyboard.press('Backspace');
+        await page.keyboard.type('theme');
+        expect(await page.getByRole('dialog').count()).toBe(0);
+        await page.keyboard.press('Enter');
+        send?.();
+        await page.locator('[data-theme=dark]').first().waitFor({ state: 'attached' });
+        await page.getByRole('dialog').waitFor({ state: 'detached' });
+        expect(await tree.evaluate((one) => one.contains(document.activeElement))).toBe(true);
+      },
+      { colorScheme: 'light' },
+    ));
+
   it('says so where a dialog does not come, and goes on', () =>
     withPage(
       async ({ page }) => {

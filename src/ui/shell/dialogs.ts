@@ -1,12 +1,14 @@
 /**
  * The page's dialogs: one at a time, named by `wb.dialog`. The native `<dialog>` handles focus and Escape. Their
- * scripts are loaded on first use; until then the dialog counts as open, and the keyboard is blocked.
+ * scripts are loaded on first use, that of the search when the page is idle; until then the dialog counts as open, and
+ * keys are kept for it.
  */
 import type { DialogContent } from '../kit/dialog.ts';
 import { button, element } from '../kit/dom.ts';
 import { icon } from '../kit/icons.ts';
-import { onDemand } from '../state/on-demand.ts';
+import { onDemand, whenIdle } from '../state/on-demand.ts';
 import type { DialogName, Workbench } from '../state/workbench.ts';
+import { keepKeys, replayKeys } from './early-keys.ts';
 
 type MakeDialog = (wb: Workbench, close: () => void) => DialogContent;
 
@@ -33,19 +35,26 @@ const LOAD: Readonly<Record<DialogName, () => Promise<MakeDialog>>> = {
 
 export function startDialogs(wb: Workbench, root: HTMLElement): void {
   let shown: HTMLDialogElement | undefined;
-  let asked = 0;
+  let waiting = new AbortController();
   const close = () => wb.dialog.set(undefined);
   wb.dialog.subscribe(async (name) => {
     shown?.close();
     shown = undefined;
-    const turn = ++asked;
+    waiting.abort();
     if (!name) return;
+    const own = new AbortController();
+    waiting = own;
+    const early = keepKeys(own.signal, close);
     const make = await onDemand(wb.messages, 'The dialog', LOAD[name]);
     // It was closed meanwhile, or another one was opened.
-    if (turn !== asked) return;
-    if (make) shown = showDialog(root, make(wb, close), close, (dialog) => dialog === shown);
-    else close();
+    if (own.signal.aborted) return;
+    own.abort();
+    if (!make) return close();
+    shown = showDialog(root, make(wb, close), close, (dialog) => dialog === shown);
+    replayKeys(early, shown);
   });
+  // Whoever presses Ctrl+K types on at once. If it fails to load, opening it says so.
+  whenIdle(wb, () => void LOAD.search().catch(() => {}));
 }
 
 /** @param isShown whether the page still considers it open */
