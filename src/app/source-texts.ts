@@ -26,15 +26,15 @@ interface Found {
 
 export class SourceTexts implements SourceFiles {
   /** By path, in the order in which they were given. */
-  private readonly given = new Map<string, Blob>();
+  private readonly blobs = new Map<string, Blob>();
 
   constructor(private readonly parts: SourceTextsParts) {}
 
   /** Keeps given files, in place of earlier ones of their paths. */
   note(files: readonly GivenFile[]): void {
     for (const { path, blob } of files) {
-      this.given.delete(path);
-      this.given.set(path, blob);
+      this.blobs.delete(path);
+      this.blobs.set(path, blob);
     }
   }
 
@@ -44,7 +44,11 @@ export class SourceTexts implements SourceFiles {
   }
 
   pathOf(name: string): string | undefined {
-    return [...this.given.keys()].findLast((path) => baseName(path) === name);
+    return [...this.blobs.keys()].findLast((path) => baseName(path) === name);
+  }
+
+  given(path: string): Blob | undefined {
+    return this.foundIn(path)?.blob;
   }
 
   async read(
@@ -66,15 +70,26 @@ export class SourceTexts implements SourceFiles {
   }
 
   private async find(path: string, signal: AbortSignal): Promise<Found> {
-    const own = this.given.get(path);
-    if (own) return { blob: own };
-    const end = path.toLowerCase().lastIndexOf('.zip/');
-    const inside = end < 0 ? undefined : path.slice(end + '.zip/'.length);
-    const zip = end < 0 ? undefined : this.given.get(path.slice(0, end + '.zip'.length));
-    if (zip && inside !== undefined) return { blob: zip, inside };
+    const found = this.foundIn(path);
+    if (found) return found;
     const file = this.parts.handles.at(path);
     if (!file) throw new Error('Its text is no longer at hand. Open the file again.');
     const { blob } = await this.parts.readAgain(file, signal);
+    const inside = zipAndInside(path)?.[1];
     return file.path === path || inside === undefined ? { blob } : { blob, inside };
   }
+
+  private foundIn(path: string): Found | undefined {
+    const own = this.blobs.get(path);
+    if (own) return { blob: own };
+    const [zip, inside] = zipAndInside(path) ?? [];
+    const blob = zip === undefined ? undefined : this.blobs.get(zip);
+    return blob && inside !== undefined ? { blob, inside } : undefined;
+  }
+}
+
+/** `heroes.zip/hero/hero.skel` is `hero/hero.skel` in `heroes.zip`. */
+function zipAndInside(path: string): readonly [zip: string, inside: string] | undefined {
+  const end = path.toLowerCase().lastIndexOf('.zip/') + '.zip'.length;
+  return end < '.zip'.length ? undefined : [path.slice(0, end), path.slice(end + 1)];
 }

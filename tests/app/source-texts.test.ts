@@ -44,6 +44,8 @@ describe('the text of a file as it was opened', () => {
     const zip = zipSync({ 'hero/a.skel': new TextEncoder().encode(SKEL) });
     texts.note([{ path: 'heroes.zip', blob: new Blob([new Uint8Array(zip)]) }]);
     expect((await readOf(texts, 'heroes.zip/hero/a.skel')).text).toBe(SKEL);
+    expect(texts.given('heroes.zip/hero/a.skel')).toBe(texts.given('heroes.zip'));
+    expect(texts.given('a.skel')).toBeUndefined();
     await expect(readOf(texts, 'heroes.zip/b.skel')).rejects.toThrow('The zip no longer contains b.skel.');
   });
 

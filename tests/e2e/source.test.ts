@@ -42,6 +42,8 @@ describe('the text of files', () => {
       await page.getByRole('button', { name: 'Show line 3 of broken.skel in Source' }).first().click();
       await page.locator('.source-line.is-current[data-line="3"][data-severity="error"]').waitFor();
       expect(await shownFile()).toBe('broken.skel');
+      await dropFiles(page, [{ name: 'broken.skel', bytes: BROKEN.replace(' x', ' 1') }]);
+      await page.locator('.source-line[data-line="3"]:not([data-severity])', { hasText: '-1 1' }).waitFor();
 
       await dropFiles(page, [{ name: 'many.skel', bytes: `balljoint a {${'\n'.repeat(LINES)}offset 0 x 0 }\n` }]);
       const last = LINES + 1;

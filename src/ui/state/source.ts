@@ -15,6 +15,8 @@ export interface SourceFiles {
   isText(name: string): boolean;
   /** The path of the file of that name that was given last, opened or not; undefined if there was none. */
   pathOf(name: string): string | undefined;
+  /** What was given for a path, or the zip that contains it: another object once it is opened again. */
+  given(path: string): Blob | undefined;
   /**
    * Reads a file. Rejects with an `Error`, whose message is a sentence, if it can't be read, and with the signal's reason
    * if it is aborted.

@@ -79,7 +79,7 @@ function diagnosticBlock(wb: Uses<'timeline' | 'settings'>, d: Diagnostic, withI
       { class: `severity-${d.severity}` },
       withIcon && icon(d.severity),
       place &&
-        button(`Show line ${d.line} of ${d.file} in Source`, { class: 'place link' }, place, () => showInSource(wb, d)),
+        button(`Show ${place} of ${d.file} in Source`, { class: 'place link' }, place, () => showInSource(wb, d)),
       element('span', { class: 'sentence' }, d.message, d.assumed && element('i', {}, ` (${d.assumed})`)),
     ),
     d.excerpt && excerpt(d.excerpt.text, d.excerpt.caret),

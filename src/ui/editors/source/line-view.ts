@@ -190,6 +190,8 @@ export class LineView {
     setAttribute(own, 'data-severity', problem?.severity);
     setTooltip(row.number, problem?.text ?? '');
     const text = shown ? `${shown.text}${shown.isCut ? '…' : ''}` : '';
+    // Nothing else would be read of an empty line.
+    setAttribute(own, 'aria-label', text.trim() === '' ? `Line ${line}, empty` : undefined);
     if (row.shown === text) return;
     row.shown = text;
     row.text.replaceChildren(...coloured(shown?.text ?? ''));

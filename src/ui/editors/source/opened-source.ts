@@ -17,6 +17,8 @@ export class OpenedSource {
   map: SourceMap | undefined;
   state: SourceState = { kind: 'reading', share: 0 };
   text: Blob | undefined;
+  /** What it is read from. */
+  private readonly given: Blob | undefined;
   private lines: LineText | undefined;
   private readonly abort = new AbortController();
 
@@ -29,7 +31,14 @@ export class OpenedSource {
     readonly path: string,
     private readonly files: SourceFiles,
     private readonly calls: { onLines(): void; onText(): void; onState(): void },
-  ) {}
+  ) {
+    this.given = files.given(path);
+  }
+
+  /** Whether the file was opened again since. */
+  get isOld(): boolean {
+    return this.files.given(this.path) !== this.given;
+  }
 
   /** Resolves when the file is read, or can't be. */
   async read(): Promise<void> {

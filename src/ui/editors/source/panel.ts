@@ -37,7 +37,6 @@ class SourcePanel implements TimelineTab {
   private readonly empty = element('p', { class: 'empty source-empty', hidden: true });
   private visible = false;
   private opened: OpenedSource | undefined;
-  /** The file was chosen by hand or by a message, and stays until something that is in another one is selected. */
   private lit: readonly LineRange[] = NO_LINES;
   private litStarts: readonly number[] = [];
   private now: number | undefined;
@@ -79,7 +78,10 @@ class SourcePanel implements TimelineTab {
     transport.subscribe((now, before) => {
       if (now.timeSeconds !== before.timeSeconds) this.showTime();
     });
-    messages.list.subscribe(() => this.readProblems());
+    messages.list.subscribe(() => {
+      this.readProblems();
+      this.followSoon();
+    });
     timeline.sourceAsked.subscribe(() => this.showAsked());
   }
 
@@ -190,6 +192,10 @@ class SourcePanel implements TimelineTab {
   /** The lines of what is selected; the file that has it, if this one has nothing of it. */
   private follow(reveals = true): void {
     if (!this.visible) return;
+    if (this.opened?.isOld) {
+      this.open(this.opened.path, this.view.current);
+      return;
+    }
     const { store, posing } = this.wb;
     const { document, selection } = store;
     const paths = this.paths();
