@@ -1,12 +1,13 @@
 /** The context menu of a point in time: of the rulers, the scrubber, and by keyboard of the current time. */
 import { type Playback, pause } from '../../../edit/playback.ts';
-import { type MenuEntry, type MenuPlace, openMenu } from '../../kit/menu.ts';
+import { countUnkeyed } from '../../../edit/unkeyed.ts';
+import { type MenuEntry, type MenuItem, type MenuPlace, openMenu } from '../../kit/menu.ts';
 import { shown } from '../../kit/number-text.ts';
 import { findAction, tryAction } from '../../state/action.ts';
 import { sectionsOf } from '../../state/menu-entries.ts';
 import type { Uses } from '../../state/workbench.ts';
 
-type Page = Uses<'actions' | 'transport' | 'settings'>;
+type Page = Uses<'actions' | 'transport' | 'settings' | 'store'>;
 
 /** @param timeSeconds of the transport */
 export function openTimeMenu(wb: Page, timeSeconds: number, at: MenuPlace): void {
@@ -15,7 +16,7 @@ export function openTimeMenu(wb: Page, timeSeconds: number, at: MenuPlace): void
 
 /** Of the current time, actions; of another one also going there. */
 export function timeEntries(wb: Page, timeSeconds: number): MenuEntry[] {
-  const item = (label: string, run: () => void): MenuEntry => ({ kind: 'item', label, enabled: true, run });
+  const item = (label: string, run: () => void): MenuItem => ({ kind: 'item', label, enabled: true, run });
   const change = (next: (now: Playback) => Playback) => () => wb.transport.update(next);
   const goThere = change((p) => ({ ...pause(p, false), timeSeconds }));
   const runThere = (id: string) => () => {
@@ -24,13 +25,18 @@ export function timeEntries(wb: Page, timeSeconds: number): MenuEntry[] {
     goThere();
     tryAction(wb, action);
   };
+  // Going there would discard what is unkeyed here, which is not what would then be keyed.
+  const isUnkeyed = countUnkeyed(wb.store.document, null) > 0;
+  const keyHere: MenuItem = {
+    ...item('Key whole pose here', runThere('key.pose')),
+    enabled: !isUnkeyed,
+    detail: isUnkeyed ? 'Key or undo the unkeyed changes first' : undefined,
+  };
   const isNow = wb.transport.get().timeSeconds === timeSeconds;
   return [
     { kind: 'note', text: timeText(wb, timeSeconds) },
     ...sectionsOf(wb, [
-      isNow
-        ? ['key.pose', 'key.deleteHere']
-        : [item('Go here', goThere), item('Key whole pose here', runThere('key.pose'))],
+      isNow ? ['key.pose', 'key.deleteHere'] : [item('Go here', goThere), keyHere],
       [
         item(
           'Set range start here',

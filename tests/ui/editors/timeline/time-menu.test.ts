@@ -1,4 +1,5 @@
 import { describe, expect, it } from 'vitest';
+import { setDofs } from '../../../../src/edit/commands/pose.ts';
 import { timeEntries } from '../../../../src/ui/editors/timeline/time-menu.ts';
 import type { MenuEntry } from '../../../../src/ui/kit/menu.ts';
 import { channel, character, clip, documentOf, skeleton, workbench } from '../../builders.ts';
@@ -46,6 +47,17 @@ describe('the menu of a ruler', () => {
     expect(wb.store.undoLabel).toBe('Key pose of wasp');
     wb.store.undo();
     expect(wb.store.document.characters[0]).toEqual(walking);
+  });
+
+  it('the menu of a ruler keys nothing at another time while there are unkeyed changes, which going there would discard', () => {
+    const wb = page();
+    wb.store.apply(setDofs, {
+      characterId: walking.id,
+      timeSeconds: 0.5,
+      dofs: [{ index: 0, value: 3 }],
+    });
+    const here = timeEntries(wb, 1.5).find((entry) => entry.kind === 'item' && entry.label === 'Key whole pose here');
+    expect(here).toMatchObject({ enabled: false, detail: 'Key or undo the unkeyed changes first' });
   });
 
   it('the menu at the current time has the actions of the current time, with their shortcuts', () => {
