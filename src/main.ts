@@ -86,6 +86,7 @@ const workbench: Workbench = {
     disk: { ...disk, download },
     framesPerSecond: () => transport.get().framesPerSecond,
     sourceWorker: new WorkerClient(spawnWorker),
+    kitWorker: worker,
   }),
   kept: observable<KeptOffer | undefined>(undefined),
   offline: observable<Offline>(NOT_OFFLINE),

@@ -21,7 +21,7 @@ const MAY_IMPORT: Readonly<Record<string, readonly string[]>> = {
   edit: ['evaluate', ...BASE],
   // Opening and saving, the same for page and command.
   project: ['formats', 'evaluate', 'edit', ...BASE],
-  worker: ['project', 'lesson', 'formats', 'evaluate', ...BASE],
+  worker: ['kit', 'project', 'lesson', 'formats', 'evaluate', ...BASE],
   io: ['worker', 'formats', ...BASE],
   view: ['evaluate', ...BASE],
   // The service worker.

@@ -3,6 +3,7 @@ import { pickFiles, pickFolder, readAgain } from '../io/disk-files.ts';
 import { fromDataTransfer } from '../io/given.ts';
 import { onDemand } from '../ui/state/on-demand.ts';
 import type { FileActions, SampleEntry } from '../ui/state/workbench.ts';
+import type { Runs } from '../worker/client.ts';
 import type { DiskHandles } from './disk-handles.ts';
 import type { Opener } from './opening.ts';
 import { canReload, type ReloadParts, reload } from './reload.ts';
@@ -21,6 +22,7 @@ interface Parts extends Pick<ReloadParts, 'store' | 'messages'> {
   readonly handles: DiskHandles;
   readonly disk: Disk;
   readonly framesPerSecond: () => number;
+  readonly kitWorker: Runs<'kit'>;
   /** For work that may be cancelled any time. */
   readonly sourceWorker: SourceTextsParts['worker'];
 }
@@ -65,6 +67,12 @@ export function fileActions(parts: Parts): FileActions {
         const files = await fetchSample(sample, document.baseURI, signal);
         parts.showSample(sample.shows);
         return files;
+      });
+    },
+    saveKit() {
+      const made = async () => (await import('./kit-zip.ts')).kitZip(parts.kitWorker);
+      onDemand(parts.messages, 'The test kit', made).then((zip) => {
+        if (zip) parts.disk.download(zip.name, new Blob([zip.bytes], { type: 'application/zip' }));
       });
     },
     get samples() {

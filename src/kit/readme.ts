@@ -18,13 +18,16 @@ Matrices are 16 numbers by columns: the last four are x y z 1 of the position. A
 file, without the animation and with morphs at 0. Joints are in depth-first order. Compare with a tolerance of 0.0001, more
 if you use floats.
 
+Marrow warns about weights that do not add up to 1, a vertex without attachments, two keys at one time and a pose beyond
+its limits: all are meant here.
+
 What the files rely on:
 
 - A pose beyond a limit is clamped to it; the translation of the root is not.
 - The first three channels move the root, the next ones are x y z of each joint, the last ones weights of morphs in the
   order of their names.
 - All attachments of a vertex are used, with weights as given; a vertex without any stays where it is.
-- Normals are moved by the inverse transpose of Σ-terms W·B⁻¹ each, added by weight, then normalised.
+- A normal is Σ w·(W·B⁻¹)⁻ᵀ·n, normalised: bindings are scaled here, so W·B⁻¹ itself will not do.
 - The axis-angle form has degrees; a joint's frame is its parent's tip, turned; children are attached at the tip.
 - Captured angles are degrees, position channels replace OFFSET, rotations are multiplied in the order of the channels.
 

@@ -1,4 +1,5 @@
 /** The worker's side: receives a job, runs it, responds. */
+import { testKit } from '../kit/kit.ts';
 import { compareDumps } from './compare.ts';
 import { parse } from './parse.ts';
 import type { FromWorker, Progress, ToWorker } from './protocol.ts';
@@ -20,6 +21,7 @@ scope.onmessage = async ({ data }) => {
     if (data.job === 'parse') done({ id, kind: 'done', job: data.job, output: await parse(data.input, onProgress) });
     else if (data.job === 'source')
       done({ id, kind: 'done', job: data.job, output: await mapSourceOf(data.input, onProgress) });
+    else if (data.job === 'kit') done({ id, kind: 'done', job: data.job, output: testKit() });
     else done({ id, kind: 'done', job: data.job, output: compareDumps(data.input, onProgress) });
   } catch (error) {
     scope.postMessage({ id, kind: 'failed', message: error instanceof Error ? error.message : String(error) });

@@ -16,6 +16,7 @@ export interface Jobs {
   parse: { takes: ParseInput; gives: ParseOutput };
   compare: { takes: CompareInput; gives: CompareOutput };
   source: { takes: SourceInput; gives: SourceOutput };
+  kit: { takes: undefined; gives: KitOutput };
 }
 
 export type JobName = keyof Jobs;
@@ -74,6 +75,9 @@ export interface SourceOutput {
   /** The file itself, if it was in a zip. */
   readonly text?: Blob;
 }
+
+/** The test kit: names and texts of its files. */
+export type KitOutput = ReadonlyMap<string, string>;
 
 type Each<F extends { [K in JobName]: unknown }> = F[JobName];
 

@@ -1,3 +1,4 @@
+import { testKit } from '../../src/kit/kit.ts';
 import { WorkerClient } from '../../src/worker/client.ts';
 import { compareDumps } from '../../src/worker/compare.ts';
 import { parse } from '../../src/worker/parse.ts';
@@ -13,6 +14,7 @@ export class InThisThread extends WorkerClient {
   }
   override async run<K extends keyof Jobs>(_job: K, input: Jobs[K]['takes']): Promise<Jobs[K]['gives']> {
     const nobody = () => undefined;
+    if (input === undefined) return testKit();
     if ('blob' in input) return mapSourceOf(input, nobody);
     return 'files' in input ? parse(input, nobody) : compareDumps(input, nobody);
   }

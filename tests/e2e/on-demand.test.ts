@@ -3,6 +3,7 @@ import { readdirSync, readFileSync } from 'node:fs';
 import { dirname, join } from 'node:path';
 import { fileURLToPath } from 'node:url';
 import { gzipSync } from 'node:zlib';
+import { strFromU8, unzipSync } from 'fflate';
 import type { Page } from 'playwright-core';
 import { describe, expect, it } from 'vitest';
 import { dropFiles, withPage } from '../helpers/page.ts';
@@ -72,7 +73,7 @@ describe('the page', () => {
         });
         await page.reload();
         await asked;
-        await shown(page, 'walker');
+        await shown(page, 'post');
         expect(await page.evaluate(() => window.marrow.stats().triangles)).toBeGreaterThan(1000);
         await page.keyboard.press('Space');
         await page.getByText('View', { exact: true }).click({ force: true });
@@ -151,6 +152,19 @@ describe('the page', () => {
       },
       { colorScheme: 'light' },
     ));
+
+  it('makes the test kit when it is asked for', () =>
+    withPage(async ({ page }) => {
+      await shown(page, 'post');
+      const download = page.waitForEvent('download');
+      await page.evaluate(() => window.marrow.run('kit.save'));
+      const saved = await download;
+      expect(saved.suggestedFilename()).toBe('marrow-kit.zip');
+      const files = unzipSync(new Uint8Array(readFileSync(await saved.path())));
+      expect(Object.keys(files)).toEqual(expect.arrayContaining(['marrow-kit/tree.skel', 'marrow-kit/README.md']));
+      const answers = JSON.parse(strFromU8(files['marrow-kit/answers.json']));
+      expect(answers.sets.length).toBeGreaterThan(5);
+    }));
 
   it('says so where a dialog does not come, and goes on', () =>
     withPage(

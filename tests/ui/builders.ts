@@ -110,6 +110,7 @@ export function workbench(document: Document = EMPTY_DOCUMENT, playback: Partial
     files: {
       open: () => {},
       openSample: () => {},
+      saveKit: () => {},
       samples: [{ id: 'walker', label: 'Walker', description: 'walks' }],
       drop: () => {},
       paste: () => {},

@@ -34,6 +34,8 @@ export interface PartGrade {
   readonly agrees: boolean;
   /** Numbers of items, over all times. */
   readonly compared: Compared;
+  /** How many, of joints and vertices. */
+  readonly times: number;
   /** Of the character, if joints were compared. */
   readonly joints: number;
   /** Largest error of all kinds; null if it is no number, or if nothing could be compared. */
@@ -72,6 +74,27 @@ export function firstWrongText({ first, time, mismatches }: PartGrade): string {
   if (!first) return '';
   const at = first.time ?? time;
   return `${first.what} ${first.index}${first.name ? ` "${first.name}"` : ''}${at === undefined ? '' : ` at ${at} s`}`;
+}
+
+const KINDS: Readonly<Record<keyof Compared, string>> = {
+  world: 'world matrices',
+  local: 'local matrices',
+  positions: 'joint positions',
+  vertices: 'vertices',
+  normals: 'normals',
+  channels: 'channels',
+};
+
+/** `23 world matrices at 11 times, 72 channels`. */
+export function comparedText({ compared, times }: PartGrade): string {
+  const { channels, ...ofFrames } = compared;
+  const counts = Object.entries(ofFrames).filter(([, count]) => count > 0);
+  // Its keys are those of `Compared`, which TypeScript types as strings.
+  const named = counts.map(([kind, count]) => `${count / times} ${KINDS[kind as keyof Compared]}`).join(', ');
+  const frames = named && times > 1 ? `${named} at ${times} times` : named;
+  return (
+    [frames, channels > 0 ? `${channels} ${KINDS.channels}` : ''].filter((text) => text !== '').join('; ') || 'nothing'
+  );
 }
 
 /** Of errors: three digits, enough to see how large they are. */

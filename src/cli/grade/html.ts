@@ -2,7 +2,7 @@
  * Grades as one HTML file without anything outside it: an overview, and a page per submission that its address leads to
  * (`report.html#3`). Printed, all follow one another.
  */
-import { errorText, firstWrongText, type Grade, type PartGrade, placeOf, wrongPart } from './grade.ts';
+import { comparedText, errorText, firstWrongText, type Grade, type PartGrade, placeOf, wrongPart } from './grade.ts';
 import { STYLE } from './style.ts';
 
 export interface ReportFacts {
@@ -70,14 +70,9 @@ ${problemsOf(grade)}
 }
 
 function partOf(part: PartGrade): string {
-  const { files, agrees, compared, jointError, vertexError, channels, own, inherited, causes, mismatches } = part;
+  const { files, agrees, jointError, vertexError, channels, own, inherited, causes, mismatches } = part;
   const facts: (readonly [string, string])[] = [
-    [
-      'Compared',
-      Object.entries(compared)
-        .flatMap(([kind, n]) => (n > 0 ? `${n} ${kind}` : []))
-        .join(', ') || 'nothing',
-    ],
+    ['Compared', comparedText(part)],
     ['Joint error', errorText(jointError)],
     ['Vertex error', errorText(vertexError)],
     ['Channels right', channels ? `${channels.right} of ${channels.of}` : ''],

@@ -231,6 +231,7 @@ function gradeOf(
     files,
     agrees: agrees && mismatches.length === 0,
     compared,
+    times: frames.length,
     joints: Math.max(0, ...frames.map(({ jointErrors }) => jointErrors.length)),
     worst: frames.length > 0 || compared.channels > 0 ? worst : null,
     jointError: errorIn(({ jointErrors }) => jointErrors),

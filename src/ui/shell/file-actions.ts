@@ -102,6 +102,16 @@ export const FILE_ACTIONS: readonly Action[] = [
   },
 ];
 
+const KIT_ACTION: Action = {
+  id: 'kit.save',
+  label: 'Test kit (.zip)',
+  detail: 'Small files with their right numbers, to test a program of your own',
+  group: 'Files',
+  menu: 'Examples',
+  section: 1,
+  run: (wb) => wb.files.saveKit(),
+};
+
 /** Sessions left by an earlier page, as long as there are any: postponed ones stay reachable. */
 export function keptActions(wb: Uses<'kept'>): Action[] {
   const offer = wb.kept.get();
@@ -120,14 +130,17 @@ export function keptActions(wb: Uses<'kept'>): Action[] {
   ];
 }
 
-/** One for each example. */
+/** One for each example, and the files to test other programs with. */
 export function sampleActions(wb: Uses<'files'>): Action[] {
-  return wb.files.samples.map((sample) => ({
-    id: `sample.${sample.id}`,
-    label: sample.label,
-    detail: sample.description,
-    group: 'Files',
-    menu: 'Examples',
-    run: () => wb.files.openSample(sample.id),
-  }));
+  const samples = wb.files.samples.map(
+    (sample): Action => ({
+      id: `sample.${sample.id}`,
+      label: sample.label,
+      detail: sample.description,
+      group: 'Files',
+      menu: 'Examples',
+      run: () => wb.files.openSample(sample.id),
+    }),
+  );
+  return [...samples, KIT_ACTION];
 }

@@ -163,6 +163,8 @@ export interface FileActions {
   open(): void;
   openFolder(): void;
   openSample(id: string): void;
+  /** Downloads small files that tell known mistakes apart, with their answers, as a zip. */
+  saveKit(): void;
   /** Read whenever a menu opens, so the list may arrive late. */
   readonly samples: readonly SampleEntry[];
   drop(data: DataTransfer): void;
