@@ -130,4 +130,15 @@ it('plays one take after the other by key, and compares two by the distance of t
     // The legs differ, the hips don't: the list starts with the largest difference.
     expect(await joints.first().textContent()).toContain('Leg');
     expect(await joints.last().textContent()).toBe('Hips00');
+
+    // With a third take one is selected, and the other chosen in a menu: no key is needed.
+    await page.getByRole('button', { name: 'Stop comparing' }).first().click();
+    await dropFiles(page, [{ name: 'third.bvh', bytes: TAKE }]);
+    await expect.poll(() => rows.count()).toBe(4);
+    await rows.filter({ hasText: 'step' }).first().click();
+    await page.getByRole('button', { name: 'Compare with' }).click();
+    await page.getByRole('menuitem', { name: 'third' }).click();
+    await page.getByRole('button', { name: 'Stop comparing' }).first().waitFor();
+    // They are the same.
+    await expect.poll(() => joints.first().textContent()).toMatch(/00$/);
   }));

@@ -283,8 +283,17 @@ export class Menu {
   }
 }
 
-/** A menu button: the menu opens below it, closes on the next press outside, and returns the focus. */
-export function menuButton(target: HTMLButtonElement, label: string, entries: () => readonly MenuEntry[]): void {
+/**
+ * A menu button: the menu opens below it, closes on the next press outside, and returns the focus.
+ *
+ * @param instead what a press does where no choice is needed; returns whether it did
+ */
+export function menuButton(
+  target: HTMLButtonElement,
+  label: string,
+  entries: () => readonly MenuEntry[],
+  instead?: () => boolean,
+): void {
   target.setAttribute('aria-haspopup', 'menu');
   target.setAttribute('aria-expanded', 'false');
   target.id ||= uniqueId('menu-button');
@@ -308,7 +317,7 @@ export function menuButton(target: HTMLButtonElement, label: string, entries: ()
   target.addEventListener('click', (event) => {
     // A press on the button has already closed the menu, as a press outside.
     if (wasOpen) wasOpen = false;
-    else show(event.detail === 0);
+    else if (!instead?.()) show(event.detail === 0);
   });
   target.addEventListener('keydown', (event) => {
     if (event.key !== 'ArrowDown' && event.key !== 'ArrowUp') return;

@@ -26,6 +26,7 @@ export const MOUSE_AREAS = {
   tree: '.tree',
   slider: '.inspector .slider',
   pose: '.pose-card',
+  takes: '.take-row',
 } as const;
 export type MouseArea = keyof typeof MOUSE_AREAS;
 
@@ -58,6 +59,12 @@ const ELSEWHERE: Readonly<Record<Exclude<MouseArea, 'viewport' | 'curves' | 'dop
   slider: [
     ['Change', 'drag'],
     ['In fine steps', 'Alt+↑ ↓'],
+  ],
+  takes: [
+    ['Select', 'click'],
+    ['Add a second one to compare', 'Ctrl+click'],
+    ['Play alone', 'double-click'],
+    ['Menu, with Compare', 'right click'],
   ],
   pose: [
     ['Apply', 'click'],

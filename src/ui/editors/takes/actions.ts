@@ -1,10 +1,12 @@
 /** Actions on takes: playing one or several, when and where. */
 
 import type { Arrangement } from '../../../edit/commands/takes.ts';
+import { isMac } from '../../kit/keyboard.ts';
 import { needs } from '../../state/needs.ts';
 import { openPanel } from '../../state/panels.ts';
 import type { Action, Uses } from '../../state/workbench.ts';
 import { compareTakes, endComparison } from './compare.ts';
+import { takesToCompare } from './compare-menu.ts';
 import {
   align,
   charactersMeant,
@@ -23,6 +25,7 @@ import {
 } from './play.ts';
 
 const MENU = 'Play/Takes';
+const TWO_TAKES = `Select two takes in the Takes tab: ${isMac ? 'Cmd' : 'Ctrl'}+click the second. Or right-click one: Compare with.`;
 const several = needs(
   'This needs two characters with takes: select them in the list of takes, or show all.',
   (wb: Uses<'store' | 'timeline'>) => charactersMeant(wb).length > 1,
@@ -115,14 +118,15 @@ export const TAKE_ACTIONS: readonly Action[] = [
     group: 'Play',
     menu: MENU,
     section: 6,
+    whyNot: () => TWO_TAKES,
     enabled: needs(
-      'Select two takes first.',
-      (wb) => wb.timeline.takes.comparison.get() !== undefined || chosenTakes(wb).length === 2,
+      TWO_TAKES,
+      (wb) => wb.timeline.takes.comparison.get() !== undefined || takesToCompare(wb) !== undefined,
     ),
     run(wb) {
-      const [first, second] = chosenTakes(wb);
+      const pair = takesToCompare(wb);
       if (wb.timeline.takes.comparison.get()) endComparison(wb);
-      else if (first && second) compareTakes(wb, first, second);
+      else if (pair) compareTakes(wb, ...pair);
     },
   },
   {

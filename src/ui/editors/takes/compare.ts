@@ -33,7 +33,7 @@ export function compareTakes(
   const match = matchJoints(a, b);
   if (!match.first.length) {
     wb.messages.note(
-      `${first.name} and ${second.name} have no joints in common. Joints are matched by name and parent.`,
+      `${first.name} and ${second.name} have no joints in common: they are matched by name and parent. Retarget one take onto the other’s character first (Edit > Retarget take…).`,
       'warning',
     );
     return;

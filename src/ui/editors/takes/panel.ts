@@ -17,7 +17,8 @@ import { comparedIn } from '../../state/takes.ts';
 import type { TimelineTab } from '../../state/timeline.ts';
 import type { Workbench } from '../../state/workbench.ts';
 import { movedEntries } from '../retarget/moved.ts';
-import { compareTakes } from './compare.ts';
+import { compareTakes, endComparison } from './compare.ts';
+import { compareWith } from './compare-menu.ts';
 import { DistancePane } from './distance-pane.ts';
 import {
   chosenTakes,
@@ -192,6 +193,7 @@ class TakesPanel implements TimelineTab {
     const { wb } = this;
     const chosen = chosenTakes(wb);
     const [first, second] = chosen;
+    const isComparing = wb.timeline.takes.comparison.get() !== undefined;
     const item = (label: string, run: () => void, shortcut?: string, enabled = true): MenuEntry => ({
       kind: 'item',
       label,
@@ -210,7 +212,10 @@ class TakesPanel implements TimelineTab {
       item('Play alone', () => playAlone(wb, row), 'Enter'),
       ...(chosen.length > 1 ? [item(`Play these ${chosen.length} together`, () => playTogether(wb, chosen))] : []),
       item(row.isShown ? 'Hide' : 'Show', () => toggleShown(wb, row), keyOf('take.toggleShown')),
-      ...(first && second && chosen.length === 2 ? [item('Compare', () => compareTakes(wb, first, second))] : []),
+      ...(isComparing ? [item('Stop comparing', () => endComparison(wb))] : []),
+      ...(first && second && chosen.length === 2
+        ? [item('Compare these 2', () => compareTakes(wb, first, second))]
+        : compareWith(wb, row)),
       { kind: 'menu', label: 'Arrange', entries: () => arrangeEntries(wb) },
       { kind: 'line' },
       item(chosen.length > 1 ? `Remove ${chosen.length} takes` : 'Remove', () => removeTakeRows(wb, chosen), 'Del'),

@@ -1,9 +1,10 @@
 /** Controls of the takes tab, beside the tabs: a filter, and actions on the selected takes. */
 
-import { button, element, keepsFocusElsewhere, setText } from '../../kit/dom.ts';
+import { button, element, keepsFocusElsewhere, setAttribute, setText } from '../../kit/dom.ts';
 import { focusPanel } from '../../kit/focus.ts';
 import { oncePerFrame } from '../../kit/frame.ts';
 import { icon } from '../../kit/icons.ts';
+import { isMac } from '../../kit/keyboard.ts';
 import { type MenuEntry, menuButton } from '../../kit/menu.ts';
 import { toolbar } from '../../kit/roving.ts';
 import { setTooltip } from '../../kit/tooltip.ts';
@@ -11,6 +12,7 @@ import { actionLabel, findAction, isEnabled, tryAction } from '../../state/actio
 import { itemOf } from '../../state/menu-entries.ts';
 import { setActionTooltip } from '../../state/tooltips.ts';
 import type { Uses } from '../../state/workbench.ts';
+import { compareEntries, takesToCompare, takeToCompare } from './compare-menu.ts';
 import { chosenTakes, listOfTakes } from './play.ts';
 import { takeRows } from './rows.ts';
 import { countText } from './table.ts';
@@ -19,12 +21,14 @@ import { countText } from './table.ts';
 const BUTTONS: readonly (readonly [id: string, text: string, tooltip: string])[] = [
   ['take.alone', 'Alone', 'Play selected take alone (Enter)'],
   ['take.together', 'Together', 'Play only the selected takes, together'],
-  ['take.compare', 'Compare', 'Overlay two selected takes and measure the distance between their joints'],
   ['take.showAll', 'Show all', 'Show all characters'],
 ];
+const COMPARE_TIP = `Overlay two takes and measure the distance between their joints. ${isMac ? 'Cmd' : 'Ctrl'}+click a second take, or choose it in the menu`;
 const ARRANGING = ['take.alignStarts', 'take.resetOffsets', 'line', 'take.put.grid', 'take.put.spot', 'take.put.space'];
 
-export function takeTools(wb: Uses<'store' | 'actions' | 'timeline' | 'settings'>): HTMLElement {
+export function takeTools(
+  wb: Uses<'store' | 'viewport' | 'transport' | 'actions' | 'timeline' | 'settings' | 'messages'>,
+): HTMLElement {
   const refreshing: (() => void)[] = [];
   const buttons = BUTTONS.map(([id, text, tooltip]) => {
     const action = findAction(wb, id);
@@ -33,12 +37,11 @@ export function takeTools(wb: Uses<'store' | 'actions' | 'timeline' | 'settings'
     );
     refreshing.push(() => {
       made.disabled = !(action && isEnabled(wb, action));
-      if (id !== 'take.compare' || !action) return;
-      setText(made, wb.timeline.takes.comparison.get() ? 'Stop comparing' : text);
-      made.setAttribute('aria-label', actionLabel(wb, action));
     });
     return made;
   });
+  const { element: compare, refresh: refreshCompare } = compareButton(wb);
+  refreshing.push(refreshCompare);
   const arrange = keepsFocusElsewhere(
     element('button', { type: 'button', class: 'tool text-tool' }, 'Arrange', icon('fold')),
   );
@@ -73,12 +76,49 @@ export function takeTools(wb: Uses<'store' | 'actions' | 'timeline' | 'settings'
         { class: 'tools', 'aria-label': 'Takes' },
         step('take.previous', 'Previous take', 'previousTake'),
         step('take.next', 'Next take', 'nextTake'),
-        ...buttons,
+        ...buttons.slice(0, 2),
+        compare,
+        ...buttons.slice(2),
         arrange,
       ),
     ),
     counted,
   );
+}
+
+/** Compares the two selected takes, or the only two; otherwise a menu of those that one can be compared with. */
+function compareButton(
+  wb: Uses<'store' | 'viewport' | 'transport' | 'actions' | 'timeline' | 'settings' | 'messages'>,
+): { readonly element: HTMLElement; refresh(): void } {
+  const action = findAction(wb, 'take.compare');
+  const label = element('span', {}, 'Compare');
+  const made = keepsFocusElsewhere(element('button', { type: 'button', class: 'tool text-tool' }, label, icon('fold')));
+  const isComparing = () => wb.timeline.takes.comparison.get() !== undefined;
+  const runsAtOnce = () => isComparing() || takesToCompare(wb) !== undefined;
+  menuButton(
+    made,
+    'Compare with',
+    () => {
+      const row = takeToCompare(wb);
+      return row ? compareEntries(wb, row) : [];
+    },
+    () => {
+      if (!action || !runsAtOnce()) return false;
+      tryAction(wb, action);
+      return true;
+    },
+  );
+  const refresh = () => {
+    const atOnce = runsAtOnce();
+    made.disabled = !isComparing() && takeRows(wb.store.document).length < 2;
+    setText(label, isComparing() ? 'Stop comparing' : 'Compare');
+    made.classList.toggle('at-once', atOnce);
+    setAttribute(made, 'aria-haspopup', atOnce ? undefined : 'menu');
+    setAttribute(made, 'aria-label', atOnce && action ? actionLabel(wb, action) : 'Compare with');
+    const tip = made.disabled ? 'Comparing takes two: open another capture or animation' : COMPARE_TIP;
+    setTooltip(made, isComparing() ? 'Show everything as it was before comparing' : tip);
+  };
+  return { element: made, refresh };
 }
 
 export function arrangeEntries(wb: Uses<'actions' | 'settings'>): MenuEntry[] {
