@@ -33,7 +33,7 @@ export function loadReference(folder: string, path: string, err: (text: string) 
 }
 
 /** Parts of a take at which it is compared if no times are given: within, and before and after it. */
-const SHARES = [-0.62, -0.25, 0, 0.13, 0.31, 0.5, 0.69, 0.87, 1, 1.29, 1.73];
+const SHARES = [-0.62, 0, 0.13, 0.5, 0.87, 1, 1.73];
 
 /** Undefined is the file pose. @param asked on the command line */
 export function timesFor(character: Character, asked: readonly number[] | undefined): readonly (number | undefined)[] {
