@@ -288,7 +288,20 @@ const smallTargets = (page: Page) =>
       .map(({ one, box }) => `${one.className}, ${one.ariaLabel ?? one.textContent}: ${box.width} × ${box.height}`);
   });
 
-it('a phone has all menus, the timeline and targets of 44 pixels', () =>
+/** Controls and texts of the menu bar that are over each other, or beyond its edges. */
+const overlapsInMenuBar = (page: Page) =>
+  page.evaluate(() => {
+    const parts = [...document.querySelectorAll('.menu-bar :is(button, .unsaved-text, .loaded-text)')]
+      .map((part) => ({ name: part.ariaLabel ?? part.textContent, box: part.getBoundingClientRect() }))
+      .filter(({ box }) => box.width > 0 && box.right > 0)
+      .sort((a, b) => a.box.left - b.box.left);
+    return parts.flatMap(({ name, box }, i) => {
+      const end = parts[i + 1]?.box.left ?? innerWidth;
+      return box.right > end + 0.5 ? [`at ${innerWidth}: ${name} ends at ${box.right}, beyond ${end}`] : [];
+    });
+  });
+
+it('a phone has all menus, the timeline and targets of 44 pixels; nothing in the menu bar is over anything else', () =>
   withPage(
     async ({ page }) => {
       await openArm(page);
@@ -312,6 +325,38 @@ it('a phone has all menus, the timeline and targets of 44 pixels', () =>
       await page.getByRole('menuitem', { name: 'Shortcuts' }).waitFor();
       small.push(...(await smallTargets(page)));
       expect(small).toEqual([]);
+      await page.keyboard.press('Escape');
+      await page.keyboard.press('Escape');
+
+      const overlapping: string[] = [];
+      const long = 'an_arm_with_a_name_that_fills_the_whole_bar';
+      await dropFiles(page, [
+        { name: `${long}.skel`, bytes: SKEL },
+        { name: `${long}.anim`, bytes: ANIM },
+      ]);
+      await page.locator('.loaded-text', { hasText: '2 characters' }).waitFor({ state: 'attached' });
+      for (let unsaved = 0; unsaved < 3; unsaved++) {
+        if (unsaved > 0) await run(page, 'take.new');
+        for (const width of [390, 700, 768, 910, 1024]) {
+          await page.setViewportSize({ width, height: 1024 });
+          overlapping.push(...(await overlapsInMenuBar(page)));
+        }
+      }
+      expect(overlapping).toEqual([]);
+      await page.setViewportSize({ width: 768, height: 1024 });
+      await page.getByRole('menuitem', { name: 'Help' }).tap();
+      await page.getByRole('menuitem', { name: 'Shortcuts' }).waitFor();
+      await page.keyboard.press('Escape');
+
+      const [undo, redo] = await page.locator('.undo-buttons > button').all();
+      const names = async () => [await undo.getAttribute('aria-label'), await redo.getAttribute('aria-label')];
+      expect(await names()).toEqual([expect.stringMatching(/^Undo new take/), 'Redo']);
+      await redo.tap({ force: true });
+      await page.getByText('There is nothing to redo.').waitFor();
+      await undo.tap();
+      expect(await names()).toEqual([expect.stringMatching(/^Undo/), expect.stringMatching(/^Redo new take/)]);
+      await redo.tap();
+      expect(await names()).toEqual([expect.stringMatching(/^Undo new take/), 'Redo']);
     },
     { size: SIZES[2], touch: true },
   ));

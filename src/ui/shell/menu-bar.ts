@@ -12,6 +12,7 @@ import { MENUS, type MenuName } from '../state/menus.ts';
 import { isPanelOpen, NARROW } from '../state/panels.ts';
 import { setActionTooltip } from '../state/tooltips.ts';
 import type { Uses } from '../state/workbench.ts';
+import { undoButtons } from './undo-buttons.ts';
 
 export function menuBar(wb: Uses<'store' | 'actions' | 'settings' | 'loading' | 'files'>): HTMLElement {
   const bar = element('div', { role: 'menubar', 'aria-label': 'Menus', class: 'menu-titles' });
@@ -30,6 +31,7 @@ export function menuBar(wb: Uses<'store' | 'actions' | 'settings' | 'loading' | 
     element('h1', { class: 'brand' }, icon('bones'), 'Marrow'),
     bar,
     allMenus(wb),
+    undoButtons(wb),
     element('div', { class: 'menu-end' }, whatIsUnsaved(wb), whatIsLoaded(wb)),
     panelButton(wb, 'page.inspector', 'Inspector', 'inspector'),
   );
