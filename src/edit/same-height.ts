@@ -11,17 +11,19 @@ import { extentOf, leadersOf, placeBeside } from './place-beside.ts';
 /** Something flat counts as this part of its longest side. */
 const MIN_PART_OF_SIZE = 0.25;
 
-/**
- * Before its placement, at the start of its take; 0 if nothing of it has a size. Figures of one file, which keep their
- * relative sizes, have that of the tallest.
- */
+/** Before its placement, at the start of its take; 0 if nothing of it has a size. */
+export function ownHeight(character: Character): number {
+  const { height, size } = extentOf(character);
+  return Math.max(height, MIN_PART_OF_SIZE * size);
+}
+
+/** Own heights. Figures of one file, which keep their relative sizes, have that of the tallest. */
 function heightsOf(characters: readonly Character[]): (character: Character) => number {
   const leaderOf = leadersOf(characters);
   const heights = new Map<Character, number>();
   for (const character of characters) {
-    const { height, size } = extentOf(character);
     const leader = leaderOf(character);
-    heights.set(leader, Math.max(heights.get(leader) ?? 0, height, MIN_PART_OF_SIZE * size));
+    heights.set(leader, Math.max(heights.get(leader) ?? 0, ownHeight(character)));
   }
   return (character) => heights.get(leaderOf(character)) ?? 0;
 }

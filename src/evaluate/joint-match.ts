@@ -6,6 +6,7 @@
  * No guessing: `LeftArm` and `L_UpperArm` may be the same limb, but their distance would compare two rigs, not two
  * motions. That is left to retargeting.
  */
+import { length3 } from '../math/vec3.ts';
 import type { Skeleton } from '../model/skeleton.ts';
 
 export interface JointMatch {
@@ -52,4 +53,22 @@ export function matchJoints(a: Skeleton, b: Skeleton): JointMatch {
 /** Whether both have the same joints, in any order. */
 export function isSameSkeleton({ onlyFirst, onlySecond }: JointMatch): boolean {
   return onlyFirst.length === 0 && onlySecond.length === 0;
+}
+
+/** Bones of one actor differ less than this between files, as a part of their length. */
+const SAME_SIZE = 0.05;
+
+/**
+ * Whether the matched bones are about as long in both skeletons, in the units of their files: takes of one actor in one
+ * unit. Without bones to tell by, whether both have the same joints.
+ */
+export function isSameSize(a: Skeleton, b: Skeleton, match: JointMatch): boolean {
+  const [own, other] = [bonesLength(a, match.first), bonesLength(b, match.second)];
+  if (own === 0 && other === 0) return isSameSkeleton(match);
+  return Math.abs(own - other) <= SAME_SIZE * Math.max(own, other);
+}
+
+/** Without roots: their offset may be a place, and is no bone. */
+function bonesLength({ joints }: Skeleton, those: readonly number[]): number {
+  return those.reduce((sum, j) => (joints[j].parent < 0 ? sum : sum + length3(...joints[j].offset)), 0);
 }

@@ -1,5 +1,5 @@
 import { describe, expect, it } from 'vitest';
-import { isSameSkeleton, matchJoints } from '../../src/evaluate/joint-match.ts';
+import { isSameSize, isSameSkeleton, matchJoints } from '../../src/evaluate/joint-match.ts';
 import { skeleton } from '../ui/builders.ts';
 
 describe('joints of two skeletons', () => {
@@ -26,5 +26,22 @@ describe('joints of two skeletons', () => {
 
   it('joints of skeletons with other names don’t match', () => {
     expect(matchJoints(figure, skeleton(['pelvis', -1], ['leg_l', 0])).first).toEqual([]);
+  });
+
+  it('skeletons are of one size if the bones that match are about as long, wherever their roots are', () => {
+    const sized = (by: number, root = 0) => ({
+      ...figure,
+      joints: figure.joints.map((j, i) => ({ ...j, offset: [i === 0 ? root : 0, by, 0] as const })),
+    });
+    const isSame = (a: number, b: number) => isSameSize(sized(a), sized(b, 900), matchJoints(sized(a), sized(b, 900)));
+    expect([isSame(1, 1.04), isSame(1, 1.2), isSame(1, 2.54), isSame(0, 0), isSame(0, 1)]).toEqual([
+      true,
+      false,
+      false,
+      true,
+      false,
+    ]);
+    const strangers = skeleton(['pelvis', -1], ['leg_l', 0]);
+    expect(isSameSize(figure, strangers, matchJoints(figure, strangers))).toBe(false);
   });
 });

@@ -2,6 +2,7 @@
  * Commands on several takes: which of them play, when and where. Each is a single undo step, however many characters it
  * affects, since a folder of fifty files is fifty characters with a take each.
  */
+import { isSameSize, matchJoints } from '../../evaluate/joint-match.ts';
 import type { Vec3 } from '../../math/vec3.ts';
 import { type Character, type Document, type Space, shownClip } from '../../model/document.ts';
 import { NO_MARKS, type PartMark } from '../../model/part.ts';
@@ -9,6 +10,7 @@ import { finiteNumber, indexIn, listOf } from '../arguments.ts';
 import { requireCharacter } from '../characters.ts';
 import { driverSource, withoutDriver } from '../drivers.ts';
 import { extentOf } from '../place-beside.ts';
+import { ownHeight } from '../same-height.ts';
 import { characterIn, cutName, SHORT_NAME } from '../step-names.ts';
 import { type Command, CommandError } from '../store.ts';
 import { withoutUnkeyed } from '../unkeyed.ts';
@@ -99,8 +101,10 @@ export const arrange: Command<{ readonly characterIds: readonly string[]; readon
 };
 
 /**
- * Overlays one take on another: shows both and nothing else, the second in the place of the first. Two takes of one
- * character can't both be shown: there the first is shown, and the viewer draws the second over it.
+ * Overlays one take on another: shows both and nothing else, the second in the place of the first. Takes of one actor
+ * also share its scale, unit and ground. Others keep their own sizes; only where a unit isn't known and one is far
+ * taller, the second is made as tall as the first. Two takes of one character can't both be shown: there the first is
+ * shown, and the viewer draws the second over it.
  */
 export const overlayTakes: Command<{ readonly first: TakeRef; readonly second: TakeRef }> = {
   id: 'takes.overlay',
@@ -110,20 +114,42 @@ export const overlayTakes: Command<{ readonly first: TakeRef; readonly second: T
     if (!first || !second) throw new CommandError('Comparing needs two takes.');
     if (first.characterId === second.characterId) return shown(document, takesIn(document, [first]), true);
     const next = shown(document, takesIn(document, [first, second]), true);
-    const { placements, space } = requireCharacter(document, first.characterId);
+    const like = requireCharacter(next, first.characterId);
+    const { space } = like;
     return mapCharacters(next, (c) => {
       if (c.id !== second.characterId) return c;
-      const placed = samePlacement(c.placements[0], placements[0])
+      const isSame = isSameActor(like, c);
+      const placement = isSame ? like.placements[0] : { ...like.placements[0], scale: overlaidScale(like, c) };
+      const placed = samePlacement(c.placements[0], placement)
         ? c
-        : { ...c, placements: [placements[0], ...c.placements.slice(1)] };
-      // The ground level was guessed for each separately; differences in it are no difference between the takes.
-      return space && c.space && !liesAlike(c.space, space) ? { ...placed, space } : placed;
+        : { ...c, placements: [placement, ...c.placements.slice(1)] };
+      // Unit and ground level were guessed for each separately; that is no difference between takes of one actor.
+      return isSame && space && c.space && !liesAlike(c.space, space) ? { ...placed, space } : placed;
     });
   },
 };
 
+function isSameActor({ skeleton: a }: Character, { skeleton: b }: Character): boolean {
+  return !a || !b || isSameSize(a, b, matchJoints(a, b));
+}
+
+/** Heights further apart than this factor are made equal where a unit isn't known. */
+const FAR_TALLER = 2;
+
+function overlaidScale(first: Character, second: Character): number {
+  const { scale } = second.placements[0];
+  if (hasUnit(first) && hasUnit(second)) return scale;
+  const [target, height] = [first.placements[0].scale * ownHeight(first), ownHeight(second)];
+  if (!(target > 0 && height > 0)) return scale;
+  const ratio = (scale * height) / target;
+  return ratio > FAR_TALLER || ratio < 1 / FAR_TALLER ? target / height : scale;
+}
+
+const hasUnit = ({ space }: Character) => space !== undefined && space.unit !== 'asIs';
+
 /**
- * Undoes the changes of overlaying takes: placements, spaces, visibility. Other changes made since then are kept.
+ * Undoes the changes of overlaying takes: spaces, takes shown, visibility. Places and sizes are those from before,
+ * whatever changed them meanwhile: while takes are compared they are part of the comparison. Other changes are kept.
  *
  * @param before characters as they were before
  * @param overlaid the same ones right after
@@ -138,17 +164,13 @@ export const endOverlay: Command<{ readonly before: readonly Character[]; readon
     const became = new Map(overlaid.map((c) => [c.id, c]));
     return mapCharacters(document, (c) => {
       const [from, to] = [was.get(c.id), became.get(c.id)];
-      return from && to && from !== to ? putBack(document, c, from, to) : c;
+      return from && to ? putBack(document, c, from, to) : c;
     });
   },
 };
 
 function putBack(document: Document, now: Character, from: Character, to: Character): Character {
-  let c = now;
-  const [place, laid] = [from.placements[0], to.placements[0]];
-  if (!samePlacement(place, laid) && samePlacement(c.placements[0], laid)) {
-    c = { ...c, placements: [place, ...c.placements.slice(1)] };
-  }
+  let c = withPlacements(now, from.placements);
   if (from.space && to.space && c.space && !liesAlike(from.space, to.space) && liesAlike(c.space, to.space)) {
     c = { ...c, space: from.space };
   }
@@ -167,6 +189,16 @@ function putBack(document: Document, now: Character, from: Character, to: Charac
   if (wasHidden !== (to.isHidden ?? false) && wasHidden !== (c.isHidden ?? false))
     c = wasHidden ? hidden(c) : visible(c);
   return c;
+}
+
+/** With these placements; instances added meanwhile stay where they are. */
+function withPlacements(character: Character, [first, ...others]: Character['placements']): Character {
+  const now = character.placements;
+  const isSameCount = now.length === others.length + 1;
+  const next: Character['placements'] = [first, ...(isSameCount ? others : now.slice(1))];
+  return now.every((placement, i) => samePlacement(placement, next[i]))
+    ? character
+    : { ...character, placements: next };
 }
 
 /** Whether both have the same up axis, unit and lift. */

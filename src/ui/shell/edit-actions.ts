@@ -15,7 +15,15 @@ import type { Action, Uses } from '../state/workbench.ts';
 const hasCharacter = needs(NO_CHARACTER, (wb: Uses<'store'>) => currentCharacter(wb) !== undefined);
 const idsOf = (wb: Uses<'store'>) => wb.store.document.characters.map((c) => c.id);
 const hasSeveral = (wb: Uses<'store'>) => wb.store.document.characters.length > 1;
-const needsSeveral = needs('This compares several characters. Open another one first.', hasSeveral);
+const isComparing = (wb: Uses<'timeline'>) => wb.timeline.takes.comparison.get() !== undefined;
+/** Heights of several characters, and not of takes that lie over each other: they would be put side by side. */
+const needsSeveral = needs(
+  (wb: Uses<'store' | 'timeline'>) =>
+    isComparing(wb)
+      ? 'Takes are being compared, one over the other. Stop comparing first (Takes tab).'
+      : 'This compares several characters. Open another one first.',
+  (wb: Uses<'store' | 'timeline'>) => hasSeveral(wb) && !isComparing(wb),
+);
 
 export const EDIT_ACTIONS: readonly Action[] = [
   {

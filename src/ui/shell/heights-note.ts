@@ -10,8 +10,9 @@ import type { Uses } from '../state/workbench.ts';
 /** The largest is more than this many times as tall as the smallest. */
 const FAR_APART = 4;
 
-export function heightsNote(wb: Uses<'store' | 'actions'>): HTMLElement {
+export function heightsNote(wb: Uses<'store' | 'actions' | 'timeline'>): HTMLElement {
   const text = element('span', { class: 'offer-text', role: 'status' });
+  const { comparison } = wb.timeline.takes;
   let dismissed = '';
   let measured: readonly Character[] = [];
   const note = element(
@@ -29,7 +30,9 @@ export function heightsNote(wb: Uses<'store' | 'actions'>): HTMLElement {
     }),
   );
   const show = () => {
-    const offer = idsOf(measured) === dismissed ? undefined : heightsText(measured);
+    // Takes that are compared lie over each other: the action would be refused.
+    const isComparing = comparison.get() !== undefined;
+    const offer = isComparing || idsOf(measured) === dismissed ? undefined : heightsText(measured);
     note.hidden = offer === undefined;
     setText(text, offer ?? '');
   };
@@ -41,6 +44,7 @@ export function heightsNote(wb: Uses<'store' | 'actions'>): HTMLElement {
     show();
   };
   wb.store.subscribe(follow);
+  comparison.subscribe(show);
   follow();
   show();
   return note;

@@ -13,7 +13,8 @@ import {
   startAt,
   toggleShown,
 } from '../../../../src/ui/editors/takes/play.ts';
-import { runAction } from '../../../../src/ui/state/action.ts';
+import { findAction, isEnabled, runAction, tryAction } from '../../../../src/ui/state/action.ts';
+import { reasonOf } from '../../../../src/ui/state/needs.ts';
 import { comparedIn, drawnDocument } from '../../../../src/ui/state/takes.ts';
 import { character, clip, documentOf, skeleton } from '../../../helpers/builders.ts';
 import { workbench } from '../../builders.ts';
@@ -181,6 +182,21 @@ describe('two takes that are compared', () => {
     expect(wb.store.document).toBe(before);
     expect(wb.transport.get().range).toEqual([0.25, 3]);
     expect([wb.store.undoLabel, wb.store.redoLabel]).toEqual([undefined, 'Compare a with d']);
+  });
+
+  it('heights are left alone while takes are compared, with a sentence', () => {
+    const { wb } = bench();
+    const rows = listOfTakes(wb);
+    for (const id of ['edit.sameHeight', 'edit.ownHeights']) {
+      compareTakes(wb, rows[0], rows[1]);
+      const { document } = wb.store;
+      const action = findAction(wb, id);
+      if (action) tryAction(wb, action);
+      expect(wb.store.document).toBe(document);
+      expect(reasonOf(action?.enabled, wb)).toContain('Stop comparing first');
+      runAction(wb, 'take.compare');
+      expect(action && isEnabled(wb, action)).toBe(true);
+    }
   });
 
   it('undo ends a comparison, and redo restores it', () => {
