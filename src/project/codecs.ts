@@ -62,7 +62,7 @@ export interface Writer<C> {
   /** Text, or pieces of bytes. Infos name the file. */
   write(content: C, fileName: string): WriteResult | WrittenPieces;
   /** What a character's files of it hold, in the save dialog. */
-  detail(character: Character, framesPerSecond: number): readonly (string | Counted)[];
+  detail(character: Character, framesPerSecond: number): readonly (string | Counted | PlayedRange)[];
   /** The files of a character whose own parts are no such files (`isOwn`). */
   copies?(character: Character, options: ConversionOptions): readonly Copy[];
   /** What of the character such files can't hold, as sentences. */
@@ -74,6 +74,11 @@ export interface Counted {
   readonly one: string;
   /** Absent: `one` with an s. */
   readonly many?: string;
+}
+
+/** The seconds that a file says are played. */
+export interface PlayedRange {
+  readonly range: readonly [number, number];
 }
 
 const joints = ({ skeleton }: Character) => [{ count: skeleton?.joints.length ?? 0, one: 'joint' }];
@@ -105,7 +110,7 @@ export const WRITERS: { readonly [K in SavedKind]: Writer<HeldBy<K>> } = {
     write: ({ clip }, name) => writeAnim(clip, name),
     detail: (character) => {
       const clip = shownClip(character);
-      return clip ? [clip.name, { count: clip.channels.length, one: 'channel' }] : [];
+      return clip ? [clip.name, { count: clip.channels.length, one: 'channel' }, { range: clip.range }] : [];
     },
     copies: animCopies,
   },

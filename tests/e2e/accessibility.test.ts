@@ -209,6 +209,22 @@ it('the keyboard reaches everything: F6 the panels, arrows the buttons of a tool
       const order = ['inspector', 'transport', 'timeline', 'menuBar', 'outliner', 'stage'];
       expect(panels).toEqual([...order, 'outliner', 'menuBar']);
 
+      // Enter leaves a field for its panel: keys are shortcuts again, and F6 and Tab go on from there.
+      const rx = page.getByRole('textbox', { name: 'rx of elbow, degrees' }).first();
+      for (const [key, region, field] of [
+        ['F6', 'transport', undefined],
+        ['Tab', 'inspector', 'rx of elbow, degrees'],
+      ] as const) {
+        await rx.fill(field ? '20' : '10');
+        await page.keyboard.press('Enter');
+        expect(await focused(page)).toMatchObject({ panel: 'inspector', role: 'section' });
+        await page.keyboard.press(key);
+        const now = await focused(page);
+        expect(now.panel).toBe(region);
+        expect(now.name).not.toBe(field);
+        expect(now.role).not.toBe('section');
+      }
+
       // One tab stop, which the arrows move.
       const playback = page.getByRole('toolbar', { name: 'Playback' });
       await playback.getByRole('button').first().focus();

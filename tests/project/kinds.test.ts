@@ -1,7 +1,7 @@
 import { describe, expect, it } from 'vitest';
 import type { FileContent } from '../../src/model/files.ts';
 import { type Joint, UNLIMITED } from '../../src/model/skeleton.ts';
-import { formatOf } from '../../src/project/codecs.ts';
+import { formatOf, WRITERS } from '../../src/project/codecs.ts';
 import {
   FORMAT_KINDS,
   type FormatKind,
@@ -12,7 +12,7 @@ import {
 } from '../../src/project/kinds.ts';
 import { outputOf } from '../../src/project/save/output.ts';
 import { read } from '../formats/read-in-pieces.ts';
-import { clip, joint, morph, skeleton, skin } from '../helpers/builders.ts';
+import { character, clip, joint, morph, skeleton, skin } from '../helpers/builders.ts';
 import { bvhFigure, bvhJoint } from '../helpers/bvh.ts';
 
 const HINGE: Joint = {
@@ -104,3 +104,9 @@ function writtenAs(name: string, content: FileContent): Uint8Array {
   expect(output.diagnostics()).toEqual([]);
   return new Uint8Array(Buffer.concat(pieces));
 }
+
+it('the save dialog is told the range that an animation is saved with', () => {
+  const take = { ...clip('walk', [1]), range: [0, 6.4] } as const;
+  const told = WRITERS.anim.detail(character({ clips: [take] }), 30);
+  expect(told).toContainEqual({ range: [0, 6.4] });
+});

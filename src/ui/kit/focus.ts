@@ -1,8 +1,8 @@
 /**
  * Where the focus moves after a text field. A field that kept it would swallow the next K, Space or Ctrl+Z; so the
- * focus moves to the element that handles its panel's keys, or to the page.
+ * focus moves to the element that handles its panel's keys, else to its part of the page, from which F6 continues.
  *
- * Tab still continues from the field, since the browser remembers its position.
+ * Tab still continues from the field.
  */
 
 /** Marks the element that handles a panel's keys: the plot of the curves, the dope sheet. */
@@ -16,10 +16,31 @@ export function isTextField(target: Element | null): target is HTMLElement {
 }
 const NO_TEXT = /^(checkbox|radio|button|submit|reset|color|file|range|image)$/;
 
-/** Moves the focus from a field, which commits what was typed, to the panel of `near`. */
+/** Moves the focus from a field, which commits what was typed, to the panel of `near`, or to the field's region. */
 export function leaveField(field: HTMLElement, near: Element = field): void {
+  // Committing may remove the field.
+  const region = isTextField(field) && near === field && field.closest<HTMLElement>(`[${REGION}]`);
   field.blur();
-  focusPanel(near);
+  if (!focusPanel(near) && region) focusRegion(region, field);
+}
+
+/** @param from Tab continues there */
+function focusRegion(region: HTMLElement, from: HTMLElement): void {
+  const until = new AbortController();
+  const { signal } = until;
+  region.tabIndex = -1;
+  region.focus({ preventScroll: true });
+  // The browser moves on from what has the focus after the listeners.
+  const back = ({ key, target }: KeyboardEvent) => {
+    if (key === 'Tab' && target === region) from.focus({ preventScroll: true });
+  };
+  region.addEventListener('keydown', back, { signal });
+  const left = () => {
+    until.abort();
+    // A click on its empty parts would focus it.
+    region.removeAttribute('tabindex');
+  };
+  region.addEventListener('blur', left, { signal });
 }
 
 /** Focuses the element that handles the keys of the panel around `near`; false if that is the page. */

@@ -1,10 +1,10 @@
 /** The save dialog: each character, with every file format it can be saved as. */
-import { type Counted, WRITERS, type Writer } from '../../project/codecs.ts';
+import { type Counted, type PlayedRange, WRITERS, type Writer } from '../../project/codecs.ts';
 import { KINDS, SAVED_KINDS } from '../../project/kinds.ts';
 import type { DialogContent } from '../kit/dialog.ts';
 import { element } from '../kit/dom.ts';
 import { icon } from '../kit/icons.ts';
-import { plural } from '../kit/number-text.ts';
+import { plural, shown } from '../kit/number-text.ts';
 import { setTooltip } from '../kit/tooltip.ts';
 import type { Uses } from '../state/workbench.ts';
 
@@ -48,6 +48,8 @@ function saveButton(label: string, detail: string, save: () => void): HTMLElemen
   return made;
 }
 
-function textOfDetail(detail: string | Counted): string {
+function textOfDetail(detail: string | Counted | PlayedRange): string {
+  // The take's own, which may differ from the playback range.
+  if (typeof detail === 'object' && 'range' in detail) return `range ${detail.range.map((t) => shown(t)).join('–')} s`;
   return typeof detail === 'string' ? detail : plural(detail.count, detail.one, detail.many);
 }

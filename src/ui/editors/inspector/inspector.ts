@@ -6,7 +6,7 @@ import { GUI } from 'lil-gui';
 import { type Character, findCharacter, shownClip } from '../../../model/document.ts';
 import { jointsIn } from '../../../model/selected-joints.ts';
 import { element } from '../../kit/dom.ts';
-import { SECTION } from '../../kit/focus.ts';
+import { isTextField, leaveField, SECTION } from '../../kit/focus.ts';
 import { oncePerFrame } from '../../kit/frame.ts';
 import { currentCharacter } from '../../state/action.ts';
 import { HandEdit } from '../../state/hand-edit.ts';
@@ -90,7 +90,12 @@ export function fillInspector(wb: Workbench, panel: HTMLElement): void {
 
   // lil-gui stops key events; those that a control doesn't use are forwarded first.
   const handOn = (event: KeyboardEvent) => {
-    if (event.target instanceof Element && event.target.closest('.lil-controller')) handleKey(wb, event);
+    const { target } = event;
+    // lil-gui would leave the focus to the page.
+    if (event.key === 'Enter' && !event.isComposing && target instanceof HTMLInputElement && isTextField(target)) {
+      leaveField(target);
+    }
+    if (target instanceof Element && target.closest('.lil-controller')) handleKey(wb, event);
   };
   panel.addEventListener('keydown', handOn, { capture: true });
 }

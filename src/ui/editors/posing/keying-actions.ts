@@ -153,6 +153,7 @@ export const KEYING_ACTIONS: readonly Action[] = [
   },
   {
     id: 'take.rangeFromPlayed',
+    also: 'save animation file start end',
     unchanged: 'The take has that range already.',
     label: 'Set take range to playback range',
     group: 'Keys',

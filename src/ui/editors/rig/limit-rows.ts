@@ -6,6 +6,7 @@ import { findCharacter } from '../../../model/document.ts';
 import { characterDofs, firstDofs } from '../../../model/dofs.ts';
 import { type Dof, type Limit, UNLIMITED } from '../../../model/skeleton.ts';
 import { element } from '../../kit/dom.ts';
+import { leaveField } from '../../kit/focus.ts';
 import { exact, shown } from '../../kit/number-text.ts';
 import { shownPerUnit, unitText, withoutNoise } from '../../state/angles.ts';
 import { attempt } from '../../state/attempt.ts';
@@ -83,10 +84,9 @@ export function limitRow(
     });
     made.addEventListener('change', () => take(side));
     made.addEventListener('keydown', (event) => {
-      if (event.key === 'Enter') made.blur();
       if (event.key !== 'Escape') return;
       made.value = textOf(side, true);
-      made.blur();
+      leaveField(made);
       event.preventDefault();
     });
     return made;

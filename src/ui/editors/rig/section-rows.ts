@@ -2,6 +2,7 @@
 import type { GUI } from 'lil-gui';
 import type { Vec3 } from '../../../math/vec3.ts';
 import { element, setText } from '../../kit/dom.ts';
+import { leaveField } from '../../kit/focus.ts';
 import { Slider } from '../../kit/slider.ts';
 import { setTooltip } from '../../kit/tooltip.ts';
 import { withoutNoise } from '../../state/angles.ts';
@@ -176,10 +177,9 @@ export function textRow(
     field.value = read();
   });
   field.addEventListener('keydown', (event) => {
-    if (event.key === 'Enter') field.blur();
     if (event.key !== 'Escape') return;
     field.value = read();
-    field.blur();
+    leaveField(field);
     event.preventDefault();
   });
   update();

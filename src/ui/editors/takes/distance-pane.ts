@@ -171,8 +171,12 @@ function alignmentChoice(wb: Uses<'timeline'>): HTMLSelectElement {
   choice.addEventListener('change', () => {
     const alignment = ALIGNMENTS.find((a) => a === choice.value);
     if (alignment) distances.update((now) => ({ ...now, alignment }));
-    focusPanel(choice);
+    if (!byKeyboard) focusPanel(choice);
   });
+  // Arrow keys choose one after the other.
+  let byKeyboard = false;
+  choice.addEventListener('keydown', () => (byKeyboard = true));
+  choice.addEventListener('pointerdown', () => (byKeyboard = false));
   const show = () => {
     const { alignment } = distances.get();
     choice.value = alignment;

@@ -23,6 +23,9 @@ const hasKeys = needs(
   (wb: Uses<'store'>) => shownKeys(wb.store.document, wb.store.selection).length > 0,
 );
 
+/** As in Maya, the playback range belongs to the page. */
+const ONLY_PLAYED = 'Of playback; the take is saved with its own range';
+
 export const PLAY_ACTIONS: readonly Action[] = [
   {
     id: 'play.toggle',
@@ -34,6 +37,7 @@ export const PLAY_ACTIONS: readonly Action[] = [
     group: 'Play',
     menu: 'Play',
     shortcuts: ['Space'],
+    also: 'play or pause start stop playback',
     icon: 'play',
     run(wb, how) {
       if (how !== 'button' && switchesInstead(wb)) return switchKinematics(wb);
@@ -70,14 +74,30 @@ export const PLAY_ACTIONS: readonly Action[] = [
   },
   at('play.toStart', 'Go to range start', ['Home'], 1, 'start', (p) => ({ ...p, timeSeconds: p.range[0] })),
   at('play.toEnd', 'Go to range end', ['End'], 1, 'end', (p) => ({ ...p, timeSeconds: p.range[1], playing: false })),
-  at('play.setIn', 'Set range start', ['I'], 2, undefined, (p) => ({
-    ...p,
-    range: [p.timeSeconds, Math.max(p.timeSeconds, p.range[1])],
-  })),
-  at('play.setOut', 'Set range end', ['O'], 2, undefined, (p) => ({
-    ...p,
-    range: [Math.min(p.timeSeconds, p.range[0]), p.timeSeconds],
-  })),
+  at(
+    'play.setIn',
+    'Set range start',
+    ['I'],
+    2,
+    undefined,
+    (p) => ({
+      ...p,
+      range: [p.timeSeconds, Math.max(p.timeSeconds, p.range[1])],
+    }),
+    ONLY_PLAYED,
+  ),
+  at(
+    'play.setOut',
+    'Set range end',
+    ['O'],
+    2,
+    undefined,
+    (p) => ({
+      ...p,
+      range: [Math.min(p.timeSeconds, p.range[0]), p.timeSeconds],
+    }),
+    ONLY_PLAYED,
+  ),
   {
     id: 'play.wholeRange',
     label: 'Fit range to takes',
@@ -149,10 +169,22 @@ function at(
   section: number,
   icon: Action['icon'],
   change: (playback: Playback) => Playback,
+  detail?: string,
 ): Action {
   const run = (wb: Uses<'transport'>) => wb.transport.update(change);
   const repeats = id.startsWith('play.step');
-  return { id, label, group: 'Play', menu: 'Play', section, shortcuts, repeats, run, ...(icon && { icon }) };
+  return {
+    id,
+    label,
+    group: 'Play',
+    menu: 'Play',
+    section,
+    shortcuts,
+    repeats,
+    run,
+    ...(icon && { icon }),
+    ...(detail !== undefined && { detail }),
+  };
 }
 
 function toKey(wb: Uses<'store' | 'transport'>, find: typeof nextKey): void {
