@@ -136,5 +136,7 @@ function isSame(a: readonly [number, number] | undefined, b: readonly [number, n
 export function partText(compared: number, left: number): string {
   const are = compared === 1 ? 'is' : 'are';
   const leftOut = left === 1 ? 'has no counterpart and is left out' : 'have no counterpart and are left out';
-  return `${plural(compared, 'joint')} ${are} compared; ${shown(left)} ${leftOut}.`;
+  // Names and parents are what joints are matched by: few matches of many joints are another rig.
+  const advice = left > compared ? ' To compare all, retarget one take onto the other character first.' : '';
+  return `${plural(compared, 'joint')} ${are} compared; ${shown(left)} ${leftOut}.${advice}`;
 }

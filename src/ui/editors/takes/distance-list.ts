@@ -5,7 +5,7 @@ import { isMac } from '../../kit/keyboard.ts';
 import { setTooltip } from '../../kit/tooltip.ts';
 import type { DistanceView } from '../../state/takes.ts';
 import { PALETTE } from './chart-picture.ts';
-import { type DistanceUnit, distanceNumber } from './distance-text.ts';
+import { columnText, type DistanceUnit, distanceNumber } from './distance-text.ts';
 
 export interface ListEvents {
   /** @param adds toggles it in the selection */
@@ -61,7 +61,11 @@ export class DistanceList {
     const before = this.order[this.focused];
     this.order = inOrder(distances, names, order);
     this.focused = before === undefined ? -1 : this.order.indexOf(before);
-    for (const head of this.heads) setAttribute(head, 'aria-pressed', String(head.dataset.order === order));
+    for (const [i, head] of this.heads.entries()) {
+      const [of, label] = HEADS[i];
+      setText(head, of === 'name' ? label : columnText(label, unit));
+      setAttribute(head, 'aria-pressed', String(of === order));
+    }
     const options = new Map<number, HTMLElement>();
     for (const pair of this.order) {
       const option = this.options.get(pair) ?? this.option(pair);

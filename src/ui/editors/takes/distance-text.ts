@@ -27,3 +27,8 @@ export function distanceNumber(distance: number, { factor }: DistanceUnit): stri
 export function distanceText(distance: number, unit: DistanceUnit): string {
   return `${distanceNumber(distance, unit)}${unit.symbol && ` ${unit.symbol}`}`;
 }
+
+/** Head of a column of `distanceNumber`s: `Mean (cm)`; without a known unit only the label. */
+export function columnText(label: string, { symbol }: DistanceUnit): string {
+  return symbol ? `${label} (${symbol})` : label;
+}
