@@ -63,6 +63,14 @@ it('menus open by the right button and by keyboard, tables copy by keyboard, and
     expect(await menuName(page)).toBe('Viewport');
     await page.keyboard.press('Escape');
 
+    // A title of the menu bar opens its menu and closes it again.
+    const title = page.getByRole('menuitem', { name: 'Edit', exact: true });
+    for (const isOpen of ['true', 'false', 'true', 'false']) {
+      await title.click();
+      expect(await title.getAttribute('aria-expanded')).toBe(isOpen);
+      expect(await page.getByRole('menu').count()).toBe(isOpen === 'true' ? 1 : 0);
+    }
+
     // In the timeline each part has its menu: the scrubber, a ruler, the plot.
     await page.getByRole('slider', { name: 'Time', exact: true }).focus();
     await page.keyboard.press('Shift+F10');

@@ -46,8 +46,10 @@ export type Anchor = DOMRect | MenuPlace;
 
 export interface MenuOptions {
   readonly label: string;
-  /** The button it belongs to; gets the focus back after keyboard use. */
+  /** What it belongs to; gets the focus back after keyboard use. */
   readonly opener?: HTMLElement;
+  /** The opener is a button, whose next click closes the menu. */
+  readonly opensByClick?: boolean;
   /** Opened by keyboard: focuses the first entry. */
   readonly focusFirst?: boolean;
   /** Called once. */
@@ -133,6 +135,8 @@ export class Menu {
 
   private readonly onOutside = (event: PointerEvent) => {
     if (!(event.target instanceof Node) || this.contains(event.target)) return;
+    // Its click closes the menu: if the press did, the click would find none and open it again.
+    if (this.options.opensByClick && this.options.opener?.contains(event.target)) return;
     this.close(false);
   };
 
@@ -284,7 +288,8 @@ export class Menu {
 }
 
 /**
- * A menu button: the menu opens below it, closes on the next press outside, and returns the focus.
+ * A menu button: the menu opens below it, closes on the next click on it or press outside, and
+ * returns the focus.
  *
  * @param instead what a press does where no choice is needed; returns whether it did
  */
@@ -298,15 +303,12 @@ export function menuButton(
   target.setAttribute('aria-expanded', 'false');
   target.id ||= uniqueId('menu-button');
   let shown: Menu | undefined;
-  let wasOpen = false;
-  target.addEventListener('pointerdown', () => {
-    wasOpen = shown !== undefined;
-  });
   const show = (focusFirst: boolean) => {
     target.setAttribute('aria-expanded', 'true');
     shown = openMenu(target.getBoundingClientRect(), entries(), {
       label,
       opener: target,
+      opensByClick: true,
       focusFirst,
       onClose() {
         shown = undefined;
@@ -315,8 +317,7 @@ export function menuButton(
     });
   };
   target.addEventListener('click', (event) => {
-    // A press on the button has already closed the menu, as a press outside.
-    if (wasOpen) wasOpen = false;
+    if (shown) shown.close(true);
     else if (!instead?.()) show(event.detail === 0);
   });
   target.addEventListener('keydown', (event) => {

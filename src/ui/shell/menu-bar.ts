@@ -39,7 +39,6 @@ export function menuBar(wb: Uses<'store' | 'actions' | 'settings' | 'loading' | 
 
 function letMenusDrop(wb: Uses<'actions' | 'settings'>, bar: HTMLElement, titles: readonly HTMLButtonElement[]): void {
   let shown: { readonly index: number; readonly menu: Menu } | undefined;
-  let pressedWhileOpen = false;
 
   const focusTitle = (index: number) => {
     for (const [i, title] of titles.entries()) title.tabIndex = i === index ? 0 : -1;
@@ -50,6 +49,7 @@ function letMenusDrop(wb: Uses<'actions' | 'settings'>, bar: HTMLElement, titles
     const menu = openMenu(title.getBoundingClientRect(), menuEntries(wb, MENUS[index]), {
       label: MENUS[index] satisfies MenuName,
       opener: title,
+      opensByClick: true,
       focusFirst,
       onClose() {
         title.setAttribute('aria-expanded', 'false');
@@ -63,11 +63,8 @@ function letMenusDrop(wb: Uses<'actions' | 'settings'>, bar: HTMLElement, titles
   };
 
   titles.forEach((title, index) => {
-    title.addEventListener('pointerdown', () => {
-      pressedWhileOpen = shown?.index === index;
-    });
     title.addEventListener('click', (event) => {
-      if (pressedWhileOpen) pressedWhileOpen = false;
+      if (shown?.index === index) shown.menu.close(true);
       else show(index, event.detail === 0);
     });
     title.addEventListener('pointerenter', () => {

@@ -14,6 +14,8 @@ export interface MousePlace {
   readonly joint?: string;
   /** Rig mode: clicks add joints. */
   readonly isAdding?: boolean;
+  /** *Snap to frames* is on. */
+  readonly snapsToFrames?: boolean;
 }
 
 /** Areas of the page that have gestures, by a selector of their element; inner ones first. */
@@ -36,18 +38,14 @@ const CAMERA: readonly MouseHint[] = [
   ['Dolly', 'wheel'],
 ];
 
-const ELSEWHERE: Readonly<Record<Exclude<MouseArea, 'viewport' | 'curves' | 'dope'>, readonly MouseHint[]>> = {
+const ELSEWHERE: Readonly<
+  Record<Exclude<MouseArea, 'viewport' | 'curves' | 'dope' | 'scrubber'>, readonly MouseHint[]>
+> = {
   channels: [
     ['Isolate', 'click'],
     ['Isolate several', 'Ctrl+click'],
     ['Select its keys', 'double-click'],
     ['Menu', 'right click'],
-  ],
-  scrubber: [
-    ['Change the current time', 'drag'],
-    ['Without snapping to frames', 'Shift+drag'],
-    ['Zoom', 'wheel'],
-    ['Fit', 'double-click'],
   ],
   tree: [
     ['Select', 'click'],
@@ -75,8 +73,9 @@ const ELSEWHERE: Readonly<Record<Exclude<MouseArea, 'viewport' | 'curves' | 'dop
 
 export function mouseHints(place: MousePlace): readonly MouseHint[] {
   if (place.area === 'viewport') return inViewport(place);
-  if (place.area === 'curves') return inCurves(place.cursor);
-  if (place.area === 'dope') return inDope(place.cursor);
+  if (place.area === 'scrubber') return inTime(place);
+  if (place.area === 'curves') return inCurves(place);
+  if (place.area === 'dope') return inDope(place);
   return ELSEWHERE[place.area];
 }
 
@@ -152,7 +151,18 @@ function inRig({ joint, isAdding }: MousePlace, isHandle: boolean): readonly Mou
   return [...CAMERA, ['Edit a joint', 'click']];
 }
 
-function inCurves(cursor: string): readonly MouseHint[] {
+/** The scrubber and the rulers. */
+function inTime({ snapsToFrames }: MousePlace): readonly MouseHint[] {
+  return [
+    ['Change the current time', 'drag'],
+    [snapsToFrames ? 'Without snapping to frames' : 'Snapping to frames', 'Shift+drag'],
+    ['Zoom', 'wheel'],
+    ['Fit', 'double-click'],
+  ];
+}
+
+function inCurves(place: MousePlace): readonly MouseHint[] {
+  const { cursor } = place;
   if (cursor === 'move' || cursor === 'copy') {
     return [
       ['Move selected keys', 'drag'],
@@ -169,7 +179,7 @@ function inCurves(cursor: string): readonly MouseHint[] {
       ['Menu', 'right click'],
     ];
   }
-  if (cursor === 'col-resize') return ELSEWHERE.scrubber;
+  if (cursor === 'col-resize') return inTime(place);
   return [
     ['Box select', 'drag'],
     ['Pan', 'middle drag or Alt+drag'],
@@ -179,8 +189,9 @@ function inCurves(cursor: string): readonly MouseHint[] {
   ];
 }
 
-function inDope(cursor: string): readonly MouseHint[] {
-  if (cursor === 'col-resize') return ELSEWHERE.scrubber;
+function inDope(place: MousePlace): readonly MouseHint[] {
+  const { cursor } = place;
+  if (cursor === 'col-resize') return inTime(place);
   if (cursor === 'ew-resize') {
     return [
       ['Scale in time', 'drag'],

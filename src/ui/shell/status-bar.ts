@@ -14,7 +14,7 @@ const AREAS = Object.entries(MOUSE_AREAS).map(([area, selector]) => ({
   selector,
 }));
 
-export function statusBar(wb: Uses<'store' | 'posing' | 'viewport'>, signal: AbortSignal): HTMLElement {
+export function statusBar(wb: Uses<'store' | 'posing' | 'timeline' | 'viewport'>, signal: AbortSignal): HTMLElement {
   const line = element('footer', { class: 'status-bar', 'aria-label': 'Mouse' });
   let under: Element | undefined;
   let isDown = false;
@@ -60,6 +60,7 @@ export function statusBar(wb: Uses<'store' | 'posing' | 'viewport'>, signal: Abo
     wb.viewport.onHover(showSoon),
     wb.posing.mode.subscribe(showSoon),
     wb.posing.rig.adding.subscribe(showSoon),
+    wb.timeline.view.subscribe(showSoon),
   ];
   signal.addEventListener('abort', () => {
     for (const stop of stops) stop();
@@ -67,7 +68,10 @@ export function statusBar(wb: Uses<'store' | 'posing' | 'viewport'>, signal: Abo
   return line;
 }
 
-function placeAt({ store, posing, viewport }: Uses<'store' | 'posing' | 'viewport'>, target: Element) {
+function placeAt(
+  { store, posing, timeline, viewport }: Uses<'store' | 'posing' | 'timeline' | 'viewport'>,
+  target: Element,
+) {
   const found = AREAS.find(({ selector }) => target.closest(selector));
   if (!found) return undefined;
   const { area } = found;
@@ -79,6 +83,7 @@ function placeAt({ store, posing, viewport }: Uses<'store' | 'posing' | 'viewpor
     cursor,
     mode: posing.mode.get(),
     isAdding: posing.rig.adding.get(),
+    snapsToFrames: timeline.view.get().snapsToFrames,
     ...(hovered && skeleton && { joint: jointName(skeleton, hovered.joint) }),
   };
   return place;

@@ -110,6 +110,9 @@ export const BY_HAND: readonly Check[] = [
       const there = await dof(page, 3);
       expect(there).toBeGreaterThan(0.3);
       expect(there).toBeLessThan(0.7);
+      const frame = Number(await page.getByRole('textbox', { name: 'Frame', exact: true }).inputValue());
+      expect(frame).toBeGreaterThan(0);
+      expect(Number.isInteger(frame)).toBe(true);
       await page.locator('.viewport canvas[role=application]').focus();
       await page.keyboard.press(' ');
       await page.waitForFunction((then) => window.marrow.characters()[0].dofs[3] !== then, there);

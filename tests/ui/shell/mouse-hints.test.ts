@@ -33,3 +33,15 @@ it('over a key the mouse moves it, beside it selects by a box', () => {
   expect(whats({ area: 'curves', cursor: 'move', mode: 'fk' })).toContain('Move selected keys');
   expect(whats({ area: 'curves', cursor: 'default', mode: 'fk' })).toContain('Box select');
 });
+
+it('the scrubber and the rulers say what Shift does to snapping now', () => {
+  const places = [
+    { area: 'scrubber', cursor: '' },
+    { area: 'curves', cursor: 'col-resize' },
+    { area: 'dope', cursor: 'col-resize' },
+  ] as const;
+  for (const place of places) {
+    expect(whats({ ...place, mode: 'fk', snapsToFrames: true })).toContain('Without snapping to frames');
+    expect(whats({ ...place, mode: 'fk', snapsToFrames: false })).toContain('Snapping to frames');
+  }
+});

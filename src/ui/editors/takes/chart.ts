@@ -9,6 +9,7 @@ import { oncePerFrame } from '../../kit/frame.ts';
 import { shown } from '../../kit/number-text.ts';
 import { fitWindow, panWindow, revealTime, snapTime, type TimeWindow, zoomWindow } from '../../kit/time-window.ts';
 import type { Uses } from '../../state/workbench.ts';
+import { scrubFrames } from '../timeline/scrub-frames.ts';
 import { TIME_RULER_HEIGHT, type TimeView } from '../timeline/time-ruler.ts';
 import { type ChartLine, ChartPicture, type ChartReadout, type ChartScene, framesIn, yAt } from './chart-picture.ts';
 import { type DistanceUnit, distanceText } from './distance-text.ts';
@@ -247,7 +248,7 @@ export class DistanceChart {
     const view = this.timeView();
     const perPixel = (view.window.to - view.window.from) / view.width;
     const time = this.timeAt(view, this.at(event).x);
-    const timeSeconds = snapTime(time, perPixel, view.inFrames ? view.framesPerSecond : undefined);
+    const timeSeconds = snapTime(time, perPixel, scrubFrames(this.wb, event.shiftKey));
     this.wb.transport.update((p) => ({ ...p, timeSeconds, playing: false }));
   }
 

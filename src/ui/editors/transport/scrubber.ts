@@ -1,6 +1,7 @@
 /**
- * The scrubber. Drag to change the time, drag the ends of the shaded range to change it; the wheel zooms, with Shift
- * (or horizontally, or with the middle button) it pans, a double click fits. As a slider it takes arrow keys.
+ * The scrubber. Drag to change the time, drag the ends of the shaded range to change it, both in whole frames as
+ * `scrub-frames.ts` says; the wheel zooms, with Shift (or horizontally, or with the middle button) it pans, a double
+ * click fits. As a slider it takes arrow keys.
  */
 import { stepFrames } from '../../../edit/playback.ts';
 import { type ShownChannel, shownKeys } from '../../../evaluate/plot/shown-keys.ts';
@@ -13,6 +14,7 @@ import { asksForMenu } from '../../kit/menu.ts';
 import { aligned, shown } from '../../kit/number-text.ts';
 import { fitWindow, panWindow, revealTime, snapTime, type TimeWindow, zoomWindow } from '../../kit/time-window.ts';
 import type { Uses } from '../../state/workbench.ts';
+import { scrubFrames } from '../timeline/scrub-frames.ts';
 import { openTimeMenu } from '../timeline/time-menu.ts';
 import {
   drawScrubberPlayhead,
@@ -47,7 +49,7 @@ export class Scrubber {
   private height = 0;
   private readonly drawSoon = oncePerFrame(() => this.draw());
 
-  constructor(private readonly wb: Uses<'store' | 'actions' | 'transport' | 'settings'>) {
+  constructor(private readonly wb: Uses<'store' | 'actions' | 'transport' | 'timeline' | 'settings'>) {
     this.window = this.whole();
     this.channels = shownKeys(wb.store.document, wb.store.selection);
     wb.transport.subscribe((now, before) => {
@@ -179,7 +181,7 @@ export class Scrubber {
       this.openMenuByKey();
       return;
     }
-    const frames = event.shiftKey ? undefined : this.framesPerSecond;
+    const frames = scrubFrames(this.wb, event.shiftKey);
     const time = snapTime(this.timeAt(event.clientX), this.secondsPerPixel, frames);
     openTimeMenu(this.wb, time, { x: event.clientX, y: event.clientY });
   }
@@ -232,9 +234,8 @@ export class Scrubber {
     });
   }
 
-  /** @param free between frames too if time is shown in frames */
-  private drag(handle: 'time' | 'in' | 'out', at: number, free: boolean): void {
-    const time = snapTime(at, this.secondsPerPixel, free ? undefined : this.framesPerSecond);
+  private drag(handle: 'time' | 'in' | 'out', at: number, shift: boolean): void {
+    const time = snapTime(at, this.secondsPerPixel, scrubFrames(this.wb, shift));
     this.wb.transport.update((p) => {
       if (handle === 'in') return { ...p, range: [Math.min(time, p.range[1]), p.range[1]] };
       if (handle === 'out') return { ...p, range: [p.range[0], Math.max(time, p.range[0])] };

@@ -1,6 +1,5 @@
 /**
- * Dragging in the ruler moves the playhead: to whole frames if time is displayed in frames or snaps to them, unless
- * Shift is held.
+ * Dragging in the ruler moves the playhead: to whole frames if *Snap to frames* is on, or with Shift if it is off.
  */
 import { snapTime } from '../../../kit/time-window.ts';
 import { scrubFrames } from '../../timeline/scrub-frames.ts';
