@@ -6,4 +6,6 @@ export interface DialogContent {
   readonly kind: string;
   /** The title is for screen readers only. */
   readonly bare?: boolean;
+  /** A press beside it doesn't close it: what waits for an answer would be lost. */
+  readonly stays?: boolean;
 }

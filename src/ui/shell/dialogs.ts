@@ -60,7 +60,7 @@ export function startDialogs(wb: Workbench, root: HTMLElement): void {
 /** @param isShown whether the page still considers it open */
 function showDialog(
   root: HTMLElement,
-  { title, body, kind, bare }: DialogContent,
+  { title, body, kind, bare, stays }: DialogContent,
   close: () => void,
   isShown: (dialog: HTMLDialogElement) => boolean,
 ): HTMLDialogElement {
@@ -88,7 +88,7 @@ function showDialog(
   );
   // A press on the backdrop hits the dialog itself, outside its box.
   dialog.addEventListener('pointerdown', (event) => {
-    if (event.target === dialog && !inside(dialog, event)) close();
+    if (!stays && event.target === dialog && !inside(dialog, event)) close();
   });
   root.append(dialog);
   dialog.showModal();

@@ -23,10 +23,12 @@ export function messageLine(wb: Uses<'messages' | 'timeline' | 'settings'>): HTM
     const first = unread.at(-1);
     region.hidden = first === undefined && passing === undefined;
     if (passing !== undefined) {
+      const { offer } = messages;
       region.className = 'message-line severity-info';
       region.replaceChildren(
         icon('info'),
         element('span', { class: 'message-text' }, passing),
+        offer ? button(offer.label, { class: 'link' }, offer.label, () => offer.run()) : '',
         button('Dismiss', { class: 'tool small' }, icon('close'), () => messages.passing.set(undefined)),
       );
       return;

@@ -20,6 +20,12 @@ export interface Message {
   readonly isRefusal?: boolean;
 }
 
+/** What a confirmation offers to do, as a button. */
+export interface Offer {
+  readonly label: string;
+  run(): void;
+}
+
 /** How long a warning stays in the line: a refusal until the next step. */
 type Lasting = 'until a step' | 'until read';
 
@@ -28,6 +34,8 @@ export class Messages {
   readonly list: Observable<readonly Message[]> = observable<readonly Message[]>([]);
   /** A confirmation: shown briefly, never listed. */
   readonly passing: Observable<string | undefined> = observable<string | undefined>(undefined);
+  /** Of the passing confirmation. */
+  offer: Offer | undefined;
   /** Counts requests to show the list. */
   readonly listAsked: Observable<number> = observable(0);
   private nextId = 1;
@@ -40,11 +48,21 @@ export class Messages {
    */
   note(text: string, severity: Severity = 'info', lasting: Lasting = 'until a step'): void {
     this.given++;
+    this.offer = undefined;
     if (severity === 'info') this.passing.set(text);
     else {
       const isRefusal = severity === 'warning' && lasting === 'until a step';
       this.add({ text, severity, diagnostics: [], ...(isRefusal && { isRefusal }) });
     }
+  }
+
+  /** Adds a confirmation with a button, for what has no key on a touch screen. */
+  confirm(text: string, offer: Offer): void {
+    this.given++;
+    this.offer = offer;
+    // Said again, it has another button.
+    this.passing.set(undefined);
+    this.passing.set(text);
   }
 
   /** Messages given so far, passing ones too. */

@@ -2,7 +2,7 @@
  * The handle under a point of the screen. Only what faces the viewer is hit: far halves of rings, hidden by the ball if
  * it were solid, are not.
  */
-import type { HandleId } from '../../evaluate/handles/joint-handles.ts';
+import { type HandleId, sameHandle } from '../../evaluate/handles/joint-handles.ts';
 import { BALL_PART, hasArc, isAllowed, type Layout, type Shape } from './shapes.ts';
 
 /** Hit tolerance, CSS pixels. */
@@ -33,11 +33,14 @@ interface Nearest {
 }
 
 /**
- * The line nearest to a point of the viewport; where several cross, the one in front. Inside the rings, the ball.
+ * The line nearest to a point of the viewport; where several cross, the one in front. Inside the rings, the ball. The
+ * dot of the active ring comes before all: it is drawn over them.
  *
  * @param slack extra tolerance, for touch; CSS pixels
  */
-export function handleAt(layout: Layout, x: number, y: number, slack = 0): HandleHit | undefined {
+export function handleAt(layout: Layout, x: number, y: number, slack = 0, active?: HandleId): HandleHit | undefined {
+  const own = active?.kind === 'dof' && layout.shapes.find(({ id, form }) => form === 'ring' && sameHandle(id, active));
+  if (own && Math.hypot(x - own.points[0], y - own.points[1]) <= REACH + slack) return { id: own.id, yields: false };
   let found: HandleHit | undefined;
   let bestOff = Infinity;
   let bestDepth = -Infinity;

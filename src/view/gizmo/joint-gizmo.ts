@@ -101,7 +101,7 @@ export class JointGizmo implements Overlay {
   at(clientX: number, clientY: number, slack = 0): HandleHit | undefined {
     if (!this.layout) return undefined;
     const { left, top } = this.container.getBoundingClientRect();
-    return handleAt(this.layout, clientX - left, clientY - top, slack);
+    return handleAt(this.layout, clientX - left, clientY - top, slack, this.source.state().active);
   }
 
   /** Radius of a joint's rings, CSS pixels. */

@@ -23,6 +23,18 @@ describe('a handle of a gizmo under the pointer', () => {
     expect(handleAt(layout, 400 + 118, 300, 10)).toEqual({ kind: 'view' });
   });
 
+  it('the dot of the active ring comes before the rings that cross it, to a finger too', () => {
+    // Both rings meet where the second has its dot, and the first is in front beside it.
+    const crossing = handle(2, 'turn', [0, 1, 0], [1, 0, 0]);
+    const layout = laid([facing, crossing]);
+    const active = { kind: 'dof', dof: 2 } as const;
+    const [x, y] = layout.shapes[1].points;
+    expect(hitAt(layout, x, y - 6, 0, active)).toEqual({ id: active, yields: false });
+    expect(hitAt(layout, x, y - 15, 10, active)).toEqual({ id: active, yields: false });
+    expect(handleAt(layout, x, y - 15, 10)).toEqual({ kind: 'dof', dof: 1 });
+    expect(hitAt(layout, x, y - 15, 0, active)?.id).toEqual({ kind: 'dof', dof: 1 });
+  });
+
   it('a handle under the pointer is no ball where the joint can’t turn freely', () => {
     expect(handleAt(laid([facing]), 440, 300)).toBeUndefined();
   });

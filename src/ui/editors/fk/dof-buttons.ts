@@ -5,14 +5,16 @@
 import { coupleOf } from '../../../model/couples.ts';
 import { type AxisLetter, axisOfDof } from '../../../model/dof-axis.ts';
 import { characterDofs } from '../../../model/dofs.ts';
+import { jointName } from '../../../model/joint-name.ts';
 import { element, keepsFocusElsewhere } from '../../kit/dom.ts';
-import { selectedJoint } from '../../state/selected-joint.ts';
+import { type ResolvedJoint, selectedJoint } from '../../state/selected-joint.ts';
 import type { Uses } from '../../state/workbench.ts';
 import { coupleText } from '../inspector/dof-rows.ts';
-import { activeDof, chooseDof, dofsByHand, dofsOfJoint } from '../posing/active-dof.ts';
+import { activeDof, chooseDof, dofsByHand, dofsOfJoint, freeDofs, isLockedDof } from '../posing/active-dof.ts';
 import { channelName, namedChannel } from '../timeline/channels.ts';
+import { limitValueText } from './readout-text.ts';
 
-export function dofButtons(wb: Uses<'store' | 'posing' | 'settings'>): {
+export function dofButtons(wb: Uses<'store' | 'posing' | 'settings' | 'messages'>): {
   readonly element: HTMLElement;
   readonly dispose: () => void;
 } {
@@ -34,6 +36,7 @@ export function dofButtons(wb: Uses<'store' | 'posing' | 'settings'>): {
         const tooltip = `${all[dof].name} ${coupleText(couple, all[dof], character, wb.settings.get().angles)}`;
         return [element('span', { class: 'dof-note is-linked', tooltip }, `${all[dof].name} ← ${followed}`)];
       }
+      if (isLockedDof(selected, dof) && byHand.includes(dof)) return [lockedButton(wb, selected, dof)];
       return byHand.includes(dof)
         ? [dofButton(wb, dof, all[dof].name, axisOfDof(character.skeleton, all[dof]), dof === active)]
         : [];
@@ -49,20 +52,51 @@ export function dofButtons(wb: Uses<'store' | 'posing' | 'settings'>): {
     const now = activeDof(wb);
     if (!step || !selected || now === undefined) return;
     event.preventDefault();
-    const dofs = dofsByHand(selected);
+    const dofs = freeDofs(selected);
     chooseDof(wb, dofs[(dofs.indexOf(now) + step + dofs.length) % dofs.length]);
   });
   let skeleton = selectedJoint(wb)?.skeleton;
+  let holds = selectedJoint(wb)?.character.clampsToLimits;
   const stops = [
     wb.posing.chosenDof.subscribe(show),
     wb.store.subscribe((now, before) => {
-      const next = selectedJoint(wb)?.skeleton;
-      if (now.selection !== before.selection || next !== skeleton) show();
-      skeleton = next;
+      const next = selectedJoint(wb);
+      const isSame = next?.skeleton === skeleton && next?.character.clampsToLimits === holds;
+      skeleton = next?.skeleton;
+      holds = next?.character.clampsToLimits;
+      if (now.selection !== before.selection || !isSame) show();
     }),
   ];
   show();
   return { element: group, dispose: () => stops.forEach((stop) => void stop()) };
+}
+
+/** Of a DOF that can't change; a press tells why. */
+function lockedButton(
+  wb: Uses<'settings' | 'messages'>,
+  { character, skeleton, joint }: ResolvedJoint,
+  dof: number,
+): HTMLElement {
+  const one = characterDofs(skeleton, [])[dof];
+  const limit = limitValueText(one, one.limit.min, character, wb.settings.get().angles);
+  const why =
+    `${one.name} of ${jointName(skeleton, joint)} is locked: both limits are ${limit}. ` +
+    'Change them in rig mode, or turn off Edit ▸ Enforce limits.';
+  const made = element(
+    'button',
+    {
+      type: 'button',
+      class: `tool dof-button is-locked axis-${axisOfDof(skeleton, one) ?? 'other'}`,
+      role: 'radio',
+      'aria-checked': 'false',
+      'aria-disabled': 'true',
+      tooltip: why,
+      tabindex: -1,
+    },
+    one.name,
+  );
+  made.addEventListener('click', () => wb.messages.note(why));
+  return keepsFocusElsewhere(made);
 }
 
 function dofButton(

@@ -22,8 +22,12 @@ export function limitNote(
   character: Character,
   angles: Settings['angles'],
 ): string {
-  const text = shown(limit * shownPerUnit(dof.unit, angles), 2);
-  return `${holds ? 'limit' : 'past its limit'} ${text}${unitOf(dof, character, angles)}`;
+  return `${holds ? 'limit' : 'past its limit'} ${limitValueText(dof, limit, character, angles)}`;
+}
+
+/** `90°`, `2 m`. */
+export function limitValueText(dof: Unit, limit: number, character: Character, angles: Settings['angles']): string {
+  return `${shown(limit * shownPerUnit(dof.unit, angles), 2)}${unitOf(dof, character, angles)}`;
 }
 
 function unitOf({ unit }: Unit, character: Character, angles: Settings['angles']): string {

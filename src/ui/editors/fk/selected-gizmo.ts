@@ -180,11 +180,11 @@ export class SelectedGizmo {
     const placement = selected && this.placementOf(selected);
     const facts = selected && this.wb.viewport.character(selected.character.id);
     if (!selected || !placement || !facts) return undefined;
-    const { skeleton, joint } = selected;
+    const { character, skeleton, joint } = selected;
     const world = facts.worlds;
     // After an edit the pose is updated with the next frame.
     if (world.length < 16 * skeleton.joints.length) return undefined;
-    const handles = this.known.of(skeleton, joint, facts.dofs, world, placement);
+    const handles = this.known.of(skeleton, joint, facts.dofs, world, placement, character.clampsToLimits);
     return this.options.only ? this.options.only(handles) : handles;
   }
 

@@ -34,11 +34,22 @@ export function dofsByHand(selected: ResolvedJoint): readonly number[] {
   return dofsOfJoint(selected).filter((dof) => !coupleOf(skeleton, dof) && !parts.includes(dof));
 }
 
+/** Whether a DOF can't change: limits are enforced, and both are the same. */
+export function isLockedDof({ character, skeleton }: ResolvedJoint, dof: number): boolean {
+  const { limit } = characterDofs(skeleton, [])[dof];
+  return character.clampsToLimits && limit.min === limit.max;
+}
+
+/** Those of `dofsByHand` that can change. */
+export function freeDofs(selected: ResolvedJoint): readonly number[] {
+  return dofsByHand(selected).filter((dof) => !isLockedDof(selected, dof));
+}
+
 /** Undefined if the selected joint has none. */
 export function activeDof(wb: Uses<'store' | 'posing'>): number | undefined {
   const selected = selectedJoint(wb);
   if (!selected) return undefined;
-  const dofs = dofsByHand(selected);
+  const dofs = freeDofs(selected);
   const own = characterDofs(selected.skeleton, []);
   const chosen = wb.posing.chosenDof.get();
   if (chosen?.characterId === selected.character.id && dofs.includes(chosen.dof)) return chosen.dof;
@@ -49,7 +60,7 @@ export function activeDof(wb: Uses<'store' | 'posing'>): number | undefined {
 
 export function chooseDof(wb: Uses<'store' | 'posing'>, dof: number): void {
   const selected = selectedJoint(wb);
-  if (!selected || !dofsByHand(selected).includes(dof)) return;
+  if (!selected || !freeDofs(selected).includes(dof)) return;
   const { name } = characterDofs(selected.skeleton, [])[dof];
   wb.posing.chosenDof.set({ characterId: selected.character.id, dof, name });
 }
@@ -59,7 +70,7 @@ export function chooseNextDof(wb: Uses<'store' | 'posing'>, way: 1 | -1): void {
   const selected = selectedJoint(wb);
   const now = activeDof(wb);
   if (!selected || now === undefined) return;
-  const dofs = dofsByHand(selected);
+  const dofs = freeDofs(selected);
   chooseDof(wb, dofs[(dofs.indexOf(now) + way + dofs.length) % dofs.length]);
 }
 

@@ -6,6 +6,7 @@
 import { discardUnkeyed } from '../../../edit/commands/pose.ts';
 import { countUnkeyed } from '../../../edit/unkeyed.ts';
 import { findCharacter } from '../../../model/document.ts';
+import { findAction, tryAction } from '../../state/action.ts';
 import { keyNameOf } from '../../state/tooltips.ts';
 import type { Uses } from '../../state/workbench.ts';
 
@@ -25,7 +26,10 @@ export function dropStale(wb: Uses<'store' | 'actions' | 'settings' | 'messages'
   const hints = [undo && `${undo} restores ${count === 1 ? 'it' : 'them'}`, key && `${key} keys such changes`];
   const said = hints.filter(Boolean).join(', ');
   const what = count === 1 ? 'Unkeyed change' : `${count} unkeyed changes`;
-  messages.note(`${what} discarded${said && `. ${said}`}.`);
+  const action = findAction(wb, 'edit.undo');
+  const text = `${what} discarded${said && `. ${said}`}.`;
+  if (action) messages.confirm(text, { label: 'Undo', run: () => tryAction(wb, action) });
+  else messages.note(text);
 }
 
 /** Sets the time of restored values (by undo, or from a script), where alone they are visible. */

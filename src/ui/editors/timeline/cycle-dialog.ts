@@ -43,5 +43,5 @@ export function cycleDialog(wb: Uses<'transport' | 'timeline' | 'messages'>, clo
     element('label', { class: 'cycle-always' }, always, 'Don’t ask again until the page is reloaded'),
     element('div', { class: 'tool-buttons' }, cancel),
   );
-  return { title: TITLE, kind, body };
+  return { title: TITLE, kind, body, stays: true };
 }

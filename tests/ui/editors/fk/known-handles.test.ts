@@ -11,17 +11,17 @@ const placement = () => Float64Array.from(IDENTITY);
 
 it('returns the same handles for the same pose at the same placement', () => {
   const known = new KnownHandles();
-  const first = known.of(ARM, 1, dofs(), world, placement());
+  const first = known.of(ARM, 1, dofs(), world, placement(), true);
   expect(first).toEqual(jointHandles(ARM, 1, dofs(), world, placement()));
-  expect(known.of(ARM, 1, dofs(), world, placement())).toBe(first);
+  expect(known.of(ARM, 1, dofs(), world, placement(), true)).toBe(first);
 });
 
 it('recomputes them for another pose, placement, joint or skeleton', () => {
   const known = new KnownHandles();
   const [pose, place] = [dofs(), placement()];
-  const seen = [known.of(ARM, 1, pose, world, place)];
-  const again = (...args: Parameters<KnownHandles['of']>) => {
-    const found = known.of(...args);
+  const seen = [known.of(ARM, 1, pose, world, place, true)];
+  const again = (...args: Parameters<typeof jointHandles>) => {
+    const found = known.of(...args, true);
     expect(seen).not.toContain(found);
     expect(found).toEqual(jointHandles(...args));
     seen.push(found);
@@ -33,4 +33,14 @@ it('recomputes them for another pose, placement, joint or skeleton', () => {
   again(ARM, 1, pose, world, place);
   again(ARM, 0, pose, world, place);
   again({ ...ARM }, 0, pose, world, place);
+});
+
+it('a locked DOF has no handle while limits are enforced', () => {
+  const limits = ARM.joints[1].limits.map((limit, i) => (i === 2 ? { min: 0.1, max: 0.1 } : limit));
+  const locked = { ...ARM, joints: ARM.joints.map((one, j) => (j === 1 ? { ...one, limits } : one)) };
+  const known = new KnownHandles();
+  const dofsOf = (holds: boolean) =>
+    known.of(locked, 1, dofs(), world, placement(), holds).handles.map(({ dof }) => dof);
+  expect(dofsOf(true)).toEqual([6, 7]);
+  expect(dofsOf(false)).toEqual([6, 7, 8]);
 });
