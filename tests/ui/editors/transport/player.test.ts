@@ -90,6 +90,11 @@ describe('values set by hand and not keyed', () => {
     seek(0.5);
     expect(now()).toBeUndefined();
     expect(wb.messages.passing.get()).toBe('Unkeyed change discarded. Ctrl+Z restores it, K keys such changes.');
+    expect(wb.messages.offer?.label).toBe('Undo');
+    const step = wb.store.undoLabel;
+    wb.messages.offer?.run();
+    expect([step, wb.store.redoLabel]).toEqual([expect.any(String), step]);
+    wb.store.redo();
   });
 
   it('unkeyed changes are restored by undo, with their time', () => {
