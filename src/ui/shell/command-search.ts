@@ -2,7 +2,7 @@
 import type { DialogContent } from '../kit/dialog.ts';
 import { element, uniqueId } from '../kit/dom.ts';
 import { isMac } from '../kit/keyboard.ts';
-import { actionLabel, actionsOf, isEnabled, tryAction } from '../state/action.ts';
+import { actionLabel, actionsOf, isEnabled, reasonNot, tryAction } from '../state/action.ts';
 import { shortcutsFor, shortcutText } from '../state/shortcuts.ts';
 import type { Action, Uses } from '../state/workbench.ts';
 
@@ -41,14 +41,7 @@ export function commandSearch(wb: Uses<'actions' | 'settings'>, close: () => voi
     tryAction(wb, action);
   };
   const show = () => {
-    const all = actionsOf(wb).filter((a) => isEnabled(wb, a) && a.id !== 'help.search');
-    found = findActions(
-      all,
-      input.value,
-      (a) => longLabel(wb, a),
-      (a) => TRAVELS.includes(a.id),
-      ({ also = '' }) => also,
-    ).slice(0, MAX_SHOWN);
+    found = searchActions(wb, input.value).slice(0, MAX_SHOWN);
     list.replaceChildren(...found.map((action) => row(wb, action, () => run(action))));
     if (!found.length) list.append(element('li', { class: 'empty' }, 'No matching command'));
     choose(0);
@@ -65,13 +58,34 @@ export function commandSearch(wb: Uses<'actions' | 'settings'>, close: () => voi
   return { title: 'Find a command', body: element('div', {}, input, list), kind: 'search-dialog', bare: true };
 }
 
+/**
+ * The actions that match what is typed. Behind those that can run, those that can't and say why not; none of these if
+ * nothing is typed.
+ */
+export function searchActions(wb: Uses<'actions'>, typed: string): readonly Action[] {
+  const all = actionsOf(wb).filter(({ id }) => id !== 'help.search');
+  const find = (actions: readonly Action[]) =>
+    findActions(
+      actions,
+      typed,
+      (a) => longLabel(wb, a),
+      (a) => TRAVELS.includes(a.id),
+      ({ also = '' }) => also,
+    );
+  const available = find(all.filter((a) => isEnabled(wb, a)));
+  if (!typed.trim()) return available;
+  return [...available, ...find(all.filter((a) => !isEnabled(wb, a) && reasonNot(wb, a) !== undefined))];
+}
+
 function row(wb: Uses<'actions' | 'settings'>, action: Action, run: () => void): HTMLElement {
   const [shortcut] = shortcutsFor(action, wb.settings.get());
+  const reason = isEnabled(wb, action) ? undefined : reasonNot(wb, action);
   const made = element(
     'li',
-    { role: 'option', id: uniqueId('command') },
+    { role: 'option', id: uniqueId('command'), 'aria-disabled': reason !== undefined && 'true' },
     element('span', { class: 'faint' }, action.menu?.replace('/', ' › ') ?? action.group),
     element('span', {}, actionLabel(wb, action)),
+    reason !== undefined && element('span', { class: 'reason' }, reason),
     shortcut && element('kbd', {}, shortcutText(shortcut, isMac)),
   );
   made.addEventListener('click', run);

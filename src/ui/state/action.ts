@@ -34,6 +34,11 @@ export function whyNot({ actions }: ActionsOnPage, action: Action): string | und
   return action.whyNot?.(actions.page);
 }
 
+/** Why it is disabled, also if menus don't show it; undefined for one that says nothing. */
+export function reasonNot(wb: ActionsOnPage, action: Action): string | undefined {
+  return action.quiet ? undefined : (whyNot(wb, action) ?? reasonOf(action.enabled, wb.actions.page));
+}
+
 /** The default character: the selected one, else the first. */
 export function currentCharacter({ store }: Uses<'store'>): Character | undefined {
   const { document, selection } = store;
@@ -55,8 +60,8 @@ export function runAction(wb: ActionsOnPage, id: string, args?: unknown): Promis
 export function tryAction(wb: ActionsOnPage, action: Action, args?: unknown): void {
   const { page } = wb.actions;
   if (!isEnabled(wb, action)) {
-    const why = whyNot(wb, action) ?? reasonOf(action.enabled, page);
-    if (why && !action.quiet) page.messages.note(why);
+    const why = reasonNot(wb, action);
+    if (why) page.messages.note(why);
     return;
   }
   const failed = (error: unknown) => {

@@ -1,7 +1,7 @@
 import { describe, expect, it } from 'vitest';
 import { ACTIONS } from '../../../src/ui/shell/actions.ts';
-import { findActions } from '../../../src/ui/shell/command-search.ts';
-import { actionsOf, findAction, runAction } from '../../../src/ui/state/action.ts';
+import { findActions, searchActions } from '../../../src/ui/shell/command-search.ts';
+import { actionsOf, findAction, isEnabled, reasonNot, runAction } from '../../../src/ui/state/action.ts';
 import { GROUPS, MENUS } from '../../../src/ui/state/menus.ts';
 import { channel, character, clip, documentOf, skeleton, workbench } from '../builders.ts';
 
@@ -181,6 +181,24 @@ describe('runAction', () => {
     runAction(wb, 'save.skel');
     expect(saved).toEqual(['c1.skel']);
     expect(() => runAction(wb, 'save.skin')).toThrow();
+  });
+});
+
+describe('searchActions', () => {
+  const posed = () => workbench(documentOf(character({ skeleton: skeleton(['hips', -1], ['leg', 0]) })));
+
+  it('the search lists commands that are disabled behind the others, each with its reason', () => {
+    const { wb } = posed();
+    const found = searchActions(wb, 'pin');
+    const enabled = found.map((action) => isEnabled(wb, action));
+    expect(enabled).toContain(false);
+    expect(enabled).toEqual([...enabled].sort().reverse());
+    for (const action of found) if (!isEnabled(wb, action)) expect(reasonNot(wb, action)).toMatch(/\.$/);
+    expect(searchActions(wb, '').every((action) => isEnabled(wb, action))).toBe(true);
+  });
+
+  it('the search finds playing by the words of the list of shortcuts', () => {
+    expect(searchActions(posed().wb, 'play or pause')[0]?.id).toBe('play.toggle');
   });
 });
 

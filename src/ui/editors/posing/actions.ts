@@ -98,7 +98,8 @@ function mode(to: PosingMode, label: string, shortcuts?: readonly string[]): Act
 
 function dofKey(id: string, label: string, shortcuts: readonly string[], run: (wb: Workbench) => void): Action {
   const enabled = needs(
-    'Select a joint with DOFs, in FK mode.',
+    (wb: Uses<'store' | 'posing'>) =>
+      wb.posing.mode.get() === 'fk' ? 'Select a joint with DOFs first.' : 'DOFs are rotated in FK mode.',
     (wb: Uses<'store' | 'posing'>) => wb.posing.mode.get() === 'fk' && activeDof(wb) !== undefined,
   );
   return { id, label, group: 'Pose', shortcuts, panel: 'viewport', repeats: true, enabled, run };
