@@ -39,6 +39,7 @@ export function fileActions(parts: Parts): FileActions {
     readAgain: (file, signal) => readAgain(file, document.baseURI, signal),
   });
   opener.onGiven((given) => source.note(given));
+  opener.subscribe(() => source.noteOpened(parts.store.document));
   let saver: Saver | undefined;
   /** Loaded on the first save, with everything that writes files. */
   const saving = async (save: (saver: Saver) => Promise<void>) => {

@@ -4,10 +4,12 @@
  */
 import type { DiskFile } from '../io/disk-files.ts';
 import type { GivenFile } from '../io/given.ts';
-import { baseName } from '../model/files.ts';
+import type { Character, Document } from '../model/document.ts';
+import { baseName, type SourceFile } from '../model/files.ts';
+import { mapMarks } from '../model/part.ts';
 import type { SourceMap } from '../model/source-map.ts';
 import { formatKindOf } from '../project/kinds.ts';
-import type { SourceFiles } from '../ui/state/source.ts';
+import type { AsOpened, SourceFiles } from '../ui/state/source.ts';
 import type { Runs } from '../worker/client.ts';
 import type { DiskHandles } from './disk-handles.ts';
 
@@ -28,6 +30,9 @@ export class SourceTexts implements SourceFiles {
   /** By path, in the order in which they were given. */
   private readonly blobs = new Map<string, Blob>();
 
+  /** By the file as it was read, which undo restores with its parts. */
+  private readonly asOpened = new WeakMap<SourceFile, AsOpened>();
+
   constructor(private readonly parts: SourceTextsParts) {}
 
   /** Keeps given files, in place of earlier ones of their paths. */
@@ -36,6 +41,28 @@ export class SourceTexts implements SourceFiles {
       this.blobs.delete(path);
       this.blobs.set(path, blob);
     }
+  }
+
+  /** Notes what files gave, right after they were opened: those that were known before are as they were then. */
+  noteOpened({ characters }: Document): void {
+    const found = new Map<SourceFile, Character[]>();
+    for (const character of characters) {
+      const sources = new Set<SourceFile>();
+      if (character.parts) {
+        mapMarks(character.parts, (mark) => {
+          if (mark.file) sources.add(mark.file.source);
+          return mark;
+        });
+      }
+      for (const source of sources) found.set(source, [...(found.get(source) ?? []), character]);
+    }
+    for (const [source, own] of found) {
+      if (!this.asOpened.has(source)) this.asOpened.set(source, { characters: own, given: this.given(source.path) });
+    }
+  }
+
+  opened(source: SourceFile): AsOpened | undefined {
+    return this.asOpened.get(source);
   }
 
   isText(name: string): boolean {

@@ -2,6 +2,7 @@ import { zipSync } from 'fflate';
 import { describe, expect, it } from 'vitest';
 import { SourceTexts } from '../../src/app/source-texts.ts';
 import type { DiskFile } from '../../src/io/disk-files.ts';
+import { character, documentOf } from '../ui/builders.ts';
 import { InThisThread } from './in-this-thread.ts';
 
 const never = new AbortController().signal;
@@ -52,6 +53,22 @@ describe('the text of a file as it was opened', () => {
   it('is read from disk after a restored session, and missed in a sentence if it is nowhere', async () => {
     expect((await readOf(textsOf({ path: 'a.skel' }), 'a.skel')).text).toBe(SKEL);
     await expect(readOf(textsOf(), 'a.skel')).rejects.toThrow('Open the file again.');
+  });
+
+  it('is known by the file as it was read: characters and text stay those of then', () => {
+    const texts = textsOf();
+    const source = { name: 'a.skel', path: 'x/a.skel', bytes: 1 };
+    const file = { kind: 'skel', source, holds: 'a' } as const;
+    const mark = { id: 1, revision: 1, file };
+    const then = character({ parts: { skeleton: mark, skins: [], morphs: [], clips: [] } });
+    const given = new Blob([SKEL]);
+    texts.note([{ path: source.path, blob: given }]);
+    expect(texts.opened(source)).toBeUndefined();
+    texts.noteOpened(documentOf(then));
+    texts.note([{ path: source.path, blob: new Blob(['broken']) }]);
+    texts.noteOpened(documentOf({ ...then, name: 'later' }));
+    expect(texts.opened(source)?.characters).toEqual([then]);
+    expect(texts.opened(source)?.given).toBe(given);
   });
 
   it('is offered for all kinds but images', () => {

@@ -38,6 +38,22 @@ describe('the text of files', () => {
       await page.keyboard.press('Enter');
       await page.getByText('Found on line 4').waitFor();
 
+      const note = page.locator('.source-note');
+      await page.getByRole('treeitem', { name: 'leg' }).click();
+      await expect.poll(() => lit.allTextContents()).toEqual(['5', '6', '7', '8', '9']);
+      await dropFiles(page, [{ name: 'figure.skel', bytes: SKEL.replace('-1 1', '-1 x') }]);
+      await note.filter({ hasText: 'This text has errors and was not opened' }).waitFor();
+      expect(await lit.count()).toBe(0);
+      await dropFiles(page, [{ name: 'figure.skel', bytes: SKEL }]);
+      await note.waitFor({ state: 'hidden' });
+      await lit.first().waitFor();
+      await page.evaluate(() => {
+        const { id = '' } = window.marrow.characters().find(({ name }) => name === 'figure') ?? {};
+        window.marrow.run('rig.rename', { characterId: id, joint: 1, name: 'knee' });
+      });
+      await note.filter({ hasText: 'Edited since it was opened' }).waitFor();
+      await expect.poll(() => lit.count()).toBe(0);
+
       await dropFiles(page, [{ name: 'broken.skel', bytes: BROKEN }]);
       await page.getByRole('button', { name: 'Show line 3 of broken.skel in Source' }).first().click();
       await page.locator('.source-line.is-current[data-line="3"][data-severity="error"]').waitFor();

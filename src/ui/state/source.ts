@@ -1,4 +1,6 @@
 /** The text of files, for the tab *Source*: where it comes from, and places in it. */
+import type { Character } from '../../model/document.ts';
+import type { SourceFile } from '../../model/files.ts';
 import type { SourceMap } from '../../model/source-map.ts';
 
 /** A place in a file, as messages name it. */
@@ -9,6 +11,14 @@ export interface SourcePlace {
   readonly line: number;
 }
 
+/** What a file gave when it was opened. */
+export interface AsOpened {
+  /** Those that have a part from it, as they were then. */
+  readonly characters: readonly Character[];
+  /** The text that was read. */
+  readonly given: Blob | undefined;
+}
+
 /** The text of files as they were opened: `SourceTexts` of the page. */
 export interface SourceFiles {
   /** Whether a file of that name is text. */
@@ -17,6 +27,8 @@ export interface SourceFiles {
   pathOf(name: string): string | undefined;
   /** What was given for a path, or the zip that contains it: another object once it is opened again. */
   given(path: string): Blob | undefined;
+  /** What a file gave that was read in this session; undefined if its parts were restored. */
+  opened(source: SourceFile): AsOpened | undefined;
   /**
    * Reads a file. Rejects with an `Error`, whose message is a sentence, if it can't be read, and with the signal's reason
    * if it is aborted.

@@ -14,10 +14,11 @@ import { oncePerFrame } from '../../kit/frame.ts';
 import { count, plural } from '../../kit/number-text.ts';
 import type { TimelineTab } from '../../state/timeline.ts';
 import type { Uses } from '../../state/workbench.ts';
+import { frameThen, type Known, type Origins, originsIn, pickNow, type TextState, targetsThen } from './as-opened.ts';
 import { findLine } from './find-text.ts';
 import { LineView } from './line-view.ts';
 import { OpenedSource } from './opened-source.ts';
-import { type FileParts, frameAt, partsFrom, pickOf, sourcesOf, targetsOf } from './places.ts';
+import { sourcesOf } from './places.ts';
 import { worstFirst } from './problems.ts';
 import { type SourceTools, sourceTools } from './tools.ts';
 
@@ -35,6 +36,8 @@ class SourcePanel implements TimelineTab {
   private readonly view: LineView;
   private readonly controls: SourceTools;
   private readonly empty = element('p', { class: 'empty source-empty', hidden: true });
+  /** That the text isn't what is in the page. */
+  private readonly note = element('p', { class: 'source-note', role: 'status', hidden: true });
   private visible = false;
   private opened: OpenedSource | undefined;
   private lit: readonly LineRange[] = NO_LINES;
@@ -46,10 +49,18 @@ class SourcePanel implements TimelineTab {
   /** What was clicked here is in view already. */
   private isOwnPick = false;
   private status = '';
+  private readonly known: Known;
   private search: AbortController | undefined;
   private readonly followSoon = oncePerFrame(() => this.follow());
 
   constructor(private readonly wb: Parts) {
+    const { source, unsaved } = wb.files;
+    this.known = {
+      opened: (file) => source.opened(file),
+      given: (path) => source.given(path),
+      isUnsaved: (id, path) =>
+        unsaved.get().some(({ characterId, name }) => characterId === id && name === baseName(path)),
+    };
     this.view = new LineView({
       text: (line) => this.opened?.line(line),
       isLit: (line) => isIn(this.lit, this.litStarts, line),
@@ -67,7 +78,13 @@ class SourcePanel implements TimelineTab {
       leave: () => focusPanel(this.view.element),
     });
     this.tools = this.controls.element;
-    this.element = element('div', { class: 'source', 'data-panel': 'source' }, this.empty, this.view.element);
+    this.element = element(
+      'div',
+      { class: 'source', 'data-panel': 'source' },
+      this.note,
+      this.empty,
+      this.view.element,
+    );
     this.element.addEventListener('keydown', (event) => this.onKey(event));
     const { store, timeline, posing, transport, messages } = wb;
     store.subscribe((now, before) => {
@@ -202,7 +219,7 @@ class SourcePanel implements TimelineTab {
     this.showFiles();
     const chosen = posing.chosenDof.get();
     const targetsIn = (path: string) =>
-      partsFrom(document, path).flatMap((parts) => targetsOf(parts, selection, chosen));
+      originsIn(document, path, this.known).origins.flatMap((origin) => targetsThen(origin, selection, chosen));
     const own = this.opened ? targetsIn(this.opened.path) : [];
     const isOwnPick = this.isOwnPick;
     this.isOwnPick = false;
@@ -214,6 +231,7 @@ class SourcePanel implements TimelineTab {
       }
     }
     this.showTime();
+    this.showNote();
     if (!this.opened) {
       this.showState();
       return;
@@ -247,8 +265,17 @@ class SourcePanel implements TimelineTab {
     this.view.drawSoon();
   }
 
-  private partsHere(): readonly FileParts[] {
-    return this.opened ? partsFrom(this.wb.store.document, this.opened.path) : [];
+  private originsHere(): Origins {
+    const { opened, wb } = this;
+    return opened ? originsIn(wb.store.document, opened.path, this.known) : { state: 'same', origins: [] };
+  }
+
+  private showNote(): void {
+    const { state } = this.originsHere();
+    const hasErrors = [...this.problems.values()].some(({ severity }) => severity === 'error');
+    const text = this.opened && noteOf(state, hasErrors);
+    this.note.hidden = !text;
+    setText(this.note, text ?? '');
   }
 
   /** The frame of the current time, of a capture. */
@@ -259,8 +286,8 @@ class SourcePanel implements TimelineTab {
       this.now = undefined;
       return;
     }
-    const parts = this.partsHere().find(({ hasClip }) => hasClip);
-    const frame = parts && frameAt(parts, this.wb.transport.get().timeSeconds);
+    const origin = this.originsHere().origins.find(({ file }) => file.hasClip);
+    const frame = origin && frameThen(origin, this.wb.transport.get().timeSeconds);
     const line = frame && linesOf(map, frame)[0]?.from;
     if (line === this.now) return;
     this.now = line;
@@ -278,7 +305,11 @@ class SourcePanel implements TimelineTab {
     const map = this.opened?.map;
     if (!map) return;
     const target = targetAt(map, line);
-    const picked = target && pickOf(this.partsHere(), target);
+    const picked = target && pickNow(this.originsHere().origins, target);
+    if (picked && 'gone' in picked) {
+      this.say(`Line ${count(line)} was ${picked.gone}, which was changed or deleted.`);
+      return;
+    }
     if (!picked) {
       this.say(target ? `Line ${count(line)} holds nothing that is shown.` : `Line ${count(line)} holds no part.`);
       return;
@@ -329,6 +360,13 @@ class SourcePanel implements TimelineTab {
     event.preventDefault();
     event.stopPropagation();
   }
+}
+
+function noteOf(state: TextState, hasErrors: boolean): string | undefined {
+  if (state === 'same') return undefined;
+  if (state === 'edited') return 'Edited since it was opened: lines are those of the file as it came.';
+  const why = hasErrors ? 'This text has errors and was not opened' : 'This text is not the version that is open';
+  return `${why}. The page has another version, so nothing lights up.`;
 }
 
 /** @param starts of the ranges, which ascend */

@@ -43,7 +43,7 @@ export interface Picked {
 }
 
 /** The characters that have something from a file, in the order of the document. */
-export function partsFrom({ characters }: Document, path: string): readonly FileParts[] {
+export function partsFrom({ characters }: Pick<Document, 'characters'>, path: string): readonly FileParts[] {
   let roots = 0;
   const found: FileParts[] = [];
   for (const character of characters) {
