@@ -73,7 +73,7 @@ describe('the page', () => {
         });
         await page.reload();
         await asked;
-        await shown(page, 'post');
+        await shown(page, 'walker');
         expect(await page.evaluate(() => window.marrow.stats().triangles)).toBeGreaterThan(1000);
         await page.keyboard.press('Space');
         await page.getByText('View', { exact: true }).click({ force: true });
