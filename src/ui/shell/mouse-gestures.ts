@@ -37,7 +37,7 @@ export const MOUSE_GESTURES: readonly MouseGestures[] = [
     where: 'Mouse in the outliner',
     lines: [
       ['Select a joint', 'click'],
-      ['Add it to the selection, or remove it', 'Ctrl+click'],
+      ['Add it to the selection, or remove it', 'Ctrl+click or Ctrl+Space'],
       ['Select all joints from the last one', 'Shift+click'],
       ['Menu', 'right click'],
     ],
