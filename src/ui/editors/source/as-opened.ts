@@ -102,7 +102,7 @@ export function frameThen({ now, file }: Origin, timeSeconds: number): SourceTar
 
 function marksFrom({ parts }: Character, path: string): readonly PartMark[] {
   const all = parts ? [parts.skeleton, ...parts.skins, ...parts.morphs, ...parts.clips] : [];
-  return all.filter((mark) => mark !== undefined && mark.file?.source.path === path) as PartMark[];
+  return all.flatMap((mark) => (mark?.file?.source.path === path ? [mark] : []));
 }
 
 /** A revision identifies a part's content; undo restores it. */

@@ -9,8 +9,10 @@ const KEPT_CHUNKS = 24;
 
 export interface ShownLine {
   readonly text: string;
-  /** Some of the line is left out. */
-  readonly isCut: boolean;
+  /** Characters left out at its end; 0: none. */
+  readonly more: number;
+  /** `more` is a count of bytes: the line wasn't read to its end. */
+  readonly isAbout: boolean;
 }
 
 /** Where the bytes are: a `Blob` or a part of one. */
@@ -53,7 +55,7 @@ export class LineText {
     try {
       const bytes = await this.bytes.slice(from, stop).arrayBuffer();
       const count = (isLast ? index.count + 1 : index.lines[entry + 1]) - index.lines[entry];
-      chunks.set(entry, linesOf(new TextDecoder().decode(bytes), count, stop < end));
+      chunks.set(entry, linesOf(new TextDecoder().decode(bytes), count, end - stop));
     } catch (error) {
       this.onFail(error);
       return;
@@ -66,11 +68,12 @@ export class LineText {
   }
 }
 
-/** @param goesOn the last line is longer than the text */
-function linesOf(text: string, count: number, goesOn: boolean): readonly ShownLine[] {
+/** @param unread bytes of the last line that aren't in the text */
+function linesOf(text: string, count: number, unread: number): readonly ShownLine[] {
   const lines = text.split(/\r*\n|\r/).slice(0, count);
-  return lines.map((line, i) => ({
-    text: line.length > MAX_SHOWN ? line.slice(0, MAX_SHOWN) : line,
-    isCut: line.length > MAX_SHOWN || (goesOn && i === lines.length - 1),
-  }));
+  return lines.map((line, i) => {
+    const isAbout = unread > 0 && i === lines.length - 1;
+    const more = Math.max(0, line.length - MAX_SHOWN) + (isAbout ? unread : 0);
+    return { text: line.length > MAX_SHOWN ? line.slice(0, MAX_SHOWN) : line, more, isAbout };
+  });
 }

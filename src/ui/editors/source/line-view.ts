@@ -11,6 +11,7 @@ import type { LineRange } from '../../../model/source-map.ts';
 import { element, setAttribute, setText, uniqueId } from '../../kit/dom.ts';
 import { HAS_KEYS } from '../../kit/focus.ts';
 import { oncePerFrame } from '../../kit/frame.ts';
+import { plural } from '../../kit/number-text.ts';
 import { setTooltip } from '../../kit/tooltip.ts';
 import { rowAfterKey } from '../../kit/windowed-list.ts';
 import type { ShownLine } from './line-text.ts';
@@ -189,14 +190,19 @@ export class LineView {
     const problem = source.problem(line);
     setAttribute(own, 'data-severity', problem?.severity);
     setTooltip(row.number, problem?.text ?? '');
-    const text = shown ? `${shown.text}${shown.isCut ? '…' : ''}` : '';
+    const cut = shown && shown.more > 0 ? cutNote(shown) : '';
+    const text = `${shown?.text ?? ''}${cut}`;
     // Nothing else would be read of an empty line.
     setAttribute(own, 'aria-label', text.trim() === '' ? `Line ${line}, empty` : undefined);
     if (row.shown === text) return;
     row.shown = text;
     row.text.replaceChildren(...coloured(shown?.text ?? ''));
-    if (shown?.isCut) row.text.append(element('span', { class: 'source-cut' }, ' … cut'));
+    if (cut) row.text.append(element('span', { class: 'source-cut' }, cut));
   }
+}
+
+function cutNote({ more, isAbout }: ShownLine): string {
+  return ` … ${isAbout ? 'about ' : ''}${plural(more, 'more character')}`;
 }
 
 function makeRow(): Row {

@@ -151,7 +151,7 @@ function pickIn(parts: FileParts, target: SourceTarget): Picked | undefined {
       if (!skin || !(parts.hasSkin || (parts.hasMorph && target.kind === 'vertex'))) return undefined;
       const vertex = target.kind === 'vertex' ? target.vertex : skin.triangles[3 * target.triangle];
       if (vertex === undefined || 3 * vertex >= skin.positions.length) return undefined;
-      const text = target.kind === 'vertex' ? `Vertex ${vertex}` : `Triangle ${target.triangle}, vertex ${vertex}`;
+      const text = target.kind === 'vertex' ? `Vertex ${vertex}` : triangleText(skin, target.triangle);
       return { selection: { characterId, vertex }, text };
     }
     case 'channel':
@@ -164,6 +164,12 @@ function pickIn(parts: FileParts, target: SourceTarget): Picked | undefined {
       return { selection: { characterId }, timeSeconds: at, text: `Frame ${target.frame}` };
     }
   }
+}
+
+/** One vertex can be selected: its first one is. */
+function triangleText({ triangles }: Skin, triangle: number): string {
+  const corners = triangles.subarray(3 * triangle, 3 * triangle + 3);
+  return `Triangle ${triangle}: vertices ${corners.join(' ')}, ${corners[0]} selected`;
 }
 
 function pickInChannel(

@@ -106,10 +106,13 @@ describe('what a click on a line selects', () => {
     expect(picked('a.skin', 16)?.selection).toEqual({ characterId: id, joint: 0 });
   });
 
-  it('a vertex, and of a triangle its first one', () => {
+  it('a vertex, and of a triangle its first one, naming all three', () => {
     expect(picked('a.skin', 3)?.selection).toEqual({ characterId: id, vertex: 1 });
     expect(picked('a.skin', 8)?.selection).toEqual({ characterId: id, vertex: 1 });
-    expect(picked('a.skin', 12)?.selection).toEqual({ characterId: id, vertex: 0 });
+    expect(picked('a.skin', 12)).toEqual({
+      selection: { characterId: id, vertex: 0 },
+      text: 'Triangle 0: vertices 0 1 2, 0 selected',
+    });
     expect(picked('a.skin', 1)).toBeUndefined();
   });
 

@@ -35,8 +35,14 @@ describe('the text of a line', () => {
 
   it('is cut if it is very long, and the line after it is whole', async () => {
     const text = `${'1 '.repeat(400_000)}\nend`;
-    expect(await line(text, 1)).toEqual({ text: '1 '.repeat(MAX_SHOWN / 2), isCut: true });
-    expect(await line(text, 2)).toEqual({ text: 'end', isCut: false });
+    expect(await line(text, 1)).toEqual({ text: '1 '.repeat(MAX_SHOWN / 2), more: 798_001, isAbout: true });
+    expect(await line(text, 2)).toEqual({ text: 'end', more: 0, isAbout: false });
+  });
+
+  it('tells how many characters are left out', async () => {
+    const text = `${'é'.repeat(MAX_SHOWN + 7)}\r\n${'é'.repeat(MAX_SHOWN)}`;
+    expect(await line(text, 1)).toEqual({ text: 'é'.repeat(MAX_SHOWN), more: 7, isAbout: false });
+    expect(await line(text, 2)).toEqual({ text: 'é'.repeat(MAX_SHOWN), more: 0, isAbout: false });
   });
 });
 
