@@ -71,5 +71,17 @@ describe('the text of files', () => {
       await page.getByText('2,000,002 lines').waitFor();
       await page.locator('.source-lines').press('Home');
       await page.locator('.source-line.is-current[data-line="1"]', { hasText: 'balljoint a' }).waitFor();
+
+      // A tab that is chosen elsewhere is scrolled to.
+      await page.setViewportSize({ width: 390, height: 844 });
+      for (const tab of ['curves', 'source']) {
+        await page.evaluate((id) => window.marrow.run(id), `page.tab.${tab}`);
+        const isInView = () =>
+          page.locator(`#timeline-tab-${tab}`).evaluate((title) => {
+            const [own, row] = [title, title.parentElement ?? title].map((e) => e.getBoundingClientRect());
+            return own.width > 0 && own.left >= row.left - 1 && own.right <= row.right + 1;
+          });
+        await expect.poll(isInView).toBe(true);
+      }
     }));
 });

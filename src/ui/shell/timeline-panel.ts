@@ -86,6 +86,7 @@ export function timelinePanel(
   );
 
   let handsOver = false;
+  let inView: TimelineTabName | undefined;
   const show = () => {
     const { tab } = timeline.view.get();
     const open = isPanelOpen(wb.settings.get(), 'timeline');
@@ -100,6 +101,10 @@ export function timelinePanel(
       body.hidden = tools.hidden = !chosen;
       built.get(name)?.setVisible(open && chosen);
     }
+    // On phones the tabs scroll, and one may be chosen elsewhere.
+    if (open && inView !== tab)
+      places.find((p) => p.name === tab)?.title.scrollIntoView({ block: 'nearest', inline: 'nearest' });
+    inView = open ? tab : undefined;
     // The focused element was hidden, so the keyboard would be dead. A tab being loaded gets the focus when ready.
     if ((handsOver || isGoneTo) && timeline.tab) {
       const { activeElement } = document;
