@@ -153,7 +153,7 @@ it('several joints are selected in the tree and the viewport, and turned, typed 
 it('goes past a limit while the character’s switch is off', () =>
   withPage(async ({ page }) => {
     await openArm(page);
-    const limits = page.getByRole('button', { name: 'Limits' });
+    const limits = page.getByRole('button', { name: 'Limits', exact: true });
     expect(await limits.getAttribute('aria-pressed')).toBe('true');
     await limits.click();
     expect(await limits.getAttribute('aria-pressed')).toBe('false');
