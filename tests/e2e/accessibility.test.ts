@@ -341,7 +341,8 @@ it('a phone has all menus, the timeline and targets of 44 pixels; nothing in the
       await page.getByRole('menuitem', { name: 'Shortcuts' }).waitFor();
       small.push(...(await smallTargets(page)));
       expect(small).toEqual([]);
-      await page.keyboard.press('Escape');
+      await page.getByRole('menuitem', { name: 'Back' }).tap();
+      expect(await page.getByRole('menu').count()).toBe(1);
       await page.keyboard.press('Escape');
 
       const overlapping: string[] = [];

@@ -63,6 +63,7 @@ export function asksForMenu({ key, shiftKey, ctrlKey, altKey, metaKey }: Keyboar
   return !ctrlKey && !altKey && !metaKey && (key === 'ContextMenu' || (key === 'F10' && shiftKey));
 }
 
+const SMALL = '(max-width: 600px)';
 /** Pixels kept free at the window's edges. */
 const MARGIN = 4;
 const HOVER_OPENS_MS = 120;
@@ -102,6 +103,8 @@ export class Menu {
     this.element.setAttribute('aria-label', options.label);
     const ticks = entries.some((e) => e.kind === 'item' && e.checked !== undefined);
     this.element.classList.toggle('with-ticks', ticks);
+    // A submenu fills a small screen: there is no other place to tap.
+    if (parent && window.matchMedia(SMALL).matches) this.element.append(this.buildBack());
     for (const entry of entries) this.element.append(this.build(entry));
     this.element.addEventListener('keydown', (event) => this.onKey(event));
     this.element.addEventListener('contextmenu', (event) => event.preventDefault());
@@ -155,6 +158,14 @@ export class Menu {
       case 'item':
         return this.buildItem(entry);
     }
+  }
+
+  private buildBack(): HTMLElement {
+    const label = element('span', { class: 'menu-label' }, '‹ Back');
+    const item = element('div', { role: 'menuitem', class: 'menu-item', tabindex: -1 }, label);
+    item.addEventListener('click', () => this.back(false));
+    this.items.push(item);
+    return item;
   }
 
   private buildItem(entry: MenuItem): HTMLElement {

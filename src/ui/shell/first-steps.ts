@@ -3,6 +3,7 @@ import { type Document, findCharacter } from '../../model/document.ts';
 import type { Selection } from '../../model/session.ts';
 import { button, element } from '../kit/dom.ts';
 import { icon } from '../kit/icons.ts';
+import { touchWords } from '../kit/touch-words.ts';
 import type { Uses } from '../state/workbench.ts';
 
 const STEPS = ['Click a joint', 'Drag its ring', 'Press K to key it'] as const;
@@ -15,7 +16,9 @@ interface Seen {
 export function firstSteps(wb: Uses<'store' | 'settings' | 'posing'>): HTMLElement {
   let done = 0;
   const leave = () => wb.settings.update((s) => ({ ...s, firstSteps: false }));
-  const steps = STEPS.map((text, i) => element('li', {}, element('b', { 'aria-hidden': 'true' }, String(i + 1)), text));
+  const steps = STEPS.map((text, i) =>
+    element('li', {}, element('b', { 'aria-hidden': 'true' }, String(i + 1)), touchWords(text)),
+  );
   const close = button('Close first steps', { class: 'tool small' }, icon('close'), leave);
   const line = element(
     'section',

@@ -6,6 +6,8 @@ import { ikOf } from '../../evaluate/ik/set-up.ts';
 import { transformPoint } from '../../math/vec3.ts';
 import type { Character } from '../../model/document.ts';
 import { isOfBvh, JOINT_TYPES, MOTION_KINDS } from '../../model/joint-types.ts';
+import { jointsIn, withJointToggled } from '../../model/selected-joints.ts';
+import type { Selection } from '../../model/session.ts';
 import { changePin, stiffen } from '../editors/ik/pin-edits.ts';
 import { selectedPin } from '../editors/ik/selected-pin.ts';
 import type { CanvasPointer } from '../editors/viewport/canvas-tools.ts';
@@ -45,29 +47,61 @@ export function subjectOf(wb: Uses<'store'>): MenuSubject {
 /** Opens the menu at the pointer. @param isSelected the mode's tool has selected what is there */
 export function openMenuAt(wb: Workbench, at: CanvasPointer, isSelected: boolean): void {
   const { clientX: x, clientY: y } = at;
+  const before = wb.store.selection;
   const subject = isSelected ? subjectOf(wb) : selectForMenu(wb, wb.viewport.pick(x, y));
-  open(wb, subject, { x, y }, false);
+  open(wb, subject, { x, y }, false, before);
 }
 
 /** Opens the menu of the selection beside it. */
 export function openMenuByKey(wb: Workbench): void {
   const subject = subjectOf(wb);
-  open(wb, subject, placeByKey(wb, subject), true);
+  open(wb, subject, placeByKey(wb, subject), true, wb.store.selection);
 }
 
-function open(wb: Workbench, subject: MenuSubject, at: { readonly x: number; readonly y: number }, byKey: boolean) {
+function open(
+  wb: Workbench,
+  subject: MenuSubject,
+  at: { readonly x: number; readonly y: number },
+  byKey: boolean,
+  before: Selection,
+) {
   const name = subject === 'joint' ? selectedJointsText(wb) : currentCharacter(wb)?.name;
   const label = subject === 'background' || name === undefined ? 'Viewport' : name;
-  openMenu(at, viewportEntries(wb, subject), { label, opener: wb.viewport.canvas, focusFirst: byKey });
+  openMenu(at, viewportEntries(wb, subject, before), { label, opener: wb.viewport.canvas, focusFirst: byKey });
 }
 
-/** The entries for a subject in the current mode. */
-export function viewportEntries(wb: Workbench, subject: MenuSubject): MenuEntry[] {
+/**
+ * The entries for a subject in the current mode.
+ *
+ * @param before the selection when the menu was asked for, to which the joint can be added
+ */
+export function viewportEntries(wb: Workbench, subject: MenuSubject, before?: Selection): MenuEntry[] {
   const selected = subject === 'joint' ? selectedJoint(wb) : undefined;
-  if (selected) return [titleOf(selectedJointsText(wb)), ...jointEntries(wb, selected)];
+  if (selected)
+    return [titleOf(selectedJointsText(wb)), ...addingEntries(wb, selected, before), ...jointEntries(wb, selected)];
   const character = subject === 'character' ? currentCharacter(wb) : undefined;
   if (character) return [titleOf(character.name), ...sectionsOf(wb, CHARACTER)];
   return backgroundEntries(wb);
+}
+
+/** A finger has no Shift or Ctrl. */
+function addingEntries(wb: Uses<'store'>, { character, joint }: ResolvedJoint, before?: Selection): MenuEntry[] {
+  const { selection } = wb.store;
+  const isOne = jointsIn(selection).length > 1;
+  const from = isOne ? selection : before;
+  const isOther = from?.characterId === character.id && !jointsIn(from).includes(joint) && jointsIn(from).length > 0;
+  if (!from || !(isOne || isOther)) return [];
+  const { placement } = selection;
+  const pick = { characterId: character.id, joint, ...(placement !== undefined && { placement }) };
+  return [
+    {
+      kind: 'item',
+      label: isOne ? 'Remove from selection' : 'Add to selection',
+      enabled: true,
+      run: () => wb.store.select(withJointToggled(from, pick)),
+    },
+    { kind: 'line' },
+  ];
 }
 
 function titleOf(text: string): MenuEntry {

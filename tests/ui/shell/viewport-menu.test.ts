@@ -46,6 +46,18 @@ describe('what the viewport’s menu is about', () => {
     expect(wb.store.selection).toBe(selection);
   });
 
+  it('the viewport’s menu adds a joint to what was selected before, and removes it', () => {
+    const wb = page('fk', 1);
+    const before = wb.store.selection;
+    expect(labels(viewportEntries(wb, 'joint', before))).not.toContain('Add to selection');
+    selectForMenu(wb, { characterId: 'c1', placement: 0, joint: 3 });
+    choose(viewportEntries(wb, 'joint', before), 'Add to selection');
+    expect(wb.store.selection).toMatchObject({ joint: 3, others: [1] });
+    choose(viewportEntries(wb, 'joint', wb.store.selection), 'Remove from selection');
+    expect(wb.store.selection).toMatchObject({ joint: 1 });
+    expect(wb.store.selection.others).toBeUndefined();
+  });
+
   it('by keyboard the viewport’s menu is about the selection', () => {
     const wb = page('fk');
     expect(subjectOf(wb)).toBe('background');

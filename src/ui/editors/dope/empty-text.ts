@@ -1,5 +1,7 @@
 /** Text of an empty dope sheet: how to get keys. */
+
 import { spanOfChannel } from '../../../model/clip.ts';
+import { touchWords } from '../../kit/touch-words.ts';
 import { currentCharacter } from '../../state/action.ts';
 import type { Uses } from '../../state/workbench.ts';
 import type { Take } from '../timeline/current-take.ts';
@@ -13,5 +15,7 @@ export function emptyText(wb: Uses<'store' | 'timeline'>, take: Take | undefined
   const keyed = take?.clip.channels.some((_, c) => spanOfChannel(take.clip, c)) ?? false;
   const { filter } = wb.timeline.view.get();
   if (take && filter.trim() && keyed) return `No row with keys matches “${filter.trim()}”.`;
-  return 'No keys yet. Rotate a joint and press K to key it or Shift+K to key the whole pose, or drop an .anim file.';
+  return touchWords(
+    'No keys yet. Rotate a joint and press K to key it or Shift+K to key the whole pose, or drop an .anim file.',
+  );
 }

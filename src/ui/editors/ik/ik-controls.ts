@@ -1,7 +1,9 @@
 /** IK controls beside the mode switch: whether the root may move, removing all pins, and a hint. */
+
 import { ikOf } from '../../../evaluate/ik/set-up.ts';
 import { button, element, keepsFocusElsewhere, setAttribute, setText } from '../../kit/dom.ts';
 import { oncePerFrame } from '../../kit/frame.ts';
+import { touchWords } from '../../kit/touch-words.ts';
 import { currentCharacter, runAction } from '../../state/action.ts';
 import { setActionTooltip } from '../../state/tooltips.ts';
 import type { Uses } from '../../state/workbench.ts';
@@ -58,6 +60,6 @@ export function ikControls(wb: Uses<'store' | 'actions' | 'posing' | 'settings'>
 
 /** What to do first, and next. */
 export function ikHintText(pins: number): string {
-  if (pins === 0) return 'Click a point to pin it. Drag others; pins hold.';
-  return 'Drag any point; pins hold. Click a pin to remove it.';
+  if (pins === 0) return touchWords('Click a point to pin it. Drag others; pins hold.');
+  return touchWords('Drag any point; pins hold. Click a pin to remove it.');
 }

@@ -2,12 +2,16 @@
 import { possibleParents } from '../../../edit/rig/parents.ts';
 import type { Character } from '../../../model/document.ts';
 import { jointName } from '../../../model/joint-name.ts';
+import { withJointToggled } from '../../../model/selected-joints.ts';
 import { isMac } from '../../kit/keyboard.ts';
 import type { MenuEntry } from '../../kit/menu.ts';
 import { findAction, runAction } from '../../state/action.ts';
 import { jointsText, selectedJointsOf } from '../../state/selected-joint.ts';
 import { ariaShortcut, shortcutsFor, shortcutText } from '../../state/shortcuts.ts';
 import type { Workbench } from '../../state/workbench.ts';
+
+const ADD = 'Add to selection';
+const REMOVE = 'Remove from selection';
 
 const edits = () => import('../rig/rig-edits.ts');
 
@@ -43,6 +47,15 @@ export function jointEntries(
   const select = () => {
     if (!isSelected) wb.store.select({ characterId: character.id, joint });
   };
+  // A finger has no Shift or Ctrl.
+  const adding: MenuEntry[] =
+    selected.length > (isSelected ? 1 : 0)
+      ? [
+          item(isSelected ? REMOVE : ADD, () =>
+            wb.store.select(withJointToggled(wb.store.selection, { characterId: character.id, joint })),
+          ),
+        ]
+      : [];
   /** `Pin 3 joints (IK)`, `Pin (IK)` for one. */
   const what = isForSeveral ? ` ${jointsText(character.skeleton, joints)}` : '';
   if (wb.posing.mode.get() !== 'rig') {
@@ -60,6 +73,7 @@ export function jointEntries(
     return [
       // The tree's own key.
       item('Rename', rename, 'F2'),
+      ...adding,
       item(`${arePinned ? 'Unpin' : 'Pin'}${what} (IK)`, ofSelected('ik.pinJoint'), keyOf('ik.pinJoint')),
       item(`${areLocked ? 'Unlock' : 'Lock'}${what} (IK)`, ofSelected('ik.lockJoint'), keyOf('ik.lockJoint')),
       item('Edit in rig mode', rig),
@@ -103,6 +117,7 @@ export function jointEntries(
   const isRoot = joints.includes(0);
   return [
     item('Rename', rename, keyOf('rigging.rename')),
+    ...adding,
     doing(
       isForSeveral ? `Add child to ${nameOf(joints[joints.length - 1])}` : 'Add child',
       (m) => m.addChild(wb),

@@ -58,6 +58,8 @@ it('entries on one of several selected joints say how many they are for', () => 
   expect(labels(1)).toContain('Pin 2 joints (IK)');
   // Not a selected one: only for itself.
   expect(labels(0)).toContain('Pin (IK)');
+  expect(labels(0)).toContain('Add to selection');
+  expect(labels(1)).toContain('Remove from selection');
   wb.posing.mode.set('rig');
   expect(labels(1)).toEqual(expect.arrayContaining(['Delete 2 joints, keep children', 'Add child to leg_r']));
 });
