@@ -83,6 +83,28 @@ export function changedCyclesOf(was: Character, now: Character): readonly Change
 }
 
 /**
+ * The channels, ascending, that repeat by `cycle` and of which only the first and last key have another value now, the
+ * same for both: what keying either end of a closed loop does (`put-key.ts`).
+ */
+export function keyedEndsOf(was: Character, now: Character): readonly number[] {
+  if (was === now || was.shownClip !== now.shownClip || was.clips.length !== now.clips.length) return [];
+  if (was.skeleton !== now.skeleton || was.morphs !== now.morphs) return [];
+  const before = shownClip(was)?.channels;
+  return (shownClip(now)?.channels ?? []).flatMap((channel, index) => {
+    const old = before?.[index];
+    return old && old !== channel && hasKeyedEnds(old, channel) ? [index] : [];
+  });
+}
+
+function hasKeyedEnds(was: Channel, now: Channel): boolean {
+  if (!hasCycle(was) || !hasCycle(now) || now.values.length !== was.values.length) return false;
+  if (now.extrapolateIn !== 'cycle' && now.extrapolateOut !== 'cycle') return false;
+  const last = now.values.length - 1;
+  if (was.values[0] !== was.values[last] || now.values[0] !== now.values[last]) return false;
+  return now.values.every((value, k) => (value !== was.values[k]) === (k === 0 || k === last));
+}
+
+/**
  * The channel with keys for whole repetitions, so that `from` to `to` (seconds of the clip) lies between its keys as
  * far as it repeats there; the same object if it does already. It repeats with the longer period, and the curve is the
  * same at every time. (If a channel repeats differently before and after its keys, this holds only up to the outermost

@@ -35,23 +35,33 @@ export function putKey(channel: Channel, time: number, value: number, kind: numb
 
 /**
  * The same for keys outside the cycle of a repeating channel (`cycle.ts`): the channel has that value at that time,
- * wherever the key is put. On the seam of a loop, both ends are changed, so that the loop stays closed.
+ * wherever the key is put. On the seam of a loop, both ends are changed, so that the loop stays closed: keying only one
+ * of them would make a jump in every repetition (Blender's *cycle-aware keying*).
  */
 export function putKeyAt(channel: Channel, time: number, value: number, kind: number, placing: KeyPlacing): Put {
   const place = placeOf(channel, time, placing);
   const put = putKey(place.channel, place.time, value - place.offset, kind);
-  if (!place.isFolded || channel.kind !== 'keys') return put;
-  return { ...put, channel: withClosedSeam(channel, put.channel) };
+  if (place.channel.kind !== 'keys') return put;
+  return { ...put, channel: withClosedSeam(place.channel, put.channel, place.isFolded) };
 }
 
-/** Changes the last key along with the first, if a loop continues from one to the other. */
-function withClosedSeam(before: KeyedChannel, after: KeyedChannel): KeyedChannel {
+/**
+ * Changes the last key along with the first, or the first with the last, if a loop continues from one to the other. A
+ * `cycle_offset` keeps its rise only if the key was meant for another repetition: it never jumps, and keying its own end
+ * is meant to change how far it goes.
+ */
+function withClosedSeam(before: KeyedChannel, after: KeyedChannel, isFolded: boolean): KeyedChannel {
   const last = before.times.length - 1;
-  if (after.times.length !== before.times.length || after.values[0] === before.values[0]) return after;
+  if (after.times.length !== before.times.length || last === 0) return after;
+  const byFirst = after.values[0] - before.values[0];
+  const byLast = after.values[last] - before.values[last];
+  if ((byFirst === 0) === (byLast === 0)) return after;
   const ways = [before.extrapolateIn, before.extrapolateOut];
-  const isClosed = before.values[0] === before.values[last] && ways.includes('cycle');
-  if (!isClosed && !ways.includes('cycle_offset')) return after;
   const values = after.values.slice();
-  values[last] += after.values[0] - before.values[0];
+  if (before.values[0] === before.values[last] && ways.includes('cycle')) {
+    if (byFirst !== 0) values[last] = values[0];
+    else values[0] = values[last];
+  } else if (isFolded && byFirst !== 0 && ways.includes('cycle_offset')) values[last] += byFirst;
+  else return after;
   return { ...after, values };
 }

@@ -191,6 +191,33 @@ describe('a key inside the cycle', () => {
     expect(valueAt(put, 4)).toBe(6);
   });
 
+  it('a key at an end of a closed loop changes both ends, so that no repetition jumps', () => {
+    const keys = [
+      [0, 1],
+      [0.5, 3],
+      [1, 1],
+    ] as const;
+    const keyed = (way: Extrapolation, time: number) => [
+      ...putKeyAt(channelOf(keys, way), time, 2, SMOOTH, {}).channel.values,
+    ];
+    expect(keyed('cycle', 0)).toEqual([2, 3, 2]);
+    expect(keyed('cycle', 1)).toEqual([2, 3, 2]);
+    expect(keyed('cycle', 0.5)).toEqual([1, 2, 1]);
+    for (const way of ['constant', 'linear', 'bounce', 'cycle_offset'] as const) {
+      expect(keyed(way, 0)).toEqual([2, 3, 1]);
+      expect(keyed(way, 1)).toEqual([1, 3, 2]);
+    }
+    // One that jumps already was meant to.
+    const saw = channelOf(
+      [
+        [0, 0],
+        [1, 5],
+      ],
+      'cycle',
+    );
+    expect([...putKeyAt(saw, 0, 2, SMOOTH, {}).channel.values]).toEqual([2, 5]);
+  });
+
   it('a key inside the cycle is baked on a side that does not repeat, whose times have no phase in the cycle', () => {
     const channel = channelOf(
       [

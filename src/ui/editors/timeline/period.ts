@@ -1,8 +1,8 @@
 /**
- * A new key beyond the ends lengthens a cycle. That may be intended, but shouldn't go unnoticed: any step that does so
- * is reported once, at its end.
+ * A new key beyond the ends lengthens a cycle, and one at an end of a closed cycle changes its other end too. That may be
+ * intended, but shouldn't go unnoticed: any step that does so is reported once, at its end.
  */
-import { changedCyclesOf } from '../../../edit/keys/cycle.ts';
+import { changedCyclesOf, keyedEndsOf } from '../../../edit/keys/cycle.ts';
 import { type Character, findCharacter } from '../../../model/document.ts';
 import { plural, shown } from '../../kit/number-text.ts';
 import type { Uses } from '../../state/workbench.ts';
@@ -13,7 +13,8 @@ export function followPeriods({ store, messages }: Uses<'store' | 'messages'>): 
   return store.onStep(({ document }, { document: before }) => {
     for (const character of document.characters) {
       const was = findCharacter(before, character.id);
-      const text = was && was !== character && changedPeriods(was, character);
+      const text =
+        was && was !== character && [changedPeriods(was, character), keyedEnds(was, character)].join(' ').trim();
       if (!text) continue;
       messages.note(text);
       return;
@@ -30,4 +31,13 @@ function changedPeriods(was: Character, now: Character): string | undefined {
   const which = changed.length === 1 ? name : `${plural(changed.length, 'channel')}, including ${name},`;
   const verb = changed.length === 1 ? 'repeats' : 'repeat';
   return `${which} now ${verb} every ${shown(to)} s instead of every ${shown(from)} s.`;
+}
+
+/** Of cycles that stay closed. */
+function keyedEnds(was: Character, now: Character): string | undefined {
+  const ends = keyedEndsOf(was, now);
+  if (!ends.length) return undefined;
+  const name = channelName(namedChannel(now, ends[0]));
+  if (ends.length === 1) return `First and last key of the cycle of ${name} changed together.`;
+  return `First and last key of ${ends.length} cycles, including ${name}, changed together.`;
 }

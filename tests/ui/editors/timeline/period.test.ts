@@ -112,3 +112,21 @@ describe('another period', () => {
     expect(said()).toBeUndefined();
   });
 });
+
+it('keying an end of a closed cycle changes both ends in one step, which is said', () => {
+  const values = (index: number) => [...keysOf(shownClip(wb.store.document.characters[0])?.channels[index]).values];
+  const key = (...dofs: number[]) => {
+    const args = dofs.map((index) => ({ index, value: 5 + index }));
+    wb.store.apply(setDofs, { characterId: 'c1', dofs: args, timeSeconds: 0, key: {} });
+  };
+  const before = values(1);
+  key(0, 1);
+  expect(values(1)).toEqual([6, 6]);
+  expect(values(0)[0]).toBe(5);
+  expect(values(0).at(-1)).toBe(5);
+  expect(said()).toBe('First and last key of 2 cycles, including hips tx, changed together.');
+  wb.store.undo();
+  expect(values(1)).toEqual(before);
+  key(0);
+  expect(said()).toBe('First and last key of the cycle of hips tx changed together.');
+});
