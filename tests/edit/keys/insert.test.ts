@@ -150,7 +150,11 @@ describe('a key inserted between two others and moved', () => {
         const time = (sorted[0] + at * (sorted[sorted.length - 1] - sorted[0])) / 4;
         const { channel, index } = insertKey(line, time);
         fc.pre(channel !== line);
-        expect(rowsOf(channel).map((row) => row.slice(2))).toEqual(rowsOf(channel).map(() => ['smooth', 'smooth']));
+        // Not beyond the ends: there a slope extends any distance, so one that differs by rounding is kept as a number.
+        const kinds = rowsOf(channel)
+          .flatMap((row) => row.slice(2))
+          .slice(1, -1);
+        expect(kinds).toEqual(kinds.map(() => 'smooth'));
         const largest = Math.max(1, ...line.values.map(Math.abs));
         for (const t of probes(channel)) {
           expect(Math.abs(valueAt(channel, t) - valueAt(line, t))).toBeLessThan(1e-12 * largest);
