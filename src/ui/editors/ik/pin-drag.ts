@@ -37,6 +37,7 @@ export interface PinDragEvents {
 }
 
 export class PinDrag implements CanvasDrag {
+  readonly ownsLongPress = true;
   private hand: HandPull | undefined;
   private refused = false;
   /** Positions of the point and the pointer when the drag began or switched to or from depth. */

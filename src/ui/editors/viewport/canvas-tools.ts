@@ -25,6 +25,8 @@ export type CanvasPointer = Pick<
 export interface CanvasDrag {
   /** Every move. */
   move(at: CanvasPointer): void;
+  /** Whether a finger held still means something to the drag; otherwise it cancels the drag and opens the menu. */
+  readonly ownsLongPress?: boolean;
   /** Touch: number of fingers down, including the dragging one. */
   fingers?(count: number): void;
   /** The release. */
@@ -67,8 +69,21 @@ export function listenToCanvas(
   let down: PointerEvent | undefined;
   /** A press that opens the menu on release, unless it moves. */
   let menuDown: PointerEvent | undefined;
-  let held: ReturnType<typeof setTimeout> | undefined;
+  /** A finger that opens the menu if it stays for long. */
+  let holding: { readonly from: PointerEvent; readonly timer: ReturnType<typeof setTimeout> } | undefined;
 
+  const hold = (from: PointerEvent) => {
+    const open = () => {
+      holding = down = undefined;
+      finish()?.cancel();
+      menu(from);
+    };
+    holding = { from, timer: setTimeout(open, LONG_PRESS_MS) };
+  };
+  const stopHolding = () => {
+    clearTimeout(holding?.timer);
+    holding = undefined;
+  };
   const onKey = (event: KeyboardEvent) => {
     if (event.key !== 'Escape') return waitOutDrag(event);
     event.preventDefault();
@@ -91,7 +106,7 @@ export function listenToCanvas(
       if (event.target !== canvas) return;
       canvas.focus({ preventScroll: true });
       down = menuDown = undefined;
-      clearTimeout(held);
+      stopHolding();
       if (drag) {
         // Other buttons or fingers during a drag don't reach the camera.
         event.stopPropagation();
@@ -106,12 +121,7 @@ export function listenToCanvas(
       const of = event.isPrimary && !isMacMenu ? tool()?.press(event) : undefined;
       if (!of) {
         down = event.button === 0 && event.isPrimary && !isMacMenu ? event : undefined;
-        if (event.pointerType === 'touch' && down) {
-          held = setTimeout(() => {
-            down = undefined;
-            menu(event);
-          }, LONG_PRESS_MS);
-        }
+        if (event.pointerType === 'touch' && down) hold(event);
         return;
       }
       event.stopPropagation();
@@ -119,6 +129,7 @@ export function listenToCanvas(
       canvas.setPointerCapture(event.pointerId);
       window.addEventListener('keydown', onKey, { capture: true });
       claim(true);
+      if (event.pointerType === 'touch' && !of.ownsLongPress) hold(event);
     },
     { capture: true, signal },
   );
@@ -126,7 +137,7 @@ export function listenToCanvas(
     'pointermove',
     (event) => {
       if (menuDown && !isNear(event, menuDown)) menuDown = undefined;
-      if (down && !isNear(event, down)) clearTimeout(held);
+      if (holding && !isNear(event, holding.from)) stopHolding();
       if (drag) {
         if (event.pointerId === drag.pointerId) drag.of.move(event);
       } else if (event.buttons === 0) {
@@ -143,7 +154,7 @@ export function listenToCanvas(
   canvas.addEventListener(
     'pointerup',
     (event) => {
-      clearTimeout(held);
+      stopHolding();
       const asked = menuDown?.pointerId === event.pointerId && isNear(event, menuDown);
       if (drag) {
         if (event.pointerId === drag.pointerId) finish()?.end(event);
@@ -160,7 +171,7 @@ export function listenToCanvas(
     { signal },
   );
   const lost = (event: PointerEvent) => {
-    clearTimeout(held);
+    stopHolding();
     if (event.pointerId === drag?.pointerId) finish()?.cancel();
     else lift(event);
   };
@@ -174,7 +185,7 @@ export function listenToCanvas(
     { signal },
   );
   signal.addEventListener('abort', () => {
-    clearTimeout(held);
+    stopHolding();
     finish()?.cancel();
   });
   // The page has a menu of its own here, which a right drag must not open.

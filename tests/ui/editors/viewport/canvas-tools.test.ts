@@ -204,12 +204,35 @@ describe('the menu of the viewport', () => {
     expect(menus).toEqual([]);
   });
 
-  it('a finger on something that the tool drags is the tool’s', () => {
+  it('a finger held still on something that the tool drags cancels the drag and opens the menu', () => {
     vi.useFakeTimers();
-    const { pointer, menus } = page(leftTool().tool);
+    const { tool, said } = leftTool();
+    const { pointer, menus, picked } = page(tool);
     pointer('pointerdown', 10, 10, { pointerType: 'touch' });
+    vi.advanceTimersByTime(LONG_PRESS_MS);
+    pointer('pointermove', 60, 10, { buttons: 1 });
+    pointer('pointerup', 60, 10);
+    expect([said, menus, picked]).toEqual([['cancel'], [[10, 10]], []]);
+  });
+
+  it('a finger that drags, or whose drag has a meaning of its own for staying, opens no menu', () => {
+    vi.useFakeTimers();
+    const { tool, said } = leftTool();
+    const { pointer, menus } = page(tool);
+    pointer('pointerdown', 10, 10, { pointerType: 'touch' });
+    pointer('pointermove', 60, 10, { buttons: 1 });
     vi.advanceTimersByTime(2 * LONG_PRESS_MS);
-    expect(menus).toEqual([]);
+    pointer('pointerup', 60, 10);
+    expect([said, menus]).toEqual([['move 60', 'end 60'], []]);
+    const owning = page({
+      press: (at) => {
+        const drag = tool.press(at);
+        return drag && { ...drag, ownsLongPress: true };
+      },
+    });
+    owning.pointer('pointerdown', 10, 10, { pointerType: 'touch' });
+    vi.advanceTimersByTime(2 * LONG_PRESS_MS);
+    expect(owning.menus).toEqual([]);
   });
 });
 
