@@ -160,6 +160,8 @@ export const EDIT_ACTIONS: readonly Action[] = [
       if (!character) return;
       wb.store.apply(removeCharacter, { characterId: character.id });
       wb.store.select(NOTHING_SELECTED);
+      // It may have held unsaved work, and Delete is a key that is hit by mistake.
+      wb.messages.confirm(`${character.name} was removed.`, { label: 'Undo', run: () => travel(wb, 'undo') });
     },
   },
 ];

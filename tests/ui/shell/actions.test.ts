@@ -286,3 +286,17 @@ describe('what is drawn', () => {
     expect(wb.settings.get().display.boxes).toBe('bare');
   });
 });
+
+it('removing a character says so, and the button beside it brings the character back', async () => {
+  const { wb } = workbench(documentOf(character()));
+  wb.store.select({ characterId: 'c1' });
+  const before = wb.store.document;
+  await actionsOf(wb)
+    .find((action) => action.id === 'character.remove')
+    ?.run(wb);
+  expect(wb.store.document.characters).toEqual([]);
+  expect(wb.messages.passing.get()).toBe('wasp was removed.');
+  expect(wb.messages.offer?.label).toBe('Undo');
+  wb.messages.offer?.run();
+  expect(wb.store.document).toEqual(before);
+});
