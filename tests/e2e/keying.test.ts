@@ -118,7 +118,7 @@ async function makeTake({ files, joint, channel }: Subject): Promise<void> {
     expect(await page.evaluate(() => window.marrow.keys())).toEqual([broken[1]]);
     const pressed = () =>
       page.locator('.tangent-tools [aria-pressed]').evaluateAll((all) => all.map((one) => one.ariaPressed));
-    expect(await pressed()).toEqual(['false', 'false', 'mixed', 'mixed']);
+    await expect.poll(pressed).toEqual(['false', 'false', 'mixed', 'mixed']);
     await page.getByRole('menuitem', { name: 'Keys', exact: true }).click();
     await page.getByRole('menuitem', { name: 'Tangents', exact: true }).hover();
     const ticks = ['Smooth', 'Fixed slope, before the key', 'Smooth, before the key'].map((name) =>
@@ -126,7 +126,7 @@ async function makeTake({ files, joint, channel }: Subject): Promise<void> {
     );
     expect(await Promise.all(ticks)).toEqual(['mixed', 'true', 'false']);
     await page.getByRole('menuitemcheckbox', { name: 'Smooth', exact: true }).click();
-    expect(await pressed()).toEqual(['false', 'false', 'true', 'false']);
+    await expect.poll(pressed).toEqual(['false', 'false', 'true', 'false']);
 
     // Extrapolation from the menu, for all keys.
     await page.locator('.curve-plot').focus();
