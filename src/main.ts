@@ -17,14 +17,16 @@ import { fetchFiles, filesInQuery } from './io/address.ts';
 import * as disk from './io/disk-files.ts';
 import { download } from './io/download.ts';
 import { onLaunched } from './io/launched.ts';
+import type { DumpFile } from './project/open/open-files.ts';
 import { oncePerFrame } from './ui/kit/frame.ts';
 import { observable } from './ui/kit/observable.ts';
 import { startFirstPicture } from './ui/shell/first-picture.ts';
 import { restOfPage } from './ui/shell/rest-of-page.ts';
+import type { DumpComparison } from './ui/state/dump-comparison.ts';
 import type { KeptOffer } from './ui/state/kept-offer.ts';
 import { Messages } from './ui/state/messages.ts';
 import { NOT_OFFLINE, type Offline } from './ui/state/offline.ts';
-import { whenIdle } from './ui/state/on-demand.ts';
+import { onDemand, whenIdle } from './ui/state/on-demand.ts';
 import { Posing } from './ui/state/posing.ts';
 import { rememberedSettings } from './ui/state/settings.ts';
 import { Timeline } from './ui/state/timeline.ts';
@@ -44,7 +46,8 @@ const viewport = viewportIn(viewportElement);
 const spawnWorker = () => new Worker(new URL('./worker/entry.ts', import.meta.url), { type: 'module' });
 const worker = new WorkerClient(spawnWorker);
 const reducesMotion = () => window.matchMedia('(prefers-reduced-motion: reduce)').matches;
-const opener = new Opener({ store, transport, messages, loading, viewport, worker, reducesMotion });
+const opener = new Opener({ store, transport, messages, loading, viewport, worker, reducesMotion, compare });
+const compareWorker = new WorkerClient(spawnWorker);
 const samples = listSamples(document.baseURI);
 const unsaved = new Unsaved(store);
 const handles = new DiskHandles();
@@ -90,6 +93,7 @@ const workbench: Workbench = {
   }),
   kept: observable<KeptOffer | undefined>(undefined),
   offline: observable<Offline>(NOT_OFFLINE),
+  comparing: observable<DumpComparison | undefined>(undefined),
 };
 
 followRange(store, transport);
@@ -145,6 +149,11 @@ async function storePage(): Promise<void> {
       }),
     nowMs: Date.now,
   });
+}
+
+function compare(dumps: readonly DumpFile[]): void {
+  const load = () => import('./app/comparing.ts');
+  onDemand(messages, 'The comparison', load).then((module) => module?.compareDumps(workbench, compareWorker, dumps));
 }
 
 /** The opening example: a walking character. */

@@ -29,7 +29,7 @@ const MAY_IMPORT: Readonly<Record<string, readonly string[]>> = {
   // Widgets that any page could have.
   'ui/kit': [...BASE],
   // What panels share: the workbench, settings, actions found by their ids.
-  'ui/state': ['ui/kit', 'view', 'project', 'edit', 'evaluate', ...BASE],
+  'ui/state': ['ui/kit', 'view', 'project', 'edit', 'lesson', 'evaluate', ...BASE],
   // A folder a panel or tool, with its own actions.
   'ui/editors': ['ui/state', 'ui/kit', 'view', 'edit', 'lesson', 'evaluate', ...BASE],
   // What puts them together: layout, menu bar, the one list of actions, dialogs.

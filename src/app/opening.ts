@@ -9,7 +9,7 @@ import type { GivenFile } from '../io/given.ts';
 import { type Diagnostic, hasErrors, withoutPlace } from '../model/diagnostic.ts';
 import { type Character, type Document, findCharacter, shownClip } from '../model/document.ts';
 import type { ParsedFile } from '../model/files.ts';
-import { openFiles } from '../project/open/open-files.ts';
+import { type DumpFile, openFiles } from '../project/open/open-files.ts';
 import { unseenChanges } from '../project/open/unseen-changes.ts';
 import type { Observable } from '../ui/kit/observable.ts';
 import type { Messages } from '../ui/state/messages.ts';
@@ -25,6 +25,8 @@ export interface OpeningParts {
   readonly worker: WorkerClient;
   /** Whether the user wants less motion: then new takes don't start to play. */
   reducesMotion(): boolean;
+  /** Takes dumps that were opened, once their character is; absent: nothing is compared. */
+  compare?(dumps: readonly DumpFile[]): void;
 }
 
 /** What one opening added to the document. */
@@ -125,6 +127,7 @@ export class Opener {
           return found.some(({ code }) => LEFT_ASIDE.has(code)) ? undefined : 'opened';
         },
       );
+      if (result.dumps.length > 0) this.parts.compare?.(result.dumps);
       const unseen = reloads === undefined ? unseenChanges(before, result.document, output.files) : undefined;
       // Errors stay in the line instead: they say themselves what became of their files.
       if (unseen !== undefined && !hasErrors(diagnostics)) messages.note(unseen);

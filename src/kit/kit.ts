@@ -1,5 +1,5 @@
 /** The test kit: its files, their answers for programs and for people, and how to use them. */
-import { DEFAULT_TOLERANCE } from '../lesson/compare.ts';
+import { DEFAULT_TOLERANCE } from '../lesson/errors.ts';
 import { type SetAnswers, setAnswers } from './answers.ts';
 import { kitFiles } from './files.ts';
 import { readme } from './readme.ts';

@@ -6,15 +6,12 @@ import { type Steps, within } from '../evaluate/steps.ts';
 import { invertAffine, isSingular, multiplyAffine } from '../math/mat4.ts';
 import { type Character, shownClip, shownSkin } from '../model/document.ts';
 import { characterDofs } from '../model/dofs.ts';
-import { diagonalOf, matrixError, pointError } from './errors.ts';
+import { DEFAULT_TOLERANCE, diagonalOf, matrixError, pointError } from './errors.ts';
 import { Evaluator, type FrameNumbers, type FrameTime } from './evaluator.ts';
 import { RIGHT_PROGRAM } from './program.ts';
 import { type Cause, findCauses, worstVertices } from './search.ts';
 import { FRAME_KINDS, type FrameTarget, type MatrixLayout, type Targets } from './targets.ts';
 import { ownValues } from './trial.ts';
-
-/** Of the character's size, of a radian, of a channel's unit: programs use floats and print six digits. */
-export const DEFAULT_TOLERANCE = 1e-4;
 
 /** How many items of each kind were compared. */
 export interface Compared {
@@ -48,9 +45,14 @@ export interface FrameComparison {
   readonly own: readonly number[];
   /** Joints that are wrong only because a parent is. */
   readonly inherited: readonly number[];
-  /** Error of each joint and vertex; empty if not compared. */
+  /** Error of each joint, vertex and normal; empty if not compared. */
   readonly jointErrors: Float64Array;
   readonly vertexErrors: Float64Array;
+  readonly normalErrors: Float64Array;
+  /** What theirs were compared with; local matrices, vertices and normals only if they were. */
+  readonly ours: FrameNumbers;
+  /** Of the character: the unit of errors of lengths. */
+  readonly size: number;
 }
 
 export interface Comparison {
@@ -61,6 +63,8 @@ export interface Comparison {
   readonly first?: FirstWrong;
   /** In the order of the dumps. `first`, `own` and `inherited` of the whole are those of the first that differs. */
   readonly frames: readonly FrameComparison[];
+  /** Our value of each sample of channels. */
+  readonly ourChannels: Float64Array;
   readonly own: readonly number[];
   readonly inherited: readonly number[];
   /** The best first; empty if all agrees, or if nothing explains it. */
@@ -90,6 +94,7 @@ export function* compare(character: Character, targets: Targets, tolerance = DEF
     worst,
     ...(first && { first }),
     frames,
+    ourChannels: ofChannels.own,
     own: differs?.own ?? [],
     inherited: differs?.inherited ?? [],
     causes,
@@ -162,7 +167,10 @@ function compareFrame(
     own,
     inherited,
     jointErrors,
-    vertexErrors: vertices ? vertexErrors : normalErrors,
+    vertexErrors,
+    normalErrors,
+    ours,
+    size,
   };
 }
 
@@ -229,7 +237,7 @@ function compareChannels(character: Character, { channels: target }: Targets, to
     const isEarlier = !first || index < first.index || (index === first.index && time < (first.time ?? 0));
     if (isEarlier) first = { what: 'channel', index, ...nameOfChannel(character, index), error, time };
   });
-  return { worst, first };
+  return { own, worst, first };
 }
 
 function nameOfChannel(character: Character, index: number): { readonly name?: string } {

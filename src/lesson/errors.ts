@@ -3,6 +3,9 @@
  * lengths over the character's size. Numbers that are not finite are infinitely far.
  */
 
+/** Of the character's size, of a radian, of a channel's unit: programs use floats and print six digits. */
+export const DEFAULT_TOLERANCE = 1e-4;
+
 /** Of a matrix at `o`. */
 export function matrixError(a: Float64Array, b: Float64Array, o: number, size: number): number {
   let error = 0;

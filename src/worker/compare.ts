@@ -20,5 +20,5 @@ export function compareDumps(
     if (done > told) onProgress({ label: 'Comparing', done, of: PROGRESS_STEPS });
     told = Math.max(told, done);
   }
-  return { comparison: step.value, diagnostics };
+  return { comparison: step.value, targets, diagnostics };
 }

@@ -5,6 +5,7 @@
 import type { SkinFacts } from '../evaluate/bounds.ts';
 import type { Comparison } from '../lesson/compare.ts';
 import type { NamedDump } from '../lesson/fit-dump.ts';
+import type { Targets } from '../lesson/targets.ts';
 import type { Diagnostic } from '../model/diagnostic.ts';
 import type { Character } from '../model/document.ts';
 import type { BrokenFile, ParsedFile } from '../model/files.ts';
@@ -61,6 +62,8 @@ export interface CompareInput {
 export interface CompareOutput {
   /** Absent if the dumps don't fit the character. */
   readonly comparison?: Comparison;
+  /** What was compared with it: theirs, each in the place of ours. */
+  readonly targets?: Targets;
   readonly diagnostics: readonly Diagnostic[];
 }
 

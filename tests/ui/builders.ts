@@ -7,6 +7,7 @@ import { filePose } from '../../src/model/dofs.ts';
 import { DEFAULT_BOX, DEFAULT_MOTION, type Joint, type Skeleton, UNLIMITED } from '../../src/model/skeleton.ts';
 import { observable } from '../../src/ui/kit/observable.ts';
 import { pageActions } from '../../src/ui/shell/actions.ts';
+import type { DumpComparison } from '../../src/ui/state/dump-comparison.ts';
 import type { KeptOffer } from '../../src/ui/state/kept-offer.ts';
 import { Messages } from '../../src/ui/state/messages.ts';
 import { NOT_OFFLINE, type Offline } from '../../src/ui/state/offline.ts';
@@ -107,6 +108,7 @@ export function workbench(document: Document = EMPTY_DOCUMENT, playback: Partial
     dialog: observable<DialogName | undefined>(undefined),
     kept: observable<KeptOffer | undefined>(undefined),
     offline: observable<Offline>(NOT_OFFLINE),
+    comparing: observable<DumpComparison | undefined>(undefined),
     files: {
       open: () => {},
       openSample: () => {},

@@ -3,7 +3,8 @@
  * joint, vertex or channel is wrong first, and which mistake explains all of it.
  */
 import { runToEnd } from '../../evaluate/steps.ts';
-import { type Comparison, compare, DEFAULT_TOLERANCE, type FirstWrong } from '../../lesson/compare.ts';
+import { type Comparison, compare, type FirstWrong } from '../../lesson/compare.ts';
+import { DEFAULT_TOLERANCE } from '../../lesson/errors.ts';
 import { type Fitted, fitDumps, type NamedDump } from '../../lesson/fit-dump.ts';
 import { type Diagnostic, hasErrors, withoutPlace } from '../../model/diagnostic.ts';
 import type { Character } from '../../model/document.ts';

@@ -1,7 +1,7 @@
 /** `marrow grade`: a class's submissions against the teacher's files. */
 import { readdirSync, statSync } from 'node:fs';
 import { join, resolve } from 'node:path';
-import { DEFAULT_TOLERANCE } from '../../lesson/compare.ts';
+import { DEFAULT_TOLERANCE } from '../../lesson/errors.ts';
 import { type Arguments, numberOf, numbersOf, parseArguments, UsageError } from '../arguments.ts';
 import type { Grade } from '../grade/grade.ts';
 import { asHtml } from '../grade/html.ts';

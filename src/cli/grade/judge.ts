@@ -235,7 +235,7 @@ function gradeOf(
     joints: Math.max(0, ...frames.map(({ jointErrors }) => jointErrors.length)),
     worst: frames.length > 0 || compared.channels > 0 ? worst : null,
     jointError: errorIn(({ jointErrors }) => jointErrors),
-    vertexError: errorIn(({ vertexErrors }) => vertexErrors),
+    vertexError: errorIn(({ vertexErrors, normalErrors }) => (vertexErrors.length > 0 ? vertexErrors : normalErrors)),
     channels: countChannels(right, targets.channels, tolerance),
     mismatches,
     ...(first && { first }),

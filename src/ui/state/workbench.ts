@@ -9,6 +9,7 @@ import type { UnsavedPart } from '../../project/save/saved-parts.ts';
 import type { Viewport } from '../../view/viewport.ts';
 import type { IconName } from '../kit/icons.ts';
 import type { Observable } from '../kit/observable.ts';
+import type { DumpComparison } from './dump-comparison.ts';
 import type { KeptOffer } from './kept-offer.ts';
 import type { GroupName, MenuName } from './menus.ts';
 import type { Messages } from './messages.ts';
@@ -73,6 +74,8 @@ export interface Workbench {
   /** Sessions left by an earlier page, on offer. */
   readonly kept: Observable<KeptOffer | undefined>;
   readonly offline: Observable<Offline>;
+  /** A character compared with another program's numbers. */
+  readonly comparing: Observable<DumpComparison | undefined>;
 }
 
 /**

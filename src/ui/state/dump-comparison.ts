@@ -1,0 +1,390 @@
+/**
+ * The comparison of a character with dumps: numbers of another program, given by a drop. It is no part of the document:
+ * it has no undo step, and nothing of it is saved.
+ *
+ *     Workbench.comparing      undefined until dumps are there
+ *       .state                 dumps, progress, and the last `result`: theirs, ours, errors and causes
+ *       .shown                 the frame of the result at the time shown; undefined if none was compared near it
+ *
+ * `onShown` (`shown-comparison.ts`) follows both. A view draws `shown.theirs` against `shown.frame.ours`:
+ *
+ *     theirs.world       16 per joint, column-major        frame.jointErrors    frame.own, frame.inherited
+ *     theirs.positions   x y z per joint
+ *     theirs.vertices    x y z per vertex                  frame.vertexErrors
+ *     theirs.normals     x y z per vertex                  frame.normalErrors
+ *     result.targets.channels                              result.comparison.ourChannels
+ *
+ * All are in the character's own space, before its placement. An error times `frame.size` is a length, where it is one
+ * of lengths. It is wrong if it isn't `<= tolerance`: NaN is wrong too. Times of frames and samples are those of the
+ * character's clip: `transportTimeOf` converts them (to be exported with its first use elsewhere).
+ *
+ * Edits of the character start the comparison anew, in the worker. Until then the last result stays, unless its arrays
+ * no longer fit.
+ */
+import type { Playback } from '../../edit/playback.ts';
+import type { Store } from '../../edit/store.ts';
+import type { Comparison, FrameComparison } from '../../lesson/compare.ts';
+import { DEFAULT_TOLERANCE } from '../../lesson/errors.ts';
+import type { NamedDump } from '../../lesson/fit-dump.ts';
+import type { FrameTarget, Targets } from '../../lesson/targets.ts';
+import { type Diagnostic, hasErrors } from '../../model/diagnostic.ts';
+import { type Character, type Document, findCharacter, shownClip, shownSkin } from '../../model/document.ts';
+import { vertexCount } from '../../model/skin.ts';
+import { type Observable, observable } from '../kit/observable.ts';
+
+/** Of the worker's `compare` job. */
+export interface CompareInput {
+  readonly character: Character;
+  readonly dumps: readonly NamedDump[];
+  readonly time: number | undefined;
+  readonly tolerance: number;
+}
+
+export interface CompareOutput {
+  /** Absent, like `targets`, if the dumps don't fit the character. */
+  readonly comparison?: Comparison;
+  readonly targets?: Targets;
+  readonly diagnostics: readonly Diagnostic[];
+}
+
+/**
+ * Compares, off the page. Rejects with the signal's reason if it is aborted.
+ *
+ * @param onProgress how much is done, from 0 to 1
+ */
+export type RunCompare = (
+  input: CompareInput,
+  signal: AbortSignal,
+  onProgress: (share: number) => void,
+) => Promise<CompareOutput>;
+
+/** What was found. Its arrays fit the character. */
+export interface ComparedResult {
+  readonly comparison: Comparison;
+  /** Theirs. `targets.frames[i]` was compared as `comparison.frames[i]`. */
+  readonly targets: Targets;
+  /** That was compared: the character may have been edited since. */
+  readonly character: Character;
+  readonly tolerance: number;
+}
+
+export type ComparePhase =
+  | { readonly kind: 'working'; readonly share: number }
+  | { readonly kind: 'done' }
+  /** Cancelled by the user: the last result, if any, is of an earlier state. */
+  | { readonly kind: 'cancelled' }
+  /** The dumps don't fit the character. */
+  | { readonly kind: 'misfit'; readonly diagnostics: readonly Diagnostic[] }
+  | { readonly kind: 'failed'; readonly message: string };
+
+export interface CompareState {
+  /** In the order in which they were given. */
+  readonly dumps: readonly NamedDump[];
+  /** Of the character's clip, for dumps that state none; undefined: the file pose. */
+  readonly time: number | undefined;
+  readonly tolerance: number;
+  readonly phase: ComparePhase;
+  readonly result?: ComparedResult;
+}
+
+/** What was compared at the time shown. The same object while it stays the same. */
+export interface ShownComparison {
+  readonly result: ComparedResult;
+  /** Into the frames. */
+  readonly index: number;
+  readonly theirs: FrameTarget;
+  readonly frame: FrameComparison;
+}
+
+/** Of the workbench. */
+interface Parts {
+  readonly store: Store;
+  readonly transport: Observable<Playback>;
+}
+
+/** After the last of several edits, as a drag makes them. */
+const QUIET_MS = 200;
+
+export class DumpComparison {
+  readonly state: Observable<CompareState>;
+  readonly shown: Observable<ShownComparison | undefined> = observable<ShownComparison | undefined>(undefined);
+  private readonly stops: (() => void)[];
+  private running: AbortController | undefined;
+  private waiting: (() => void) | undefined;
+  private hasEnded = false;
+
+  /**
+   * Starts to compare.
+   *
+   * @param later runs work after some milliseconds, and returns a function that prevents it
+   */
+  constructor(
+    private readonly wb: Parts,
+    readonly characterId: string,
+    dumps: readonly NamedDump[],
+    private readonly run: RunCompare,
+    private readonly later: (work: () => void, milliseconds: number) => () => void = afterTimeout,
+  ) {
+    const time = clipTimeShown(wb, this.character);
+    this.state = observable<CompareState>({
+      dumps,
+      time,
+      tolerance: DEFAULT_TOLERANCE,
+      phase: { kind: 'working', share: 0 },
+    });
+    this.stops = [
+      this.state.subscribe(() => this.showFrame()),
+      wb.transport.subscribe(() => this.showFrame()),
+      wb.store.subscribe((now, before) => {
+        if (now.document !== before.document) this.follow(now.document, before.document);
+      }),
+    ];
+    void this.start();
+  }
+
+  /** Undefined while it is removed. */
+  get character(): Character | undefined {
+    return findCharacter(this.wb.store.document, this.characterId);
+  }
+
+  /** Adds dumps, in place of those of the same names, or of all if they are of the same times. */
+  add(dumps: readonly NamedDump[]): Promise<void> {
+    const names = new Set(dumps.map(({ fileName }) => fileName));
+    const others = this.state.get().dumps.filter(({ fileName }) => !names.has(fileName));
+    const all = [...others, ...dumps];
+    const isTimed = statedTimes(all).length > 0;
+    const time = isTimed ? this.state.get().time : clipTimeShown(this.wb, this.character);
+    this.change({ dumps: all, time });
+    return this.start(others.length > 0 ? dumps : undefined);
+  }
+
+  /** @param tolerance above 0 */
+  setTolerance(tolerance: number): void {
+    if (tolerance === this.state.get().tolerance) return;
+    this.change({ tolerance });
+    void this.start();
+  }
+
+  /** @param time of the character's clip; undefined: the file pose */
+  setTime(time: number | undefined): void {
+    if (time === this.state.get().time) return;
+    this.change({ time });
+    void this.start();
+  }
+
+  /** Stops the running comparison; `again` starts it anew. */
+  cancel(): void {
+    this.stopRunning();
+    if (this.state.get().phase.kind === 'working') this.change({ phase: { kind: 'cancelled' } });
+  }
+
+  again(): void {
+    void this.start();
+  }
+
+  /** Pauses, and shows the time of a frame; does nothing for the file pose of a character with a take. */
+  goTo(index: number): void {
+    const { character } = this;
+    const time = this.state.get().result?.comparison.frames[index]?.time;
+    if (!character || time === undefined) return;
+    this.goToTime(time);
+  }
+
+  /** @param time of the character's clip */
+  goToTime(time: number): void {
+    const { character } = this;
+    if (!character) return;
+    const timeSeconds = transportTimeOf(character, time);
+    this.wb.transport.update((now) => ({ ...now, timeSeconds, playing: false }));
+  }
+
+  /** Cancels it and stops following. */
+  end(): void {
+    this.hasEnded = true;
+    this.stopRunning();
+    for (const stop of this.stops) stop();
+    this.shown.set(undefined);
+  }
+
+  private change(change: Partial<CompareState>): void {
+    if (!this.hasEnded) this.state.update((now) => ({ ...now, ...change }));
+  }
+
+  private follow(now: Document, before: Document): void {
+    const [is, was] = [findCharacter(now, this.characterId), findCharacter(before, this.characterId)];
+    if (is === was) return;
+    const { result } = this.state.get();
+    if (result && !(is && fits(result, is))) this.state.update(({ result: _, ...rest }) => rest);
+    this.showFrame();
+    if (!is) this.stopRunning();
+    else if (!was || !isSameFor(is, was)) {
+      this.stopRunning();
+      this.change({ phase: { kind: 'working', share: 0 } });
+      this.waiting = this.later(() => void this.start(), QUIET_MS);
+    }
+  }
+
+  private stopRunning(): void {
+    this.waiting?.();
+    this.waiting = undefined;
+    this.running?.abort();
+    this.running = undefined;
+  }
+
+  /** @param alone tried without the others, should all be for the same time */
+  private async start(alone?: readonly NamedDump[]): Promise<void> {
+    this.stopRunning();
+    const { character } = this;
+    if (!character || this.hasEnded) return;
+    const running = new AbortController();
+    this.running = running;
+    this.change({ phase: { kind: 'working', share: 0 } });
+    const { dumps, time, tolerance } = this.state.get();
+    try {
+      const output = await this.run(
+        { character: lean(character), dumps, time: timeFor(dumps, time), tolerance },
+        running.signal,
+        (share) => {
+          if (this.running === running) this.change({ phase: { kind: 'working', share } });
+        },
+      );
+      if (this.running !== running) return;
+      this.running = undefined;
+      const { comparison, targets, diagnostics } = output;
+      if (comparison && targets) {
+        this.change({ phase: { kind: 'done' }, result: { comparison, targets, character, tolerance } });
+      } else if (alone && diagnostics.some(({ code }) => code === 'dump-repeated')) {
+        this.change({ dumps: alone });
+        await this.start();
+      } else {
+        this.state.update(({ result: _, ...now }) => ({
+          ...now,
+          phase: hasErrors(diagnostics)
+            ? { kind: 'misfit', diagnostics }
+            : { kind: 'failed', message: 'Nothing could be compared.' },
+        }));
+      }
+    } catch (error) {
+      // Cancelled, or followed by another.
+      if (this.running !== running) return;
+      this.running = undefined;
+      this.change({ phase: { kind: 'failed', message: error instanceof Error ? error.message : String(error) } });
+    }
+  }
+
+  private showFrame(): void {
+    const { result } = this.state.get();
+    const { character } = this;
+    const index = result && character ? frameShown(this.wb, character, result.comparison.frames) : -1;
+    const before = this.shown.get();
+    if (!result || index < 0) this.shown.set(undefined);
+    else if (before?.result !== result || before.index !== index) {
+      const { comparison, targets } = result;
+      this.shown.set({ result, index, theirs: targets.frames[index], frame: comparison.frames[index] });
+    }
+  }
+}
+
+function afterTimeout(work: () => void, milliseconds: number): () => void {
+  const timer = setTimeout(work, milliseconds);
+  return () => clearTimeout(timer);
+}
+
+/** Seconds of the transport at which a time of the character's clip is shown. */
+function transportTimeOf(character: Character, clipTime: number): number {
+  return clipTime - offsetOf(character);
+}
+
+/** A retargeted take has its own start. */
+function offsetOf({ driver, timeOffsetSeconds }: Character): number {
+  return driver ? 0 : timeOffsetSeconds;
+}
+
+/** Time of the clip that is shown; undefined if nothing moves the character: then the file pose is shown. */
+function clipTimeShown({ transport }: Pick<Parts, 'transport'>, character: Character | undefined): number | undefined {
+  if (!character || !isMoved(character)) return undefined;
+  return transport.get().timeSeconds + offsetOf(character);
+}
+
+function isMoved(character: Character): boolean {
+  return character.driver !== undefined || shownClip(character) !== undefined;
+}
+
+/** The frame nearest to the time shown, within half a frame of the transport; −1 if there is none. */
+function frameShown(wb: Parts, character: Character, frames: readonly { readonly time: number | undefined }[]): number {
+  const now = clipTimeShown(wb, character);
+  if (now === undefined) return frames.findIndex(({ time }) => time === undefined);
+  let best = -1;
+  // A little more, so that a time between two frames is always shown with one of them.
+  let distance = (0.5 + 1e-6) / wb.transport.get().framesPerSecond;
+  frames.forEach(({ time }, i) => {
+    const own = time === undefined ? Number.POSITIVE_INFINITY : Math.abs(time - now);
+    if (own > distance || (own === distance && best >= 0)) return;
+    best = i;
+    distance = own;
+  });
+  return best;
+}
+
+/** Times that dumps state, ascending. */
+function statedTimes(dumps: readonly NamedDump[]): readonly number[] {
+  const times = new Set<number>();
+  for (const { dump } of dumps) {
+    for (const block of dump.blocks) {
+      const time = block.time ?? dump.time;
+      if (time !== undefined) times.add(time);
+    }
+  }
+  return [...times].sort((a, b) => a - b);
+}
+
+/** Dumps without a time are of the only one that others state. */
+function timeFor(dumps: readonly NamedDump[], time: number | undefined): number | undefined {
+  return statedTimes(dumps).length === 1 ? undefined : time;
+}
+
+/** What is compared of a character: the rest needn't be copied to the worker. Its times are those of the clip. */
+function lean(character: Character): Character {
+  const [skin, clip] = [shownSkin(character), shownClip(character)];
+  const { poses: _poses, parts: _parts, unkeyed, ...rest } = character;
+  const offset = offsetOf(character);
+  return {
+    ...rest,
+    skins: skin ? [skin] : [],
+    shownSkin: 0,
+    clips: clip ? [clip] : [],
+    shownClip: clip ? 0 : -1,
+    timeOffsetSeconds: character.timeOffsetSeconds - offset,
+    textures: [],
+    sources: [],
+    ...(unkeyed && { unkeyed: { ...unkeyed, timeSeconds: unkeyed.timeSeconds + offset } }),
+  };
+}
+
+/** Whether two states of a character give the same numbers. */
+function isSameFor(a: Character, b: Character): boolean {
+  return (
+    a.skeleton === b.skeleton &&
+    shownSkin(a) === shownSkin(b) &&
+    shownClip(a) === shownClip(b) &&
+    a.morphs === b.morphs &&
+    a.pose === b.pose &&
+    a.unkeyed === b.unkeyed &&
+    a.driver === b.driver &&
+    a.clampsToLimits === b.clampsToLimits
+  );
+}
+
+/** Whether arrays of a result still fit the character. */
+function fits({ character: was }: ComparedResult, is: Character): boolean {
+  const sizesOf = (character: Character) => {
+    const skin = shownSkin(character);
+    return [
+      character.skeleton?.joints.length ?? 0,
+      skin ? vertexCount(skin) : 0,
+      shownClip(character)?.channels.length ?? 0,
+    ];
+  };
+  const before = sizesOf(was);
+  return sizesOf(is).every((size, i) => size === before[i]);
+}

@@ -1,0 +1,25 @@
+/** How panels and views follow what is compared at the time shown, without its scripts before there is any. */
+import type { DumpComparison, ShownComparison } from './dump-comparison.ts';
+import type { Uses } from './workbench.ts';
+
+/**
+ * Calls back at once, and whenever what is compared at the time shown changes, with undefined if nothing is. Returns an
+ * unsubscribe function.
+ */
+export function onShown(
+  { comparing }: Uses<'comparing'>,
+  listener: (shown: ShownComparison | undefined, comparing: DumpComparison | undefined) => void,
+): () => void {
+  let stop: (() => void) | undefined;
+  const follow = (now: DumpComparison | undefined) => {
+    stop?.();
+    stop = now?.shown.subscribe((shown) => listener(shown, now));
+    listener(now?.shown.get(), now);
+  };
+  const stopFollowing = comparing.subscribe(follow);
+  follow(comparing.get());
+  return () => {
+    stopFollowing();
+    stop?.();
+  };
+}
