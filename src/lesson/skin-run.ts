@@ -136,9 +136,9 @@ export class SkinRun {
         }
         continue;
       }
-      if (wanted.vertices) sumPoint(matrices, joints, weights, from, to, positions, o, outPositions);
+      if (wanted.vertices) sumPoint(matrices, joints, weights, from, to, positions, o, outPositions, o);
       if (!wanted.normals) continue;
-      if (rules.normals === 'as positions') sumPoint(matrices, joints, weights, from, to, normals, o, outNormals);
+      if (rules.normals === 'as positions') sumPoint(matrices, joints, weights, from, to, normals, o, outNormals, o);
       else sumNormal(normalMatrices, joints, weights, from, to, normals, o, outNormals);
       if (rules.normals !== 'with translation') continue;
       for (let a = from; a < to; a++) {
@@ -168,7 +168,7 @@ export class SkinRun {
     const key = `${attachments} ${weights} ${joint.shift} ${joint.beyond}`;
     let made = this.attachments.get(key);
     if (!made) {
-      made = attached(given, rules, this.skin.matrixCount);
+      made = attachmentsUsed(given, rules, this.skin.matrixCount);
       this.attachments.set(key, made);
     }
     return made;
@@ -188,7 +188,8 @@ function addRows(
   }
 }
 
-function sumPoint(
+/** Σ w·M·p of the attachments `from` up to (excluding) `to`, for the point at `points[o]`, into `out[oo]`. */
+export function sumPoint(
   matrices: Float64Array,
   joints: Uint32Array,
   weights: Float64Array,
@@ -197,8 +198,11 @@ function sumPoint(
   points: Float64Array,
   o: number,
   out: Float64Array,
+  oo: number,
 ): void {
-  const [px, py, pz] = [points[o], points[o + 1], points[o + 2]];
+  const px = points[o];
+  const py = points[o + 1];
+  const pz = points[o + 2];
   let x = 0;
   let y = 0;
   let z = 0;
@@ -209,9 +213,9 @@ function sumPoint(
     y += w * (matrices[m + 1] * px + matrices[m + 5] * py + matrices[m + 9] * pz + matrices[m + 13]);
     z += w * (matrices[m + 2] * px + matrices[m + 6] * py + matrices[m + 10] * pz + matrices[m + 14]);
   }
-  out[o] = x;
-  out[o + 1] = y;
-  out[o + 2] = z;
+  out[oo] = x;
+  out[oo + 1] = y;
+  out[oo + 2] = z;
 }
 
 function sumNormal(
@@ -260,7 +264,7 @@ function writeNormalMatrix({ normals }: SkinRules, m: Float64Array, mo: number, 
 }
 
 /** The attachments that a program uses. */
-function attached(given: Attachments, rules: SkinRules, jointCount: number): Attachments {
+export function attachmentsUsed(given: Attachments, rules: SkinRules, jointCount: number): Attachments {
   const start = new Uint32Array(given.start.length);
   const joints: number[] = [];
   const weights: number[] = [];

@@ -26,7 +26,11 @@ export interface ChannelKeys {
 
 export const NOTHING_SELECTED: Selection = {};
 
-export type SkinStyle = 'hidden' | 'solid' | 'textured' | 'wire' | 'xray' | 'heat';
+/**
+ * Two are heat maps: `heat` of the weights of the selected joint; `four` of how far off a program with four attachments
+ * per vertex would be.
+ */
+export type SkinStyle = 'hidden' | 'solid' | 'textured' | 'wire' | 'xray' | 'heat' | 'four';
 /** `bare`: solid, for characters drawn without a skin. */
 export type BoxStyle = 'hidden' | 'bare' | 'wire' | 'solid';
 

@@ -174,6 +174,11 @@ export class CharacterView {
     this.seek(this.timeSeconds);
   }
 
+  /** See `Viewport.heatSkin`. Another skin has no values until it is given some. */
+  heatSkin(values: Float32Array): void {
+    this.skin?.heat(values);
+  }
+
   /** Poses everything at a time of the transport. Allocates nothing. */
   seek(timeSeconds: number): void {
     const { player, boneSet, skin, shown } = this;

@@ -22,6 +22,8 @@ import { runInSlices } from './slices.ts';
 export const BUILT_AT_ONCE = 40_000;
 /** Length of the lines that show normals, as a part of the skin's diagonal. */
 const NORMAL_LENGTH = 0.015;
+/** For a heat map without values: 0 everywhere. */
+const NO_JOINT = -1;
 
 /** The result of `build`. */
 interface Built {
@@ -56,8 +58,9 @@ export class ShownSkin {
   private wireIsComing = false;
   private normals: BufferGeometry | undefined;
   private heatJoint: number | undefined;
+  private heatValues: Float32Array | undefined;
   private influence: BufferAttribute | undefined;
-  private influenceShown: number | undefined;
+  private influenceShown: number | Float32Array | undefined;
 
   /**
    * @param bones the character's; undefined without a skeleton: the skin is then never deformed
@@ -141,6 +144,13 @@ export class ShownSkin {
     this.refresh();
   }
 
+  /** Sets what the style `four` shows: see `Viewport.heatSkin`. */
+  heat(values: Float32Array): void {
+    this.heatValues = values;
+    if (this.influenceShown instanceof Float32Array) this.influenceShown = undefined;
+    this.refresh();
+  }
+
   setTheme(theme: SkinTheme): void {
     this.theme = theme;
     this.built?.materials.setTheme(theme);
@@ -213,7 +223,8 @@ export class ShownSkin {
     const { display, built } = this;
     if (!display || !built) return;
     const { materials } = built;
-    if (display.skin === 'heat') this.heatUp(built);
+    if (display.skin === 'heat') this.heatUp(built, this.heatJoint ?? NO_JOINT);
+    if (display.skin === 'four') this.heatUp(built, this.heatValues ?? NO_JOINT);
     if (display.skin === 'wire') this.needWire(built);
     if (display.normals) this.normals ??= normalsGeometry(built.gpu.geometry);
     for (const placed of this.placed) {
@@ -268,14 +279,16 @@ export class ShownSkin {
     });
   }
 
-  private heatUp({ gpu }: Built): void {
-    if (this.influence && this.influenceShown === this.heatJoint) return;
+  /** @param what a joint, for its weights, or a value per vertex */
+  private heatUp({ gpu }: Built, what: number | Float32Array): void {
+    if (this.influence && this.influenceShown === what) return;
     this.influence ??= new BufferAttribute(new Float32Array(vertexCount(this.skin)), 1);
     gpu.geometry.setAttribute('influence', this.influence);
+    if (what instanceof Float32Array) this.influence.copyArray(what);
     // Created above, with floats.
-    influenceOf(this.skin, this.heatJoint, this.influence.array as Float32Array);
+    else influenceOf(this.skin, what, this.influence.array as Float32Array);
     this.influence.needsUpdate = true;
-    this.influenceShown = this.heatJoint;
+    this.influenceShown = what;
   }
 }
 
@@ -286,6 +299,7 @@ function surfaceMaterial(materials: SkinMaterials, style: SkinStyle): MarrowSkin
     case 'xray':
       return materials.xray();
     case 'heat':
+    case 'four':
       return materials.heat();
     case 'solid':
     case 'wire':

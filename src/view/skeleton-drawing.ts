@@ -40,7 +40,7 @@ import { lineIdMaterial, lineMaterial, rawColor, segmentsGeometry } from './thic
 
 /** Whether skins in this style hide the joints inside. */
 export function isOpaque(style: SkinStyle): boolean {
-  return style === 'solid' || style === 'textured' || style === 'heat';
+  return style === 'solid' || style === 'textured' || style === 'heat' || style === 'four';
 }
 
 type KindName = 'edges' | 'faces' | 'balls' | 'bones' | 'axes';

@@ -324,6 +324,15 @@ export class Viewport {
     return { drawCalls: calls, triangles };
   }
 
+  /**
+   * Sets what the skin style `four` shows of a character: 0 to 1 per vertex of its shown skin. Kept by reference: call
+   * again when they have changed, and after an edit that replaces the skin.
+   */
+  heatSkin(characterId: string, values: Float32Array): void {
+    this.characters.get(characterId)?.view.heatSkin(values);
+    this.requestRender();
+  }
+
   /** Adds a tool's overlay. Returns a function that removes and disposes of it. */
   addOverlay(overlay: Overlay): () => void {
     const remove = this.overlays.add(overlay, STAGE_THEMES[this.themeName]);

@@ -144,7 +144,7 @@ describeShared('the reference’s skins in a real browser', () => {
       expect(solid.drawn).toBeGreaterThan(500);
       const hidden = await ask.styled(what, { skin: 'hidden' });
       expect(hidden.drawn).toBe(0);
-      for (const skin of ['textured', 'wire', 'xray', 'heat'] as const) {
+      for (const skin of ['textured', 'wire', 'xray', 'heat', 'four'] as const) {
         expect((await ask.styled(what, { skin }, 0)).drawn).toBeGreaterThan(200);
       }
       expect((await ask.styled(what, { skin: 'hidden', normals: true })).drawn).toBeGreaterThan(50);

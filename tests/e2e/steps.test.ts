@@ -6,6 +6,8 @@ import { evaluateChannel } from '../../src/evaluate/curves.ts';
 import { compileSkin, deform } from '../../src/evaluate/deform.ts';
 import { compileSkeleton, worldMatrices } from '../../src/evaluate/kinematics.ts';
 import { dofCountOf, poseAt } from '../../src/evaluate/pose.ts';
+import { runToEnd } from '../../src/evaluate/steps.ts';
+import { FourAttachments, type FourFacts, type KeptFour } from '../../src/lesson/four-attachments.ts';
 import { dropFiles, withPage } from '../helpers/page.ts';
 import { describeShared, sharedBytes } from '../helpers/shared.ts';
 import { characterOf, SHARED } from '../lesson/lesson-files.ts';
@@ -93,4 +95,57 @@ describeShared('the steps of the wasp', () => {
       expect(normal).toEqual([...meant.normals.subarray(3 * vertex, 3 * vertex + 3)]);
       expect(await page.evaluate(() => window.marrow.steps().undo)).toBe(opened);
     }));
+});
+
+/** Numbers of the card, as copied: the largest displacement and its percentage of the size. */
+const largestOf = (page: Page) => copied(page, page.locator('.heat-card .grid')).then(([row]) => row);
+
+/** What `lesson/four-attachments.ts` measures of the pose that is drawn. */
+async function measuredOf(page: Page, kept: KeptFour): Promise<FourFacts> {
+  const nine = characterOf(...SHARED.nine);
+  const world = await page.evaluate(() => window.marrow.worldMatrices().flat());
+  const four = new FourAttachments(nine.skins[0], nine.morphs, kept);
+  return runToEnd(four.follow(new Float64Array(nine.morphs.length), Float64Array.from(world)));
+}
+
+describeShared('the heat map of four attachments', () => {
+  it('the card of four attachments has the numbers of the pose that is drawn, and selects the vertex', () =>
+    withPage(
+      async ({ page }) => {
+        await page.context().grantPermissions(['clipboard-read', 'clipboard-write']);
+        const names = ['nine.skel', 'nine.skin'];
+        await dropFiles(
+          page,
+          names.map((name) => ({ name, bytes: sharedBytes(`data/synthetic/${name}`) })),
+        );
+        await page.waitForFunction(() => window.marrow.characters()[0]?.vertexCount === 120);
+        await page.evaluate(() => window.marrow.run('draw.skin.four'));
+        const card = page.getByRole('region', { name: 'Four attachments' });
+        await card.getByText('120 of 120 vertices have more than four attachments, up to 9.').waitFor();
+        const first = await measuredOf(page, 'largest four normalised');
+        expect(await largestOf(page)).toEqual([first.largest, (100 * first.largest) / first.size]);
+
+        await page.evaluate(() => window.marrow.run('pose.setDofs', { dofs: [{ index: 4, value: 0.5 }] }));
+        const posed = await measuredOf(page, 'largest four normalised');
+        expect(posed.largest).not.toBe(first.largest);
+        const button = card.getByRole('button', { name: 'vertex' });
+        await page.waitForFunction(
+          (v) => document.querySelector('.heat-card .link')?.textContent === v,
+          `vertex ${posed.vertex}`,
+        );
+        await card.getByRole('combobox').selectOption('first four');
+        const given = await measuredOf(page, 'first four');
+        await page.waitForFunction(
+          (v) => document.querySelector('.heat-card .link')?.textContent === v,
+          `vertex ${given.vertex}`,
+        );
+        expect(await largestOf(page)).toEqual([given.largest, (100 * given.largest) / given.size]);
+        await button.click();
+        await page.locator('.facts-head .label', { hasText: `Vertex ${given.vertex}` }).waitFor();
+
+        await page.evaluate(() => window.marrow.run('draw.skin.solid'));
+        await card.waitFor({ state: 'hidden' });
+      },
+      { size: { width: 1440, height: 900 } },
+    ));
 });

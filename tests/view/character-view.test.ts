@@ -1,4 +1,4 @@
-import { Box3, Vector3 } from 'three';
+import { Box3, type BufferAttribute, Vector3 } from 'three';
 import { describe, expect, it } from 'vitest';
 import { compileSkeleton, worldMatrices } from '../../src/evaluate/kinematics.ts';
 import { type Character, DEFAULT_PLACEMENT } from '../../src/model/document.ts';
@@ -327,5 +327,45 @@ describe('a character in the picture', () => {
     expect(view.object.children).toEqual([]);
     expect(view.skinnedMeshes).toEqual([]);
     view.seek(1);
+  });
+});
+
+describe('a heat map of values from outside', () => {
+  const heated = (view: CharacterView) => {
+    const { geometry } = view.skinnedMeshes[0];
+    const { array, version } = geometry.getAttribute('influence') as BufferAttribute;
+    return { values: [...array.slice(0, 3)], version };
+  };
+  const four = { ...DEFAULT_DISPLAY, skin: 'four' } as const;
+  const weights = Float64Array.of(0.25, 1, 1);
+  const own = { start: Uint32Array.of(0, 1, 2, 3), joints: new Uint32Array(3), weights };
+  const attached = character({ skeleton: skeleton(1), skins: [skin('arm', 0, { attachments: own })] });
+
+  it('is 0 everywhere until there are values, and follows them when it is told', () => {
+    const view = new CharacterView();
+    view.show(attached, four, undefined);
+    expect(heated(view).values).toEqual([0, 0, 0]);
+    const values = Float32Array.of(0.5, 1, 0);
+    view.heatSkin(values);
+    expect(heated(view).values).toEqual([0.5, 1, 0]);
+    const { version } = heated(view);
+    values[2] = 0.75;
+    view.heatSkin(values);
+    expect(heated(view).values).toEqual([0.5, 1, 0.75]);
+    expect(heated(view).version).toBeGreaterThan(version);
+  });
+
+  it('a heat map of values from outside and the one of joint weights replace each other', () => {
+    const view = new CharacterView();
+    view.show(attached, four, 0);
+    view.heatSkin(Float32Array.of(0.5, 1, 0));
+    view.show(attached, { ...DEFAULT_DISPLAY, skin: 'heat' }, 0);
+    expect(heated(view).values).toEqual([0.25, 1, 1]);
+    view.show(attached, four, 0);
+    expect(heated(view).values).toEqual([0.5, 1, 0]);
+    // What is unchanged is not uploaded again.
+    const { version } = heated(view);
+    view.show(attached, { ...four, grid: false }, 0);
+    expect(heated(view).version).toBe(version);
   });
 });

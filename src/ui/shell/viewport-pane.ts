@@ -3,7 +3,7 @@
  * at its bottom. Pointer input goes to the mode's tool; what that doesn't use picks, or moves the camera.
  */
 import { type Character, type Document, shownSkin } from '../../model/document.ts';
-import type { Display, Selection } from '../../model/session.ts';
+import type { Display, Selection, SkinStyle } from '../../model/session.ts';
 import { LabelCover } from '../../view/label-cover.ts';
 import { modeBar } from '../editors/posing/mode-bar.ts';
 import {
@@ -36,6 +36,11 @@ import { modeTools } from './mode-tools.ts';
 import { newVersion } from './new-version.ts';
 import { pinsInFk } from './pins-in-fk.ts';
 
+/** In the bar, where their labels have no room. */
+const SHORT_STYLES: ReadonlyMap<SkinStyle, string> = new Map([
+  ['heat', 'Weights'],
+  ['four', 'Four'],
+]);
 const TOGGLES = ['bones', 'axes', 'names', 'normals', 'ghosts', 'grid', 'shadow', 'orthographic'] as const;
 
 /** For screen readers. */
@@ -65,6 +70,7 @@ export function viewportPane(wb: Workbench, signal: AbortSignal): HTMLElement {
     keys,
     emptyStage(wb),
     head,
+    fourAttachments(wb),
     element(
       'div',
       { class: 'stage-foot' },
@@ -154,7 +160,7 @@ function displayStrip(wb: Uses<'store' | 'actions' | 'settings'>): HTMLElement {
     const { display } = wb.settings.get();
     const label = nameOf(SKIN_STYLES, display.skin);
     const hasSkin = isSkinVisible(wb);
-    const short = !hasSkin ? 'No skin' : display.skin === 'heat' ? 'Weights' : label;
+    const short = !hasSkin ? 'No skin' : (SHORT_STYLES.get(display.skin) ?? label);
     skin.replaceChildren(icon('skin'), element('span', {}, short), icon('fold'));
     skin.setAttribute('aria-label', hasSkin ? `Skin: ${short}` : short);
     skin.disabled = !hasSkin;
@@ -171,6 +177,22 @@ function displayStrip(wb: Uses<'store' | 'actions' | 'settings'>): HTMLElement {
   });
   show();
   return strip;
+}
+
+/** The legend and numbers of the skin style *Four attachments*, loaded with its first use. */
+function fourAttachments(wb: Workbench): HTMLElement {
+  const place = element('div', { hidden: true });
+  const stop = wb.settings.subscribe(() => show());
+  const show = () => {
+    if (wb.settings.get().display.skin !== 'four') return;
+    stop();
+    const load = () => import('../editors/skin/four-card.ts');
+    void onDemand(wb.messages, 'Four attachments', load).then((module) => {
+      if (module) place.replaceWith(module.fourCard(wb));
+    });
+  };
+  show();
+  return place;
 }
 
 /** A hint when something is missing, or nothing that is shown can be visible. */

@@ -127,7 +127,7 @@ export function parseSettings(text: string | null): Settings {
   };
 }
 
-const SKINS = ['hidden', 'solid', 'textured', 'wire', 'xray', 'heat'] as const;
+const SKINS = ['hidden', 'solid', 'textured', 'wire', 'xray', 'heat', 'four'] as const;
 const BOXES = ['hidden', 'bare', 'wire', 'solid'] as const;
 
 function parseDisplay(kept: Record<string, unknown>): Display {

@@ -49,6 +49,7 @@ export type WorkbenchStage = Pick<
   | 'turnView'
   | 'eye'
   | 'gridStep'
+  | 'heatSkin'
   | 'canvas'
   | 'stats'
 >;

@@ -11,6 +11,7 @@ export const SKIN_STYLES: readonly (readonly [SkinStyle, string])[] = [
   ['wire', 'Wireframe'],
   ['xray', 'X-ray'],
   ['heat', 'Joint weights'],
+  ['four', 'Four attachments'],
   ['hidden', 'Hidden'],
 ];
 
@@ -88,7 +89,7 @@ export const VIEW_ACTIONS: readonly Action[] = [
       menu: 'View/Skin',
       section: 1,
       radio: true,
-      also: 'material shading wireframe texture',
+      also: 'material shading wireframe texture heat map influences',
       ...(skin === 'heat' && { shortcuts: ['H'] }),
       enabled: isSkinVisible,
       whyNot: () => NO_SKIN,
