@@ -74,6 +74,7 @@ function tests(
       include,
       pool: 'threads',
       maxWorkers: availableParallelism(),
+      setupFiles: ['./tests/helpers/seed.ts'],
       sequence: { groupOrder: order },
       ...own,
     },
