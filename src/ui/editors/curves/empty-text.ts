@@ -1,11 +1,16 @@
 /** Text of an empty plot: how to get curves. */
 import { spanOfChannel } from '../../../model/clip.ts';
 import { shown } from '../../kit/number-text.ts';
+import { touchWords } from '../../kit/touch-words.ts';
 import { currentCharacter } from '../../state/action.ts';
 import type { Uses } from '../../state/workbench.ts';
 import { currentTake } from '../timeline/current-take.ts';
 
 export function emptyPlotText(wb: Uses<'store' | 'transport' | 'timeline'>, listed: number): string {
+  return touchWords(emptyText(wb, listed));
+}
+
+function emptyText(wb: Uses<'store' | 'transport' | 'timeline'>, listed: number): string {
   const character = currentCharacter(wb);
   if (!character) return 'No curves yet. Drop a character and its animation here or choose Open.';
   if (character.driver && !listed) {
