@@ -21,12 +21,21 @@ scope.onmessage = async ({ data }) => {
     if (data.job === 'parse') done({ id, kind: 'done', job: data.job, output: await parse(data.input, onProgress) });
     else if (data.job === 'source')
       done({ id, kind: 'done', job: data.job, output: await mapSourceOf(data.input, onProgress) });
-    else if (data.job === 'kit') done({ id, kind: 'done', job: data.job, output: testKit() });
+    else if (data.job === 'changes') {
+      const { changesOf } = await changes();
+      done({ id, kind: 'done', job: data.job, output: await changesOf(data.input) });
+    } else if (data.job === 'check') {
+      const { checkText } = await changes();
+      done({ id, kind: 'done', job: data.job, output: await checkText(data.input, onProgress) });
+    } else if (data.job === 'kit') done({ id, kind: 'done', job: data.job, output: testKit() });
     else done({ id, kind: 'done', job: data.job, output: compareDumps(data.input, onProgress) });
   } catch (error) {
     scope.postMessage({ id, kind: 'failed', message: error instanceof Error ? error.message : String(error) });
   }
 };
+
+/** With all that writes files, which reading needs nothing of. */
+const changes = () => import('./changes.ts');
 
 function done(message: Extract<FromWorker, { readonly kind: 'done' }>): void {
   scope.postMessage(message, transferables(message.output));

@@ -8,15 +8,19 @@ import type { NamedDump } from '../lesson/fit-dump.ts';
 import type { Targets } from '../lesson/targets.ts';
 import type { Diagnostic } from '../model/diagnostic.ts';
 import type { Character } from '../model/document.ts';
-import type { BrokenFile, ParsedFile } from '../model/files.ts';
+import type { BrokenFile, ParsedFile, SourceFile } from '../model/files.ts';
 import type { Morph } from '../model/morph.ts';
 import type { Skin } from '../model/skin.ts';
 import type { SourceMap } from '../model/source-map.ts';
+import type { LineHunk } from '../model/text-changes.ts';
+import type { Owned } from '../project/save/owned.ts';
 
 export interface Jobs {
   parse: { takes: ParseInput; gives: ParseOutput };
   compare: { takes: CompareInput; gives: CompareOutput };
   source: { takes: SourceInput; gives: SourceOutput };
+  changes: { takes: ChangesInput; gives: ChangesOutput };
+  check: { takes: CheckInput; gives: CheckOutput };
   kit: { takes: undefined; gives: KitOutput };
 }
 
@@ -77,6 +81,35 @@ export interface SourceOutput {
   readonly map: SourceMap;
   /** The file itself, if it was in a zip. */
   readonly text?: Blob;
+}
+
+/** A text file, and the parts of the page that are saved in it. */
+export interface ChangesInput {
+  /** Of the file, which may be in a zip. */
+  readonly file: SourceInput;
+  readonly source: SourceFile;
+  readonly owned: readonly Owned[];
+}
+
+/** What the page changed in the file. */
+export interface ChangesOutput {
+  readonly hunks: readonly LineHunk[];
+  /** The file with the changes, and what is on its lines; absent if nothing has changed. */
+  readonly changed?: { readonly text: Blob; readonly map: SourceMap };
+}
+
+/** A text that was edited by hand. */
+export interface CheckInput {
+  readonly source: SourceFile;
+  readonly edited: string;
+  /** What it was edited from. */
+  readonly base: string;
+  readonly owned: readonly Owned[];
+}
+
+export interface CheckOutput extends ParseOutput {
+  /** It says what the text says that it was edited from. */
+  readonly isSame: boolean;
 }
 
 /** The test kit: names and texts of its files. */

@@ -6,12 +6,10 @@ import { unzip } from './zip.ts';
 /** Interval of progress messages. */
 const PROGRESS_STEP_BYTES = 1 << 22;
 
-export async function mapSourceOf(
-  { path, blob, inside }: SourceInput,
-  onProgress: (progress: Progress) => void,
-): Promise<SourceOutput> {
+export async function mapSourceOf(input: SourceInput, onProgress: (progress: Progress) => void): Promise<SourceOutput> {
+  const { path, blob } = input;
   const name = path.slice(path.lastIndexOf('/') + 1);
-  const text = inside === undefined ? blob : await unpacked(blob, inside);
+  const text = await textIn(input);
   const mapper = new SourceMapper(name);
   const reader = text.stream().getReader();
   let done = 0;
@@ -24,6 +22,11 @@ export async function mapSourceOf(
     onProgress({ label: name, done, of: text.size });
   }
   return { map: mapper.finish(), ...(text !== blob && { text }) };
+}
+
+/** A file, which may be in a zip. */
+export async function textIn({ blob, inside }: SourceInput): Promise<Blob> {
+  return inside === undefined ? blob : await unpacked(blob, inside);
 }
 
 async function unpacked(zip: Blob, inside: string): Promise<Blob> {

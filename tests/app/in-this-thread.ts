@@ -1,4 +1,5 @@
 import { testKit } from '../../src/kit/kit.ts';
+import { changesOf, checkText } from '../../src/worker/changes.ts';
 import { WorkerClient } from '../../src/worker/client.ts';
 import { compareDumps } from '../../src/worker/compare.ts';
 import { parse } from '../../src/worker/parse.ts';
@@ -16,6 +17,8 @@ export class InThisThread extends WorkerClient {
     const nobody = () => undefined;
     if (input === undefined) return testKit();
     if ('blob' in input) return mapSourceOf(input, nobody);
+    if ('file' in input) return changesOf(input);
+    if ('edited' in input) return checkText(input, nobody);
     return 'files' in input ? parse(input, nobody) : compareDumps(input, nobody);
   }
 }

@@ -5,9 +5,10 @@ import { fileNameOf, type Part } from '../../model/part.ts';
 import type { SavedKind } from '../kinds.ts';
 import { distinctNames } from './distinct-names.ts';
 import type { Output } from './output.ts';
+import type { Owned, PoseOf } from './owned.ts';
 import type { UnsavedPart } from './saved-parts.ts';
 import { jointPose } from './saved-poses.ts';
-import { copiesOf, isCopy, type Owned, partsOfKind, type SavingOptions, writeParts } from './saving.ts';
+import { copiesOf, isCopy, partsOfKind, type SavingOptions, writeParts } from './saving.ts';
 
 /** A file to write. */
 export interface Job {
@@ -17,9 +18,6 @@ export interface Job {
   /** @param name distinct among the files written together */
   write(name: string): Omit<Output, 'name'>;
 }
-
-/** The part of a character's pose that is written to its skeleton's file: one value per DOF of the joints. */
-type PoseOf = (character: Character) => readonly number[];
 
 /** The files of all changed parts. */
 export function changedFiles(document: Document, unsaved: readonly UnsavedPart[], poseOf: PoseOf): readonly Job[] {

@@ -15,6 +15,7 @@ import { KINDS, type SavedKind } from '../kinds.ts';
 import { bvhOf, hasOwnRate, inPose } from './character-files.ts';
 import { bvhCopy } from './copies.ts';
 import { type Output, outputOf, type SavedFile, savedFileOf } from './output.ts';
+import type { Owned } from './owned.ts';
 import { jointPose, posesByNames } from './saved-poses.ts';
 
 export interface SavingOptions {
@@ -54,13 +55,6 @@ export function partsOfKind(character: Character, kind: SavedKind): readonly Par
 function haveOwnRates({ clips, driver }: Character): boolean {
   if (driver) return hasOwnRate(driver.source.clip);
   return clips.length > 0 && clips.every(hasOwnRate);
-}
-
-/** A part with its character, and the pose to write if it is a skeleton: one value per DOF of its joints. */
-export interface Owned {
-  readonly character: Character;
-  readonly part: Part;
-  readonly pose: readonly number[];
 }
 
 /**

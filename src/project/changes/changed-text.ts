@@ -1,0 +1,88 @@
+/**
+ * What the page changed in a file: the file's own text with the changes (`merge.ts`), which reads as what saving writes.
+ * Saving itself writes all lines in its own layout.
+ */
+import { newCharacter } from '../../edit/new-character.ts';
+import { addPoses } from '../../edit/pose/library.ts';
+import { readWhole } from '../../formats/reader.ts';
+import { EMPTY_DOCUMENT } from '../../model/document.ts';
+import type { FileContent, SourceFile } from '../../model/files.ts';
+import type { LineHunk } from '../../model/text-changes.ts';
+import { formatOf, writeFile } from '../codecs.ts';
+import { openFiles } from '../open/open-files.ts';
+import { savedFileOf } from '../save/output.ts';
+import { type Owned, ownedIn } from '../save/owned.ts';
+import { posesByNames } from '../save/saved-poses.ts';
+import { writeParts } from '../save/saving.ts';
+import { commonLines } from './line-diff.ts';
+import { type MergedText, mergeChanges } from './merge.ts';
+import { LineIds, lineMeaning, splitLines } from './text-lines.ts';
+
+/**
+ * The text of a file as the parts in it are now; without hunks, the very same text, if nothing has changed.
+ *
+ * @param owned the parts that are saved in it
+ * @throws Error with a sentence, if the parts can't be saved in one file, or the text can't be read
+ */
+export function changedText(source: SourceFile, original: string, owned: readonly Owned[]): MergedText {
+  const after = savedFileOf(writeParts(source.name, owned)).text;
+  const before = rewritten(source, original, owned);
+  if (before === undefined) throw new Error(`${source.name} has errors, so it can’t be compared with what is open.`);
+  if (before === after) return { text: original, hunks: [] };
+  const merged = mergeChanges(original, before, after);
+  if (rewritten(source, merged.text, owned) === after) return merged;
+  return byValue(original, after);
+}
+
+/**
+ * What reading a text and saving it again gives; undefined if it has errors. Equal for texts that say the same.
+ *
+ * @param owned the parts that are saved in such a file
+ */
+export function rewritten(source: SourceFile, text: string, owned: readonly Owned[]): string | undefined {
+  const { value } = readWhole<FileContent>(formatOf(source.name)?.reader(source.name) ?? NOTHING, text);
+  if (!value) return undefined;
+  if (value.kind === 'bvh') {
+    const { document } = openFiles(EMPTY_DOCUMENT, [{ ...value, source }]);
+    return savedFileOf(
+      writeParts(
+        source.name,
+        ownedIn(document, source.path, () => []),
+      ),
+    ).text;
+  }
+  const content = value.kind === 'pose' ? inLibrary(value, owned) : value;
+  const written = writeFile(content, source.name);
+  return written && 'text' in written ? written.text : undefined;
+}
+
+const NOTHING = { feed: () => undefined, end: () => ({ diagnostics: [] }) };
+
+/** Poses as the joints of a library's character take them. */
+function inLibrary(content: Extract<FileContent, { readonly kind: 'pose' }>, owned: readonly Owned[]): FileContent {
+  const part = owned[0]?.part;
+  if (part?.kind !== 'pose') return content;
+  const { skeleton, morphs } = part.content;
+  const character = { ...newCharacter('', ''), ...(skeleton && { skeleton }), morphs };
+  const { poses = [] } = addPoses(character, content.poses);
+  return { kind: 'pose', poses: posesByNames({ ...part.content, poses }) };
+}
+
+/** The written text, with the lines of the original that mean the same: of texts that can't be merged. */
+function byValue(original: string, after: string): MergedText {
+  const [own, written] = [splitLines(original).lines, splitLines(after).lines];
+  const ids = new LineIds();
+  const common = commonLines(ids.of(own.map(lineMeaning)), ids.of(written.map(lineMeaning)));
+  const hunks: LineHunk[] = [];
+  let newFrom = 0;
+  for (let from = 0; from <= own.length; from++) {
+    const oldFrom = from;
+    while (from < own.length && common[from] < 0) from++;
+    const newTo = from < own.length ? common[from] : written.length;
+    if (from > oldFrom || newTo > newFrom) {
+      hunks.push({ oldFrom: oldFrom + 1, oldTo: from + 1, newFrom: newFrom + 1, newTo: newTo + 1 });
+    }
+    newFrom = newTo + 1;
+  }
+  return { text: after, hunks };
+}

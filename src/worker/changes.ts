@@ -1,0 +1,26 @@
+/** The `changes` and `check` jobs: what the page changed in a text file, and what was edited in the text. */
+import { mapSource } from '../formats/source/map-source.ts';
+import { changedText, rewritten } from '../project/changes/changed-text.ts';
+import { parse } from './parse.ts';
+import type { ChangesInput, ChangesOutput, CheckInput, CheckOutput, Progress } from './protocol.ts';
+import { textIn } from './source.ts';
+
+export async function changesOf({ file, source, owned }: ChangesInput): Promise<ChangesOutput> {
+  const bytes = await (await textIn(file)).arrayBuffer();
+  // The byte order mark is a part of the text that stays.
+  const original = new TextDecoder('utf-8', { ignoreBOM: true }).decode(bytes);
+  const { text, hunks } = changedText(source, original, owned);
+  if (hunks.length === 0) return { hunks };
+  const changed = new TextEncoder().encode(text);
+  return { hunks, changed: { text: new Blob([changed]), map: mapSource(changed, source.name) } };
+}
+
+export async function checkText(
+  { source, edited, base, owned }: CheckInput,
+  onProgress: (progress: Progress) => void,
+): Promise<CheckOutput> {
+  const { path } = source;
+  const output = await parse({ files: [{ path, blob: new Blob([edited]) }] }, onProgress);
+  const isSame = output.files.length > 0 && rewritten(source, edited, owned) === rewritten(source, base, owned);
+  return { ...output, isSame };
+}
