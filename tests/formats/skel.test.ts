@@ -2,7 +2,6 @@ import { describe, expect, it } from 'vitest';
 import { readSkel } from '../../src/formats/skel/read.ts';
 import { writeSkel } from '../../src/formats/skel/write.ts';
 import { DEFAULT_BOX, type Joint, UNLIMITED } from '../../src/model/skeleton.ts';
-import { expectLinearTime } from '../helpers/growth.ts';
 import { told } from './read-in-pieces.ts';
 
 const skel = (text: string) => readSkel(text, 'hero.skel');
@@ -233,18 +232,6 @@ describe('reading .skel', () => {
       'error not-a-number 3:9',
       'error not-a-number 5:9',
     ]);
-  });
-
-  // Deeper than any stack of calls.
-  it('reads and writes 20,000 nested joints in a time that grows with their number, and tells of one not closed', () => {
-    expectLinearTime((n) => {
-      const { value } = skel('balljoint x{'.repeat(n) + '}'.repeat(n));
-      expect(value?.[0].joints).toHaveLength(n);
-      expect(value?.[0].joints[n - 1].parent).toBe(n - 2);
-      expect(skel('balljoint x{'.repeat(n) + '}'.repeat(n - 1)).diagnostics).toMatchObject([{ code: 'brace-missing' }]);
-      const again = readSkel(writeSkel(value ?? []).text, 'hero.skel');
-      expect(again.value?.[0].joints).toHaveLength(n);
-    }, 5_000);
   });
 });
 
