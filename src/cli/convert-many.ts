@@ -8,7 +8,7 @@
 import { mkdirSync, statSync } from 'node:fs';
 import { basename, dirname, join, relative, resolve, sep } from 'node:path';
 import { CommandError } from '../edit/store.ts';
-import { type Diagnostic, hasErrors } from '../model/diagnostic.ts';
+import { type Diagnostic, hasErrors, withoutPlace } from '../model/diagnostic.ts';
 import { type Character, EMPTY_DOCUMENT } from '../model/document.ts';
 import { formatOf } from '../project/codecs.ts';
 import { openingOf } from '../project/kinds.ts';
@@ -59,6 +59,7 @@ export async function convertMany(
   const groups = [...whole.map(({ path }) => [path]), others.map(({ path }) => path)].filter((g) => g.length > 0);
   if (missing.length) many.tell(loadFiles(missing, folder).diagnostics);
   for (const group of groups) await many.convert(group);
+  many.tellKept();
   if (groups.length === 0 && missing.length === 0) {
     many.tell([refusal('nothing-to-convert', 'There is no file here to convert.', args.join(' '))]);
   }
@@ -75,6 +76,8 @@ function openingOfFile({ absolute }: GivenPath): 'whole' | 'with others' | undef
 
 class Many {
   hasFailed = false;
+  /** Sources that are of the target's kind already, relative to the caller's folder. */
+  private readonly kept: string[] = [];
   /** Paths written in this run: two sources of one name don't overwrite each other's output. */
   private readonly done = new Set<string>();
   private readonly folders: readonly string[];
@@ -126,8 +129,11 @@ class Many {
       const source = sourceFor(characters[0], stem);
       const read = source ? resolve(folder, source.path) : folder;
       const path = join(this.folderFor(read), fileSystemName(output.name));
-      if (path === read && !options.replaces) continue;
-      const obstacle = this.obstacle(path);
+      if (path === read && !options.replaces && !this.changesSources) {
+        this.kept.push(relative(folder, path));
+        continue;
+      }
+      const obstacle = this.obstacle(path, read);
       if (obstacle) {
         this.tell([refusal('file-exists', obstacle, relative(folder, path))]);
         continue;
@@ -147,9 +153,27 @@ class Many {
     }
   }
 
-  private obstacle(path: string): string | undefined {
+  /** Without --out, files that are of the target's kind already stay as they are, which is said in one line. */
+  tellKept(): void {
+    const [first] = this.kept;
+    if (first === undefined) return;
+    const kind = `.${this.options.target}`;
+    const message =
+      this.kept.length === 1
+        ? `This is a ${kind} file already and stays as it is; --out FOLDER writes it anew.`
+        : `${this.kept.length} files are ${kind} files already and stay as they are; --out FOLDER writes them anew.`;
+    this.tell([withoutPlace('info', 'source-kept', message, first)]);
+  }
+
+  /** Another frame rate makes other samples of a capture, also in its own format. */
+  private get changesSources(): boolean {
+    return this.options.target === 'bvh' && this.options.framesPerSecond !== undefined;
+  }
+
+  private obstacle(path: string, read: string): string | undefined {
     if (this.done.has(path)) return 'Another file of this name was just written; left as it is.';
     if (this.options.replaces || !statSync(path, { throwIfNoEntry: false })) return undefined;
+    if (path === read) return 'This file would be replaced; --out FOLDER writes another one, --force replaces it.';
     return 'A file of this name already exists; --force replaces it.';
   }
 

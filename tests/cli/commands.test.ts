@@ -372,6 +372,20 @@ Frame Time: 0.05
     expect(readFileSync(at('beside', 'walk.anim'), 'utf8')).toContain('numchannels 8');
   });
 
+  it('files of the wanted kind stay as they are, which is said; another frame rate needs a place or --force', async () => {
+    mkdirSync(at('same'));
+    for (const name of ['a.bvh', 'b.bvh']) writeFileSync(at('same', name), BVH);
+    const kept = await convert('same', '--to', 'bvh');
+    expect(kept).toMatchObject({ code: 0, out: '' });
+    expect(kept.err).toContain('2 files are .bvh files already and stay as they are');
+    const slower = await convert('same', '--to', 'bvh', '--fps', '20');
+    expect(slower).toMatchObject({ code: 1, out: '' });
+    expect(slower.err.match(/This file would be replaced/g)).toHaveLength(2);
+    for (const name of ['a.bvh', 'b.bvh']) expect(readFileSync(at('same', name), 'utf8')).toBe(BVH);
+    expect(await convert('same', '--to', 'bvh', '--fps', '20', '--force')).toMatchObject({ code: 0, err: '' });
+    expect(readFileSync(at('same', 'a.bvh'), 'utf8')).toContain('Frame Time: 0.05');
+  });
+
   it('marrow convert of motion capture says what it needs', async () => {
     expect(await convert('walk.bvh', '--to', 'gif')).toMatchObject({ code: 2 });
     expect(await convert('walk.bvh', 'x.bvh', '--fps', '0')).toMatchObject({ code: 2 });
