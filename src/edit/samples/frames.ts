@@ -11,8 +11,13 @@ import { CommandError } from '../store.ts';
 
 /** Up to this many values are copied: 8 MB. */
 const COPIED_VALUES = 1 << 20;
-/** Fraction of a frame below which a time counts as that frame. */
-const SAME_FRAME = 1e-4;
+/** A time this near to a frame counts as that frame: times are shown, and so typed, with three decimals. */
+const SAME_FRAME_SECONDS = 5.1e-4;
+
+/** The same as a fraction of a frame; of many frames in a millisecond, the nearest is meant. */
+function sameFrame({ frameSeconds }: Samples): number {
+  return Math.min(0.5, SAME_FRAME_SECONDS / frameSeconds);
+}
 
 /** The samples of a take; refuses if it has none. */
 export function requireSamples(clip: ChannelClip): Samples {
@@ -21,8 +26,9 @@ export function requireSamples(clip: ChannelClip): Samples {
 }
 
 /** The first frame at or after a time, from 0 to the number of frames. */
-export function firstFrameFrom({ startSeconds, frameSeconds, frameCount }: Samples, seconds: number): number {
-  const frame = Math.ceil((seconds - startSeconds) / frameSeconds - SAME_FRAME);
+export function firstFrameFrom(samples: Samples, seconds: number): number {
+  const { startSeconds, frameSeconds, frameCount } = samples;
+  const frame = Math.ceil((seconds - startSeconds) / frameSeconds - sameFrame(samples));
   return Math.min(frameCount, Math.max(0, frame));
 }
 
@@ -58,8 +64,9 @@ export function cropped(clip: ChannelClip, from: number, to: number): ChannelCli
 }
 
 /** The last frame at or before a time; −1 if there is none. */
-export function lastFrameTo({ startSeconds, frameSeconds, frameCount }: Samples, seconds: number): number {
-  const frame = Math.floor((seconds - startSeconds) / frameSeconds + SAME_FRAME);
+export function lastFrameTo(samples: Samples, seconds: number): number {
+  const { startSeconds, frameSeconds, frameCount } = samples;
+  const frame = Math.floor((seconds - startSeconds) / frameSeconds + sameFrame(samples));
   return Math.min(frameCount - 1, Math.max(-1, frame));
 }
 

@@ -48,6 +48,15 @@ describe('cutting samples', () => {
     expect(clip.samples?.values.buffer.byteLength).toBe(61 * WIDTH * 8);
   });
 
+  it('times of frames typed with three decimals keep those frames', () => {
+    // 60 frames a second: 34 / 60 = 0.56666…, 77 / 60 = 1.28333….
+    const clip = clipOf(cropSamples.run(documentWith(), { ...c1, from: 0.567, to: 1.283 }));
+    expect(clip.samples?.frameCount).toBe(44);
+    expect(clip.range).toEqual([34 / 60, 77 / 60]);
+    const [before, after] = splitSamples.run(documentWith(), { ...c1, timeSeconds: 0.567 }).characters[0].clips;
+    expect([before, after].map(({ samples }) => samples?.frameCount)).toEqual([34, 87]);
+  });
+
   it('trims either end at a time, keeping the frame there', () => {
     const start = clipOf(trimSamples.run(documentWith(), { ...c1, side: 'start', timeSeconds: 1 }));
     const end = clipOf(trimSamples.run(documentWith(), { ...c1, side: 'end', timeSeconds: 1 }));
