@@ -61,6 +61,19 @@ export function withLoop(channel: KeyedChannel, keepsOffset = false): Looped {
   return { channel: isSame(looped, channel) ? channel : looped, moved: target - channel.values[end], slope };
 }
 
+/**
+ * Whether a length goes from one place to another instead of back and forth: its last value is farther from its first
+ * than half of what it covers. Repeated without an offset, a walk would jump back to its start.
+ */
+export function travels({ values }: KeyedChannel): boolean {
+  let [min, max] = [Infinity, -Infinity];
+  for (const value of values) {
+    min = Math.min(min, value);
+    max = Math.max(max, value);
+  }
+  return Math.abs(values[values.length - 1] - values[0]) > (max - min) / 2;
+}
+
 /** Looping again must change nothing. */
 function isSame(a: KeyedChannel, b: KeyedChannel): boolean {
   const columns = ({ values, tangentsIn, tangentsOut }: KeyedChannel) => [

@@ -12,7 +12,7 @@ import type { DofUnit } from '../../model/skeleton.ts';
 import { finiteNumber, oneOf } from '../arguments.ts';
 import { checkedChannels, clipOf, type OfChannels, withClipChannels } from '../channel-edits.ts';
 import { type Baked, withExtrapolationBaked } from '../channels/bake-extrapolation.ts';
-import { withLoop } from '../channels/make-loop.ts';
+import { travels, withLoop } from '../channels/make-loop.ts';
 import { type Reduction, reductionOf } from '../channels/report.ts';
 import { type Resampling, resampleChannel } from '../channels/resample.ts';
 import { type Simplified, simplifyChannel } from '../channels/simplify.ts';
@@ -128,7 +128,10 @@ export function bakePreview(document: Document, args: BakeExtrapolation): BakePr
 }
 
 export interface MakeLoop extends OfChannels {
-  /** Channels that continue from their end (`cycle_offset`), like a root that moves; true for all. */
+  /**
+   * Channels that continue from their end (`cycle_offset`), like a root that moves; true for all. Default: those that do
+   * so already, and lengths that travel (`travels`).
+   */
   readonly keepOffset?: boolean | readonly number[];
 }
 
@@ -138,15 +141,26 @@ export const makeLoop: Command<MakeLoop, Edit> = {
   label: (document, { characterId, channels }) => `Make ${curvesIn(document, characterId, channels)} loop`,
   run(document, args) {
     const clip = clipOf(document, args.characterId);
-    const { keepOffset = false } = args;
-    const keeps = typeof keepOffset === 'boolean' ? undefined : new Set(checkedChannels(clip, keepOffset));
+    const { keepOffset } = args;
+    const { skeleton, morphs } = requireCharacter(document, args.characterId);
+    const dofs = characterDofs(skeleton, morphs);
+    const named = typeof keepOffset === 'object' ? new Set(checkedChannels(clip, keepOffset)) : undefined;
+    const keeps = (channel: KeyedChannel, index: number) => {
+      if (named) return named.has(index);
+      if (typeof keepOffset === 'boolean') return keepOffset;
+      return goesOnWithOffset(channel) || (unitOfChannel(dofs, index) === 'length' && travels(channel));
+    };
     return edited(
       document,
       args,
-      results(document, args, (channel, index) => withLoop(channel, keeps ? keeps.has(index) : keepOffset === true)),
+      results(document, args, (channel, index) => withLoop(channel, keeps(channel, index))),
     );
   },
 };
+
+function goesOnWithOffset({ extrapolateIn, extrapolateOut }: KeyedChannel): boolean {
+  return extrapolateIn === 'cycle_offset' || extrapolateOut === 'cycle_offset';
+}
 
 type Result = Channel | { readonly channel: Channel };
 

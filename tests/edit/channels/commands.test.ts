@@ -108,6 +108,18 @@ describe('resampling, looping and baking curves', () => {
     expect(makeLoop.label(before, { characterId: 'c1', channels: [0, 1] })).toBe('Make 2 curves loop');
   });
 
+  it('a loop of a walk goes on from where it ends: lengths that travel keep their offset, unless told otherwise', () => {
+    const walk = channelOf(Array.from({ length: 11 }, (_, i) => [i / 10, i / 2 + Math.sin(i) / 9, 'linear']));
+    const before = documentWith(walk, wave(1), wave(1), walk);
+    const args = { characterId: 'c1', channels: [0, 1, 2, 3] };
+    const made = channelsOf(makeLoop.run(before, args).document);
+    // The fourth is an angle.
+    expect(made.map((c) => c.extrapolateOut)).toEqual(['cycle_offset', 'cycle', 'cycle', 'cycle']);
+    expect(keysOf(made[0]).values[10]).toBe(keysOf(walk).values[10]);
+    const again = makeLoop.run(before, { ...args, keepOffset: false }).document;
+    expect(channelsOf(again).map((c) => c.extrapolateOut)).toEqual(['cycle', 'cycle', 'cycle', 'cycle']);
+  });
+
   it('bakes, and reports whose period has changed', () => {
     const loop = { ...jumping, extrapolateIn: 'cycle' as const, extrapolateOut: 'cycle' as const };
     const before = documentWith(loop, calm);

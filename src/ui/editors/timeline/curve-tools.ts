@@ -23,17 +23,16 @@ export function runCurveTool(wb: Uses<'store' | 'timeline' | 'messages'>, tool: 
     return;
   }
   if (keyed.length === 0) return;
-  // Channels that extrapolate with offset, such as a travelling root's, keep doing so.
-  const keepOffset = keyed.filter((c) => {
-    const { extrapolateIn, extrapolateOut } = clip.channels[c];
-    return extrapolateIn === 'cycle_offset' || extrapolateOut === 'cycle_offset';
-  });
-  wb.store.apply(aboutKeysInHand(wb, makeLoop), { characterId: character.id, channels: keyed, keepOffset });
+  wb.store.apply(aboutKeysInHand(wb, makeLoop), { characterId: character.id, channels: keyed });
   const after = currentTake(wb)?.clip.channels ?? [];
   const count = after.filter((channel, i) => channel !== clip.channels[i]).length;
   const pausePlayback = keyed.every((c) => period(clip.channels[c]) === 0);
   const nothing = pausePlayback ? 'A loop needs two keys at different times.' : 'These curves already loop.';
-  wb.messages.note(count ? `${plural(count, 'curve')} now loop.` : nothing);
+  const travelling = after.filter(
+    (channel, i) => channel !== clip.channels[i] && channel.extrapolateOut === 'cycle_offset',
+  );
+  const how = travelling.length > 0 ? `; ${plural(travelling.length, 'of them travels', 'of them travel')} on` : '';
+  wb.messages.note(count ? `${plural(count, 'curve')} now loop${how}.` : nothing);
 }
 
 /** Long takes are processed in slices; if anything else changes meanwhile, the result is dropped. */
