@@ -51,7 +51,7 @@ export const MOUSE_GESTURES: readonly MouseGestures[] = [
       ['… on a touchscreen', 'long press'],
       ['Move a pin', 'drag it'],
       ['… in depth', 'Alt+drag or right drag'],
-      ['… in depth on a touchscreen', 'drag with two fingers'],
+      ['… in depth on a touchscreen', 'drag, then a second finger'],
       ['Move any other point while pins hold', 'drag it'],
       ['… in depth (right drag pans there)', 'Alt+drag'],
       ['Rotate the selected joint while pins hold', 'drag a ring'],

@@ -117,8 +117,12 @@ class FkTool implements ModeTool {
   }
 
   private dragHandle(id: HandleId, selected: ResolvedJoint, at: CanvasPointer): CanvasDrag {
+    const { chosenDof } = this.wb.posing;
+    const before = chosenDof.get();
     if (id.kind === 'dof') chooseDof(this.wb, id.dof);
-    return this.gizmo.dragHandle(id, selected, at);
+    return this.gizmo.dragHandle(id, selected, at, (now) => {
+      if (!now) chosenDof.set(before);
+    });
   }
 
   /** Selects the joint that was hit when the drag begins. */

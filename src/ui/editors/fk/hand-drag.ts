@@ -47,6 +47,9 @@ export function handDrag(
   /** Resumes following and *in place*, which the drag has paused. */
   let rest = () => {};
   return {
+    get hasBegun() {
+      return hasBegun;
+    },
     move(at) {
       if (!hasBegun) {
         if (Math.hypot(at.clientX - from.clientX, at.clientY - from.clientY) < threshold) return;

@@ -94,12 +94,19 @@ export class SelectedGizmo {
     this.wb.viewport.requestRender();
   }
 
-  dragHandle(id: HandleId, { character, joint }: ResolvedJoint, at: CanvasPointer): CanvasDrag {
+  /** @param ended as for `HandDragEvents` */
+  dragHandle(
+    id: HandleId,
+    { character, joint }: ResolvedJoint,
+    at: CanvasPointer,
+    ended?: GizmoDrag['ended'],
+  ): CanvasDrag {
     return this.drag({
       joint: { characterId: character.id, joint },
       at,
       threshold: HANDLE_THRESHOLD,
       make: (grip) => handleMover(id, grip),
+      ...(ended && { ended }),
     });
   }
 

@@ -70,6 +70,10 @@ export class PinDrag implements CanvasDrag {
     this.stopWaiting = press.pointerType === 'touch' ? later(this.onLongPress, LONG_PRESS_MS) : () => {};
   }
 
+  get hasBegun(): boolean {
+    return this.hand !== undefined;
+  }
+
   /** State for drawing, once the drag has begun. */
   get state(): PullState | undefined {
     return this.hand?.isOver === false ? this.hand.state : undefined;

@@ -10,7 +10,7 @@ import type { Axis } from '../../../view/rig/rig-screen.ts';
 import { shown } from '../../kit/number-text.ts';
 import { HandEdit } from '../../state/hand-edit.ts';
 import type { Uses } from '../../state/workbench.ts';
-import type { CanvasDrag, CanvasPointer } from '../viewport/canvas-tools.ts';
+import type { BegunDrag, CanvasPointer } from '../viewport/canvas-tools.ts';
 import { gridSnap } from './grid-snap.ts';
 import { SNAP_PIXELS } from './joint-drags.ts';
 import type { Rigged } from './rigged.ts';
@@ -23,7 +23,7 @@ export function dragFace(
   joint: number,
   face: { readonly axis: Axis; readonly side: BoxSide },
   at: CanvasPointer,
-): CanvasDrag {
+): BegunDrag {
   const { axis, side } = face;
   const { eye } = wb.viewport;
   const { readout } = wb.posing.rig;

@@ -27,7 +27,7 @@ import { HandEdit } from '../../state/hand-edit.ts';
 import type { RigChildren } from '../../state/rig-hand.ts';
 import { jointsText, selectedJointsOf } from '../../state/selected-joint.ts';
 import type { Uses } from '../../state/workbench.ts';
-import type { CanvasDrag, CanvasPointer } from '../viewport/canvas-tools.ts';
+import type { BegunDrag, CanvasPointer } from '../viewport/canvas-tools.ts';
 import { gridSnap } from './grid-snap.ts';
 import { outermostJoints } from './outermost.ts';
 import { inSpaceOf, meanScale, type Rigged, scenePivot, spaceOfOffset } from './rigged.ts';
@@ -50,7 +50,7 @@ function dragJoint(
   joint: number,
   at: CanvasPointer,
   move: (hand: SteadyHand, at: CanvasPointer) => Moved | undefined,
-): CanvasDrag {
+): BegunDrag {
   const hand = new SteadyHand(at);
   const { character } = rigged;
   const state = wb.posing.rig;
@@ -120,7 +120,7 @@ export function dragFreely(
   rigged: Rigged,
   joint: number,
   at: CanvasPointer,
-): CanvasDrag {
+): BegunDrag {
   const { eye } = wb.viewport;
   const start = scenePivot(rigged, joint);
   const space = spaceOfOffset(rigged, joint);
@@ -154,7 +154,7 @@ export function dragAlong(
   joint: number,
   axis: Axis,
   at: CanvasPointer,
-): CanvasDrag {
+): BegunDrag {
   const { eye } = wb.viewport;
   const start = scenePivot(rigged, joint);
   const space = spaceOfOffset(rigged, joint);

@@ -15,7 +15,7 @@ import { pausePlayback } from '../../state/pause-playback.ts';
 import { activateJoint, addsToSelection, selectHit } from '../../state/select-joints.ts';
 import { selectedJoint, selectedJoints } from '../../state/selected-joint.ts';
 import type { Workbench } from '../../state/workbench.ts';
-import { type CanvasDrag, type CanvasPointer, CLICK_PIXELS } from '../viewport/canvas-tools.ts';
+import { type BegunDrag, type CanvasDrag, type CanvasPointer, CLICK_PIXELS } from '../viewport/canvas-tools.ts';
 import type { ModeTool } from '../viewport/mode-tool.ts';
 import { rigControls } from './bar-controls.ts';
 import { dragFace } from './box-drag.ts';
@@ -116,13 +116,16 @@ export function rigTool(wb: Workbench): ModeTool {
   const onceMoved = (
     at: CanvasPointer,
     take: () => void,
-    start: () => CanvasDrag | undefined,
+    start: () => BegunDrag | undefined,
     clicked: (at: CanvasPointer) => void,
   ): CanvasDrag => {
-    let drag: CanvasDrag | undefined;
+    let drag: BegunDrag | undefined;
     let given = false;
     isDragging = true;
     return {
+      get hasBegun() {
+        return given;
+      },
       move(now) {
         if (!given && Math.hypot(now.clientX - at.clientX, now.clientY - at.clientY) <= CLICK_PIXELS) return;
         if (!given) {
@@ -173,7 +176,7 @@ export function rigTool(wb: Workbench): ModeTool {
       const character = currentCharacter(wb);
       // While adding joints, presses mean positions, whatever is near.
       const other = part || !character || wantsJoint(at) ? undefined : jointOfOtherCopy(wb, character, at);
-      const dragNow = (start: (rigged: Rigged) => CanvasDrag) => {
+      const dragNow = (start: (rigged: Rigged) => BegunDrag) => {
         const rigged = riggedNow(wb);
         return rigged && start(rigged);
       };
@@ -186,7 +189,7 @@ export function rigTool(wb: Workbench): ModeTool {
         );
       }
       if (!part || (byRight && part.kind !== 'joint')) return undefined;
-      const drag = (joint: number, start: (rigged: Rigged) => CanvasDrag) =>
+      const drag = (joint: number, start: (rigged: Rigged) => BegunDrag) =>
         onceMoved(
           at,
           () => activate(joint),

@@ -54,6 +54,9 @@ function drag(wb: Workbench, from: CanvasPointer, clicked: (at: CanvasPointer) =
   const frame = element('div', { class: 'box-select', hidden: true });
   let seen: readonly SeenJoint[] | undefined;
   return {
+    get hasBegun() {
+      return seen !== undefined;
+    },
     move(at) {
       if (!seen) {
         if (Math.hypot(at.clientX - from.clientX, at.clientY - from.clientY) <= CLICK_PIXELS) return;

@@ -6,6 +6,7 @@
  *     click     a press without motion that the tool didn't take: the tool's, or it picks
  *     hover     the tool may highlight something and set the cursor
  *     menu      the right button without motion, or a finger held still that no tool has taken
+ *     pinch     a second finger at once, or before the drag has begun, gives both fingers to the camera
  */
 import { CLICK_PIXELS } from '../../../view/camera-travel.ts';
 import { buttonMeant, isMac, waitOutDrag } from '../../kit/keyboard.ts';
@@ -16,6 +17,9 @@ export { CLICK_PIXELS };
 /** Milliseconds of a long press. */
 export const LONG_PRESS_MS = 500;
 
+/** Milliseconds in which a second finger makes a pinch of any press: until then the drag waits. */
+export const PINCH_MS = 150;
+
 /** The fields of a pointer event used; positions are client coordinates. */
 export type CanvasPointer = Pick<
   PointerEvent,
@@ -23,8 +27,10 @@ export type CanvasPointer = Pick<
 >;
 
 export interface CanvasDrag {
-  /** Every move. */
+  /** Every move; of a finger only once it can't be a pinch any more. */
   move(at: CanvasPointer): void;
+  /** Whether it has moved far enough to change something. */
+  readonly hasBegun: boolean;
   /** Whether a finger held still means something to the drag; otherwise it cancels the drag and opens the menu. */
   readonly ownsLongPress?: boolean;
   /** Touch: number of fingers down, including the dragging one. */
@@ -34,6 +40,9 @@ export interface CanvasDrag {
   /** Escape, or the browser cancelled the pointer: restores everything. */
   cancel(): void;
 }
+
+/** A drag that something else has begun. */
+export type BegunDrag = Omit<CanvasDrag, 'hasBegun'>;
 
 export interface CanvasTool {
   /** Starts a drag if the tool has something there; undefined leaves the press to the camera. */
@@ -47,6 +56,15 @@ export interface CanvasTool {
    * of the tool's handles.
    */
   hover?(at: CanvasPointer | undefined): string | undefined;
+}
+
+interface Dragging {
+  readonly of: CanvasDrag;
+  readonly pointerId: number;
+  /** Where the pointer is. */
+  at: PointerEvent;
+  /** Runs while a second finger would make it a pinch. */
+  waiting: ReturnType<typeof setTimeout> | undefined;
 }
 
 /**
@@ -65,7 +83,10 @@ export function listenToCanvas(
   claim: (isTools: boolean) => void = () => {},
   menu: (at: CanvasPointer) => void = () => {},
 ): void {
-  let drag: { readonly of: CanvasDrag; readonly pointerId: number; readonly others: Set<number> } | undefined;
+  let drag: Dragging | undefined;
+  /** Fingers put down during a drag. They are nothing to the camera, even once the drag is over. */
+  const others = new Set<number>();
+  let isHandingOver = false;
   let down: PointerEvent | undefined;
   /** A press that opens the menu on release, unless it moves. */
   let menuDown: PointerEvent | undefined;
@@ -93,26 +114,48 @@ export function listenToCanvas(
   const finish = (): CanvasDrag | undefined => {
     const of = drag?.of;
     if (drag && canvas.hasPointerCapture(drag.pointerId)) canvas.releasePointerCapture(drag.pointerId);
+    clearTimeout(drag?.waiting);
     drag = undefined;
     window.removeEventListener('keydown', onKey, { capture: true });
     if (of) claim(false);
     return of;
+  };
+  const move = ({ of, at }: Dragging) => {
+    of.move(at);
+    if (of.hasBegun) stopHolding();
+  };
+  /** What the drag has waited with. */
+  const catchUp = (now: Dragging) => {
+    const { waiting } = now;
+    clearTimeout(waiting);
+    now.waiting = undefined;
+    if (waiting !== undefined && now.at.type === 'pointermove') move(now);
+  };
+  /** A pinch that begins on something that a tool drags: nothing has changed, and the camera gets both fingers. */
+  const handOver = ({ at }: Dragging) => {
+    finish()?.cancel();
+    isHandingOver = true;
+    canvas.dispatchEvent(new PointerEvent('pointerdown', at));
+    isHandingOver = false;
   };
 
   // In the window's capture phase: before the camera's own listener on the canvas, whenever that was added.
   window.addEventListener(
     'pointerdown',
     (event) => {
-      if (event.target !== canvas) return;
+      if (event.target !== canvas || isHandingOver) return;
       canvas.focus({ preventScroll: true });
       down = menuDown = undefined;
       stopHolding();
       if (drag) {
+        const { of, at, waiting, pointerId } = drag;
+        const isFinger = event.pointerType === 'touch' && event.pointerId !== pointerId;
+        if (isFinger && at.pointerType === 'touch' && (waiting !== undefined || !of.hasBegun)) return handOver(drag);
         // Other buttons or fingers during a drag don't reach the camera.
         event.stopPropagation();
-        if (event.pointerType === 'touch' && event.pointerId !== drag.pointerId) {
-          drag.others.add(event.pointerId);
-          drag.of.fingers?.(1 + drag.others.size);
+        if (isFinger) {
+          others.add(event.pointerId);
+          of.fingers?.(1 + others.size);
         }
         return;
       }
@@ -125,7 +168,9 @@ export function listenToCanvas(
         return;
       }
       event.stopPropagation();
-      drag = { of, pointerId: event.pointerId, others: new Set() };
+      const now: Dragging = { of, pointerId: event.pointerId, at: event, waiting: undefined };
+      if (event.pointerType === 'touch') now.waiting = setTimeout(() => catchUp(now), PINCH_MS);
+      drag = now;
       canvas.setPointerCapture(event.pointerId);
       window.addEventListener('keydown', onKey, { capture: true });
       claim(true);
@@ -138,8 +183,12 @@ export function listenToCanvas(
     (event) => {
       if (menuDown && !isNear(event, menuDown)) menuDown = undefined;
       if (holding && !isNear(event, holding.from)) stopHolding();
-      if (drag) {
-        if (event.pointerId === drag.pointerId) drag.of.move(event);
+      if (others.has(event.pointerId)) {
+        event.stopPropagation();
+      } else if (drag) {
+        if (event.pointerId !== drag.pointerId) return;
+        drag.at = event;
+        if (drag.waiting === undefined) move(drag);
       } else if (event.buttons === 0) {
         canvas.style.cursor = tool()?.hover?.(event) ?? '';
         // While dragging or placing something, don't highlight what is below.
@@ -149,16 +198,18 @@ export function listenToCanvas(
     { signal },
   );
   const lift = (event: PointerEvent) => {
-    if (drag?.others.delete(event.pointerId)) drag.of.fingers?.(1 + drag.others.size);
+    if (others.delete(event.pointerId)) drag?.of.fingers?.(1 + others.size);
   };
   canvas.addEventListener(
     'pointerup',
     (event) => {
       stopHolding();
       const asked = menuDown?.pointerId === event.pointerId && isNear(event, menuDown);
+      lift(event);
       if (drag) {
-        if (event.pointerId === drag.pointerId) finish()?.end(event);
-        else lift(event);
+        if (event.pointerId !== drag.pointerId) return;
+        catchUp(drag);
+        finish()?.end(event);
       } else {
         const from = down;
         down = undefined;

@@ -1,9 +1,11 @@
 import { afterEach, beforeEach, describe, expect, it, vi } from 'vitest';
 import {
+  type CanvasDrag,
   type CanvasTool,
   CLICK_PIXELS,
   LONG_PRESS_MS,
   listenToCanvas,
+  PINCH_MS,
 } from '../../../../src/ui/editors/viewport/canvas-tools.ts';
 
 /** The part of a canvas that the router uses. */
@@ -25,9 +27,21 @@ class FakeCanvas extends EventTarget {
   }
 }
 
+/** The fields of the browser's class that are handed on. */
+class FakePointerEvent extends Event {
+  readonly pointerId: number;
+  readonly clientX: number;
+  constructor(type: string, { pointerId, clientX }: { readonly pointerId: number; readonly clientX: number }) {
+    super(type);
+    this.pointerId = pointerId;
+    this.clientX = clientX;
+  }
+}
+
 let stop: AbortController;
 beforeEach(() => {
   vi.stubGlobal('window', new EventTarget());
+  vi.stubGlobal('PointerEvent', FakePointerEvent);
   stop = new AbortController();
 });
 afterEach(() => {
@@ -40,6 +54,10 @@ function page(tool: CanvasTool | undefined) {
   const picked: number[][] = [];
   const claims: boolean[] = [];
   const menus: number[][] = [];
+  const handedOver: number[][] = [];
+  canvas.addEventListener('pointerdown', (event) => {
+    if (event instanceof FakePointerEvent) handedOver.push([event.pointerId, event.clientX]);
+  });
   // Replaces the browser's canvas.
   const asCanvas = canvas as unknown as HTMLCanvasElement;
   listenToCanvas(
@@ -69,21 +87,28 @@ function page(tool: CanvasTool | undefined) {
     window.dispatchEvent(event);
     return event.defaultPrevented;
   };
-  return { canvas, picked, claims, menus, pointer, key };
+  return { canvas, picked, claims, menus, handedOver, pointer, key };
 }
 
-/** Takes every press left of 100, and logs the calls. */
+/** Takes every press left of 100, and logs the calls. Its drags begin beyond 2 pixels. */
 function leftTool() {
   const said: string[] = [];
+  const drag = (from: number): CanvasDrag => {
+    let hasBegun = false;
+    return {
+      get hasBegun() {
+        return hasBegun;
+      },
+      move({ clientX }) {
+        hasBegun ||= Math.abs(clientX - from) > 2;
+        said.push(`move ${clientX}`);
+      },
+      end: ({ clientX }) => void said.push(`end ${clientX}`),
+      cancel: () => void said.push('cancel'),
+    };
+  };
   const tool: CanvasTool = {
-    press: (at) =>
-      at.clientX >= 100
-        ? undefined
-        : {
-            move: ({ clientX }) => void said.push(`move ${clientX}`),
-            end: ({ clientX }) => void said.push(`end ${clientX}`),
-            cancel: () => void said.push('cancel'),
-          },
+    press: ({ clientX }) => (clientX >= 100 ? undefined : drag(clientX)),
     hover: (at) => (at && at.clientX < 100 ? 'grab' : undefined),
   };
   return { tool, said };
@@ -224,10 +249,18 @@ describe('the menu of the viewport', () => {
     vi.advanceTimersByTime(2 * LONG_PRESS_MS);
     pointer('pointerup', 60, 10);
     expect([said, menus]).toEqual([['move 60', 'end 60'], []]);
+    said.length = 0;
+    // Slow and fine: no further than a click.
+    pointer('pointerdown', 10, 10, { pointerType: 'touch' });
+    vi.advanceTimersByTime(LONG_PRESS_MS - 10);
+    pointer('pointermove', 13, 10, { buttons: 1 });
+    vi.advanceTimersByTime(LONG_PRESS_MS);
+    pointer('pointerup', 13, 10);
+    expect([said, menus]).toEqual([['move 13', 'end 13'], []]);
     const owning = page({
       press: (at) => {
         const drag = tool.press(at);
-        return drag && { ...drag, ownsLongPress: true };
+        return drag && Object.assign(drag, { ownsLongPress: true });
       },
     });
     owning.pointer('pointerdown', 10, 10, { pointerType: 'touch' });
@@ -237,6 +270,10 @@ describe('the menu of the viewport', () => {
 });
 
 describe('a drag of a tool', () => {
+  afterEach(() => {
+    vi.useRealTimers();
+  });
+
   it('Escape cancels a drag of a tool, and later events are ignored', () => {
     const { tool, said } = leftTool();
     const { pointer, key, picked } = page(tool);
@@ -271,16 +308,19 @@ describe('a drag of a tool', () => {
   });
 
   it('a drag of a tool gets the number of fingers', () => {
+    vi.useFakeTimers();
     const counts: number[] = [];
     const { tool } = leftTool();
     const { pointer } = page({
       press: (at) => {
         const drag = tool.press(at);
-        return drag && { ...drag, fingers: (count) => void counts.push(count) };
+        return drag && Object.assign(drag, { fingers: (count: number) => void counts.push(count) });
       },
     });
     const other = { pointerId: 2, isPrimary: false, pointerType: 'touch' };
     pointer('pointerdown', 10, 10, { pointerType: 'touch' });
+    pointer('pointermove', 20, 10);
+    vi.advanceTimersByTime(PINCH_MS);
     expect(pointer('pointerdown', 200, 10, other).reachesCamera).toBe(false);
     pointer('pointerup', 200, 10, other);
     pointer('pointerdown', 200, 10, { ...other, pointerId: 3 });
@@ -294,6 +334,78 @@ describe('a drag of a tool', () => {
     pointer('pointerdown', 10, 10);
     pointer('pointercancel', 10, 10);
     expect(said).toEqual(['cancel']);
+  });
+});
+
+describe('a pinch', () => {
+  const first = { pointerType: 'touch', buttons: 1 };
+  const second = { pointerType: 'touch', buttons: 1, isPrimary: false, pointerId: 2 };
+  beforeEach(() => {
+    vi.useFakeTimers();
+  });
+  afterEach(() => {
+    vi.useRealTimers();
+  });
+
+  it.each([
+    ['at once', 0, 10],
+    ['within moments, while the first already moves', PINCH_MS - 1, 60],
+    ['later, before the first has moved', LONG_PRESS_MS - 1, 10],
+    ['later, while the first only trembles', LONG_PRESS_MS - 1, 12],
+  ])('a second finger %s takes the first from what it would drag, and gives both to the camera', (_when, ms, x) => {
+    const { tool, said } = leftTool();
+    const { pointer, handedOver, menus, picked, key } = page(tool);
+    pointer('pointerdown', 10, 10, first);
+    if (x !== 10) pointer('pointermove', x, 10, first);
+    vi.advanceTimersByTime(ms);
+    expect(pointer('pointerdown', 300, 10, second).reachesCamera).toBe(true);
+    expect(handedOver).toEqual([[1, x]]);
+    expect(said.filter((call) => call !== 'move 12')).toEqual(['cancel']);
+    expect(key('z')).toBe(false);
+    for (const [finger, to] of [
+      [first, 0],
+      [second, 340],
+    ] as const)
+      expect(pointer('pointermove', to, 10, finger).reachesCamera).toBe(true);
+    pointer('pointerup', 340, 10, second);
+    pointer('pointerup', 0, 10, first);
+    vi.advanceTimersByTime(2 * LONG_PRESS_MS);
+    expect([said.at(-1), menus, picked]).toEqual(['cancel', [], []]);
+  });
+
+  it('a finger’s drag waits until it can be no pinch, and loses nothing of its way', () => {
+    const { tool, said } = leftTool();
+    const { pointer } = page(tool);
+    pointer('pointerdown', 10, 10, first);
+    pointer('pointermove', 40, 10, first);
+    expect(said).toEqual([]);
+    vi.advanceTimersByTime(PINCH_MS);
+    pointer('pointermove', 50, 10, first);
+    pointer('pointerup', 50, 10, first);
+    expect(said).toEqual(['move 40', 'move 50', 'end 50']);
+    said.length = 0;
+    // A quick one is over before.
+    pointer('pointerdown', 10, 10, first);
+    pointer('pointermove', 40, 10, first);
+    pointer('pointerup', 40, 10, first);
+    vi.advanceTimersByTime(PINCH_MS);
+    expect(said).toEqual(['move 40', 'end 40']);
+  });
+
+  it('a finger put down during a drag moves no camera, not even once the drag is over', () => {
+    const { tool, said } = leftTool();
+    const { pointer, handedOver } = page(tool);
+    pointer('pointerdown', 10, 10, first);
+    pointer('pointermove', 40, 10, first);
+    vi.advanceTimersByTime(PINCH_MS);
+    expect(pointer('pointerdown', 300, 10, second).reachesCamera).toBe(false);
+    expect(pointer('pointermove', 340, 10, second).reachesCamera).toBe(false);
+    pointer('pointerup', 40, 10, first);
+    expect(pointer('pointermove', 380, 10, second).reachesCamera).toBe(false);
+    pointer('pointerup', 380, 10, second);
+    expect([said, handedOver]).toEqual([['move 40', 'end 40'], []]);
+    expect(pointer('pointerdown', 300, 10, first).reachesCamera).toBe(true);
+    expect(pointer('pointermove', 340, 10, second).reachesCamera).toBe(true);
   });
 });
 
