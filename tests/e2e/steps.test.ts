@@ -97,8 +97,13 @@ describeShared('the steps of the wasp', () => {
     }));
 });
 
-/** Numbers of the card, as copied: the largest displacement and its percentage of the size. */
-const largestOf = (page: Page) => copied(page, page.locator('.heat-card .grid')).then(([row]) => row);
+/** The row of the card, as copied: `vertex`, its index, its displacement, and that as a percentage of the size. */
+async function largestOf(page: Page): Promise<readonly number[]> {
+  // Of what was copied before.
+  await page.locator('.heat-card .copied').first().waitFor({ state: 'detached' });
+  const [[, ...numbers]] = await copied(page, page.locator('.heat-card .grid'));
+  return numbers;
+}
 
 /** What `lesson/four-attachments.ts` measures of the pose that is drawn. */
 async function measuredOf(page: Page, kept: KeptFour): Promise<FourFacts> {
@@ -123,9 +128,11 @@ describeShared('the heat map of four attachments', () => {
         const card = page.getByRole('region', { name: 'Four attachments' });
         await card.getByText('120 of 120 vertices have more than four attachments, up to 9.').waitFor();
         const first = await measuredOf(page, 'largest four normalised');
-        expect(await largestOf(page)).toEqual([first.largest, (100 * first.largest) / first.size]);
+        expect(await largestOf(page)).toEqual([first.vertex, first.largest, (100 * first.largest) / first.size]);
 
-        await page.evaluate(() => window.marrow.run('pose.setDofs', { dofs: [{ index: 4, value: 0.5 }] }));
+        await page.evaluate(() =>
+          window.marrow.run('pose.setDofs', { dofs: [8, 12, 15, 20].map((index) => ({ index, value: 0.7 })) }),
+        );
         const posed = await measuredOf(page, 'largest four normalised');
         expect(posed.largest).not.toBe(first.largest);
         const button = card.getByRole('button', { name: 'vertex' });
@@ -139,7 +146,7 @@ describeShared('the heat map of four attachments', () => {
           (v) => document.querySelector('.heat-card .link')?.textContent === v,
           `vertex ${given.vertex}`,
         );
-        expect(await largestOf(page)).toEqual([given.largest, (100 * given.largest) / given.size]);
+        expect(await largestOf(page)).toEqual([given.vertex, given.largest, (100 * given.largest) / given.size]);
         await button.click();
         await page.locator('.facts-head .label', { hasText: `Vertex ${given.vertex}` }).waitFor();
 
