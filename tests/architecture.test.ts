@@ -62,7 +62,7 @@ const PACKAGES: Readonly<Record<string, readonly string[]>> = {
   three: ['view', 'io'],
   'idb-keyval': ['io'],
   'lil-gui': ['ui/kit', 'ui/editors'],
-  fflate: ['worker', 'io', 'app', 'samples'],
+  fflate: ['formats', 'io', 'app', 'samples'],
   'node:': ['cli', 'samples'],
   vite: ['cli'],
 };

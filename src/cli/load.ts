@@ -51,19 +51,31 @@ export interface Loaded {
  */
 export function loadFiles(args: readonly string[], folder: string, otherwise?: Format): Loaded {
   if (args.length === 0) throw new UsageError('Give at least one file.');
+  const given = findGiven(args, folder);
+  const found = loadGiven(given.files, otherwise);
+  const missing = given.missing.map((path): LoadedFile => ({ name: basename(path), path, kind: kindOf(path) }));
+  const diagnostics = missing.map(({ path }) =>
+    withoutPlace('error', 'file-missing', `There is no file "${path}" in ${folder}.`, path),
+  );
+  const broken = missing.flatMap(({ name, path, kind }): BrokenFile[] =>
+    kind === 'unknown' ? [] : [{ kind, source: { name, path, bytes: 0 } }],
+  );
+  return {
+    all: [...missing, ...found.all],
+    files: found.files,
+    broken: [...broken, ...found.broken],
+    diagnostics: [...diagnostics, ...found.diagnostics],
+  };
+}
+
+/** Reads files that were found, on disk or in archives. @param otherwise as for `loadFiles` */
+export function loadGiven(given: readonly GivenPath[], otherwise?: Format): Loaded {
   const all: LoadedFile[] = [];
   const files: ParsedFile[] = [];
   const broken: BrokenFile[] = [];
   const diagnostics: Diagnostic[] = [];
-  const given = findGiven(args, folder);
-  for (const arg of given.missing) {
-    const [name, kind] = [basename(arg), kindOf(arg)];
-    diagnostics.push(withoutPlace('error', 'file-missing', `There is no file "${arg}" in ${folder}.`, arg));
-    all.push({ name, path: arg, kind });
-    if (kind !== 'unknown') broken.push({ kind, source: { name, path: arg, bytes: 0 } });
-  }
-  for (const path of given.files) {
-    const name = basename(path.absolute);
+  for (const path of given) {
+    const name = basename(path.path);
     const format = formatOf(name) ?? otherwise;
     const kind = format?.kind ?? 'unknown';
     const { content, bytes, diagnostics: found } = loadOne(path, name, format);
@@ -84,11 +96,11 @@ interface LoadedOne {
   readonly diagnostics: readonly Diagnostic[];
 }
 
-function loadOne({ absolute }: GivenPath, name: string, format: Format | undefined): LoadedOne {
+function loadOne({ absolute, bytes: held }: GivenPath, name: string, format: Format | undefined): LoadedOne {
   try {
-    const bytes = statSync(absolute).size;
+    const bytes = held?.length ?? statSync(absolute).size;
     if (!format) return { bytes, diagnostics: [unknownFormat(name)] };
-    return { bytes, ...readFile(absolute, bytes, name, format) };
+    return { bytes, ...(held ? readBytes(held, name, format) : readFile(absolute, bytes, name, format)) };
   } catch (error) {
     const reason = error instanceof Error ? error.message : String(error);
     const message = `The file could not be read: ${reason}.`;
@@ -105,9 +117,24 @@ function readFile(path: string, bytes: number, name: string, format: Format): Om
   } finally {
     closeSync(file);
   }
-  const { value, diagnostics: told } = reader.end();
-  const { diagnose } = format;
-  const diagnostics = diagnose && isWorthDiagnosing(told, bytes) ? diagnose(name, readFileSync(path), told) : told;
+  return ended(reader.end(), name, bytes, format, () => readFileSync(path));
+}
+
+function readBytes(bytes: Uint8Array, name: string, format: Format): Omit<LoadedOne, 'bytes'> {
+  const reader = format.reader(name, bytes.length);
+  reader.feed(bytes);
+  return ended(reader.end(), name, bytes.length, format, () => bytes);
+}
+
+/** @param content all of it, for what is told about errors */
+function ended(
+  { value, diagnostics: told }: ReturnType<ReturnType<Format['reader']>['end']>,
+  name: string,
+  bytes: number,
+  { diagnose }: Format,
+  content: () => Uint8Array,
+): Omit<LoadedOne, 'bytes'> {
+  const diagnostics = diagnose && isWorthDiagnosing(told, bytes) ? diagnose(name, content(), told) : told;
   return value ? { content: value, diagnostics } : { diagnostics };
 }
 

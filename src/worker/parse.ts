@@ -2,9 +2,11 @@
  * The `parse` job: files in, models and diagnostics out. Bytes are fed to the format's reader as they arrive; zips are
  * unpacked here, and formats are recognised by file name only.
  */
+
 import { checkMorph } from '../evaluate/binding.ts';
 import { skinFacts } from '../evaluate/bounds.ts';
 import { isWorthDiagnosing } from '../formats/diagnose/diagnose.ts';
+import { unzip } from '../formats/unzip.ts';
 import { type Diagnostic, withoutPlace } from '../model/diagnostic.ts';
 import { isEmptyDump } from '../model/dump.ts';
 import { type BrokenFile, folderOf, type ParsedFile, type SourceFile } from '../model/files.ts';
@@ -13,7 +15,6 @@ import type { Skin } from '../model/skin.ts';
 import { type Format, formatOf } from '../project/codecs.ts';
 import { READABLE_EXTENSIONS } from '../project/kinds.ts';
 import type { GivenBlob, ParseInput, ParseOutput, Progress } from './protocol.ts';
-import { unzip } from './zip.ts';
 
 /** Interval of progress messages: enough for a smooth bar, at negligible cost. */
 const PROGRESS_STEP_BYTES = 1 << 20;

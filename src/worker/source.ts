@@ -1,7 +1,8 @@
 /** The `source` job: where the lines of a text file are, and what they hold. A file inside a zip is unpacked first. */
+
 import { SourceMapper } from '../formats/source/map-source.ts';
+import { unzip } from '../formats/unzip.ts';
 import type { Progress, SourceInput, SourceOutput } from './protocol.ts';
-import { unzip } from './zip.ts';
 
 /** Interval of progress messages. */
 const PROGRESS_STEP_BYTES = 1 << 22;

@@ -2,6 +2,7 @@
 import { mkdirSync, mkdtempSync, rmSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { dirname, join } from 'node:path';
+import { strToU8, zipSync } from 'fflate';
 import { afterAll, beforeAll, describe, expect, it } from 'vitest';
 import type { Grade } from '../../src/cli/grade/grade.ts';
 import { command, commandJson, type PoseJson } from '../helpers/command.ts';
@@ -62,6 +63,9 @@ beforeAll(async () => {
   write('class/gus/joints@0.7.txt', joints.map(({ world }) => world.join(' ')).join('\n'));
   write('class/hal/joints@0.7.txt', joints.map(({ local }) => local?.join(' ')).join('\n'));
   write('class/ida/test.skin', SKIN.replace('0 3 0', '0 3.5 0'));
+  write('class/kim.txt', 'Kim handed in late.');
+  write('class/.DS_Store', 'x');
+  write('class/__MACOSX/._test.skel', 'x');
 });
 afterAll(() => rmSync(folder, { recursive: true, force: true }));
 
@@ -180,6 +184,17 @@ describe('marrow grade', () => {
     expect(out).toContain('<dd>3 world matrices</dd>');
   });
 
+  it('says which files of the class belong to nobody, on all ways', async () => {
+    const { err } = await command(GRADE, folder);
+    expect(err).toContain('class/kim.txt warning file-loose: Expected a folder or a zip for each submission');
+    expect(err).not.toContain('DS_Store');
+    const report = await commandJson<{ skipped: readonly string[] }>(GRADE, folder, 1);
+    expect(report.skipped).toEqual(['class/kim.txt']);
+    expect((await command([...GRADE, '--html'], folder)).out).toContain(
+      '<code>class/kim.txt</code> is neither a folder nor a zip, and was skipped.',
+    );
+  });
+
   it('says that wrong usage is wrong', async () => {
     write('broken/test.skel', 'balljoint {');
     mkdirSync(join(folder, 'bare'), { recursive: true });
@@ -190,12 +205,157 @@ describe('marrow grade', () => {
       [['grade', 'class', '--reference', 'none'], 'There is no folder "none"'],
       [['grade', 'class', '--reference', 'broken'], 'broken/test.skel:1:'],
       [['grade', 'class', '--reference', 'bare'], 'has no skeleton'],
-      [['grade', 'bare', '--reference', 'ref'], 'There are no folders in "bare"'],
+      [['grade', 'bare', '--reference', 'ref'], 'There are no folders or zips in "bare"'],
       [[...GRADE, '--csv', '--html'], 'Give one of'],
       [[...GRADE, '--tolerance', '-1'], 'above 0'],
     ] as const) {
       const { code, err } = await command(args, folder);
       expect([code, err], args.join(' ')).toEqual([2, expect.stringContaining(message)]);
     }
+  });
+});
+
+describe('zipped submissions', () => {
+  const zip = (name: string, files: Record<string, string>) =>
+    writeFileSync(
+      join(folder, name),
+      zipSync(Object.fromEntries(Object.entries(files).map(([path, text]) => [path, strToU8(text)]))),
+    );
+  const whole = (inside: string) => ({
+    [`${inside}test.skel`]: SKEL,
+    [`${inside}test.skin`]: SKIN,
+    [`${inside}test.anim`]: anim(1),
+  });
+  const graded = async (name: string) => {
+    const args = ['grade', name, '--reference', 'ref'];
+    return (await commandJson<{ submissions: readonly Grade[] }>(args, folder, 1)).submissions;
+  };
+
+  it('are judged as folders are, whatever folder is inside, and broken ones stop no other', async () => {
+    mkdirSync(join(folder, 'zips/platform_1'), { recursive: true });
+    zip('zips/ann.zip', whole(''));
+    zip('zips/bob.ZIP', { ...whole('Project 2 - final/src/'), 'Project 2 - final/src/main.cpp': 'int main() {}' });
+    zip('zips/cid.zip', { ...whole('hw/'), 'hw/test.skel': SKEL.replace('0 2 0', '0 2.5 0') });
+    zip('zips/dan.zip', { ...whole('hw\\'), '__MACOSX/hw/._test.skel': '?', '.git/test.skel': '?' });
+    zip('zips/eve.zip', { 'hw/test.skel': SKEL.replace('0 2 0', '0 two 0') });
+    zip('zips/fay.zip', { 'readme.txt': 'See the other archive.' });
+    zip('zips/platform_1/handed in.zip', whole('gus/'));
+    writeFileSync(join(folder, 'zips/hal.zip'), zipSync({ 'test.skel': strToU8(SKEL) }).slice(0, -10));
+    writeFileSync(join(folder, 'zips/ida.zip'), '7z');
+    const grades = await graded('zips');
+    expect(grades.map(({ name, verdict }) => [name, verdict])).toEqual([
+      ['ann.zip', 'right'],
+      ['bob.ZIP', 'right'],
+      ['cid.zip', 'wrong'],
+      ['dan.zip', 'right'],
+      ['eve.zip', 'not judged'],
+      ['fay.zip', 'not judged'],
+      ['hal.zip', 'not judged'],
+      ['ida.zip', 'not judged'],
+      ['platform_1', 'right'],
+    ]);
+    const [, bob, cid, , eve, , hal] = grades;
+    expect(bob.parts[0].files).toContain('zips/bob.ZIP/Project 2 - final/src/test.skel');
+    expect(cid.parts[0]).toMatchObject({ own: ['arm'] });
+    expect(eve.problems[0]).toMatchObject({ file: 'zips/eve.zip/hw/test.skel', line: 2, severity: 'error' });
+    expect(hal.problems).toMatchObject([{ code: 'zip-unreadable', file: 'zips/hal.zip', severity: 'error' }]);
+    expect(grades[8].parts[0].files).toContain('zips/platform_1/handed in.zip/gus/test.skel');
+  });
+
+  it('a zip that would fill the memory is refused, also if it understates its size', async () => {
+    mkdirSync(join(folder, 'bombs'), { recursive: true });
+    const text = Array.from({ length: 1000 }, (_, i) => Math.sin(i)).join(' ');
+    const zipped = zipSync({ 'test.skel': strToU8(text) });
+    const stating = (bytes: number) => {
+      const changed = zipped.slice();
+      // In the central directory: 46 bytes and the name of the entry, and 22 of the end.
+      const entry = zipped.length - 22 - 46 - 'test.skel'.length;
+      new DataView(changed.buffer).setUint32(entry + 24, bytes, true);
+      return changed;
+    };
+    writeFileSync(join(folder, 'bombs/large.zip'), stating(2 ** 28 + 1));
+    writeFileSync(join(folder, 'bombs/lying.zip'), stating(0));
+    const grades = await graded('bombs');
+    expect(grades.map(({ problems: [problem] }) => problem.message)).toEqual([
+      "The archive can't be unpacked: it would unpack to more than 268435456 bytes.",
+      "The archive can't be unpacked: test.skel is larger packed than unpacked.",
+    ]);
+  });
+});
+
+describe('dumps that the reference has too', () => {
+  const rows = (list: readonly (readonly number[])[]) => `${list.map((row) => row.join(' ')).join('\n')}\n`;
+  const right = async (time: string) => {
+    const args = ['pose', 'ref/test.skel', 'ref/test.skin', 'ref/test.anim', '--time', time, '--json'];
+    const { joints } = (JSON.parse((await command(args, folder)).out) as PoseJson).characters[0];
+    return { world: rows(joints.map(({ world }) => world)), local: rows(joints.map(({ local }) => local ?? [])) };
+  };
+  const graded = async (name: string, code: 0 | 1 = 0) => {
+    const args = ['grade', `${name}/class`, '--reference', `${name}/ref`];
+    return (await commandJson<{ submissions: readonly Grade[] }>(args, folder, code)).submissions;
+  };
+
+  it('their times and kinds are those of the reference’s dump, where theirs says nothing', async () => {
+    const [early, late] = [await right('0.3'), await right('0.7')];
+    handIn('times/ref');
+    write('times/ref/joints.txt', `time 0.3\n${early.world}time 0.7\n${late.world}`);
+    write('times/ref/locals.txt', `time 0.7\nlocal\n${late.local}`);
+    write('times/class/ann/JOINTS.txt', `time 0.3\n${early.world}time 0.7\n${late.world}`);
+    write('times/class/bob/joints.json', JSON.stringify([]));
+    write('times/class/cid/joints.txt', `time 0.7\n${late.world}`);
+    write('times/class/dan/joints.txt', `time 0.3\n${early.local}time 0.7\n${late.local}`);
+    write('times/class/eve/locals.txt', late.local);
+    write('times/class/fay/locals.txt', '1 2 3\n4 5 6 7\n8 9 10 11 12 13 14\n');
+    const grades = await graded('times', 1);
+    const facts = grades.map(({ name, verdict, parts: [part] }) => [
+      name,
+      verdict,
+      part?.mismatches,
+      part?.causes[0]?.code,
+    ]);
+    expect(facts).toEqual([
+      ['ann', 'right', [], undefined],
+      ['bob', 'not judged', undefined, undefined],
+      ['cid', 'wrong', ['nothing at 0.3 s'], undefined],
+      ['dan', 'wrong', [], 'no-parent'],
+      ['eve', 'right', [], undefined],
+      ['fay', 'wrong', ['other numbers than the reference has'], undefined],
+    ]);
+    expect(grades[1].problems).toMatchObject([{ code: 'dump-empty', file: 'times/class/bob/joints.json' }]);
+    expect(grades[5].problems).toMatchObject([{ code: 'dump-length', file: 'times/class/fay/locals.txt', line: 1 }]);
+  });
+
+  it('numbers of no character are compared one by one, in either layout', async () => {
+    const { world } = await right('0.7');
+    const matrices = world
+      .trim()
+      .split('\n')
+      .map((line) => line.split(' ').map(Number));
+    const transposed = matrices.map((m) => m.map((_, i) => m[4 * (i % 4) + Math.floor(i / 4)]));
+    write('numbers/ref/joints.txt', world);
+    write('numbers/class/ann/joints.txt', rows(transposed));
+    write('numbers/class/bob/joints.txt', rows(matrices.map((m, j) => (j === 1 ? m.with(13, 9) : m))));
+    write('numbers/class/cid/joints.txt', rows(matrices.slice(1)));
+    const grades = await graded('numbers');
+    expect(grades.map(({ verdict, parts }) => [verdict, parts[0].numbers, parts[0].mismatches])).toEqual([
+      ['right', 48, []],
+      ['wrong', 48, [expect.stringMatching(/^line 2 has 9, expected -?\d/)]],
+      ['wrong', 0, ['line 1 has 32 numbers, expected 48']],
+    ]);
+    const { out } = await command(['grade', 'numbers/class', '--reference', 'numbers/ref', '--html'], folder);
+    expect(out).toContain('<dd>48 numbers, one by one</dd>');
+  });
+
+  it('a dump that contradicts the reference’s own files is told to the teacher, and compared one by one', async () => {
+    const { world, local } = await right('0.7');
+    handIn('contradicting/ref');
+    write('contradicting/ref/joints.txt', `time 0.7\n${local}`);
+    write('contradicting/class/ann/joints.txt', local);
+    write('contradicting/class/bob/joints.txt', world);
+    const args = ['grade', 'contradicting/class', '--reference', 'contradicting/ref', '--json'];
+    const { out, err } = await command(args, folder);
+    expect(err).toMatch(/contradicting\/ref\/joints\.txt warning reference-dump: .* off by \d/);
+    const { submissions } = JSON.parse(out) as { submissions: readonly Grade[] };
+    expect(submissions.map(({ verdict }) => verdict)).toEqual(['right', 'wrong']);
   });
 });

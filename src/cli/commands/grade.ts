@@ -1,23 +1,21 @@
 /** `marrow grade`: a class's submissions against the teacher's files. */
-import { readdirSync, statSync } from 'node:fs';
-import { join, resolve } from 'node:path';
+import { resolve } from 'node:path';
 import { DEFAULT_TOLERANCE } from '../../lesson/errors.ts';
+import { type Diagnostic, withoutPlace } from '../../model/diagnostic.ts';
 import { type Arguments, numberOf, numbersOf, parseArguments, UsageError } from '../arguments.ts';
 import type { Grade } from '../grade/grade.ts';
 import { asHtml } from '../grade/html.ts';
 import { loadReference } from '../grade/reference.ts';
+import { type ClassFolder, classIn, isFolder } from '../grade/submissions.ts';
 import { asCsv, asTable } from '../grade/table.ts';
 import { judgeAll } from '../grade/threads.ts';
 import type { CliCommand } from '../io.ts';
-import { printJson } from '../report.ts';
-
-/** Natural order, as a teacher's list. */
-const byName = new Intl.Collator('en', { numeric: true });
+import { printJson, report } from '../report.ts';
 
 export const grade: CliCommand = {
   name: 'grade',
   usage: 'CLASS --reference REF [--times T,T,…] [--tolerance X] [--csv | --json | --html]',
-  summary: 'each folder of CLASS compared with the files and by the characters of REF: a line each, or a report',
+  summary: 'each folder and zip of CLASS compared with the files and characters of REF: a line each, or a report',
   exits: {
     0: 'all submissions were judged',
     1: 'a submission could not be judged',
@@ -42,17 +40,19 @@ export const grade: CliCommand = {
     const { times, tolerance } = readNumbers(given);
     const referenceFolder = resolve(io.folder, referencePath);
     if (!isFolder(referenceFolder)) throw new UsageError(`There is no folder "${referencePath}" in ${io.folder}.`);
-    const submissions = submissionsIn(folder, io.folder, referenceFolder);
-    const reference = loadReference(referenceFolder, referencePath, io.err);
+    const { submissions, loose } = submissionsIn(folder, io.folder, referenceFolder);
+    const reference = loadReference(referenceFolder, referencePath, tolerance, io.err);
+    const skipped = loose.map((name) => `${folder.replace(/[/\\]+$/, '')}/${name}`);
+    report(skipped.map(looseFile), io);
     const options = { folder: io.folder, times, tolerance };
     const task = { submissions, reference, referenceFolder, options };
     const grades = await judgeAll(task, io.program, (done, path) =>
       io.progress?.(`${done} of ${submissions.length}: ${path}`),
     );
     io.progress?.('');
-    if (given.flag('json')) await printJson({ ...(times && { times }), tolerance, submissions: grades }, io);
+    if (given.flag('json')) await printJson({ ...(times && { times }), tolerance, submissions: grades, skipped }, io);
     else if (given.flag('csv')) await io.out(asCsv(grades));
-    else if (given.flag('html')) await io.out(asHtml(grades, { folder, reference: referencePath, tolerance }));
+    else if (given.flag('html')) await io.out(asHtml(grades, { folder, reference: referencePath, tolerance, skipped }));
     else await io.out(`${asTable(grades)}${summaryOf(grades)}`);
     return grades.every(({ verdict }) => verdict !== 'not judged') ? 0 : 1;
   },
@@ -68,23 +68,19 @@ function readNumbers(given: Arguments) {
   return { times, tolerance };
 }
 
-/** The folders of the class, without the reference if it is one of them. */
-function submissionsIn(path: string, folder: string, referenceFolder: string): readonly string[] {
+function submissionsIn(path: string, folder: string, referenceFolder: string): ClassFolder {
   const absolute = resolve(folder, path);
   if (!isFolder(absolute)) throw new UsageError(`There is no folder "${path}" in ${folder}.`);
-  const found = readdirSync(absolute)
-    .filter((name) => !name.startsWith('.') && isFolder(join(absolute, name)))
-    .sort(byName.compare)
-    .map((name) => join(absolute, name))
-    .filter((submission) => submission !== referenceFolder);
-  if (found.length === 0) {
-    throw new UsageError(`There are no folders in "${path}"; each submission is expected in one of its own.`);
+  const found = classIn(absolute, referenceFolder);
+  if (found.submissions.length === 0) {
+    throw new UsageError(`There are no folders or zips in "${path}"; each submission is expected in one of its own.`);
   }
   return found;
 }
 
-function isFolder(path: string): boolean {
-  return statSync(path, { throwIfNoEntry: false })?.isDirectory() ?? false;
+function looseFile(path: string): Diagnostic {
+  const message = 'Expected a folder or a zip for each submission, found a file.';
+  return withoutPlace('warning', 'file-loose', message, path, 'skipped');
 }
 
 function summaryOf(grades: readonly Grade[]): string {

@@ -5,7 +5,7 @@ import type { Diagnostic } from '../../model/diagnostic.ts';
 export type Verdict = 'right' | 'wrong' | 'not judged';
 
 export interface Grade {
-  /** The folder's name. */
+  /** Of the folder or zip. */
   readonly name: string;
   /** Relative to the caller's folder. */
   readonly path: string;
@@ -34,6 +34,8 @@ export interface PartGrade {
   readonly agrees: boolean;
   /** Numbers of items, over all times. */
   readonly compared: Compared;
+  /** Numbers of a dump that were compared with another dump's, one by one; absent: with a character's. */
+  readonly numbers?: number;
   /** How many, of joints and vertices. */
   readonly times: number;
   /** Of the character, if joints were compared. */
@@ -85,8 +87,9 @@ const KINDS: Readonly<Record<keyof Compared, string>> = {
   channels: 'channels',
 };
 
-/** `23 world matrices at 11 times, 72 channels`. */
-export function comparedText({ compared, times }: PartGrade): string {
+/** `23 world matrices at 11 times, 72 channels`; `276 numbers, one by one`. */
+export function comparedText({ compared, times, numbers }: PartGrade): string {
+  if (numbers !== undefined) return `${numbers} numbers, one by one`;
   const { channels, ...ofFrames } = compared;
   const counts = Object.entries(ofFrames).filter(([, count]) => count > 0);
   // Its keys are those of `Compared`, which TypeScript types as strings.

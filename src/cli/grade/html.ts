@@ -10,9 +10,11 @@ export interface ReportFacts {
   readonly folder: string;
   readonly reference: string;
   readonly tolerance: number;
+  /** Paths of files that belong to no submission. */
+  readonly skipped: readonly string[];
 }
 
-export function asHtml(grades: readonly Grade[], { folder, reference, tolerance }: ReportFacts): string {
+export function asHtml(grades: readonly Grade[], { folder, reference, tolerance, skipped }: ReportFacts): string {
   const counts = (['right', 'wrong', 'not judged'] as const).map(
     (verdict) => `<b>${grades.filter((grade) => grade.verdict === verdict).length}</b> ${verdict}`,
   );
@@ -26,7 +28,7 @@ export function asHtml(grades: readonly Grade[], { folder, reference, tolerance 
 <header>
 <h1>${escaped(folder)}</h1>
 <p>${grades.length} submissions: ${counts.join(', ')}. Compared with <code>${escaped(reference)}</code> within ${tolerance}.</p>
-</header>
+${skippedText(skipped)}</header>
 <div class="wide"><table>
 <thead><tr>${['Submission', 'Verdict', 'Joints', 'Joint error', 'Vertex error', 'Channels', 'First wrong', 'Cause', 'Problems'].map((title) => `<th scope="col">${title}</th>`).join('')}</tr></thead>
 <tbody>
@@ -37,6 +39,13 @@ ${grades.map(rowOf).join('\n')}
 ${grades.map((grade, i) => pageOf(grade, i, grades)).join('\n')}
 </html>
 `;
+}
+
+function skippedText(skipped: readonly string[]): string {
+  if (skipped.length === 0) return '';
+  const are =
+    skipped.length === 1 ? 'is neither a folder nor a zip, and was' : 'are neither folders nor zips, and were';
+  return `<p class="warning">${skipped.map((path) => `<code>${escaped(path)}</code>`).join(', ')} ${are} skipped.</p>\n`;
 }
 
 function rowOf(grade: Grade, index: number): string {

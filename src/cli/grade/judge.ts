@@ -1,13 +1,15 @@
 /**
- * Judges a submission: a folder with files and dumps.
+ * Judges a submission: a folder or a zip with files and dumps.
  *
  * Files are compared by what they evaluate to. Each takes the place of the reference's file of the same name, first of
  * the same path, else of the same base name; where the submission has none, the reference's own stays. Dumps are
- * compared with the reference's character whose name theirs begins with, else with the first that they fit.
+ * compared with the reference's dump of the same name, else with the reference's character whose name theirs begins
+ * with, else with the first that they fit.
  */
 import { relative, sep } from 'node:path';
 import { runToEnd } from '../../evaluate/steps.ts';
-import { type Comparison, compare } from '../../lesson/compare.ts';
+import { type Compared, type Comparison, compare } from '../../lesson/compare.ts';
+import { compareDumps } from '../../lesson/compare-dumps.ts';
 import { Evaluator } from '../../lesson/evaluator.ts';
 import { fitDumps } from '../../lesson/fit-dump.ts';
 import { RIGHT_PROGRAM } from '../../lesson/program.ts';
@@ -15,14 +17,16 @@ import type { ChannelTarget, FrameTarget, Targets } from '../../lesson/targets.t
 import { ownValues } from '../../lesson/trial.ts';
 import { type Diagnostic, hasErrors, withoutPlace } from '../../model/diagnostic.ts';
 import { type Character, EMPTY_DOCUMENT, shownClip, shownSkin } from '../../model/document.ts';
+import { isEmptyDump } from '../../model/dump.ts';
 import { type BrokenFile, baseName, type ParsedFile, type SourceFile, stemOf } from '../../model/files.ts';
 import { vertexCount } from '../../model/skin.ts';
 import { formatOf } from '../../project/codecs.ts';
 import { type DumpFile, openFiles } from '../../project/open/open-files.ts';
-import { type Loaded, loadFiles } from '../load.ts';
-import { findGiven } from '../paths.ts';
+import { type Loaded, loadGiven } from '../load.ts';
 import type { ChannelCount, Grade, PartGrade } from './grade.ts';
 import { type Reference, timesFor } from './reference.ts';
+import { lacking, type RightDump, rightDumpFor, withHeadings } from './right-dumps.ts';
+import { filesOf } from './submissions.ts';
 
 export interface JudgeOptions {
   /** The caller's, absolute: paths in results are relative to it. */
@@ -33,6 +37,7 @@ export interface JudgeOptions {
 
 /** Of a matrix. */
 const LEAST_NUMBERS = 12;
+const NOTHING_COMPARED: Compared = { world: 0, local: 0, positions: 0, vertices: 0, normals: 0, channels: 0 };
 
 /**
  * Never throws: a submission that can't be judged has a problem that says why.
@@ -82,24 +87,31 @@ class Judging {
 
   grade(): Grade {
     const { reference, path, problems, parts } = this;
-    const given = findGiven([this.submission], this.options.folder).files.map((file) => file.path);
+    const handedIn = filesOf(this.submission, this.options.folder);
+    problems.push(...handedIn.problems);
+    const given = handedIn.files.map((file) => file.path);
     const counterparts = new Map<string, string>();
-    for (const { source } of reference.files) {
-      const own = this.counterpartOf(source, given);
+    for (const { source, kind } of reference.files) {
+      const own = kind === 'dump' ? undefined : this.counterpartOf(source, given);
       if (own !== undefined) counterparts.set(source.path, own);
     }
     const used = new Set(counterparts.values());
     // Programs, pictures and notes are left alone.
-    const read = given.filter((file) => used.has(file) || formatOf(file)?.kind === 'dump');
+    const read = handedIn.files.filter(({ path: file }) => used.has(file) || formatOf(file)?.kind === 'dump');
     if (read.length === 0) {
+      if (hasErrors(problems)) return notJudged(path, ...problems);
       const names = reference.files.map(({ source }) => source.name).join(', ');
       const message = `Expected files with the reference's names (${names}) or a dump, found none.`;
       return notJudged(path, withoutPlace('error', 'nothing-to-judge', message, path));
     }
-    const loaded = loadFiles(read, this.options.folder);
+    const loaded = loadGiven(read);
     problems.push(...loaded.diagnostics.filter(({ code }) => code !== 'format-unknown'));
     if (used.size > 0) this.judgeFiles(loaded, counterparts);
     for (const file of loaded.files) if (file.kind === 'dump' && !used.has(file.source.path)) this.judgeDump(file);
+    for (const { path: file, content } of loaded.all) {
+      const isEmpty = content === undefined || isEmptyDump(content);
+      if (isEmpty && !used.has(file) && rightDumpFor(baseName(file), reference.dumps)) this.emptyDump(file);
+    }
     if (parts.length === 0 && !hasErrors(problems)) {
       const message = 'Nothing in it could be compared with the reference.';
       problems.push(withoutPlace('error', 'nothing-to-judge', message, path));
@@ -137,6 +149,7 @@ class Judging {
     const files: ParsedFile[] = [];
     const broken: BrokenFile[] = [];
     for (const file of reference.files) {
+      if (file.kind === 'dump') continue;
       const own = counterparts.get(file.source.path);
       const theirs = own === undefined ? file : readByPath.get(own);
       if (theirs)
@@ -189,30 +202,80 @@ class Judging {
   }
 
   private judgeDump(file: DumpFile): void {
+    const right = rightDumpFor(file.source.name, this.reference.dumps);
+    const dump = right ? withHeadings(file.dump, right.file.dump) : file.dump;
+    if (right && !right.of) this.judgeNumbers(file, right);
+    else this.judgeFitted({ ...file, dump }, right);
+  }
+
+  /** Nothing of theirs is compared where the reference has numbers. */
+  private emptyDump(path: string): void {
+    this.loads = false;
+    if (this.problems.some(({ file, severity }) => file === path && severity === 'error')) return;
+    const message = "Expected numbers, as the reference's file of this name has them; found none.";
+    this.problems.push(withoutPlace('error', 'dump-empty', message, path));
+  }
+
+  private judgeFitted(file: DumpFile, right: RightDump | undefined): void {
     const { times } = this.options;
     const time = times?.length === 1 ? times[0] : undefined;
     const named = [{ fileName: file.source.path, dump: file.dump }];
     const stem = stemOf(file.source).toLowerCase();
     const shared = (character: Character) =>
       Math.max(0, ...character.sources.map((s) => (stem.startsWith(stemOf(s).toLowerCase()) ? stemOf(s).length : 0)));
-    const characters = [...this.reference.characters].sort((a, b) => shared(b) - shared(a));
+    const characters = right?.of
+      ? [right.of.character]
+      : [...this.reference.characters].sort((a, b) => shared(b) - shared(a));
     const [first, ...others] = characters.map((character) => ({ character, fitted: fitDumps(character, named, time) }));
-    const found = [first, ...others].find(({ fitted }) => fitted.targets);
+    const found = [first, ...others].find((one) => one?.fitted.targets);
     if (!found?.fitted.targets) {
       // A note with some numbers in it is no dump.
       const count = file.dump.blocks.reduce((sum, { values }) => sum + values.length, 0);
-      const severity = count < LEAST_NUMBERS ? 'info' : 'warning';
+      const severity = !right && count < LEAST_NUMBERS ? 'info' : 'warning';
       const assumed = 'not compared';
-      this.problems.push(...first.fitted.diagnostics.map((d): Diagnostic => ({ ...d, severity, assumed })));
+      const diagnostics = first?.fitted.diagnostics ?? [];
+      this.problems.push(...diagnostics.map((d): Diagnostic => ({ ...d, severity, assumed })));
+      if (right) this.parts.push(uncompared(file.source.path, ['other numbers than the reference has'], null));
       return;
     }
-    this.parts.push(this.part([file.source.path], found.character, found.fitted.targets, []));
+    const { targets } = found.fitted;
+    const mismatches = right?.of ? lacking(targets, right.of.targets) : [];
+    this.parts.push(this.part([file.source.path], found.character, targets, mismatches));
+  }
+
+  /** Number by number, since they are of no character at hand. */
+  private judgeNumbers({ source, dump }: DumpFile, right: RightDump): void {
+    const { agrees, numbers, worst, first } = compareDumps(dump, right.file.dump, this.options.tolerance);
+    this.parts.push({
+      ...uncompared(source.path, first ? [first] : [], numbers > 0 ? worst : null),
+      agrees,
+      numbers,
+    });
   }
 
   private part(files: readonly string[], right: Character, targets: Targets, mismatches: readonly string[]): PartGrade {
     const comparison = runToEnd(compare(right, targets, this.options.tolerance));
     return gradeOf(files, right, targets, comparison, mismatches, this.options.tolerance);
   }
+}
+
+/** A dump that was compared with no character. */
+function uncompared(path: string, mismatches: readonly string[], worst: number | null): PartGrade {
+  return {
+    files: [path],
+    agrees: false,
+    compared: NOTHING_COMPARED,
+    times: 0,
+    joints: 0,
+    worst,
+    jointError: null,
+    vertexError: null,
+    channels: null,
+    mismatches,
+    own: [],
+    inherited: [],
+    causes: [],
+  };
 }
 
 function gradeOf(

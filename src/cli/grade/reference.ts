@@ -1,35 +1,43 @@
 /** The teacher's files: what is right. */
-import { hasErrors } from '../../model/diagnostic.ts';
+import { type Diagnostic, hasErrors } from '../../model/diagnostic.ts';
 import { type Character, shownClip } from '../../model/document.ts';
 import type { ParsedFile } from '../../model/files.ts';
 import { UsageError } from '../arguments.ts';
 import { loadFiles, openLoaded } from '../load.ts';
 import { report } from '../report.ts';
+import { type RightDump, rightDumps } from './right-dumps.ts';
 
 export interface Reference {
   readonly characters: readonly Character[];
   /** With paths relative to the reference folder. */
   readonly files: readonly ParsedFile[];
+  readonly dumps: readonly RightDump[];
 }
 
 /**
  * @param folder of the reference, absolute
  * @param path as given, for messages
- * @throws UsageError if a file has errors, or if there is no character
+ * @param tolerance of its dumps
+ * @throws UsageError if a file has errors, or if there is nothing to judge by
  */
-export function loadReference(folder: string, path: string, err: (text: string) => void): Reference {
+export function loadReference(folder: string, path: string, tolerance: number, err: (text: string) => void): Reference {
   const loaded = loadFiles(['.'], folder);
   const { document, diagnostics } = openLoaded(loaded);
-  const errors = diagnostics.filter(({ severity }) => severity === 'error');
-  report(
-    errors.map((diagnostic) => ({ ...diagnostic, file: `${path}/${diagnostic.file}` })),
-    { err },
-  );
+  const told = (found: readonly Diagnostic[]) =>
+    report(
+      found.map((diagnostic) => ({ ...diagnostic, file: `${path}/${diagnostic.file}` })),
+      { err },
+    );
+  told(diagnostics.filter(({ severity }) => severity === 'error'));
   if (hasErrors(diagnostics)) throw new UsageError(`The reference ${path} has errors; nothing can be judged by it.`);
-  if (document.characters.length === 0) {
-    throw new UsageError(`The reference ${path} has no skeleton, skin or animation to judge by.`);
+  const { characters } = document;
+  const contradicting: Diagnostic[] = [];
+  const dumps = rightDumps(loaded.files, characters, tolerance, contradicting);
+  told(contradicting);
+  if (characters.length === 0 && dumps.length === 0) {
+    throw new UsageError(`The reference ${path} has no skeleton, skin, animation or dump to judge by.`);
   }
-  return { characters: document.characters, files: loaded.files };
+  return { characters, files: loaded.files, dumps };
 }
 
 /** Parts of a take at which it is compared if no times are given: within, and before and after it. */

@@ -59,6 +59,7 @@ ul { margin: 0; padding: 0; list-style: none; }
 li + li { margin-top: 8px; }
 li.error > b { color: var(--error); }
 li.warning > b { color: var(--warning); }
+p.warning { color: var(--warning); }
 li.info > b { color: var(--info); }
 @media (max-width: 600px) {
   body { padding: 12px; }

@@ -89,7 +89,7 @@ export function gradeInThread(): boolean {
   const task = workerData as Task | null;
   if (isMainThread || !parentPort || !task?.isGrading) return false;
   const port: MessagePort = parentPort;
-  const reference = loadReference(task.referenceFolder, task.referenceFolder, () => undefined);
+  const reference = loadReference(task.referenceFolder, task.referenceFolder, task.options.tolerance, () => undefined);
   port.on('message', (submission: string | null) => {
     if (submission === null) port.close();
     else port.postMessage({ grade: judge(submission, reference, task.options) } satisfies Answer);

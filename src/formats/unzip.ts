@@ -9,16 +9,22 @@ export interface ZipEntry {
 
 /** Larger archives are refused, since one can claim terabytes. */
 const MAX_UNPACKED_BYTES = 2 ** 31;
+/** Compressed data is never larger than what it holds, but for its headers. */
+const HEADERS = 1024;
 
-/** Throws an `Error` with a sentence if it is no zip, is damaged, or would be too large unpacked. */
+/**
+ * Throws an `Error` with a sentence if it is no zip, is damaged, or would be too large unpacked.
+ * @param maxBytes of all that is wanted, unpacked
+ */
 export function unzip(
   bytes: Uint8Array,
   wanted: (path: string) => boolean,
+  maxBytes = MAX_UNPACKED_BYTES,
 ): { entries: ZipEntry[]; passedOver: string[] } {
   const passedOver: string[] = [];
   let total = 0;
   const files = unzipSync(bytes, {
-    filter({ name, originalSize }) {
+    filter({ name, size, originalSize }) {
       // Folders, and the extra files of macOS.
       if (name.endsWith('/') || name.startsWith('__MACOSX/') || name.endsWith('.DS_Store')) return false;
       if (!wanted(name)) {
@@ -26,7 +32,9 @@ export function unzip(
         return false;
       }
       total += originalSize;
-      if (total > MAX_UNPACKED_BYTES) throw new Error(`it would unpack to more than ${MAX_UNPACKED_BYTES} bytes`);
+      if (total > maxBytes) throw new Error(`it would unpack to more than ${maxBytes} bytes`);
+      // What is unpacked is cut at its stated size, but only after all of it was read.
+      if (size > originalSize + HEADERS) throw new Error(`${name} is larger packed than unpacked`);
       return true;
     },
   });
