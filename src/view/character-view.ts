@@ -35,7 +35,7 @@ import { type Skin, vertexCount } from '../model/skin.ts';
 import { Bones } from './bones.ts';
 import { HoveredPart } from './hovered-part.ts';
 import { PosePlayer } from './pose-track.ts';
-import { BUILT_AT_ONCE, ShownSkin } from './shown-skin.ts';
+import { BUILT_AT_ONCE, type Heat, ShownSkin } from './shown-skin.ts';
 import { skinTexture } from './skin-texture.ts';
 import { SKIN_THEMES } from './skin-theme.ts';
 import type { MarrowSkinnedMesh } from './skinning.ts';
@@ -69,7 +69,7 @@ export class CharacterView {
   private readonly localSphere = new Sphere();
   private shown: Character | undefined;
   private display: Display | undefined;
-  private heatJoint: number | undefined;
+  private heat: Heat;
   private theme: ThemeName = 'dark';
   private tint: Tint | undefined;
   private timeSeconds = 0;
@@ -149,13 +149,13 @@ export class CharacterView {
   /**
    * Call after an edit.
    *
-   * @param heatJoint the joint whose weights the heat map shows
+   * @param heat what the heat map shows
    */
-  show(character: Character, display: Display, heatJoint: number | undefined): void {
+  show(character: Character, display: Display, heat: Heat): void {
     const before = this.shown;
     this.shown = character;
     this.display = display;
-    this.heatJoint = heatJoint;
+    this.heat = heat;
     if (this.player?.fits(character)) this.player.character = character;
     else this.player = new PosePlayer(character);
 
@@ -167,7 +167,7 @@ export class CharacterView {
     if (this.skin && this.skin.skin === skin && this.skin.fits(character.morphs, this.boneSet)) {
       if (hasNewBones) this.skin.setBones(this.boneSet);
       if (hasNewPlaces) this.skin.place(this.groups);
-      this.skin.show(display, heatJoint);
+      this.skin.show(display, heat);
     } else this.rebuildSkin(character, skin);
     this.retexture(character, skin);
     this.placeGroups(character);
@@ -342,7 +342,7 @@ export class CharacterView {
     yield* skin.build();
     this.building = undefined;
     skin.place(this.groups);
-    if (this.display) skin.show(this.display, this.heatJoint);
+    if (this.display) skin.show(this.display, this.heat);
     this.seek(this.timeSeconds);
   }
 

@@ -28,6 +28,8 @@ export interface PosedSkeleton {
   readonly skinShape?: SkinShape;
   /** Overrides the joints' own colours. */
   readonly tint?: Tint | undefined;
+  /** Whether bones are drawn even if the display has none. */
+  readonly withBones?: boolean;
 }
 
 /** Where a skin is, roughly, in the current pose. */

@@ -9,6 +9,7 @@ import { type Character, type Document, findCharacter, shownSkin } from '../mode
 import type { Display, Selection } from '../model/session.ts';
 import type { CharacterView } from './character-view.ts';
 import type { PosedSkeleton } from './drawn-skeletons.ts';
+import type { Look } from './look.ts';
 import type { Tints } from './theme.ts';
 
 /** A character's view, with what is drawn of it elsewhere. */
@@ -64,7 +65,14 @@ export class ShownCharacters {
    *
    * @param everything refresh unchanged characters too
    */
-  show(document: Document, display: Display, selection: Selection, timeSeconds: number, everything: boolean): void {
+  show(
+    document: Document,
+    display: Display,
+    selection: Selection,
+    timeSeconds: number,
+    everything: boolean,
+    look?: Look,
+  ): void {
     const { byId } = this;
     for (const [id, { view }] of byId) {
       if (findCharacter(document, id)) continue;
@@ -83,7 +91,10 @@ export class ShownCharacters {
         entry.placements = new Float64Array(16 * character.placements.length);
       }
       entry.view.object.visible = !character.isHidden;
-      entry.view.show(character, display, selection.characterId === character.id ? selection.joint : undefined);
+      const heatJoint = selection.characterId === character.id ? selection.joint : undefined;
+      if (look?.characterId === character.id) {
+        entry.view.show(character, { ...display, skin: look.skin }, look.heat ?? heatJoint);
+      } else entry.view.show(character, display, heatJoint);
       entry.view.seek(timeSeconds);
       if (entry.view.needsPreparing) this.prepare(entry);
     }
@@ -96,7 +107,7 @@ export class ShownCharacters {
   }
 
   /** The visible skeletons, to be drawn. */
-  posedSkeletons(tints: Tints): PosedSkeleton[] {
+  posedSkeletons(tints: Tints, look?: Look): PosedSkeleton[] {
     const posed: PosedSkeleton[] = [];
     for (const { view, character, placements } of this.visible) {
       if (!character.skeleton) continue;
@@ -112,6 +123,7 @@ export class ShownCharacters {
         hasSkin,
         ...(hasSkin && { skinShape: view }),
         tint: tints.get(id),
+        withBones: look?.characterId === id && look.bones,
       });
     }
     return posed;

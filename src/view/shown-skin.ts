@@ -25,6 +25,9 @@ const NORMAL_LENGTH = 0.015;
 /** For a heat map without values: 0 everywhere. */
 const NO_JOINT = -1;
 
+/** What the style `heat` shows: the weights of a joint, or a value from 0 to 1 per vertex. */
+export type Heat = number | Float32Array | undefined;
+
 /** The result of `build`. */
 interface Built {
   readonly gpu: SkinGpu;
@@ -57,7 +60,7 @@ export class ShownSkin {
   private wire: BufferGeometry | undefined;
   private wireIsComing = false;
   private normals: BufferGeometry | undefined;
-  private heatJoint: number | undefined;
+  private heatWanted: Heat;
   private heatValues: Float32Array | undefined;
   private influence: BufferAttribute | undefined;
   private influenceShown: number | Float32Array | undefined;
@@ -137,10 +140,9 @@ export class ShownSkin {
     this.refresh();
   }
 
-  /** @param heatJoint the joint whose weights the heat map shows */
-  show(display: Display, heatJoint: number | undefined): void {
+  show(display: Display, heat: Heat): void {
     this.display = display;
-    this.heatJoint = heatJoint;
+    this.heatWanted = heat;
     this.refresh();
   }
 
@@ -223,7 +225,7 @@ export class ShownSkin {
     const { display, built } = this;
     if (!display || !built) return;
     const { materials } = built;
-    if (display.skin === 'heat') this.heatUp(built, this.heatJoint ?? NO_JOINT);
+    if (display.skin === 'heat') this.heatUp(built, this.heatWanted ?? NO_JOINT);
     if (display.skin === 'four') this.heatUp(built, this.heatValues ?? NO_JOINT);
     if (display.skin === 'wire') this.needWire(built);
     if (display.normals) this.normals ??= normalsGeometry(built.gpu.geometry);

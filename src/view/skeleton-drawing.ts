@@ -312,7 +312,7 @@ export class SkeletonDrawing {
 
   /** With boxes on, bones are still drawn if a joint has no box, or most boxes are default cubes. */
   private drawsBones(drawn: PosedSkeleton): boolean {
-    if (this.display.bones) return true;
+    if (this.display.bones || drawn.withBones) return true;
     const { skeleton } = drawn;
     if (!this.asksForBoxes(drawn)) return false;
     return this.prefersBones(drawn) || !hasAllBoxes(skeleton) || (!drawn.hasSkin && areBoxesPlain(skeleton));

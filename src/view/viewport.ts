@@ -23,6 +23,7 @@ import { Hovering } from './hovering.ts';
 import { JointFollower } from './joint-follower.ts';
 import type { LabelCover } from './label-cover.ts';
 import { Labels } from './labels.ts';
+import type { Look } from './look.ts';
 import { Orientation } from './orientation.ts';
 import { type Overlay, Overlays } from './overlay.ts';
 import { PickedCopy } from './picked-copy.ts';
@@ -93,6 +94,8 @@ export class Viewport {
   private display: Display = DEFAULT_DISPLAY;
   private selection: Selection = NOTHING_SELECTED;
   private tints: Tints = NO_TINTS;
+  private look: Look | undefined;
+  private shownLook: Look | undefined;
   private themeName: ThemeName = 'dark';
   private timeSeconds = 0;
   private playedRange: readonly [number, number] = [0, 0];
@@ -162,14 +165,15 @@ export class Viewport {
     const { characters } = this;
     const heatChanged =
       selection.joint !== this.selection.joint || selection.characterId !== this.selection.characterId;
-    const everything = display !== this.display || heatChanged;
+    const everything = display !== this.display || this.look !== this.shownLook || heatChanged;
     const stay = new Set(document.characters.map((c) => c.id));
     const known = before?.characters.some((c) => stay.has(c.id)) ?? false;
     this.document = document;
     this.selection = selection;
     this.picked.follow(selection);
     this.display = display;
-    characters.show(document, display, selection, this.timeSeconds, everything);
+    this.shownLook = this.look;
+    characters.show(document, display, selection, this.timeSeconds, everything, this.look);
     this.tints = tints;
     for (const { view, character } of characters.all) view.setTint(tints.get(character.id));
     // The first characters, or ones that replace everything, get the default view. Framing of further ones is up to the
@@ -182,6 +186,13 @@ export class Viewport {
     this.showTrail();
     this.posesChanged = true;
     this.requestRender();
+  }
+
+  /** Draws a character in another way than the display says; undefined: all as it says. */
+  setLook(look: Look | undefined): void {
+    const { document, selection, display, tints } = this;
+    this.look = look;
+    if (document) this.show(document, selection, display, tints);
   }
 
   /** Poses every character at a time of the transport. Values are right at once; drawing follows. */
@@ -484,7 +495,7 @@ export class Viewport {
   private showSkeletons(): void {
     const { skeletons, display, selection, hovering } = this;
     const hovered = hovering.joint;
-    const posed = this.characters.posedSkeletons(this.tints);
+    const posed = this.characters.posedSkeletons(this.tints, this.look);
     const ofHovered = (all: readonly PosedSkeleton[]) =>
       all.find(({ characterId }) => characterId === hovered?.characterId)?.skeleton;
     // Its index would highlight another joint.
@@ -563,6 +574,7 @@ export class Viewport {
     const skins: DrawnSkin[] = [];
     if (display.skin !== 'hidden') {
       for (const { view, character } of this.characters.visible) {
+        if (this.look?.bones && this.look.characterId === character.id) continue;
         view.skinnedMeshes.forEach((mesh, placement) => {
           skins.push({ characterId: character.id, placement, mesh });
         });

@@ -24,6 +24,7 @@ import type { Timeline } from './timeline.ts';
 export type WorkbenchStage = Pick<
   Viewport,
   | 'show'
+  | 'setLook'
   | 'seek'
   | 'pick'
   | 'frameAll'
