@@ -83,12 +83,31 @@ export function viewportPane(wb: Workbench, signal: AbortSignal): HTMLElement {
       messageLine(wb),
     ),
   );
+  drawCompared(wb, stage, signal);
   const showMode = () => {
     stage.dataset.mode = wb.posing.mode.get();
   };
   wb.posing.mode.subscribe(showMode);
   showMode();
   return stage;
+}
+
+/** What is compared with another program's numbers is drawn over the viewport. */
+function drawCompared(wb: Workbench, stage: HTMLElement, signal: AbortSignal): void {
+  const load = async () => {
+    const module = await onDemand(
+      wb.messages,
+      'The drawing of the comparison',
+      () => import('../editors/compare/drawing.ts'),
+    );
+    if (module && !signal.aborted) signal.addEventListener('abort', module.drawComparisons(wb, stage));
+  };
+  const stop = wb.comparing.subscribe((now) => {
+    if (!now) return;
+    stop();
+    void load();
+  });
+  signal.addEventListener('abort', stop);
 }
 
 /** What the mode's tool doesn't use picks. */

@@ -2,7 +2,17 @@
  * A compared skin over the scene: the other program's vertices with our triangles, as a ghost over ours or alone, and a
  * circle around the worst vertex. Ours are coloured by `errors`, which the viewport's `Look` takes.
  */
-import { BufferAttribute, BufferGeometry, DynamicDrawUsage, Group, InstancedBufferAttribute, Mesh } from 'three';
+import {
+  BufferAttribute,
+  BufferGeometry,
+  DoubleSide,
+  DynamicDrawUsage,
+  Group,
+  InstancedBufferAttribute,
+  type Material,
+  Mesh,
+  MeshBasicMaterial,
+} from 'three';
 import { type Skin, vertexCount } from '../../model/skin.ts';
 import { dots } from '../dots.ts';
 import { HoveredPart } from '../hovered-part.ts';
@@ -13,7 +23,8 @@ import { rawColor } from '../thick-lines.ts';
 import { compareColours } from './compare-colours.ts';
 import type { ComparedSide } from './compared-skeleton.ts';
 
-/** Over our skin, under the bones. */
+/** Over our skin, under the bones. The ghost's depth comes first, so that only its front is seen, in front of ours. */
+const DEPTH_ORDER = 13;
 const GHOST_ORDER = 14;
 const MARK_ORDER = 23;
 /** Larger skins are shaded by their triangles: computing normals would take too long. */
@@ -33,6 +44,8 @@ export interface ComparedVertices {
 export class ComparedSkin {
   readonly object = new Group();
   private readonly meshes = new Group();
+  private readonly depths = new Group();
+  private readonly depth = new MeshBasicMaterial({ side: DoubleSide, colorWrite: false, transparent: true });
   private readonly mark = dots(1, { size: 19, depthTest: false, hollow: true });
   private readonly materials = new SkinMaterials({ attachmentTexture: undefined }, SKIN_THEMES.dark, new HoveredPart());
   private geometry: BufferGeometry | undefined;
@@ -44,7 +57,7 @@ export class ComparedSkin {
   constructor() {
     this.mark.renderOrder = MARK_ORDER;
     this.mark.matrixAutoUpdate = false;
-    this.object.add(this.meshes, this.mark);
+    this.object.add(this.depths, this.meshes, this.mark);
     this.object.visible = false;
   }
 
@@ -70,18 +83,16 @@ export class ComparedSkin {
     }
     this.mark.count = placementCount;
     this.meshes.visible = side !== 'ours' && compared.theirs !== undefined;
+    this.depths.visible = this.meshes.visible && side === 'both';
     if (this.meshes.visible) this.showTheirs(compared, side);
   }
 
   /** Call before each frame; allocates nothing. @param placements 16 numbers per placement */
   fill(placements: Float64Array): void {
-    const { compared, mark, meshes } = this;
+    const { compared, mark, meshes, depths } = this;
     if (!compared || placements.length < 16 * this.placementCount) return;
-    for (let p = 0; p < meshes.children.length; p++) {
-      const { matrix } = meshes.children[p];
-      for (let i = 0; i < 16; i++) matrix.elements[i] = placements[16 * p + i];
-      meshes.children[p].matrixWorldNeedsUpdate = true;
-    }
+    place(meshes, placements);
+    place(depths, placements);
     const { worst, ours } = compared;
     if (worst === undefined) return;
     const x = ours[3 * worst];
@@ -102,6 +113,7 @@ export class ComparedSkin {
   dispose(): void {
     this.geometry?.dispose();
     this.materials.dispose();
+    this.depth.dispose();
     this.mark.geometry.dispose();
     this.mark.material.dispose();
     this.mark.dispose();
@@ -113,14 +125,23 @@ export class ComparedSkin {
     set(geometry, 'position', theirs);
     set(geometry, 'influence', errors);
     if (vertexCount(skin) <= MAX_SMOOTH) geometry.computeVertexNormals();
-    const isGhost = side === 'both';
-    const material = isGhost ? this.materials.xray() : this.materials.heat();
-    // In front of everything: where it is inside of ours it is wanted most.
-    material.depthTest = !isGhost;
-    const { meshes, placementCount } = this;
-    for (let p = meshes.children.length; p < placementCount; p++) meshes.add(theirMesh(geometry));
-    while (meshes.children.length > placementCount) meshes.remove(meshes.children[placementCount]);
-    for (const mesh of meshes.children) if (mesh instanceof Mesh) Object.assign(mesh, { geometry, material });
+    this.setMeshes(this.meshes, geometry, side === 'both' ? this.materials.xray() : this.materials.heat(), GHOST_ORDER);
+    this.setMeshes(this.depths, geometry, this.depth, DEPTH_ORDER);
+    const [first] = this.depths.children;
+    if (first) first.onBeforeRender = (renderer) => renderer.clearDepth();
+  }
+
+  /** One mesh per placement. */
+  private setMeshes(group: Group, geometry: BufferGeometry, material: Material, order: number): void {
+    const { placementCount } = this;
+    group.clear();
+    for (let p = 0; p < placementCount; p++) {
+      const mesh = new Mesh(geometry, material);
+      mesh.frustumCulled = false;
+      mesh.matrixAutoUpdate = false;
+      mesh.renderOrder = order;
+      group.add(mesh);
+    }
   }
 
   private geometryOf(skin: Skin): BufferGeometry {
@@ -137,12 +158,12 @@ export class ComparedSkin {
   }
 }
 
-function theirMesh(geometry: BufferGeometry): Mesh {
-  const mesh = new Mesh(geometry);
-  mesh.frustumCulled = false;
-  mesh.matrixAutoUpdate = false;
-  mesh.renderOrder = GHOST_ORDER;
-  return mesh;
+function place({ children }: Group, placements: Float64Array): void {
+  for (let p = 0; p < children.length; p++) {
+    const { elements } = children[p].matrix;
+    for (let i = 0; i < 16; i++) elements[i] = placements[16 * p + i];
+    children[p].matrixWorldNeedsUpdate = true;
+  }
 }
 
 function set(geometry: BufferGeometry, name: 'position' | 'influence', values: ArrayLike<number>): void {

@@ -1,0 +1,163 @@
+/**
+ * The legend over the viewport while another program's numbers are drawn: what the looks of joints or the colours of
+ * vertices mean, and which of both programs is drawn.
+ */
+
+import type { ComparedSide } from '../../../view/compare/compared-skeleton.ts';
+import { heatColour } from '../../../view/heat.ts';
+import { button, element, keepsFocusElsewhere, setText } from '../../kit/dom.ts';
+import { setTooltip } from '../../kit/tooltip.ts';
+import type { ComparedPart } from './drawn.ts';
+
+const SIDES: Readonly<Record<ComparedSide, string>> = { ours: 'Ours', both: 'Both', theirs: 'Theirs' };
+const SIDE_TIPS: Readonly<Record<ComparedSide, string>> = {
+  ours: 'Draw only this character',
+  both: 'Draw this character, and the other program’s as a ghost',
+  theirs: 'Draw only what the other program printed',
+};
+const PARTS: Readonly<Record<ComparedPart, string>> = { joints: 'Joints', skin: 'Skin' };
+const PART_TIPS: Readonly<Record<ComparedPart, string>> = {
+  joints: 'Compare joints and bones',
+  skin: 'Compare the skin’s vertices',
+};
+
+export interface LegendState {
+  readonly side: ComparedSide;
+  readonly part: ComparedPart;
+  /** To choose from. */
+  readonly parts: readonly ComparedPart[];
+  /** Whether own and inherited errors are told apart. */
+  readonly tellsOwn: boolean;
+  /** Of the skin. */
+  readonly scale?: ScaleText;
+}
+
+export interface ScaleText {
+  readonly title: string;
+  readonly explanation: string;
+  /** At the bright end: `0.27 cm`. */
+  readonly top: string;
+  /** Of the character's size: `3.1 % of its size`; empty for what is no length. */
+  readonly share: string;
+  /** Index of the worst vertex. */
+  readonly worst: number | undefined;
+}
+
+export interface LegendEvents {
+  side(side: ComparedSide): void;
+  part(part: ComparedPart): void;
+  /** Selects the worst vertex. */
+  worst(): void;
+}
+
+export class CompareLegend {
+  readonly element: HTMLElement;
+  private readonly sides: Radios<ComparedSide>;
+  private readonly parts: Radios<ComparedPart>;
+  private readonly joints = element('ul', { class: 'compare-looks' });
+  private readonly own = element('span', {});
+  private readonly inherited: HTMLElement;
+  private readonly scale = element('div', { class: 'compare-scale' });
+  private readonly title = element('span', { class: 'compare-scale-title' });
+  private readonly top = element('span', {});
+  private readonly share = element('span', { class: 'compare-share' });
+  private readonly worst: HTMLButtonElement;
+
+  constructor(events: LegendEvents) {
+    this.sides = new Radios('Drawn', SIDES, SIDE_TIPS, (side) => events.side(side));
+    this.parts = new Radios('Compared', PARTS, PART_TIPS, (part) => events.part(part));
+    this.inherited = look('inherited', 'inherited');
+    setTooltip(this.inherited, 'Wrong only because a parent is');
+    setTooltip(this.own, 'Wrong by itself, relative to its parent');
+    const theirs = look('theirs', 'theirs');
+    this.joints.append(look('agrees', 'agrees'), element('li', {}, swatch('own'), this.own), this.inherited, theirs);
+    this.worst = keepsFocusElsewhere(button('Select the worst vertex', { class: 'link' }, '', () => events.worst()));
+    const ramp = element('span', { class: 'compare-ramp', 'aria-hidden': 'true' });
+    ramp.style.background = `linear-gradient(to right, ${rampStops().join(', ')})`;
+    this.scale.append(
+      this.title,
+      ramp,
+      element('span', { class: 'compare-ends' }, element('span', {}, '0'), this.top),
+      element('span', { class: 'compare-facts' }, this.share, this.worst),
+    );
+    this.element = element(
+      'section',
+      { class: 'compare-legend', 'aria-label': 'Comparison' },
+      element('div', { class: 'compare-choices' }, this.sides.element, this.parts.element),
+      this.joints,
+      this.scale,
+    );
+  }
+
+  show({ side, part, parts, tellsOwn, scale }: LegendState): void {
+    this.sides.show(side);
+    this.parts.element.hidden = parts.length < 2;
+    this.parts.show(part);
+    this.joints.hidden = part !== 'joints';
+    this.scale.hidden = part !== 'skin';
+    setText(this.own, tellsOwn ? 'own error' : 'differs');
+    this.inherited.hidden = !tellsOwn;
+    if (!scale) return;
+    setText(this.title, scale.title);
+    setTooltip(this.title, scale.explanation);
+    setText(this.top, scale.top);
+    setText(this.share, scale.share);
+    this.worst.hidden = scale.worst === undefined;
+    setText(this.worst, `Vertex ${scale.worst}`);
+  }
+}
+
+function look(name: string, text: string): HTMLElement {
+  return element('li', {}, swatch(name), text);
+}
+
+function swatch(name: string): HTMLElement {
+  return element('span', { class: `compare-look ${name}`, 'aria-hidden': 'true' });
+}
+
+const RAMP_STOPS = 9;
+
+function rampStops(): string[] {
+  return Array.from({ length: RAMP_STOPS }, (_, i) => `rgb(${heatColour(i / (RAMP_STOPS - 1)).join(' ')})`);
+}
+
+/** Buttons of which one is chosen: one tab stop, with arrow keys between them. */
+class Radios<Name extends string> {
+  readonly element: HTMLElement;
+  private readonly buttons: ReadonlyMap<Name, HTMLButtonElement>;
+
+  constructor(
+    label: string,
+    labels: Readonly<Record<Name, string>>,
+    tips: Readonly<Record<Name, string>>,
+    choose: (name: Name) => void,
+  ) {
+    // The keys of a record by its own type.
+    const names = Object.keys(labels) as Name[];
+    this.buttons = new Map(
+      names.map((name) => {
+        const made = button(labels[name], { class: 'tool text-tool', role: 'radio' }, labels[name], () => choose(name));
+        setTooltip(made, tips[name]);
+        return [name, keepsFocusElsewhere(made)];
+      }),
+    );
+    this.element = element('div', { class: 'tools segmented', role: 'radiogroup', 'aria-label': label });
+    this.element.append(...this.buttons.values());
+    this.element.addEventListener('keydown', (event) => {
+      const step = { ArrowRight: 1, ArrowDown: 1, ArrowLeft: -1, ArrowUp: -1 }[event.key] ?? 0;
+      const from = names.findIndex((name) => this.buttons.get(name) === event.target);
+      if (!step || from < 0) return;
+      event.preventDefault();
+      const next = names[(from + step + names.length) % names.length];
+      choose(next);
+      this.buttons.get(next)?.focus();
+    });
+  }
+
+  show(chosen: Name): void {
+    for (const [name, made] of this.buttons) {
+      made.setAttribute('aria-checked', String(name === chosen));
+      made.tabIndex = name === chosen ? 0 : -1;
+    }
+  }
+}
