@@ -1,9 +1,9 @@
-import { Group } from 'three';
+import { BufferAttribute, Group } from 'three';
 import { describe, expect, it } from 'vitest';
 import { DEFAULT_DISPLAY } from '../../src/model/session.ts';
 import { CharacterView } from '../../src/view/character-view.ts';
 import { ShownCharacters } from '../../src/view/shown-characters.ts';
-import { documentOf } from '../helpers/builders.ts';
+import { character, documentOf, joint, skin } from '../helpers/builders.ts';
 import { captured, figure, take } from '../helpers/mocap.ts';
 
 const skeleton = figure();
@@ -64,5 +64,28 @@ describe('the characters in the picture', () => {
     all.place(true);
     expect(all.content.max.x).toBeCloseTo(0.102, 6);
     expect(all.get('far')?.placements[12]).toBeCloseTo(-12, 6);
+  });
+
+  it('a look overrides the display for one character: its skin, its bones, and what its heat map shows', () => {
+    const dressed = (id: string) =>
+      character({ id, skeleton: { name: 'one', joints: [joint(-1)] }, skins: [skin(id, 0)] });
+    const all = new ShownCharacters(
+      new Group(),
+      () => new CharacterView(),
+      () => {},
+    );
+    const both = documentOf(dressed('near'), dressed('far'));
+    const heat = new BufferAttribute(new Float32Array(1), 1);
+    const look = { characterId: 'far', skin: 'heat', bones: true, heat } as const;
+    const meshOf = (id: string) => all.get(id)?.view.skinnedMeshes[0];
+    all.show(both, DEFAULT_DISPLAY, {}, 0, true, look);
+    expect(['near', 'far'].map((id) => meshOf(id)?.material.name)).toEqual(['skin solid', 'skin heat']);
+    expect(meshOf('far')?.geometry.getAttribute('influence')).toBe(heat);
+    expect(all.posedSkeletons(new Map(), look).map(({ withBones }) => withBones)).toEqual([false, true]);
+
+    all.show(both, { ...DEFAULT_DISPLAY, skin: 'heat' }, {}, 0, true);
+    expect(['near', 'far'].map((id) => meshOf(id)?.material.name)).toEqual(['skin heat', 'skin heat']);
+    expect(meshOf('far')?.geometry.getAttribute('influence')).not.toBe(heat);
+    expect(all.posedSkeletons(new Map()).some(({ withBones }) => withBones)).toBe(false);
   });
 });

@@ -30,8 +30,12 @@ export interface ComparedJoints {
   readonly skeleton: Skeleton;
   /** One per joint. */
   readonly verdicts: readonly JointVerdict[];
-  /** In the character's own space: 16 numbers per joint, column-major, or x y z per joint. */
+  /** 16 numbers per joint, column-major, in the character's own space. */
+  readonly ours: Float64Array;
+  /** The same, or x y z per joint. */
   readonly theirs: Float64Array;
+  /** Places nearer to each other agree. */
+  readonly tolerance: number;
 }
 
 export class ComparedSkeleton {
@@ -63,7 +67,7 @@ export class ComparedSkeleton {
     this.ghost.object.visible = side !== 'ours';
     this.skeleton = compared?.skeleton;
     if (!compared) return;
-    const { skeleton, verdicts, theirs } = compared;
+    const { skeleton, verdicts, theirs, ours, tolerance } = compared;
     const nodes = nodesFor(skeleton);
     this.placementCount = placementCount;
     if (this.positions.length < 3 * nodes.count * placementCount) {
@@ -76,7 +80,8 @@ export class ComparedSkeleton {
 
     const hasEnds = theirs.length === 16 * nodes.jointCount;
     this.theirWorld = hasEnds ? theirs : worldOf(theirs);
-    const isSeen = (n: number) => side === 'theirs' || verdicts[jointOf(nodes, n)] !== 'agrees';
+    const isElsewhere = differing(nodes, ours, this.theirWorld, tolerance);
+    const isSeen = (n: number) => side === 'theirs' || isElsewhere[n] === 1;
     const isThere = (n: number) => (n < nodes.jointCount || hasEnds) && isFinite16(this.theirWorld, jointOf(nodes, n));
     this.ghost.setLooks(
       perNode(nodes, placementCount, (n) => (isSeen(n) && isThere(n) ? THEIRS : NO_LOOK)),
@@ -136,6 +141,22 @@ function perNode({ count }: Nodes, placementCount: number, lookOf: (node: number
 /** The joint that a node is, or ends. */
 function jointOf({ jointCount, owners }: Nodes, node: number): number {
   return node < jointCount ? node : owners[node - jointCount];
+}
+
+const ORIGIN = Float64Array.of(1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1);
+
+/** Per node, 1 if it isn't at the same place in both. */
+function differing(nodes: Nodes, ours: Float64Array, theirs: Float64Array, tolerance: number): Uint8Array {
+  const [a, b] = [ours, theirs].map((world) => {
+    const positions = new Float64Array(3 * nodes.count);
+    placePositions(nodes, ORIGIN, 0, world, positions, 0);
+    return positions;
+  });
+  // Not `>`: NaN differs too.
+  const isNear = (i: number) => Math.abs(a[i] - b[i]) <= tolerance;
+  return Uint8Array.from({ length: nodes.count }, (_, n) =>
+    isNear(3 * n) && isNear(3 * n + 1) && isNear(3 * n + 2) ? 0 : 1,
+  );
 }
 
 /** Matrices that only translate. */

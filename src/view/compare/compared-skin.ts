@@ -52,6 +52,7 @@ export class ComparedSkin {
   /** That the geometry is of. */
   private skin: Skin | undefined;
   private compared: ComparedVertices | undefined;
+  private side: ComparedSide = 'both';
   private placementCount = 0;
 
   constructor() {
@@ -72,6 +73,7 @@ export class ComparedSkin {
   /** @param compared undefined: nothing is drawn */
   show(compared: ComparedVertices | undefined, side: ComparedSide, placementCount: number): void {
     this.compared = compared;
+    this.side = side;
     this.placementCount = placementCount;
     this.object.visible = compared !== undefined;
     if (!compared) return;
@@ -93,11 +95,12 @@ export class ComparedSkin {
     if (!compared || placements.length < 16 * this.placementCount) return;
     place(meshes, placements);
     place(depths, placements);
-    const { worst, ours } = compared;
+    const { worst, ours, theirs } = compared;
     if (worst === undefined) return;
-    const x = ours[3 * worst];
-    const y = ours[3 * worst + 1];
-    const z = ours[3 * worst + 2];
+    const marked = this.side === 'theirs' ? (theirs ?? ours) : ours;
+    const x = marked[3 * worst];
+    const y = marked[3 * worst + 1];
+    const z = marked[3 * worst + 2];
     const { array } = mark.instanceMatrix;
     for (let p = 0; p < this.placementCount; p++) {
       const m = 16 * p;

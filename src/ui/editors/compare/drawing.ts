@@ -174,7 +174,10 @@ class ComparisonDrawing {
       };
     }
     const theirs = skeleton && theirJoints(skeleton, shown);
-    return { ...base, ...(theirs && { joints: { skeleton, verdicts: verdictsOf(shown), theirs } }) };
+    if (!theirs) return base;
+    const { world: ours } = shown.frame.ours;
+    const tolerance = shown.result.tolerance * shown.frame.size;
+    return { ...base, joints: { skeleton, verdicts: verdictsOf(shown), ours, theirs, tolerance } };
   }
 
   private lookOf({ id }: Character, part: ComparedPart): Look {
