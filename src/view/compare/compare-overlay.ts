@@ -1,5 +1,5 @@
 /** What a comparison with another program's numbers draws over the scene. None of it is picked. */
-import { BufferAttribute, DynamicDrawUsage, Group } from 'three';
+import { Group } from 'three';
 import type { Overlay } from '../overlay.ts';
 import type { StageTheme } from '../theme.ts';
 import { type ComparedJoints, type ComparedSide, ComparedSkeleton } from './compared-skeleton.ts';
@@ -54,9 +54,4 @@ export class CompareOverlay implements Overlay {
     this.skeleton.dispose();
     this.skin.dispose();
   }
-}
-
-/** Errors of vertices as a `Look` takes them, to be uploaded with the next frame. */
-export function heatOf(errors: Float32Array<ArrayBuffer>): BufferAttribute {
-  return new BufferAttribute(errors, 1).setUsage(DynamicDrawUsage);
 }

@@ -4,15 +4,16 @@
  * comparison.
  */
 import { type Character, shownSkin } from '../../../model/document.ts';
-import { type ComparedDrawing, CompareOverlay, heatOf } from '../../../view/compare/compare-overlay.ts';
+import { type ComparedDrawing, CompareOverlay } from '../../../view/compare/compare-overlay.ts';
 import type { ComparedSide } from '../../../view/compare/compared-skeleton.ts';
 import type { Look } from '../../../view/look.ts';
 import { isOpaque } from '../../../view/skeleton-drawing.ts';
-import { errorSize, shown as shownNumber } from '../../kit/number-text.ts';
+import { errorSize } from '../../kit/number-text.ts';
 import type { ComparedResult, ShownComparison } from '../../state/dump-comparison.ts';
 import { lengthUnit } from '../../state/length-unit.ts';
 import { onShown } from '../../state/shown-comparison.ts';
 import type { Uses } from '../../state/workbench.ts';
+import { scaleText as partText } from '../skin/four-text.ts';
 import {
   type ComparedPart,
   comparedParts,
@@ -45,8 +46,9 @@ class ComparisonDrawing {
   private overlay: CompareOverlay | undefined;
   private removeOverlay: (() => void) | undefined;
   private look: Look | undefined;
-  private errors = new Float32Array(0);
-  private heat = heatOf(this.errors);
+  /** Parts of the largest error, as drawn; and an array for the next ones. */
+  private heat = new Float32Array(0);
+  private nextHeat = new Float32Array(0);
   private worst: number | undefined;
   private readonly legend: CompareLegend;
   private readonly stops: readonly (() => void)[];
@@ -127,8 +129,7 @@ class ComparisonDrawing {
     this.removeOverlay?.();
     this.removeOverlay = this.overlay = undefined;
     this.legend.element.remove();
-    this.errors = new Float32Array(0);
-    this.heat = heatOf(this.errors);
+    this.heat = this.nextHeat = new Float32Array(0);
     this.posedFor = this.world = undefined;
     this.placed = [];
   }
@@ -152,16 +153,14 @@ class ComparisonDrawing {
 
   private fillErrors({ frame, result }: ShownComparison): HeatScale {
     const all = errorsOfSkin(frame);
-    if (this.errors.length !== all.length) {
-      this.errors = new Float32Array(all.length);
-      this.heat = heatOf(this.errors);
-    }
-    this.heat.needsUpdate = true;
-    return fillHeat(all, result.tolerance, this.errors);
+    const next = this.nextHeat.length === all.length ? this.nextHeat : new Float32Array(all.length);
+    this.nextHeat = this.heat;
+    this.heat = next;
+    return fillHeat(all, result.tolerance, next);
   }
 
   private drawingOf(character: Character, shown: ShownComparison, scale: HeatScale | undefined): ComparedDrawing {
-    const { side, errors } = this;
+    const { side, heat: errors } = this;
     const { skeleton } = character;
     const base = { placementCount: character.placements.length, side };
     const skin = shownSkin(character);
@@ -234,21 +233,14 @@ class ComparisonDrawing {
 }
 
 function scaleText(character: Character, { frame }: ShownComparison, { top, worst }: HeatScale): ScaleText {
-  if (frame.vertexErrors.length === 0) {
-    const explanation = 'The largest difference of x, y or z of each vertex’s normal';
-    return { title: 'Error of normals', explanation, top: errorSize(top), share: '', worst };
-  }
+  const isOfLength = frame.vertexErrors.length > 0;
+  const lengthOf = (error: number) => `${errorSize(error * frame.size)} ${lengthUnit(character)}`;
+  const text = isOfLength ? lengthOf : errorSize;
+  const largest = worst === undefined ? undefined : errorsOfSkin(frame)[worst];
   return {
-    title: 'Error of vertices',
-    explanation: 'The largest difference of x, y or z of each vertex',
-    top: `${errorSize(top * frame.size)} ${lengthUnit(character)}`,
-    share: `${percent(top)} of its size`,
-    worst,
+    title: isOfLength ? 'Error of vertices' : 'Error of normals',
+    explanation: `The largest difference of x, y or z of each vertex${isOfLength ? '' : '’s normal'}`,
+    top: isOfLength ? `${text(top)}, ${partText(top)}` : text(top),
+    worst: largest === undefined ? '' : `vertex ${worst}: ${Number.isFinite(largest) ? text(largest) : 'no number'}`,
   };
 }
-
-function percent(part: number): string {
-  return part < LEAST_SHARE ? `under ${100 * LEAST_SHARE} %` : `${shownNumber(100 * part, 2)} %`;
-}
-
-const LEAST_SHARE = 1e-4;

@@ -3,6 +3,7 @@ import { multiplyAffine } from '../../../math/mat4.ts';
 import type { Skeleton } from '../../../model/skeleton.ts';
 import type { JointVerdict } from '../../../view/compare/compared-skeleton.ts';
 import type { ShownComparison } from '../../state/dump-comparison.ts';
+import { heatScale } from '../skin/four-text.ts';
 
 /** What a drawing shows: joints and bones, or the skin. */
 export type ComparedPart = 'joints' | 'skin';
@@ -51,33 +52,33 @@ export function errorsOfSkin({ vertexErrors, normalErrors }: ShownComparison['fr
 }
 
 export interface HeatScale {
-  /** Error of the brightest colour; infinite ones have it too. */
+  /** Error of the brightest colour, a round part of the size; larger ones have it too. */
   readonly top: number;
   /** Item with the largest error; undefined if all agree. */
   readonly worst: number | undefined;
 }
 
 /**
- * Writes errors as parts of the largest one, from 0 to 1. If all are within the tolerance, that is the largest.
+ * Writes errors as parts of the scale, from 0 to 1. If all are within the tolerance, that is its end.
  *
  * @param out as many as errors
  */
 export function fillHeat(errors: Float64Array, tolerance: number, out: Float32Array): HeatScale {
-  let top = 0;
+  let largest = 0;
   let most = tolerance;
   let worst: number | undefined;
   for (let v = 0; v < errors.length; v++) {
     const error = errors[v];
-    if (Number.isFinite(error)) top = Math.max(top, error);
+    if (Number.isFinite(error)) largest = Math.max(largest, error);
     // Not `>`: NaN is infinitely wrong.
     if (error <= most) continue;
     most = Number.isNaN(error) ? Number.POSITIVE_INFINITY : error;
     worst = v;
   }
-  const unit = Math.max(top, tolerance);
+  const top = largest > tolerance ? heatScale(largest) || largest : tolerance;
   for (let v = 0; v < errors.length; v++) {
-    const part = errors[v] / unit;
+    const part = errors[v] / top;
     out[v] = part <= 1 ? part : 1;
   }
-  return { top: unit, worst };
+  return { top, worst };
 }

@@ -4,9 +4,9 @@
  */
 
 import type { ComparedSide } from '../../../view/compare/compared-skeleton.ts';
-import { heatColour } from '../../../view/heat.ts';
-import { button, element, keepsFocusElsewhere, setText } from '../../kit/dom.ts';
+import { button, element, keepsFocusElsewhere, setAttribute, setText } from '../../kit/dom.ts';
 import { setTooltip } from '../../kit/tooltip.ts';
+import { heatLegend } from '../../state/heat-legend.ts';
 import type { ComparedPart } from './drawn.ts';
 
 const SIDES: Readonly<Record<ComparedSide, string>> = { ours: 'Ours', both: 'Both', theirs: 'Theirs' };
@@ -35,12 +35,10 @@ export interface LegendState {
 export interface ScaleText {
   readonly title: string;
   readonly explanation: string;
-  /** At the bright end: `0.27 cm`. */
+  /** At the bright end: `1.5 cm, 2 % of size`. */
   readonly top: string;
-  /** Of the character's size: `3.1 % of its size`; empty for what is no length. */
-  readonly share: string;
-  /** Index of the worst vertex. */
-  readonly worst: number | undefined;
+  /** `Worst: vertex 96, 1.2 cm`; empty if all agree. */
+  readonly worst: string;
 }
 
 export interface LegendEvents {
@@ -59,8 +57,7 @@ export class CompareLegend {
   private readonly inherited: HTMLElement;
   private readonly scale = element('div', { class: 'compare-scale' });
   private readonly title = element('span', { class: 'compare-scale-title' });
-  private readonly top = element('span', {});
-  private readonly share = element('span', { class: 'compare-share' });
+  private readonly ramp = heatLegend('Errors of vertices, from dark for none to light for the largest');
   private readonly worst: HTMLButtonElement;
 
   constructor(events: LegendEvents) {
@@ -72,14 +69,7 @@ export class CompareLegend {
     const theirs = look('theirs', 'theirs');
     this.joints.append(look('agrees', 'agrees'), element('li', {}, swatch('own'), this.own), this.inherited, theirs);
     this.worst = keepsFocusElsewhere(button('Select the worst vertex', { class: 'link' }, '', () => events.worst()));
-    const ramp = element('span', { class: 'compare-ramp', 'aria-hidden': 'true' });
-    ramp.style.background = `linear-gradient(to right, ${rampStops().join(', ')})`;
-    this.scale.append(
-      this.title,
-      ramp,
-      element('span', { class: 'compare-ends' }, element('span', {}, '0'), this.top),
-      element('span', { class: 'compare-facts' }, this.share, this.worst),
-    );
+    this.scale.append(this.title, this.ramp.element, this.worst);
     this.element = element(
       'section',
       { class: 'compare-legend', 'aria-label': 'Comparison' },
@@ -100,10 +90,10 @@ export class CompareLegend {
     if (!scale) return;
     setText(this.title, scale.title);
     setTooltip(this.title, scale.explanation);
-    setText(this.top, scale.top);
-    setText(this.share, scale.share);
-    this.worst.hidden = scale.worst === undefined;
-    setText(this.worst, `Vertex ${scale.worst}`);
+    this.ramp.show(scale.top);
+    this.worst.hidden = scale.worst === '';
+    setText(this.worst, scale.worst);
+    setAttribute(this.worst, 'aria-label', `Select the worst: ${scale.worst}`);
   }
 }
 
@@ -113,12 +103,6 @@ function look(name: string, text: string): HTMLElement {
 
 function swatch(name: string): HTMLElement {
   return element('span', { class: `compare-look ${name}`, 'aria-hidden': 'true' });
-}
-
-const RAMP_STOPS = 9;
-
-function rampStops(): string[] {
-  return Array.from({ length: RAMP_STOPS }, (_, i) => `rgb(${heatColour(i / (RAMP_STOPS - 1)).join(' ')})`);
 }
 
 /** Buttons of which one is chosen: one tab stop, with arrow keys between them. */

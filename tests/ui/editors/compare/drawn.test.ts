@@ -56,9 +56,9 @@ describeShared('what is drawn of the reference’s dumps', () => {
     const heat = new Float32Array(errors.length);
     const { top, worst } = fillHeat(errors, 1e-4, heat);
     expect(comparedParts(shown)).toEqual(['skin']);
-    expect(top).toBe(Math.max(...errors));
-    expect(worst).toBe(errors.indexOf(top));
-    expect(heat[worst ?? -1]).toBe(1);
+    expect(worst).toBe(errors.indexOf(Math.max(...errors)));
+    expect(top).toBeGreaterThanOrEqual(errors[worst ?? -1]);
+    expect(top).toBeLessThan(2.6 * errors[worst ?? -1]);
     expect(Math.max(...heat.map((part, v) => Math.abs(part - errors[v] / top)))).toBeLessThan(1e-7);
   });
 });
