@@ -241,6 +241,7 @@ function scaleText(character: Character, { frame }: ShownComparison, { top, wors
     title: isOfLength ? 'Error of vertices' : 'Error of normals',
     explanation: `The largest difference of x, y or z of each vertex${isOfLength ? '' : '’s normal'}`,
     top: isOfLength ? `${text(top)}, ${partText(top)}` : text(top),
-    worst: largest === undefined ? '' : `vertex ${worst}: ${Number.isFinite(largest) ? text(largest) : 'no number'}`,
+    worst:
+      largest === undefined ? '' : `Worst: vertex ${worst}, ${Number.isFinite(largest) ? text(largest) : 'no number'}`,
   };
 }

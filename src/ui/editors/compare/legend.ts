@@ -93,7 +93,7 @@ export class CompareLegend {
     this.ramp.show(scale.top);
     this.worst.hidden = scale.worst === '';
     setText(this.worst, scale.worst);
-    setAttribute(this.worst, 'aria-label', `Select the worst: ${scale.worst}`);
+    setAttribute(this.worst, 'aria-label', `${scale.worst}: select`);
   }
 }
 
