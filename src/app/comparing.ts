@@ -5,11 +5,11 @@ import { DumpComparison, type RunCompare } from '../ui/state/dump-comparison.ts'
 import type { Uses } from '../ui/state/workbench.ts';
 import type { Runs } from '../worker/client.ts';
 
-type Parts = Uses<'store' | 'transport' | 'messages' | 'comparing'>;
+type Parts = Uses<'store' | 'transport' | 'messages' | 'comparing' | 'timeline'>;
 
 /** Compares them with the current character, along with those that are compared with it already. */
 export function compareDumps(wb: Parts, worker: Runs<'compare'>, files: readonly DumpFile[]): void {
-  const { comparing, messages } = wb;
+  const { comparing, messages, timeline } = wb;
   const dumps = files.map(({ source, dump }) => ({ fileName: source.name, dump }));
   const character = currentCharacter(wb);
   if (!character) {
@@ -27,6 +27,7 @@ export function compareDumps(wb: Parts, worker: Runs<'compare'>, files: readonly
   const made = new DumpComparison(wb, character.id, dumps, run);
   reportProblems(wb, made);
   comparing.set(made);
+  timeline.change({ tab: 'compare' });
 }
 
 /** Problems of the dumps are messages, with their lines. */

@@ -3,12 +3,12 @@
  * themselves, and which mistake explains them.
  */
 import { type Steps, within } from '../evaluate/steps.ts';
-import { invertAffine, isSingular, multiplyAffine } from '../math/mat4.ts';
 import { type Character, shownClip, shownSkin } from '../model/document.ts';
 import { characterDofs } from '../model/dofs.ts';
 import { DEFAULT_TOLERANCE, diagonalOf, matrixError, pointError } from './errors.ts';
 import { Evaluator, type FrameNumbers, type FrameTime } from './evaluator.ts';
 import { RIGHT_PROGRAM } from './program.ts';
+import { relativeMatrices } from './relative.ts';
 import { type Cause, findCauses, worstVertices } from './search.ts';
 import { FRAME_KINDS, type FrameTarget, type MatrixLayout, type Targets } from './targets.ts';
 import { ownValues } from './trial.ts';
@@ -198,8 +198,8 @@ function ownWrong(
   const joints = skeleton?.joints ?? [];
   if (local) joints.forEach((_, j) => void (matrixError(local, ours.local, 16 * j, size) <= tolerance || wrong.add(j)));
   if (world && !largestWithin(jointErrors, tolerance)) {
-    const theirs = relative(world, joints);
-    const own = relative(ours.world, joints);
+    const theirs = relativeMatrices(world, joints);
+    const own = relativeMatrices(ours.world, joints);
     joints.forEach((_, j) => void (matrixError(theirs, own, 16 * j, size) <= tolerance || wrong.add(j)));
   }
   return [...wrong].sort((a, b) => a - b);
@@ -207,21 +207,6 @@ function ownWrong(
 
 function largestWithin(errors: Float64Array, tolerance: number): boolean {
   return errors.every((error) => error <= tolerance);
-}
-
-const inverse = new Float64Array(16);
-
-function relative(world: Float64Array, joints: readonly { readonly parent: number }[]): Float64Array {
-  const out = new Float64Array(world.length);
-  joints.forEach(({ parent }, j) => {
-    if (parent < 0) out.set(world.subarray(16 * j, 16 * j + 16), 16 * j);
-    else if (isSingular(world, 16 * parent)) out.fill(Number.NaN, 16 * j, 16 * j + 16);
-    else {
-      invertAffine(world, 16 * parent, inverse, 0);
-      multiplyAffine(inverse, 0, world, 16 * j, out, 16 * j);
-    }
-  });
-  return out;
 }
 
 function compareChannels(character: Character, { channels: target }: Targets, tolerance: number) {

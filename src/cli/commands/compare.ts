@@ -4,11 +4,11 @@
  */
 import { runToEnd } from '../../evaluate/steps.ts';
 import { type Comparison, compare, type FirstWrong } from '../../lesson/compare.ts';
+import { comparedText } from '../../lesson/compared-text.ts';
 import { DEFAULT_TOLERANCE } from '../../lesson/errors.ts';
 import { type Fitted, fitDumps, type NamedDump } from '../../lesson/fit-dump.ts';
 import { type Diagnostic, hasErrors, withoutPlace } from '../../model/diagnostic.ts';
 import type { Character } from '../../model/document.ts';
-import { DUMP_KINDS, type DumpKind } from '../../model/dump.ts';
 import { dumpFormat } from '../../project/codecs.ts';
 import { numberOf, parseArguments, UsageError } from '../arguments.ts';
 import type { CliCommand } from '../io.ts';
@@ -98,19 +98,9 @@ function asJson({ agrees, compared, layout, worst, first, frames, own, inherited
   };
 }
 
-const LABELS: Readonly<Record<DumpKind, string>> = {
-  world: 'world matrices',
-  local: 'local matrices',
-  positions: 'positions of joints',
-  vertices: 'vertices',
-  normals: 'normals',
-  channels: 'channels',
-};
-
 function asText(comparison: Comparison, character: Character): string {
   const { agrees, compared, layout, worst, first, own, inherited, causes } = comparison;
-  const counts = DUMP_KINDS.filter((kind) => compared[kind] > 0).map((kind) => `${compared[kind]} ${LABELS[kind]}`);
-  const lines = [`Compared: ${counts.join(', ')}.`];
+  const lines = [`Compared: ${comparedText(compared, comparison.frames.length)}.`];
   if (layout) lines.push(`Matrices of ${layout.numbers} numbers, ${layout.order}.`);
   if (agrees || !first) lines.push(`All agree. The largest error is ${short(worst)}.`);
   else {

@@ -1,5 +1,6 @@
 /** The result of judging a submission: plain data, which threads pass on and `--json` prints. */
 import type { Compared, FirstWrong } from '../../lesson/compare.ts';
+import { comparedText } from '../../lesson/compared-text.ts';
 import type { Diagnostic } from '../../model/diagnostic.ts';
 
 export type Verdict = 'right' | 'wrong' | 'not judged';
@@ -78,26 +79,9 @@ export function firstWrongText({ first, time, mismatches }: PartGrade): string {
   return `${first.what} ${first.index}${first.name ? ` "${first.name}"` : ''}${at === undefined ? '' : ` at ${at} s`}`;
 }
 
-const KINDS: Readonly<Record<keyof Compared, string>> = {
-  world: 'world matrices',
-  local: 'local matrices',
-  positions: 'joint positions',
-  vertices: 'vertices',
-  normals: 'normals',
-  channels: 'channels',
-};
-
-/** `23 world matrices at 11 times, 72 channels`; `276 numbers, one by one`. */
-export function comparedText({ compared, times, numbers }: PartGrade): string {
-  if (numbers !== undefined) return `${numbers} numbers, one by one`;
-  const { channels, ...ofFrames } = compared;
-  const counts = Object.entries(ofFrames).filter(([, count]) => count > 0);
-  // Its keys are those of `Compared`, which TypeScript types as strings.
-  const named = counts.map(([kind, count]) => `${count / times} ${KINDS[kind as keyof Compared]}`).join(', ');
-  const frames = named && times > 1 ? `${named} at ${times} times` : named;
-  return (
-    [frames, channels > 0 ? `${channels} ${KINDS.channels}` : ''].filter((text) => text !== '').join('; ') || 'nothing'
-  );
+/** `23 world matrices at 11 times; 72 channels`; `276 numbers, one by one`. */
+export function gradedText({ compared, times, numbers }: PartGrade): string {
+  return numbers === undefined ? comparedText(compared, times) : `${numbers} numbers, one by one`;
 }
 
 /** Of errors: three digits, enough to see how large they are. */

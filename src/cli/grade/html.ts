@@ -2,7 +2,7 @@
  * Grades as one HTML file without anything outside it: an overview, and a page per submission that its address leads to
  * (`report.html#3`). Printed, all follow one another.
  */
-import { comparedText, errorText, firstWrongText, type Grade, type PartGrade, placeOf, wrongPart } from './grade.ts';
+import { errorText, firstWrongText, type Grade, gradedText, type PartGrade, placeOf, wrongPart } from './grade.ts';
 import { STYLE } from './style.ts';
 
 export interface ReportFacts {
@@ -81,7 +81,7 @@ ${problemsOf(grade)}
 function partOf(part: PartGrade): string {
   const { files, agrees, jointError, vertexError, channels, own, inherited, causes, mismatches } = part;
   const facts: (readonly [string, string])[] = [
-    ['Compared', comparedText(part)],
+    ['Compared', gradedText(part)],
     ['Joint error', errorText(jointError)],
     ['Vertex error', errorText(vertexError)],
     ['Channels right', channels ? `${channels.right} of ${channels.of}` : ''],

@@ -25,10 +25,11 @@ export function unseenChanges(before: Document, after: Document, files: readonly
   for (const { file, why } of after.unused) {
     if (files.includes(file)) sentences.push(`${file.source.name} is kept for a matching file. ${why}`);
   }
-  for (const { source } of files.filter((file) => file.kind === 'dump')) {
-    sentences.push(`${source.name} has numbers of another program: marrow compare says where they differ.`);
+  if (sentences.length === 0) {
+    // Dumps are compared, and have a banner.
+    const isSilent = after === before && files.length > 0 && !files.some(({ kind }) => kind === 'dump');
+    return isSilent ? 'Nothing has changed.' : undefined;
   }
-  if (sentences.length === 0) return after === before && files.length > 0 ? 'Nothing has changed.' : undefined;
   const more = sentences.length - MAX_SENTENCES;
   const rest = more > 0 ? [`${more} more ${more === 1 ? 'change' : 'changes'}.`] : [];
   return [...sentences.slice(0, MAX_SENTENCES), ...rest].join(' ');

@@ -78,6 +78,11 @@ export class NumberGrid {
     setText(this.cells[index], text);
   }
 
+  /** Marks a number as wrong. */
+  mark(row: number, column: number, isWrong: boolean): void {
+    this.cells[row * this.options.columns + column].classList.toggle('wrong', isWrong);
+  }
+
   /** A 4×4 matrix, column-major from `offset`, shown with its columns as columns. */
   setMatrix(matrix: Float64Array, offset = 0): void {
     for (let r = 0; r < 4; r++) for (let c = 0; c < 4; c++) this.set(r, c, matrix[offset + 4 * c + r]);

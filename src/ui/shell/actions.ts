@@ -2,6 +2,7 @@
  * The single list of everything the page can do, assembled from the lists of its editors. Menus, shortcuts, the `?`
  * page and the command search are all built from it, so that they can't contradict each other.
  */
+import { COMPARE_ACTIONS } from '../editors/compare/actions.ts';
 import { DOPE_ACTIONS } from '../editors/dope/actions.ts';
 import { IK_ACTIONS } from '../editors/ik/actions.ts';
 import { POSE_ACTIONS } from '../editors/poses/actions.ts';
@@ -24,6 +25,7 @@ import { SELECT_ACTIONS } from './select-actions.ts';
 /** Static actions, in menu order. */
 export const ACTIONS: readonly Action[] = [
   ...FILE_ACTIONS,
+  ...COMPARE_ACTIONS,
   ...EDIT_ACTIONS,
   ...SELECT_ACTIONS,
   ...POSE_ACTIONS,

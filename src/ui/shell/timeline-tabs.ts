@@ -32,4 +32,8 @@ export const TABS: Readonly<Record<TimelineTabName, TabRecord>> = {
     label: 'Source',
     load: async (wb) => (await import('../editors/source/panel.ts')).sourcePanel(wb),
   },
+  compare: {
+    label: 'Compare',
+    load: async (wb) => (await import('../editors/compare/panel.ts')).comparePanel(wb),
+  },
 };

@@ -5,6 +5,7 @@
 import { type Character, type Document, shownSkin } from '../../model/document.ts';
 import type { Display, Selection, SkinStyle } from '../../model/session.ts';
 import { LabelCover } from '../../view/label-cover.ts';
+import { stageBanner } from '../editors/compare/stage-banner.ts';
 import { modeBar } from '../editors/posing/mode-bar.ts';
 import {
   areBoxesVisible,
@@ -80,6 +81,7 @@ export function viewportPane(wb: Workbench, signal: AbortSignal): HTMLElement {
       newVersion(wb),
       firstSteps(wb),
       heightsNote(wb),
+      stageBanner(wb),
       messageLine(wb),
     ),
   );

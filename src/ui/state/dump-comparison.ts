@@ -112,6 +112,8 @@ export class DumpComparison {
   private running: AbortController | undefined;
   private waiting: (() => void) | undefined;
   private hasEnded = false;
+  /** Since dumps were given, nothing was found yet. */
+  private isNew = true;
 
   /**
    * Starts to compare.
@@ -155,7 +157,16 @@ export class DumpComparison {
     const isTimed = statedTimes(all).length > 0;
     const time = isTimed ? this.state.get().time : clipTimeShown(this.wb, this.character);
     this.change({ dumps: all, time });
+    this.isNew = true;
     return this.start(others.length > 0 ? dumps : undefined);
+  }
+
+  /** Removes one of several dumps. */
+  remove(fileName: string): void {
+    const dumps = this.state.get().dumps.filter((dump) => dump.fileName !== fileName);
+    if (dumps.length === 0) return;
+    this.change({ dumps });
+    void this.start();
   }
 
   /** @param tolerance above 0 */
@@ -240,19 +251,27 @@ export class DumpComparison {
     this.running = running;
     this.change({ phase: { kind: 'working', share: 0 } });
     const { dumps, time, tolerance } = this.state.get();
+    const compareAt = (at: number | undefined) =>
+      this.run({ character: lean(character), dumps, time: at, tolerance }, running.signal, (share) => {
+        if (this.running === running) this.change({ phase: { kind: 'working', share } });
+      });
     try {
-      const output = await this.run(
-        { character: lean(character), dumps, time: timeFor(dumps, time), tolerance },
-        running.signal,
-        (share) => {
-          if (this.running === running) this.change({ phase: { kind: 'working', share } });
-        },
-      );
+      let output = await compareAt(timeFor(dumps, time));
+      let isFilePose = false;
+      if (this.isNew && time !== undefined && statedTimes(dumps).length === 0 && isUnexplained(output)) {
+        // Programs begin with the file pose, and say nothing of a time then.
+        const other = await compareAt(undefined);
+        isFilePose = other.comparison !== undefined && !isUnexplained(other);
+        if (isFilePose) output = other;
+      }
       if (this.running !== running) return;
       this.running = undefined;
       const { comparison, targets, diagnostics } = output;
       if (comparison && targets) {
-        this.change({ phase: { kind: 'done' }, result: { comparison, targets, character, tolerance } });
+        const result = { comparison, targets, character, tolerance };
+        this.change({ phase: { kind: 'done' }, result, ...(isFilePose && { time: undefined }) });
+        if (this.isNew) this.reveal(comparison);
+        this.isNew = false;
       } else if (alone && diagnostics.some(({ code }) => code === 'dump-repeated')) {
         this.change({ dumps: alone });
         await this.start();
@@ -270,6 +289,13 @@ export class DumpComparison {
       this.running = undefined;
       this.change({ phase: { kind: 'failed', message: error instanceof Error ? error.message : String(error) } });
     }
+  }
+
+  /** Goes to the first time that differs, if none of the compared ones is shown, and nothing is lost by it. */
+  private reveal({ frames }: Comparison): void {
+    if (this.shown.get() || this.character?.unkeyed) return;
+    const wrong = frames.findIndex(({ agrees }) => !agrees);
+    this.goTo(Math.max(0, wrong));
   }
 
   private showFrame(): void {
@@ -301,7 +327,10 @@ function offsetOf({ driver, timeOffsetSeconds }: Character): number {
 }
 
 /** Time of the clip that is shown; undefined if nothing moves the character: then the file pose is shown. */
-function clipTimeShown({ transport }: Pick<Parts, 'transport'>, character: Character | undefined): number | undefined {
+export function clipTimeShown(
+  { transport }: Pick<Parts, 'transport'>,
+  character: Character | undefined,
+): number | undefined {
   if (!character || !isMoved(character)) return undefined;
   return transport.get().timeSeconds + offsetOf(character);
 }
@@ -336,6 +365,13 @@ function statedTimes(dumps: readonly NamedDump[]): readonly number[] {
     }
   }
   return [...times].sort((a, b) => a - b);
+}
+
+/** Whether frames differ, and nothing says why. */
+function isUnexplained({ comparison }: CompareOutput): boolean {
+  return (
+    comparison !== undefined && !comparison.agrees && comparison.causes.length === 0 && comparison.frames.length > 0
+  );
 }
 
 /** Dumps without a time are of the only one that others state. */

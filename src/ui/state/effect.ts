@@ -16,6 +16,7 @@ function noticeable({
   messages,
   dialog,
   loading,
+  comparing,
 }: Workbench): readonly unknown[] {
   return [
     store.document,
@@ -25,6 +26,7 @@ function noticeable({
     dialog.get(),
     transport.get(),
     loading.get(),
+    comparing.get(),
     settings.get(),
     timeline.view.get(),
     timeline.autoKey.get(),

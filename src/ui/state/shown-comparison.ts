@@ -23,3 +23,9 @@ export function onShown(
     stop?.();
   };
 }
+
+/** Ends it, and forgets the dumps. */
+export function endComparison({ comparing }: Uses<'comparing'>): void {
+  comparing.get()?.end();
+  comparing.set(undefined);
+}

@@ -12,7 +12,7 @@ import type { CycleQuestion } from './cycle-question.ts';
 import type { SourcePlace } from './source.ts';
 import { Takes } from './takes.ts';
 
-export const TIMELINE_TABS = ['curves', 'dope', 'takes', 'poses', 'steps', 'source'] as const;
+export const TIMELINE_TABS = ['curves', 'dope', 'takes', 'poses', 'steps', 'source', 'compare'] as const;
 export type TimelineTabName = (typeof TIMELINE_TABS)[number];
 
 /** Which channels are listed: the selected joint's (with the root translation for the root), all, or pinned ones. */

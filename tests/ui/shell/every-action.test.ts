@@ -5,6 +5,7 @@ import { copyKeys } from '../../../src/edit/keys/clipboard.ts';
 import { restChannel, SAMPLED } from '../../../src/model/clip.ts';
 import type { Document } from '../../../src/model/document.ts';
 import { actionsOf, isChecked, isEnabled, tryAction } from '../../../src/ui/state/action.ts';
+import { DumpComparison } from '../../../src/ui/state/dump-comparison.ts';
 import { watchEffect } from '../../../src/ui/state/effect.ts';
 import type { Action, Workbench } from '../../../src/ui/state/workbench.ts';
 import { channel, character, clip, documentOf, skeleton, workbench } from '../builders.ts';
@@ -98,6 +99,12 @@ const STATES: Readonly<Record<string, Given>> = {
     prepare(wb) {
       joint(wb);
       wb.posing.mode.set('rig');
+    },
+  },
+  'a comparison with a dump': {
+    document: documentOf(walking),
+    prepare(wb) {
+      wb.comparing.set(new DumpComparison(wb, 'c1', [], () => new Promise(() => {})));
     },
   },
   'several characters': { document: documentOf(walking, { ...bare, id: 'c2', name: 'bee' }), prepare: joint },

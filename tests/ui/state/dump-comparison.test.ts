@@ -89,6 +89,7 @@ describe('a comparison with dumps', () => {
   it('shows the frame nearest to the time shown, within half a frame, while time moves', async () => {
     const { comparing, settled, at } = comparisonOf(crawler, [dump('all.txt', [0, 0.5, 1], NO_PARENT)], 0.25);
     await settled();
+    at(0.25);
     expect(comparing.shown.get()).toBeUndefined();
     const seen: (number | undefined)[] = [];
     comparing.shown.subscribe((now) => seen.push(now?.frame.time));
@@ -135,6 +136,45 @@ describe('a comparison with dumps', () => {
     await comparing.add([dump('c.txt', [0.6])]);
     expect(names()).toEqual(['c.txt']);
     expect(comparing.state.get().result?.comparison.agrees).toBe(true);
+  });
+
+  it('goes to the first time that differs, unless a compared time is shown or unkeyed changes would be lost', async () => {
+    const dumps = [dump('a.txt', [0.2]), dump('b.txt', [0.7, 0.9], NO_PARENT)];
+    const fresh = comparisonOf(crawler, dumps, 0.4);
+    fresh.transport.update((now) => ({ ...now, playing: true }));
+    await fresh.settled();
+    expect(fresh.transport.get()).toMatchObject({ timeSeconds: 0.7, playing: false });
+    const there = comparisonOf(crawler, dumps, 0.9);
+    await there.settled();
+    expect(there.transport.get().timeSeconds).toBe(0.9);
+    const changed = comparisonOf({ ...crawler, unkeyed: { timeSeconds: 0.4, dofs: [4], values: [1] } }, dumps, 0.4);
+    await changed.settled();
+    expect(changed.transport.get().timeSeconds).toBe(0.4);
+    fresh.at(0.1);
+    fresh.comparing.again();
+    await fresh.settled();
+    expect(fresh.transport.get().timeSeconds).toBe(0.1);
+  });
+
+  it('takes numbers without a time for those of the file pose where that explains them', async () => {
+    const rest = { ...crawler, shownClip: -1 };
+    const text = dump('rest.txt', [undefined], NO_PARENT);
+    const { comparing, settled, inputs } = comparisonOf(crawler, [text], 0.4);
+    await settled();
+    expect(inputs.map(({ time }) => time)).toEqual([0.4, undefined]);
+    expect(comparing.state.get()).toMatchObject({ time: undefined, result: { comparison: { agrees: false } } });
+    expect(comparing.state.get().result?.comparison.causes[0]?.code).toBe('no-parent');
+    const wrong = comparisonOf(rest, [text]);
+    await wrong.settled();
+    expect(wrong.inputs).toHaveLength(1);
+  });
+
+  it('one of several dumps can be removed', async () => {
+    const { comparing, settled } = comparisonOf(crawler, [dump('a.txt', [0.2]), dump('b.txt', [0.7], NO_PARENT)], 0.2);
+    await settled();
+    comparing.remove('b.txt');
+    await settled();
+    expect(comparing.state.get().result?.comparison).toMatchObject({ agrees: true, compared: { world: 26 } });
   });
 
   it('says which line of a dump does not fit', async () => {

@@ -2,6 +2,7 @@
 import { removeCopy, renameCharacter, showClip, showSkin } from '../../../edit/commands/characters.ts';
 import { duplicateClip, removeClip, renameClip } from '../../../edit/commands/clips.ts';
 import { setHidden } from '../../../edit/commands/spaces.ts';
+import { type JointMark, jointMarks, MARK_TEXTS } from '../../../lesson/joint-marks.ts';
 import { type Character, type Document, findCharacter } from '../../../model/document.ts';
 import type { PartKind } from '../../../model/files.ts';
 import { jointsIn, withJoints, withJointToggled } from '../../../model/selected-joints.ts';
@@ -12,9 +13,11 @@ import { type MenuEntry, type MenuPlace, openMenu } from '../../kit/menu.ts';
 import { setTooltip } from '../../kit/tooltip.ts';
 import { actionsOf, currentCharacter, runAction } from '../../state/action.ts';
 import { attempt } from '../../state/attempt.ts';
+import type { DumpComparison, ShownComparison } from '../../state/dump-comparison.ts';
 import { itemOf } from '../../state/menu-entries.ts';
 import { onDemand } from '../../state/on-demand.ts';
 import { selectedJointsOf } from '../../state/selected-joint.ts';
+import { onShown } from '../../state/shown-comparison.ts';
 import { splitter } from '../../state/splitter.ts';
 import type { Uses, Workbench } from '../../state/workbench.ts';
 import { movedEntries } from '../retarget/moved.ts';
@@ -44,6 +47,7 @@ export function outliner(wb: Workbench): HTMLElement {
   const search = searchBox();
   const empty = element('p', { class: 'empty' });
   let renaming: string | undefined;
+  let marks: MarkOfRow = () => undefined;
   let firstMatch: OutlineRow | undefined;
 
   const tree = new Tree('Characters and joints', {
@@ -58,7 +62,7 @@ export function outliner(wb: Workbench): HTMLElement {
     activate: (row) => activate(wb, row),
     doubleClick: (row) => (row.kind === 'character' ? startRename(row) : activate(wb, row)),
     menu: (row, at) => rowMenu(wb, row, at, startRename),
-    draw: (row) => (row.key === renaming ? [renameField(row)] : drawRow(wb, row)),
+    draw: (row) => (row.key === renaming ? [renameField(row)] : drawRow(wb, row, marks(row))),
   });
   tree.element.dataset.panel = 'outliner';
   tree.element.addEventListener('keydown', (event) => {
@@ -170,6 +174,10 @@ export function outliner(wb: Workbench): HTMLElement {
     stopWaiting();
     (await import('./tree-drag.ts')).letJointsBeDragged(wb, tree);
   });
+  onShown(wb, (shown, comparing) => {
+    marks = marksOf(shown, comparing);
+    if (renaming === undefined) tree.drawAnew();
+  });
   wb.files.unsaved.subscribe(() => {
     // Doesn't interrupt renaming.
     if (renaming === undefined) tree.drawAnew();
@@ -202,7 +210,7 @@ function searchBox() {
   return { input, element: element('div', { class: 'search' }, icon('search'), input) };
 }
 
-function drawRow(wb: Uses<'store' | 'files'>, row: OutlineRow): Node[] {
+function drawRow(wb: Uses<'store' | 'files'>, row: OutlineRow, mark: JointMark | undefined): Node[] {
   const unsaved = isUnsaved(wb, row);
   const unnamed = row.kind === 'joint' ? `joint ${row.detail}` : 'unnamed';
   const label = row.label === '' ? element('i', { class: 'label' }, unnamed) : element('span', { class: 'label' });
@@ -228,10 +236,32 @@ function drawRow(wb: Uses<'store' | 'files'>, row: OutlineRow): Node[] {
       0,
       element('span', { class: 'unsaved-dot', role: 'img', 'aria-label': 'Not saved', tooltip: 'Not saved' }),
     );
+  if (mark) nodes.splice(1, 0, markElement(mark));
   if (row.shown !== undefined) nodes.unshift(element('span', { class: 'radio', 'aria-hidden': 'true' }));
   else if (row.kind !== 'group') nodes.unshift(icon(ICONS[row.kind]));
   if (row.kind === 'character') nodes.push(eyeOf(wb, row));
   return nodes;
+}
+
+type MarkOfRow = (row: OutlineRow) => JointMark | undefined;
+
+/** How the joints compare with those of another program. */
+function marksOf(shown: ShownComparison | undefined, comparing: DumpComparison | undefined): MarkOfRow {
+  if (!shown || !comparing) return () => undefined;
+  const { characterId } = comparing;
+  const marks = jointMarks(shown.frame, shown.result.tolerance);
+  return (row) => (row.kind === 'joint' && row.characterId === characterId ? marks[row.index] : undefined);
+}
+
+function markElement(mark: JointMark): HTMLElement {
+  const text = MARK_TEXTS[mark];
+  return element('span', {
+    class: 'compare-swatch',
+    'data-mark': mark,
+    role: 'img',
+    'aria-label': text,
+    tooltip: text,
+  });
 }
 
 /** Of a long name both ends stay readable: what it is on the left, and its side or number on the right. */

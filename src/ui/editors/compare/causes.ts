@@ -1,0 +1,36 @@
+/** The mistakes that explain what was found: what was done, what should be done, and how much it explains. */
+import type { Comparison } from '../../../lesson/compare.ts';
+import type { Cause } from '../../../lesson/search.ts';
+import { element } from '../../kit/dom.ts';
+import { explainsText, numberText } from './banner-text.ts';
+
+export function causesList(comparison: Comparison): HTMLElement {
+  const list = element('div', { class: 'compare-causes' });
+  const { causes, agrees } = comparison;
+  if (causes.length > 1) {
+    list.append(element('p', { class: 'faint' }, 'Each of these explains it; these numbers can’t tell them apart.'));
+  }
+  list.append(...causes.map((cause) => causeBlock(cause, comparison)));
+  if (causes.length === 0 && !agrees) {
+    const text =
+      'No known mistake, nor two together, explains these numbers. Begin with the first joint that is wrong by itself.';
+    list.append(element('p', { class: 'faint' }, text));
+  }
+  return list;
+}
+
+function causeBlock(cause: Cause, comparison: Comparison): HTMLElement {
+  const { code, detail, sentences, formulas, residual } = cause;
+  return element(
+    'article',
+    { class: 'compare-cause', 'aria-label': code },
+    ...sentences.map((sentence) => element('p', { class: 'compare-sentence' }, sentence)),
+    ...[...new Set(formulas)].map((formula) => element('p', { class: 'compare-formula' }, formula)),
+    element(
+      'p',
+      { class: 'faint' },
+      `${explainsText(cause, comparison)} What remains is at most ${numberText(residual)}. `,
+      element('code', { tooltip: detail || undefined }, code),
+    ),
+  );
+}

@@ -1,0 +1,126 @@
+/** Rows of the tables: what was compared, with its errors. */
+import type { FrameComparison } from '../../../lesson/compare.ts';
+import { type JointMark, jointMarks } from '../../../lesson/joint-marks.ts';
+import { type Character, shownSkin } from '../../../model/document.ts';
+import { characterDofs } from '../../../model/dofs.ts';
+import { jointName } from '../../../model/joint-name.ts';
+import type { ComparedResult } from '../../state/dump-comparison.ts';
+
+export const ROW_KINDS = ['joints', 'vertices', 'normals', 'channels'] as const;
+export type RowKind = (typeof ROW_KINDS)[number];
+
+/** What of a joint, vertex or channel differs. */
+export interface ComparedRow {
+  /** Of the joint, vertex or channel. */
+  readonly index: number;
+  readonly name: string;
+  readonly mark: JointMark;
+  /** The largest, as `FirstWrong.error`. */
+  readonly error: number;
+  /** Of a channel: where that error is, in seconds of the clip. */
+  readonly time?: number;
+}
+
+export type RowColumn = 'index' | 'name' | 'mark' | 'error';
+
+export interface RowOrder {
+  readonly column: RowColumn;
+  readonly descending: boolean;
+}
+
+/** Vertices listed at most: the worst. */
+export const MAX_VERTICES = 100;
+
+/** What the dumps have. */
+export function kindsIn({ comparison: { compared } }: ComparedResult): readonly RowKind[] {
+  const { world, local, positions, vertices, normals, channels } = compared;
+  const counts: Readonly<Record<RowKind, number>> = {
+    joints: world + local + positions,
+    vertices,
+    normals,
+    channels,
+  };
+  return ROW_KINDS.filter((kind) => counts[kind] > 0);
+}
+
+/** Unordered; of vertices the worst. @param frame undefined where channels alone were compared */
+export function rowsOf(
+  kind: RowKind,
+  result: ComparedResult,
+  frame: FrameComparison | undefined,
+  character: Character,
+): readonly ComparedRow[] {
+  const { tolerance } = result;
+  if (kind === 'channels') return channelRows(result, character);
+  if (!frame) return [];
+  if (kind === 'joints') {
+    const marks = jointMarks(frame, tolerance);
+    return Array.from(frame.jointErrors, (error, index) => ({
+      index,
+      name: jointName(character.skeleton, index),
+      mark: marks[index],
+      error,
+    }));
+  }
+  const errors = kind === 'vertices' ? frame.vertexErrors : frame.normalErrors;
+  return worstOf(errors, MAX_VERTICES).map((index) => ({
+    index,
+    name: `vertex ${index}`,
+    mark: errors[index] <= tolerance ? 'agrees' : 'differs',
+    error: errors[index],
+  }));
+}
+
+/** Indices of the largest, NaN first; ties by index. */
+function worstOf(errors: Float64Array, most: number): readonly number[] {
+  const worst: number[] = [];
+  for (let i = 0; i < errors.length; i++) {
+    const last = worst[worst.length - 1];
+    if (worst.length === most && !(errors[i] > errors[last])) continue;
+    let at = worst.length;
+    while (at > 0 && errors[i] > errors[worst[at - 1]]) at--;
+    worst.splice(at, 0, i);
+    if (worst.length > most) worst.pop();
+  }
+  return worst;
+}
+
+function channelRows({ comparison, targets, tolerance }: ComparedResult, character: Character): ComparedRow[] {
+  const { channels, times, values } = targets.channels;
+  const { ourChannels } = comparison;
+  const dofs = characterDofs(character.skeleton, shownSkin(character) ? character.morphs : []);
+  const rows = new Map<number, ComparedRow>();
+  channels.forEach((index, i) => {
+    const difference = Math.abs(ourChannels[i] - values[i]);
+    const error = Number.isNaN(difference) ? Number.POSITIVE_INFINITY : difference;
+    const known = rows.get(index);
+    if (known && !(error > known.error)) return;
+    const dof = dofs[index];
+    const joint = dof && dof.joint >= 0 ? `${jointName(character.skeleton, dof.joint)}.` : '';
+    const name = dof ? `${joint}${dof.name}` : `channel ${index}`;
+    rows.set(index, { index, name, mark: error <= tolerance ? 'agrees' : 'differs', error, time: times[i] });
+  });
+  return [...rows.values()];
+}
+
+const MARK_ORDER: readonly JointMark[] = ['own', 'differs', 'inherited', 'agrees'];
+
+/** In order; ties by index. */
+export function inOrder(rows: readonly ComparedRow[], { column, descending }: RowOrder): readonly ComparedRow[] {
+  const names = new Intl.Collator('en', { numeric: true });
+  const compare = (a: ComparedRow, b: ComparedRow): number => {
+    switch (column) {
+      case 'index':
+        return a.index - b.index;
+      case 'name':
+        return names.compare(a.name, b.name);
+      case 'mark':
+        return MARK_ORDER.indexOf(a.mark) - MARK_ORDER.indexOf(b.mark);
+      case 'error':
+        // Infinite ones are equal.
+        return a.error === b.error ? 0 : a.error - b.error;
+    }
+  };
+  const sign = descending ? -1 : 1;
+  return [...rows].sort((a, b) => sign * compare(a, b) || a.index - b.index);
+}

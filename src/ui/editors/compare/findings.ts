@@ -1,0 +1,149 @@
+/** The left part of the panel: the causes, and the facts of the comparison. */
+import type { Comparison } from '../../../lesson/compare.ts';
+import { comparedText } from '../../../lesson/compared-text.ts';
+import { button, element, setAttribute } from '../../kit/dom.ts';
+import { icon } from '../../kit/icons.ts';
+import { NumberField } from '../../kit/number-field.ts';
+import { exact, shown } from '../../kit/number-text.ts';
+import {
+  type ComparedResult,
+  type CompareState,
+  clipTimeShown,
+  type DumpComparison,
+} from '../../state/dump-comparison.ts';
+import type { Uses } from '../../state/workbench.ts';
+import { numberText } from './banner-text.ts';
+import { causesList } from './causes.ts';
+
+/** Times listed at most. */
+const MAX_TIMES = 60;
+
+export class Findings {
+  readonly element = element('div', { class: 'compare-findings' });
+  private readonly found = element('div');
+  private readonly times = element('div', { class: 'compare-times', role: 'group', 'aria-label': 'Compared times' });
+  private readonly facts = element('div');
+  private readonly files = element('div', { class: 'compare-files' });
+  private readonly tolerance: NumberField;
+  private readonly time: NumberField;
+  private readonly timeRow: HTMLElement;
+  private of: DumpComparison | undefined;
+  private state: CompareState | undefined;
+
+  constructor(private readonly wb: Uses<'comparing' | 'transport' | 'messages'>) {
+    const refuse = (reason: string) => wb.messages.note(reason, 'warning');
+    this.tolerance = new NumberField({
+      label: 'Tolerance',
+      class: 'compare-number',
+      text: exact,
+      commit: (value) => {
+        if (value > 0) this.of?.setTolerance(value);
+        else {
+          refuse('The tolerance must be above 0.');
+          this.tolerance.refresh();
+        }
+      },
+      refuse,
+    });
+    this.time = new NumberField({
+      label: 'Time of dumps that state none, in seconds',
+      class: 'compare-number',
+      text: (value) => shown(value, 4),
+      commit: (value) => this.of?.setTime(value),
+      refuse,
+    });
+    this.time.element.placeholder = 'file pose';
+    const act = (label: string, tooltip: string, run: () => void) =>
+      button(label, { class: 'link', tooltip }, label, run);
+    this.timeRow = factRow(
+      'Time',
+      this.time.element,
+      act('Now', 'Compare at the time shown', () => this.of?.setTime(clipTimeShown(this.wb, this.of.character))),
+      act('File pose', 'Compare with the pose of the file, without the take', () => this.of?.setTime(undefined)),
+    );
+    this.element.append(
+      this.found,
+      this.times,
+      this.facts,
+      factRow('Tolerance', this.tolerance.element, element('span', { class: 'faint' }, 'of the size, of 1 radian')),
+      this.timeRow,
+      factRow('Dumps', this.files),
+    );
+  }
+
+  /** @param told the frame that is told of; −1 if none */
+  show(comparing: DumpComparison, told: number): void {
+    const state = comparing.state.get();
+    this.of = comparing;
+    if (state.result !== this.state?.result) this.showResult(state.result);
+    if (state.dumps !== this.state?.dumps) this.showDumps(comparing, state);
+    this.state = state;
+    this.tolerance.show(state.tolerance);
+    this.time.show(state.time ?? Number.NaN);
+    for (const [i, made] of [...this.times.children].entries()) setAttribute(made, 'aria-pressed', String(i === told));
+  }
+
+  forget(): void {
+    this.of = this.state = undefined;
+    this.showResult(undefined);
+  }
+
+  private showResult(result: ComparedResult | undefined): void {
+    this.found.replaceChildren();
+    this.times.replaceChildren();
+    this.facts.replaceChildren();
+    if (!result) return;
+    const { comparison } = result;
+    const { frames, layout, compared, worst } = comparison;
+    this.found.append(causesList(comparison));
+    if (frames.length > 1)
+      this.times.append(...frames.slice(0, MAX_TIMES).map((_, i) => this.timeButton(comparison, i)));
+    this.facts.append(
+      factRow('Compared', comparedText(compared, frames.length)),
+      layout ? factRow('Read as', `${layout.order}, ${layout.numbers} numbers each`) : '',
+      factRow('Largest error', `${numberText(worst)}${sizeText(comparison)}`),
+    );
+  }
+
+  private timeButton({ frames }: Comparison, index: number): HTMLElement {
+    const { time, agrees } = frames[index];
+    const text = time === undefined ? 'File pose' : `${shown(time, 4)} s`;
+    const mark = agrees ? 'agrees' : 'own';
+    const made = button(`${text}, ${agrees ? 'agrees' : 'differs'}`, { class: 'tool text-tool' }, undefined, () =>
+      this.of?.goTo(index),
+    );
+    made.append(element('span', { class: 'compare-swatch', 'data-mark': mark, 'aria-hidden': 'true' }), text);
+    return made;
+  }
+
+  private showDumps(comparing: DumpComparison, { dumps }: CompareState): void {
+    this.timeRow.hidden = dumps.every(({ dump }) =>
+      dump.blocks.every((block) => block.holds === 'channels' || (block.time ?? dump.time) !== undefined),
+    );
+    this.files.replaceChildren(
+      ...dumps.map(({ fileName }) =>
+        element(
+          'span',
+          { class: 'compare-file' },
+          fileName,
+          dumps.length > 1 &&
+            button(`Remove ${fileName}`, { class: 'tool small' }, icon('close'), () => comparing.remove(fileName)),
+        ),
+      ),
+    );
+  }
+}
+
+function factRow(name: string, ...values: (HTMLElement | string)[]): HTMLElement {
+  return element(
+    'div',
+    { class: 'fact' },
+    element('span', { class: 'faint' }, name),
+    element('span', { class: 'fact-value' }, ...values),
+  );
+}
+
+/** Errors of lengths are relative to it. */
+function sizeText({ frames }: Comparison): string {
+  return frames.length > 0 ? `, of a size of ${numberText(frames[0].size)}` : '';
+}

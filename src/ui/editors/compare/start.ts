@@ -1,0 +1,110 @@
+/** What the panel shows before there is a dump: what to print, how, and a field for it. */
+import { copyText } from '../../kit/clipboard.ts';
+import { button, element, uniqueId } from '../../kit/dom.ts';
+import { icon } from '../../kit/icons.ts';
+import type { Uses } from '../../state/workbench.ts';
+
+export const SNIPPETS: readonly (readonly [language: string, code: string])[] = [
+  [
+    'C++',
+    `std::ofstream out("mine.txt");
+out << "time " << time << "\\n";
+for (const Joint* joint : jointsDepthFirst)
+  out << joint->name << ": " << glm::to_string(joint->world) << "\\n";`,
+  ],
+  [
+    'Python',
+    `with open("mine.txt", "w") as out:
+    print("time", time, file=out)
+    for joint in joints_depth_first:
+        print(joint.name + ":", *joint.world.flatten(), file=out)`,
+  ],
+  [
+    'JavaScript',
+    `let text = \`time \${time}\\n\`;
+for (const joint of jointsDepthFirst)
+  text += \`\${joint.name}: \${[...joint.world].join(' ')}\\n\`;
+console.log(text);`,
+  ],
+];
+
+/** The name of numbers that were pasted: those of the next paste take their place. */
+const PASTED = 'pasted.txt';
+
+/** Compares text as if it were a file that was dropped. */
+export function compareText({ files }: Uses<'files'>, text: string): void {
+  const data = new DataTransfer();
+  data.items.add(new File([text], PASTED, { type: 'text/plain' }));
+  files.paste(data);
+}
+
+export function startPage(wb: Uses<'files' | 'messages'>): HTMLElement {
+  const id = uniqueId('paste');
+  const field = element('textarea', {
+    id,
+    class: 'compare-field',
+    rows: 3,
+    spellcheck: 'false',
+    autocomplete: 'off',
+    placeholder: 'root: 1 0 0 0  0 1 0 0  0 0 1 0  0 0.36 0 1',
+  });
+  const run = button('Compare', { class: 'offer-accept', tooltip: undefined }, 'Compare', () => {
+    if (field.value.trim() === '') {
+      wb.messages.note('Paste the numbers that your program printed first.');
+      field.focus();
+      return;
+    }
+    compareText(wb, field.value);
+  });
+  field.addEventListener('keydown', (event) => {
+    if (event.key !== 'Enter' || !(event.ctrlKey || event.metaKey)) return;
+    event.preventDefault();
+    run.click();
+  });
+  return element(
+    'div',
+    { class: 'compare-start' },
+    element(
+      'div',
+      { class: 'compare-about' },
+      element(
+        'label',
+        { for: id },
+        'Print your world matrices, one joint a line, and drop the file here, or paste the numbers:',
+      ),
+      field,
+      element('div', { class: 'compare-run' }, run),
+      element(
+        'p',
+        {},
+        'You are told which joint is wrong first, and which mistake explains all of it. Vertices, normals, joint ' +
+          'positions and channel values (rows of a time and its values) work as well, as do OBJ, PLY and JSON.',
+      ),
+      element(
+        'p',
+        { class: 'faint' },
+        'Numbers are of the selected character, at the time that they state (time 1.5), else at the time shown. ' +
+          'Nothing in the document is changed.',
+      ),
+    ),
+    element('div', { class: 'compare-snippets' }, ...SNIPPETS.map(([language, code]) => snippet(wb, language, code))),
+  );
+}
+
+function snippet({ messages }: Uses<'messages'>, language: string, code: string): HTMLElement {
+  const copy = async () => {
+    if (await copyText(code)) messages.note(`Copied the lines for ${language}.`);
+    else messages.note('The browser blocked copying.', 'warning');
+  };
+  return element(
+    'section',
+    { class: 'compare-snippet', 'aria-label': language },
+    element(
+      'div',
+      { class: 'compare-snippet-head' },
+      element('h4', {}, language),
+      button(`Copy for ${language}`, { class: 'tool small' }, icon('copy'), () => void copy()),
+    ),
+    element('pre', { tabindex: 0 }, element('code', {}, code)),
+  );
+}

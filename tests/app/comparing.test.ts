@@ -1,0 +1,85 @@
+import { describe, expect, it } from 'vitest';
+import { compareDumps } from '../../src/app/comparing.ts';
+import { readDump } from '../../src/formats/dump/read.ts';
+import { Evaluator } from '../../src/lesson/evaluator.ts';
+import { RIGHT_PROGRAM } from '../../src/lesson/program.ts';
+import type { Character } from '../../src/model/document.ts';
+import type { DumpFile } from '../../src/project/open/open-files.ts';
+import type { Workbench } from '../../src/ui/state/workbench.ts';
+import { characterOf, OWN } from '../lesson/lesson-files.ts';
+import { documentOf, workbench } from '../ui/builders.ts';
+import { InThisThread } from './in-this-thread.ts';
+
+const crawler = characterOf(...OWN.crawler);
+
+function dumpFile(name: string, text: string): DumpFile {
+  const { value } = readDump(text, name);
+  if (!value) throw new Error(`${name} can't be read.`);
+  return { kind: 'dump', dump: value, source: { name, path: `mine/${name}`, bytes: text.length } };
+}
+
+/** World matrices as our own. */
+function right(time: number): string {
+  const wanted = { local: false, vertices: false, normals: false };
+  const { world } = new Evaluator(crawler).frame(RIGHT_PROGRAM, time, wanted);
+  return `time ${time}\n${Array.from({ length: world.length / 16 }, (_, j) => world.slice(16 * j, 16 * j + 16).join(' ')).join('\n')}`;
+}
+
+function drop(wb: Workbench, ...files: DumpFile[]): Promise<void> {
+  compareDumps(wb, new InThisThread(), files);
+  return new Promise((resolve) => {
+    const comparing = wb.comparing.get();
+    const look = () => {
+      if (comparing && comparing.state.get().phase.kind === 'working') return;
+      stop?.();
+      resolve();
+    };
+    const stop = comparing?.state.subscribe(look);
+    look();
+  });
+}
+
+const open = (...characters: Character[]) => workbench(documentOf(...characters)).wb;
+
+describe('dropped dumps', () => {
+  it('dropped dumps are compared with the selected character, in the tab that tells of it', async () => {
+    const wb = open({ ...crawler, id: 'c1' }, { ...crawler, id: 'c2' });
+    wb.store.select({ characterId: 'c2' });
+    await drop(wb, dumpFile('mine.txt', right(0.5)));
+    expect(wb.comparing.get()?.characterId).toBe('c2');
+    expect(wb.comparing.get()?.shown.get()?.frame.agrees).toBe(true);
+    expect(wb.timeline.view.get().tab).toBe('compare');
+    expect(wb.store.undoLabel).toBeUndefined();
+  });
+
+  it('dropped dumps join those of the same character, and replace those of another', async () => {
+    const wb = open({ ...crawler, id: 'c1' }, { ...crawler, id: 'c2' });
+    wb.store.select({ characterId: 'c1' });
+    await drop(wb, dumpFile('a.txt', right(0.5)));
+    const first = wb.comparing.get();
+    await drop(wb, dumpFile('b.txt', right(0.7)));
+    expect(wb.comparing.get()).toBe(first);
+    expect(first?.state.get().dumps.map(({ fileName }) => fileName)).toEqual(['a.txt', 'b.txt']);
+    wb.store.select({ characterId: 'c2' });
+    await drop(wb, dumpFile('c.txt', right(0.5)));
+    expect(wb.comparing.get()).not.toBe(first);
+    expect(first?.shown.get()).toBeUndefined();
+  });
+
+  it('a dump that does not fit is a message with its line, which a fitting one takes away', async () => {
+    const wb = open(crawler);
+    await drop(wb, dumpFile('mine.txt', '\n1 2 3\n'));
+    expect(wb.messages.list.get()).toMatchObject([
+      { severity: 'error', fate: 'not compared', diagnostics: [{ file: 'mine.txt', line: 2 }] },
+    ]);
+    await drop(wb, dumpFile('mine.txt', right(0)));
+    expect(wb.messages.list.get()).toEqual([]);
+  });
+
+  it('dumps without a character say what is missing', async () => {
+    const wb = open();
+    await drop(wb, dumpFile('mine.txt', '1 2 3'));
+    expect(wb.comparing.get()).toBeUndefined();
+    expect(wb.messages.list.get()).toMatchObject([{ text: 'Open a character first, to compare mine.txt with it.' }]);
+  });
+});
