@@ -7,6 +7,9 @@
  */
 import { type Character, type Document, type DriverSource, findCharacter, shownClip } from '../model/document.ts';
 
+/** As the clip of a `TakeRef`: the take of another character, which is retargeted to this one live. */
+export const RETARGETED = -2;
+
 /** What retargeting needs of a character; undefined if it has no skeleton or shows no take. */
 export function driverSource(character: Character): DriverSource | undefined {
   const { name, skeleton, pose, clampsToLimits, timeOffsetSeconds, space } = character;

@@ -8,6 +8,9 @@
  *     root       p − root                         ignores placement and path
  *     turned     R⁻¹ (p − root)                   also ignores heading: R is the rotation of the root
  *
+ * The root is the topmost joint that has a partner. Roots of different skeletons have different axes at rest, so there
+ * the second one's are turned to the first one's (`compared-roots.ts`).
+ *
  * Positions are in the scene (with each character's placement and space), so distances are in metres if both characters
  * specify their unit. "In place" only affects display and is ignored.
  *
@@ -97,6 +100,7 @@ const FRAMES_AT_A_TIME = 32;
 
 /**
  * Measures in steps: yields progress, 0 to 1, every few milliseconds. Both characters need a skeleton.
+ * @param turn of the second root's axes, nine numbers; absent: none
  * @throws Error if one has none
  */
 export function* measureDistances(
@@ -105,9 +109,10 @@ export function* measureDistances(
   match: JointMatch,
   times: FrameTimes,
   alignment: Alignment,
+  turn?: Float64Array,
 ): Steps<Distances> {
   const one = new PosedJoints(a, match.first, alignment);
-  const two = new PosedJoints(b, match.second, alignment);
+  const two = new PosedJoints(b, match.second, alignment, turn);
   const { frameCount, startSeconds, frameSeconds } = times;
   const joints = match.first.length;
   const values = new Float32Array(joints * frameCount);
@@ -164,6 +169,7 @@ class PosedJoints {
     private readonly character: Character,
     private readonly joints: readonly number[],
     private readonly alignment: Alignment,
+    private readonly turn?: Float64Array,
   ) {
     const { skeleton } = character;
     if (!skeleton) throw new Error(`${character.name} has no skeleton: there is nothing to measure.`);
@@ -179,8 +185,9 @@ class PosedJoints {
     const { character, compiled, dofs, world, joints, positions, toScene: m, root } = this;
     poseAt(character, timeSeconds, dofs);
     worldMatrices(compiled, dofs, world);
-    const fromRoot = this.alignment !== 'world' && world.length > 0;
-    if (fromRoot) rootInScene(m, world, root);
+    const fromRoot = this.alignment !== 'world' && joints.length > 0;
+    if (fromRoot) rootInScene(m, world, 16 * joints[0], root);
+    if (fromRoot && this.turn) turnAxes(root, this.turn);
     for (let k = 0; k < joints.length; k++) {
       const o = 16 * joints[k] + 12;
       let x = m[0] * world[o] + m[4] * world[o + 1] + m[8] * world[o + 2] + m[12];
@@ -205,15 +212,24 @@ class PosedJoints {
   }
 }
 
-/** Writes the first joint's matrix in the scene, with normalised axes. */
-function rootInScene(m: Float64Array, world: Float64Array, out: Float64Array): void {
+/** Writes a joint's matrix in the scene, with normalised axes. */
+function rootInScene(m: Float64Array, world: Float64Array, at: number, out: Float64Array): void {
   for (let c = 0; c < 4; c++) {
     const w = c === 3 ? 1 : 0;
     for (let r = 0; r < 3; r++) {
-      out[4 * c + r] = m[r] * world[4 * c] + m[4 + r] * world[4 * c + 1] + m[8 + r] * world[4 * c + 2] + m[12 + r] * w;
+      const o = at + 4 * c;
+      out[4 * c + r] = m[r] * world[o] + m[4 + r] * world[o + 1] + m[8 + r] * world[o + 2] + m[12 + r] * w;
     }
     if (c === 3) continue;
     const length = Math.hypot(out[4 * c], out[4 * c + 1], out[4 * c + 2]) || 1;
     for (let r = 0; r < 3; r++) out[4 * c + r] /= length;
+  }
+}
+
+/** Multiplies the matrix's rotation by nine numbers from the right. */
+function turnAxes(matrix: Float64Array, turn: Float64Array): void {
+  for (let r = 0; r < 3; r++) {
+    const [x, y, z] = [matrix[r], matrix[4 + r], matrix[8 + r]];
+    for (let c = 0; c < 3; c++) matrix[4 * c + r] = x * turn[3 * c] + y * turn[3 * c + 1] + z * turn[3 * c + 2];
   }
 }

@@ -8,7 +8,7 @@ import { type Character, type Document, type Space, shownClip } from '../../mode
 import { NO_MARKS, type PartMark } from '../../model/part.ts';
 import { finiteNumber, indexIn, listOf } from '../arguments.ts';
 import { requireCharacter } from '../characters.ts';
-import { driverSource, withoutDriver } from '../drivers.ts';
+import { driverSource, RETARGETED, withoutDriver } from '../drivers.ts';
 import { extentOf } from '../place-beside.ts';
 import { ownHeight } from '../same-height.ts';
 import { characterIn, cutName, SHORT_NAME } from '../step-names.ts';
@@ -18,7 +18,7 @@ import { withoutUnkeyed } from '../unkeyed.ts';
 /** One take of one character. */
 export interface TakeRef {
   readonly characterId: string;
-  /** Index of the character's takes; -1: the character in its pose, without a take. */
+  /** Index of the character's takes; -1: the character in its pose, without a take; `RETARGETED`. */
   readonly clip: number;
 }
 
@@ -37,6 +37,7 @@ function shown(document: Document, takes: ReadonlyMap<string, number>, alone: bo
   return mapCharacters(document, (c) => {
     const clip = takes.get(c.id);
     if (clip === undefined) return alone ? hidden(c) : c;
+    if (clip === RETARGETED) return visible(c);
     // Showing a take of its own ends retargeting.
     const seen = withoutDriver(visible(c));
     return seen.shownClip === clip ? seen : { ...withoutUnkeyed(seen), shownClip: clip };
@@ -104,7 +105,7 @@ export const arrange: Command<{ readonly characterIds: readonly string[]; readon
  * Overlays one take on another: shows both and nothing else, the second in the place of the first. Takes of one actor
  * also share its scale, unit and ground. Others keep their own sizes; only where a unit isn't known and one is far
  * taller, the second is made as tall as the first. Two takes of one character can't both be shown: there the first is
- * shown, and the viewer draws the second over it.
+ * shown, or the retargeted one, and the viewer draws the other over it.
  */
 export const overlayTakes: Command<{ readonly first: TakeRef; readonly second: TakeRef }> = {
   id: 'takes.overlay',
@@ -112,7 +113,10 @@ export const overlayTakes: Command<{ readonly first: TakeRef; readonly second: T
     `Compare ${nameOf(document, first, SHORT_NAME)} with ${nameOf(document, second, SHORT_NAME)}`,
   run(document, { first, second }) {
     if (!first || !second) throw new CommandError('Comparing needs two takes.');
-    if (first.characterId === second.characterId) return shown(document, takesIn(document, [first]), true);
+    if (first.characterId === second.characterId) {
+      const [, one] = checkedRefs(document, [first, second], -1);
+      return shown(document, takesIn(document, [one.clip === RETARGETED ? one : first]), true);
+    }
     const next = shown(document, takesIn(document, [first, second]), true);
     const like = requireCharacter(next, first.characterId);
     const { space } = like;
@@ -220,9 +224,10 @@ export const removeTakes: Command<{ readonly takes: readonly TakeRef[] }> = {
     const characters: Character[] = [];
     for (const character of document.characters) {
       const without = gone.get(character.id);
-      if (!without) characters.push(character);
+      const kept = without?.delete(RETARGETED) ? withoutDriver(character) : character;
+      if (!without?.size) characters.push(kept);
       else if (without.size < character.clips.length || !isOnlyTakes(character)) {
-        characters.push(withoutClips(character, without));
+        characters.push(withoutClips(kept, without));
       }
     }
     return { ...document, characters };
@@ -340,12 +345,13 @@ function idsIn(document: Document, ids: readonly string[]): string[] {
   return found;
 }
 
-/** @param least the smallest valid index: -1 if no take is valid too */
+/** A retargeted take of the character is valid too. @param least the smallest valid index: -1 if no take is valid */
 function checkedRefs(document: Document, takes: readonly TakeRef[], least: number): TakeRef[] {
   return listOf(takes, 'The takes').map((given) => {
     // Only these two fields are read, and both are checked.
     const { characterId, clip } = (given ?? {}) as Partial<TakeRef>;
     const character = requireCharacter(document, String(characterId));
+    if (clip === RETARGETED && character.driver) return { characterId: character.id, clip };
     return { characterId: character.id, clip: indexIn(clip, least, character.clips.length, 'take') };
   });
 }
@@ -365,7 +371,8 @@ function takesIn(document: Document, takes: readonly TakeRef[]): ReadonlyMap<str
 
 function nameOf(document: Document, { characterId, clip }: TakeRef, length?: number): string {
   const character = requireCharacter(document, characterId);
-  return cutName(character.clips[clip]?.name ?? character.name, length);
+  const named = clip === RETARGETED ? character.driver?.source.clip : character.clips[clip];
+  return cutName(named?.name ?? character.name, length);
 }
 
 /** `walk and run`; without takes the names of their characters. */

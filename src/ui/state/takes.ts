@@ -3,6 +3,7 @@
  * remembered nor undoable.
  */
 import type { TakeRef } from '../../edit/commands/takes.ts';
+import { RETARGETED, withoutDriver } from '../../edit/drivers.ts';
 import type { Alignment } from '../../evaluate/distance.ts';
 import { type Character, type Document, findCharacter } from '../../model/document.ts';
 import { twinOf } from '../../model/drawn-id.ts';
@@ -28,7 +29,10 @@ export interface TakesView {
   readonly focused?: string;
 }
 
-/** Two takes, one over the other. */
+/**
+ * Two takes, one over the other. Of two characters, what they play: the comparison follows when one shows another take,
+ * is retargeted, or baked. Of one character, what it plays and the second take.
+ */
 export interface Comparison {
   readonly first: TakeRef;
   readonly second: TakeRef;
@@ -79,43 +83,66 @@ export interface Compared {
   readonly drawnAs: string;
 }
 
-/** The two characters; undefined if one of the takes no longer exists. */
+/** The two characters; undefined if one of them has nothing to play any more, or both play the same take. */
 export function comparedIn(
   document: Document,
   comparison: Comparison | undefined,
 ): readonly [Compared, Compared] | undefined {
   if (!comparison) return undefined;
   const { first, second } = comparison;
-  const [a, b] = [playing(document, first), playing(document, second)];
-  if (!a || !b) return undefined;
-  const drawnAs = a.id === b.id ? twinOf(b.id) : b.id;
+  const isOne = first.characterId === second.characterId;
+  const a = findCharacter(document, first.characterId);
+  const b = isOne ? showing(document, second) : findCharacter(document, second.characterId);
+  if (!a || !b || a === b || !plays(a) || !plays(b)) return undefined;
   return [
     { character: a, drawnAs: a.id },
-    { character: b, drawnAs },
+    { character: b, drawnAs: isOne ? twinOf(b.id) : b.id },
   ];
+}
+
+/** The take that a character plays: a retargeted one, or its own; undefined if it plays none. */
+export function playedTake(character: Character): TakeRef | undefined {
+  const { id, driver, clips, shownClip } = character;
+  if (driver) return { characterId: id, clip: RETARGETED };
+  return clips[shownClip] ? { characterId: id, clip: shownClip } : undefined;
+}
+
+const plays = (character: Character) => playedTake(character) !== undefined;
+
+/** Name of the take that a character plays: `walk`, `walk on wasp` if it is retargeted. */
+export function playedName({ driver, clips, shownClip, name }: Character): string {
+  if (driver) return `${driver.source.clip.name || driver.source.name} on ${name}`;
+  return clips[shownClip]?.name ?? name;
 }
 
 /** A character showing each of its takes, by index of the take. */
 const showingEach = perObject((character: Character) =>
-  character.clips.map((_, shownClip) => ({ ...character, shownClip })),
+  character.clips.map((_, shownClip) => ({ ...withoutDriver(character), shownClip })),
 );
 
-/** The character showing that take: the same object for the same character. */
-function playing(document: Document, { characterId, clip }: TakeRef): Character | undefined {
+/** The character playing that take: the same object for the same character. */
+export function showing(document: Document, { characterId, clip }: TakeRef): Character | undefined {
   const character = findCharacter(document, characterId);
+  if (clip === RETARGETED) return character?.driver && character;
   if (!character?.clips[clip]) return undefined;
-  if (character.shownClip === clip) return character;
+  if (character.shownClip === clip && !character.driver) return character;
   return showingEach(character)[clip];
 }
 
-/** The document as drawn: a character appears twice if two of its takes are compared. */
+/** The document as drawn: a character appears twice, each with its take's name, if two of its takes are compared. */
 export function drawnDocument(document: Document, comparison: Comparison | undefined): Document {
   const compared = comparedIn(document, comparison);
   if (!compared) return document;
   const [a, b] = compared;
-  if (a.drawnAs === b.drawnAs || a.character.id !== b.character.id) return document;
+  if (a.character.id !== b.character.id) return document;
   const { isHidden } = a.character;
-  const twin: Character = { ...b.character, id: b.drawnAs, ...(isHidden && { isHidden }) };
-  const characters = document.characters.map((c) => (c.id === a.character.id ? a.character : c));
+  const named = { ...a.character, name: playedName(a.character) };
+  const twin: Character = {
+    ...b.character,
+    id: b.drawnAs,
+    name: playedName(b.character),
+    ...(isHidden && { isHidden }),
+  };
+  const characters = document.characters.map((c) => (c.id === named.id ? named : c));
   return { ...document, characters: [...characters, twin] };
 }

@@ -3,10 +3,10 @@
 import type { Arrangement } from '../../../edit/commands/takes.ts';
 import { isMac } from '../../kit/keyboard.ts';
 import { needs } from '../../state/needs.ts';
+import { onDemand } from '../../state/on-demand.ts';
 import { openPanel } from '../../state/panels.ts';
-import type { Action, Uses } from '../../state/workbench.ts';
-import { compareTakes, endComparison } from './compare.ts';
-import { takesToCompare } from './compare-menu.ts';
+import type { Action, Uses, Workbench } from '../../state/workbench.ts';
+import { endComparison } from './compare.ts';
 import {
   align,
   charactersMeant,
@@ -23,13 +23,14 @@ import {
   takesAtHand,
   toggleShown,
 } from './play.ts';
+import type { TakeRow } from './rows.ts';
+import { takesToCompare } from './which-takes.ts';
 
 const MENU = 'Play/Takes';
 const TWO_TAKES = `Select two takes in the Takes tab: ${isMac ? 'Cmd' : 'Ctrl'}+click the second. Or right-click one: Compare with.`;
-const several = needs(
-  'This needs two characters with takes: select them in the list of takes, or show all.',
-  (wb: Uses<'store' | 'timeline'>) => charactersMeant(wb).length > 1,
-);
+const SEVERAL = 'This needs two characters with takes: select them in the list of takes, or show all.';
+const isComparing = (wb: Uses<'timeline'>) => wb.timeline.takes.comparison.get() !== undefined;
+const several = needs(SEVERAL, (wb: Uses<'store' | 'timeline'>) => charactersMeant(wb).length > 1);
 
 export const TAKE_ACTIONS: readonly Action[] = [
   {
@@ -126,7 +127,8 @@ export const TAKE_ACTIONS: readonly Action[] = [
     run(wb) {
       const pair = takesToCompare(wb);
       if (wb.timeline.takes.comparison.get()) endComparison(wb);
-      else if (pair) compareTakes(wb, ...pair);
+      else if (pair) return compare(wb, ...pair);
+      return undefined;
     },
   },
   {
@@ -149,10 +151,23 @@ export const TAKE_ACTIONS: readonly Action[] = [
     enabled: hasTakes,
     run: resetOffsets,
   },
-  put('grid', 'Side by side', 'In rows, without overlap'),
+  {
+    ...put('grid', 'Side by side', 'In rows, without overlap'),
+    enabled: needs(
+      (wb: Uses<'store' | 'timeline'>) =>
+        isComparing(wb) ? 'Takes are being compared, one over the other. Stop comparing first.' : SEVERAL,
+      (wb: Uses<'store' | 'timeline'>) => !isComparing(wb) && charactersMeant(wb).length > 1,
+    ),
+  },
   put('spot', 'Same spot', 'All start where the first one does'),
   put('space', 'Same space', 'All in the coordinates of the first one'),
 ];
+
+/** Loads what matches joints on first use. */
+async function compare(wb: Workbench, ...pair: readonly [TakeRow, TakeRow]): Promise<void> {
+  const script = await onDemand(wb.messages, 'Comparing', () => import('./start-comparison.ts'));
+  script?.compareTakes(wb, ...pair);
+}
 
 function put(how: Arrangement, label: string, detail: string): Action {
   return {

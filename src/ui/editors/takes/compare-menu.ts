@@ -1,32 +1,16 @@
-/** Which two takes are compared: the selected ones, or one and another chosen in a menu. */
-import { isSameSkeleton, type JointMatch, matchJoints } from '../../../evaluate/joint-match.ts';
-import { type Document, findCharacter } from '../../../model/document.ts';
+/** The takes that one can be compared with, as a menu. */
+import { type ComparedJoints, comparedJoints } from '../../../evaluate/compared-joints.ts';
+import type { Document } from '../../../model/document.ts';
 import type { MenuEntry } from '../../kit/menu.ts';
 import { plural } from '../../kit/number-text.ts';
+import { showing } from '../../state/takes.ts';
 import type { Uses } from '../../state/workbench.ts';
-import { compareTakes } from './compare.ts';
-import { chosenTakes, currentPlace } from './play.ts';
 import { type TakeRow, takeRows } from './rows.ts';
-
-/** The two takes that need no further choice: those selected, or the only two; undefined if there are others. */
-export function takesToCompare(wb: Uses<'store' | 'timeline'>): readonly [TakeRow, TakeRow] | undefined {
-  const chosen = chosenTakes(wb);
-  const all = takeRows(wb.store.document);
-  const [first, second] = chosen.length === 2 ? chosen : all.length === 2 ? all : [];
-  return first && second && [first, second];
-}
-
-/** The take that others are compared with: the selected one, else the current or the first. */
-export function takeToCompare(wb: Uses<'store' | 'timeline'>): TakeRow | undefined {
-  const all = takeRows(wb.store.document);
-  const { focused } = wb.timeline.takes.view.get();
-  const chosen = chosenTakes(wb);
-  return chosen.find(({ key }) => key === focused) ?? chosen[0] ?? all[Math.max(0, currentPlace(wb, all))];
-}
+import { compareTakes } from './start-comparison.ts';
 
 /** `Compare with…` as one entry of a menu: the only other take, or a submenu of all; none without another. */
 export function compareWith(
-  wb: Uses<'store' | 'viewport' | 'transport' | 'timeline' | 'messages'>,
+  wb: Uses<'store' | 'viewport' | 'transport' | 'timeline' | 'messages' | 'dialog'>,
   row: TakeRow,
 ): readonly MenuEntry[] {
   const others = othersOf(wb.store.document, row);
@@ -39,13 +23,13 @@ export function compareWith(
 
 /** The other takes, each compared with this one when chosen: those of the same skeleton first. */
 export function compareEntries(
-  wb: Uses<'store' | 'viewport' | 'transport' | 'timeline' | 'messages'>,
+  wb: Uses<'store' | 'viewport' | 'transport' | 'timeline' | 'messages' | 'dialog'>,
   row: TakeRow,
 ): readonly MenuEntry[] {
   const others = othersOf(wb.store.document, row);
   const entries = others.flatMap(({ other, match, rank }, i): MenuEntry[] => {
     const run = () => compareTakes(wb, row, other);
-    const detail = [other.character, rank === 0 ? '' : inCommon(match)].filter(Boolean).join(', ');
+    const detail = [other.note || other.character, rank === 0 ? '' : inCommon(match)].filter(Boolean).join(', ');
     const item: MenuEntry = {
       kind: 'item',
       label: other.name || 'unnamed',
@@ -64,24 +48,24 @@ const NOTHING_IN_COMMON = 2;
 
 interface Other {
   readonly other: TakeRow;
-  readonly match: JointMatch | undefined;
+  readonly match: ComparedJoints | undefined;
   /** 0: the same skeleton; 1: some joints in common; 2: none. */
   readonly rank: 0 | 1 | typeof NOTHING_IN_COMMON;
 }
 
 function othersOf(document: Document, row: TakeRow): readonly Other[] {
-  const skeleton = findCharacter(document, row.characterId)?.skeleton;
+  const own = showing(document, row);
   return takeRows(document)
     .filter(({ key }) => key !== row.key)
     .map((other): Other => {
-      const own = findCharacter(document, other.characterId)?.skeleton;
-      const match = skeleton && own && matchJoints(skeleton, own);
+      const its = showing(document, other);
+      const match = own && its && comparedJoints(own, its);
       if (!match?.first.length) return { other, match, rank: NOTHING_IN_COMMON };
-      return { other, match, rank: isSameSkeleton(match) ? 0 : 1 };
+      return { other, match, rank: match.isSame ? 0 : 1 };
     })
     .sort((a, b) => a.rank - b.rank);
 }
 
-function inCommon(match: JointMatch | undefined): string {
+function inCommon(match: ComparedJoints | undefined): string {
   return match?.first.length ? `${plural(match.first.length, 'joint')} in common` : 'no joints in common';
 }

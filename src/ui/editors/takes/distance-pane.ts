@@ -28,7 +28,7 @@ export class DistancePane {
   private readonly alignment: HTMLSelectElement;
   private unit: DistanceUnit = { factor: 1, symbol: '' };
 
-  constructor(private readonly wb: Uses<'store' | 'transport' | 'timeline' | 'settings' | 'messages'>) {
+  constructor(private readonly wb: Uses<'store' | 'transport' | 'timeline' | 'settings' | 'messages' | 'actions'>) {
     const { takes } = wb.timeline;
     this.measuring = new Measuring(wb);
     this.chart = new DistanceChart(wb);

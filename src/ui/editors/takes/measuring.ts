@@ -2,8 +2,9 @@
  * Keeps the distances of the two compared takes up to date: measured a few milliseconds at a time when either take or
  * the alignment changes. A change during a measurement waits for it, so that a drag always has a recent result.
  */
+import { type ComparedJoints, comparedJoints } from '../../../evaluate/compared-joints.ts';
+import { rootTurn } from '../../../evaluate/compared-roots.ts';
 import { type Alignment, commonFrames, type Distances, measureDistances } from '../../../evaluate/distance.ts';
-import { type JointMatch, matchJoints } from '../../../evaluate/joint-match.ts';
 import { type Character, shownClip } from '../../../model/document.ts';
 import { runInSlices } from '../../../view/slices.ts';
 import { type Observable, observable } from '../../kit/observable.ts';
@@ -19,7 +20,7 @@ interface Asked {
 }
 
 export interface Measured extends Asked {
-  readonly match: JointMatch;
+  readonly match: ComparedJoints;
   /** Absent: the takes don't overlap in time. */
   readonly distances?: Distances;
 }
@@ -82,17 +83,16 @@ export class Measuring {
 
 async function measure(asked: Asked): Promise<Measured> {
   const { first, second, alignment, framesPerSecond } = asked;
-  const [a, b] = [first.skeleton, second.skeleton];
-  const match = a && b ? matchJoints(a, b) : NO_MATCH;
+  const match = comparedJoints(first, second);
   const times = match.first.length ? commonFrames(first, second, framesPerSecond, match.first.length) : undefined;
   if (!times) return { ...asked, match };
-  const work = measureDistances(first, second, match, times, alignment);
+  const turn = alignment === 'turned' ? rootTurn(first, second, match) : undefined;
+  const work = measureDistances(first, second, match, times, alignment, turn);
   const distances = await runInSlices(work, NEVER);
   return { ...asked, match, ...(distances && { distances }) };
 }
 
 const NEVER = new AbortController().signal;
-const NO_MATCH: JointMatch = { first: [], second: [], onlyFirst: [], onlySecond: [] };
 
 /** Whether both are about the same characters. */
 function isOf(a: Asked, b: Asked): boolean {
@@ -115,6 +115,7 @@ function movesAlike(a: Character, b: Character): boolean {
     a === b ||
     (a.id === b.id &&
       a.skeleton === b.skeleton &&
+      a.driver === b.driver &&
       a.morphs === b.morphs &&
       a.pose === b.pose &&
       a.unkeyed === b.unkeyed &&

@@ -13,11 +13,11 @@ import { findAction } from '../../state/action.ts';
 import { attempt } from '../../state/attempt.ts';
 import { sectionsOf } from '../../state/menu-entries.ts';
 import { shortcutsFor, shortcutText } from '../../state/shortcuts.ts';
-import { comparedIn } from '../../state/takes.ts';
+import { type Compared, type Comparison, comparedIn } from '../../state/takes.ts';
 import type { TimelineTab } from '../../state/timeline.ts';
 import type { Workbench } from '../../state/workbench.ts';
 import { movedEntries } from '../retarget/moved.ts';
-import { compareTakes, endComparison } from './compare.ts';
+import { endComparison } from './compare.ts';
 import { compareWith } from './compare-menu.ts';
 import { DistancePane } from './distance-pane.ts';
 import {
@@ -31,8 +31,10 @@ import {
   toggleShown,
 } from './play.ts';
 import { shownKey, type TakeRow, takeKey } from './rows.ts';
+import { compareTakes } from './start-comparison.ts';
 import { TakeTable } from './table.ts';
 import { arrangeEntries, takeTools } from './tools.ts';
+import { followPlayed } from './which-takes.ts';
 
 export function takesPanel(wb: Workbench): TimelineTab {
   return new TakesPanel(wb);
@@ -89,6 +91,7 @@ class TakesPanel implements TimelineTab {
   private follow(): void {
     const { wb } = this;
     const { takes } = wb.timeline;
+    followPlayed(wb);
     wb.store.subscribe((now, before) => {
       if (now.selection.characterId !== before.selection.characterId) this.goToSelected();
       if (now.document !== before.document) this.showSoon();
@@ -139,8 +142,9 @@ class TakesPanel implements TimelineTab {
     const { takes } = wb.timeline;
     const { order, chosen, focused, filter } = takes.view.get();
     const comparison = takes.comparison.get();
-    const isComparing = comparedIn(wb.store.document, comparison) !== undefined;
-    const [first, second] = comparison ? [takeKey(comparison.first), takeKey(comparison.second)] : [];
+    const compared = comparedIn(wb.store.document, comparison);
+    const [first, second] = compared && comparison ? keysOf(compared, comparison) : [];
+    const isComparing = compared !== undefined;
     const rows = listOfTakes(wb);
     this.element.classList.toggle('comparing', isComparing);
     this.distances.element.hidden = !isComparing;
@@ -161,10 +165,7 @@ class TakesPanel implements TimelineTab {
       chosen,
       focused,
       framesPerSecond: wb.transport.get().framesPerSecond,
-      compared: ({ key }) => {
-        if (!isComparing) return undefined;
-        return key === first ? 'first' : key === second ? 'second' : undefined;
-      },
+      compared: ({ key }) => (key === first ? 'first' : key === second ? 'second' : undefined),
     });
   }
 
@@ -222,4 +223,10 @@ class TakesPanel implements TimelineTab {
     ];
     openMenu(at, entries, { label: row.name });
   }
+}
+
+/** Keys of the rows of two compared takes: what the characters play; of one character, the second take as chosen. */
+function keysOf([a, b]: readonly [Compared, Compared], { first, second }: Comparison): readonly (string | undefined)[] {
+  const isOne = first.characterId === second.characterId;
+  return [shownKey(a.character), isOne ? takeKey(second) : shownKey(b.character)];
 }

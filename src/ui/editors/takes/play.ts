@@ -151,8 +151,9 @@ export function resetOffsets(wb: Uses<'store' | 'transport' | 'timeline' | 'mess
 
 /** @param atSeconds of the transport: when its first frame is to play */
 export function startAt(wb: Uses<'store' | 'messages'>, row: TakeRow, atSeconds: number): void {
-  // Plus 0: avoids an offset of −0.
-  const seconds = row.range[0] - atSeconds + 0;
+  const own = findCharacter(wb.store.document, row.characterId)?.timeOffsetSeconds ?? 0;
+  // A retargeted take has its source's offset too. Plus 0: avoids an offset of −0.
+  const seconds = row.range[0] - (row.offsetSeconds - own) - atSeconds + 0;
   attempt(wb.messages, () => wb.store.apply(setTimeOffset, { characterId: row.characterId, seconds }));
 }
 

@@ -1,9 +1,10 @@
 /** The takes of a document as rows of a table: one for each take of each character. */
 import type { TakeRef } from '../../../edit/commands/takes.ts';
-import { type Character, type Document, shownClip } from '../../../model/document.ts';
+import { RETARGETED } from '../../../edit/drivers.ts';
+import type { Character, Document, Driver } from '../../../model/document.ts';
 import { perObject } from '../../../model/per-object.ts';
-import type { TakeColumn, TakeOrder } from '../../state/takes.ts';
-import { followsText, movesText } from '../retarget/moved-text.ts';
+import { playedTake, type TakeColumn, type TakeOrder } from '../../state/takes.ts';
+import { movesText } from '../retarget/moved-text.ts';
 
 export interface TakeRow extends TakeRef {
   /** Stable for the same take of the same character. */
@@ -14,7 +15,7 @@ export interface TakeRow extends TakeRef {
   /** The take shown by its visible character. */
   readonly isShown: boolean;
   readonly isHidden: boolean;
-  /** `aside: walker follows dance` for a retargeted character; `moves walker` for the source take. */
+  /** `retargeted` for another character's take that moves this one; `drives walker` for the source take. */
   readonly note: string;
   /** First to last second played, of the clip. */
   readonly range: readonly [number, number];
@@ -34,9 +35,11 @@ export interface TakeRow extends TakeRef {
 
 export const takeKey = ({ characterId, clip }: TakeRef) => `${characterId}/${clip}`;
 
-const rowsOf = perObject((character: Character): readonly TakeRow[] =>
-  character.clips.map((_, clip) => rowOf(character, clip)),
-);
+const rowsOf = perObject((character: Character): readonly TakeRow[] => {
+  const own = character.clips.map((_, clip) => rowOf(character, clip));
+  const { driver } = character;
+  return driver ? [...own, retargetedRow(character, driver)] : own;
+});
 
 /** In the document's order. Rows of unchanged characters are the same objects. */
 export function takeRows(document: Document): TakeRow[] {
@@ -64,7 +67,7 @@ function rowOf(character: Character, index: number): TakeRow {
     // No take is shown while another character's moves it.
     isShown: !isHidden && !character.driver && character.shownClip === index,
     isHidden,
-    note: character.driver ? `aside: ${character.name} ${followsText(character)}` : '',
+    note: '',
     range,
     durationSeconds: range[1] - range[0],
     ...(samples && { frameCount: samples.frameCount, framesPerSecond: 1 / samples.frameSeconds }),
@@ -74,6 +77,31 @@ function rowOf(character: Character, index: number): TakeRow {
     z: position[2],
     // Under its earlier name too, since it came from that file.
     file: character.parts?.clips[index]?.file?.source.path ?? '',
+  };
+}
+
+/** The take of another character, as it moves this one. */
+function retargetedRow(character: Character, { source }: Driver): TakeRow {
+  const { range, samples, name } = source.clip;
+  const { position } = character.placements[0];
+  const offsetSeconds = character.timeOffsetSeconds + source.timeOffsetSeconds;
+  const ref = { characterId: character.id, clip: RETARGETED };
+  return {
+    ...ref,
+    key: takeKey(ref),
+    name: name || source.name,
+    character: character.name,
+    isShown: !character.isHidden,
+    isHidden: character.isHidden ?? false,
+    note: `retargeted to ${character.name}`,
+    range,
+    durationSeconds: range[1] - range[0],
+    ...(samples && { frameCount: samples.frameCount, framesPerSecond: 1 / samples.frameSeconds }),
+    offsetSeconds,
+    startSeconds: range[0] - offsetSeconds,
+    x: position[0],
+    z: position[2],
+    file: '',
   };
 }
 
@@ -117,7 +145,8 @@ function compare(a: string | number, b: string | number): number {
   return Number(a) - Number(b);
 }
 
-/** Row key of a character's shown take; undefined if it shows none. */
+/** Row key of the take that a character plays; undefined if it plays none. */
 export function shownKey(character: Character): string | undefined {
-  return shownClip(character) && takeKey({ characterId: character.id, clip: character.shownClip });
+  const played = playedTake(character);
+  return played && takeKey(played);
 }

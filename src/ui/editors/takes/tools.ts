@@ -12,10 +12,11 @@ import { actionLabel, findAction, isEnabled, tryAction } from '../../state/actio
 import { itemOf } from '../../state/menu-entries.ts';
 import { setActionTooltip } from '../../state/tooltips.ts';
 import type { Uses } from '../../state/workbench.ts';
-import { compareEntries, takesToCompare, takeToCompare } from './compare-menu.ts';
+import { compareEntries } from './compare-menu.ts';
 import { chosenTakes, listOfTakes } from './play.ts';
 import { takeRows } from './rows.ts';
 import { countText } from './table.ts';
+import { takesToCompare, takeToCompare } from './which-takes.ts';
 
 /** Buttons with texts and tooltips. */
 const BUTTONS: readonly (readonly [id: string, text: string, tooltip: string])[] = [
@@ -27,7 +28,7 @@ const COMPARE_TIP = `Overlay two takes and measure the distance between their jo
 const ARRANGING = ['take.alignStarts', 'take.resetOffsets', 'line', 'take.put.grid', 'take.put.spot', 'take.put.space'];
 
 export function takeTools(
-  wb: Uses<'store' | 'viewport' | 'transport' | 'actions' | 'timeline' | 'settings' | 'messages'>,
+  wb: Uses<'store' | 'viewport' | 'transport' | 'actions' | 'timeline' | 'settings' | 'messages' | 'dialog'>,
 ): HTMLElement {
   const refreshing: (() => void)[] = [];
   const buttons = BUTTONS.map(([id, text, tooltip]) => {
@@ -88,7 +89,7 @@ export function takeTools(
 
 /** Compares the two selected takes, or the only two; otherwise a menu of those that one can be compared with. */
 function compareButton(
-  wb: Uses<'store' | 'viewport' | 'transport' | 'actions' | 'timeline' | 'settings' | 'messages'>,
+  wb: Uses<'store' | 'viewport' | 'transport' | 'actions' | 'timeline' | 'settings' | 'messages' | 'dialog'>,
 ): { readonly element: HTMLElement; refresh(): void } {
   const action = findAction(wb, 'take.compare');
   const label = element('span', {}, 'Compare');

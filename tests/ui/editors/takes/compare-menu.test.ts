@@ -1,12 +1,8 @@
-import { expect, it } from 'vitest';
+import { expect, it, vi } from 'vitest';
 import type { Character } from '../../../../src/model/document.ts';
-import {
-  compareEntries,
-  compareWith,
-  takesToCompare,
-  takeToCompare,
-} from '../../../../src/ui/editors/takes/compare-menu.ts';
+import { compareEntries, compareWith } from '../../../../src/ui/editors/takes/compare-menu.ts';
 import { listOfTakes } from '../../../../src/ui/editors/takes/play.ts';
+import { takesToCompare, takeToCompare } from '../../../../src/ui/editors/takes/which-takes.ts';
 import type { MenuEntry } from '../../../../src/ui/kit/menu.ts';
 import { findAction, isEnabled, runAction, whyNot } from '../../../../src/ui/state/action.ts';
 import { character, clip, documentOf, skeleton } from '../../../helpers/builders.ts';
@@ -67,7 +63,9 @@ it('a take without a joint in common says what to do when it is chosen', () => {
   const chosen = item(compareEntries(wb, listOfTakes(wb)[0]), 'stranger');
   if (chosen?.kind === 'item') chosen.refuse?.();
   expect(chosen).toMatchObject({ enabled: false });
-  expect(wb.messages.list.get().at(-1)?.text).toContain('Edit > Retarget take');
+  expect(wb.messages.passing.get()).toContain('Edit > Retarget take');
+  wb.messages.offer?.run();
+  expect(wb.dialog.get()).toBe('retarget');
   expect(wb.timeline.takes.comparison.get()).toBeUndefined();
 });
 
@@ -80,9 +78,10 @@ it('a row offers a menu of the other takes to compare with, the only other one b
   expect(compareWith(one, listOfTakes(one)[0])).toEqual([]);
 });
 
-it('the only two takes are compared without being selected', () => {
+it('the only two takes are compared without being selected', async () => {
   const wb = bench(take('a'), take('b'));
   runAction(wb, 'take.compare');
+  await vi.waitUntil(() => wb.timeline.takes.comparison.get());
   expect(wb.timeline.takes.comparison.get()).toMatchObject({
     first: { characterId: 'a' },
     second: { characterId: 'b' },
@@ -107,4 +106,13 @@ it('others are compared with the focused one of the selected takes, the current 
   expect(takeToCompare(wb)?.name).toBe('cousin');
   wb.timeline.takes.change({ chosen: new Set(['a/0', 'twin/0', 'cousin/0']), focused: 'twin/0' });
   expect(takeToCompare(wb)?.name).toBe('twin');
+});
+
+it('of several takes the only two that play are compared, unless another one is selected', () => {
+  const wb = bench(take('a'), take('twin'), take('hidden', { isHidden: true }));
+  expect(takesToCompare(wb)?.map(({ name }) => name)).toEqual(['a', 'twin']);
+  wb.timeline.takes.change({ chosen: new Set(['twin/0']) });
+  expect(takesToCompare(wb)?.map(({ name }) => name)).toEqual(['a', 'twin']);
+  wb.timeline.takes.change({ chosen: new Set(['hidden/0']) });
+  expect(takesToCompare(wb)).toBeUndefined();
 });

@@ -2,9 +2,9 @@ import { describe, expect, it } from 'vitest';
 import { setTimeOffset } from '../../../../src/edit/commands/characters.ts';
 import { setDofs } from '../../../../src/edit/commands/pose.ts';
 import type { Character } from '../../../../src/model/document.ts';
-import { compareTakes } from '../../../../src/ui/editors/takes/compare.ts';
 import { Measuring } from '../../../../src/ui/editors/takes/measuring.ts';
 import { listOfTakes } from '../../../../src/ui/editors/takes/play.ts';
+import { compareTakes } from '../../../../src/ui/editors/takes/start-comparison.ts';
 import { character, clip, documentOf, skeleton } from '../../../helpers/builders.ts';
 import { workbench } from '../../builders.ts';
 

@@ -1,0 +1,54 @@
+/**
+ * The rotation between the axes of two compared roots. Roots of different skeletons point elsewhere in the same pose,
+ * which is no difference between two motions. So the second one's rotation is multiplied by K, the constant by which
+ * the retargeter aligns the same two joints (`retarget/align.ts`).
+ */
+import type { Character } from '../model/document.ts';
+import { shownClip } from '../model/document.ts';
+import type { Skeleton } from '../model/skeleton.ts';
+import type { ComparedJoints } from './compared-joints.ts';
+import { alignment, type Bodies, bodiesOf, sourceFigure } from './retarget/align.ts';
+import type { RetargetFigure } from './retarget/figure.ts';
+import { referenceFigure, stands } from './retarget/reference.ts';
+import { playedSource } from './retarget/source-pose.ts';
+
+/** Nine numbers for `measureDistances`; undefined if both have the same skeleton, and so the same axes. */
+export function rootTurn(a: Character, b: Character, joints: ComparedJoints): Float64Array | undefined {
+  if (joints.isSame || !joints.first.length || !a.skeleton || !b.skeleton) return undefined;
+  const [i, j] = [joints.first[0], joints.second[0]];
+  const ontoSecond = bodiesFrom(a, a.skeleton, joints.first, b, b.skeleton, joints.second);
+  const ontoFirst = bodiesFrom(b, b.skeleton, joints.second, a, a.skeleton, joints.first);
+  // The target's rest pose must be a standing one; of the source, a frame of its take can be used.
+  if (stands(ontoSecond, sourceFigure(ontoSecond)) || !stands(ontoFirst, sourceFigure(ontoFirst))) {
+    return correction(ontoFirst, b, i);
+  }
+  return transposed(correction(ontoSecond, a, j));
+}
+
+function bodiesFrom(
+  source: Character,
+  from: Skeleton,
+  sources: readonly number[],
+  target: Character,
+  onto: Skeleton,
+  targets: readonly number[],
+): Bodies {
+  const pairs = targets.map((t, k) => ({ target: t, source: sources[k] }));
+  return bodiesOf(from, source.space, onto, target.space, pairs);
+}
+
+function correction(bodies: Bodies, source: Character, target: number): Float64Array {
+  return alignment(bodies, referenceOf(bodies, source)).slice(9 * target, 9 * target + 9);
+}
+
+function referenceOf(bodies: Bodies, source: Character): RetargetFigure {
+  const { name, pose, clampsToLimits, timeOffsetSeconds } = source;
+  const clip = source.driver ? undefined : shownClip(source);
+  if (!clip) return sourceFigure(bodies);
+  const played = playedSource({ name, skeleton: bodies.source, clip, pose, clampsToLimits, timeOffsetSeconds });
+  return referenceFigure(bodies, played, clip.range, 'automatic');
+}
+
+function transposed(m: Float64Array): Float64Array {
+  return Float64Array.of(m[0], m[3], m[6], m[1], m[4], m[7], m[2], m[5], m[8]);
+}
