@@ -40,7 +40,8 @@ export interface CurveRules {
   readonly isScaled: boolean;
   readonly between: 'cubic' | 'line' | 'step';
   readonly basis: HermiteBasis;
-  readonly hasExtrapolation: boolean;
+  /** Where the end value is held instead, whatever the channel says. */
+  readonly held: 'nowhere' | 'outside' | 'before' | 'after';
   readonly cycleOffset: 'times period' | 'none' | 'always added';
   readonly bounce: 'odd periods' | 'none' | 'even periods' | 'odd after only';
   /** How a time before the first key is folded: `hold` and `run on` leave it before the keys. */
@@ -59,7 +60,7 @@ export const RIGHT_CURVES: CurveRules = {
   isScaled: true,
   between: 'cubic',
   basis: HERMITE,
-  hasExtrapolation: true,
+  held: 'nowhere',
   cycleOffset: 'times period',
   bounce: 'odd periods',
   modulo: 'floor',
@@ -86,7 +87,7 @@ function keyedValue(keys: KeyedChannel, range: readonly [number, number], time: 
   if (!isBefore && time <= end) return inside(keys, time, rules);
   const at = isBefore ? 0 : last;
   const kind = isBefore ? keys.extrapolateIn : keys.extrapolateOut;
-  if (!rules.hasExtrapolation || kind === 'constant') return values[at];
+  if (kind === 'constant' || isHeld(isBefore, rules)) return values[at];
   if (kind === 'linear') return values[at] + endSlope(keys, isBefore, rules) * (time - times[at]);
   const length = end - first;
   if (!(length > 0)) return values[at];
@@ -104,6 +105,10 @@ function keyedValue(keys: KeyedChannel, range: readonly [number, number], time: 
   const value = inside(keys, folded.time, rules, folded.runsOn);
   if (kind === 'cycle' || rules.cycleOffset === 'none') return value;
   return value + (rules.cycleOffset === 'always added' ? Math.abs(period) : period) * (values[last] - values[0]);
+}
+
+function isHeld(isBefore: boolean, { held }: CurveRules): boolean {
+  return held === 'outside' || held === (isBefore ? 'before' : 'after');
 }
 
 interface Folded {

@@ -22,6 +22,8 @@ export interface Cause {
   readonly code: string;
   /** What exactly; of two mistakes both, with a semicolon. */
   readonly detail: string;
+  /** Other ways to make the mistake that explain the same numbers as well. */
+  readonly alternatives: readonly string[];
   /** Sentences for people: what was done and what should be. */
   readonly sentences: readonly string[];
   readonly formulas: readonly string[];
@@ -85,17 +87,23 @@ export function* findCauses(
     if (glance.isWhole || glance.isPart || (!glance.touches && isHopeful(glance))) {
       const outcome = all.run(candidate.program, true);
       if (outcome.touches && !glance.touches) activate(candidate);
-      if (outcome.isWhole) keep(whole, [candidate], outcome);
-      else if (outcome.isPart && outcome.evidence >= MIN_EVIDENCE) keep(parts, [candidate], outcome);
+      if (outcome.isWhole) keep(whole, [candidate], outcome, tolerance);
+      else if (outcome.isPart && outcome.evidence >= MIN_EVIDENCE) keep(parts, [candidate], outcome, tolerance);
     }
     yield (0.2 * i) / candidates.length;
   }
-  if (whole.size === 0) yield* findPairs(active, small, all, whole);
+  if (whole.size === 0) yield* findPairs(active, small, all, whole, tolerance);
   // Beside an explanation of everything, one of a part says nothing more.
   return sorted(whole.size > 0 ? whole : parts);
 }
 
-function* findPairs(active: readonly Candidate[], small: Trial, all: Trial, found: Map<string, Cause>): Steps<void> {
+function* findPairs(
+  active: readonly Candidate[],
+  small: Trial,
+  all: Trial,
+  found: Map<string, Cause>,
+  tolerance: number,
+): Steps<void> {
   let tried = 0;
   const count = (active.length * (active.length - 1)) / 2;
   for (let i = 0; i < active.length; i++) {
@@ -106,7 +114,7 @@ function* findPairs(active: readonly Candidate[], small: Trial, all: Trial, foun
       for (const program of bothOf(a, b)) {
         if (!small.run(program, false).isWhole) continue;
         const outcome = all.run(program, false);
-        if (outcome.isWhole && outcome.evidence >= MIN_EVIDENCE) keep(found, [a, b], outcome);
+        if (outcome.isWhole && outcome.evidence >= MIN_EVIDENCE) keep(found, [a, b], outcome, tolerance);
       }
     }
   }
@@ -139,16 +147,25 @@ function isHopeful({ vertices, channels }: Outcome): boolean {
   return vertices.of > 0 || channels.of > 0;
 }
 
-/** Of several ways to make the same mistakes the one that is nearest. */
-function keep(found: Map<string, Cause>, by: readonly Candidate[], outcome: Outcome): void {
+/** Residuals that differ by less, of the tolerance, are equal: as digits that were not printed. */
+const EQUAL_RESIDUALS = 0.01;
+
+/** Of several ways to make the same mistakes the one that is nearest; of those as near the first, and the others with it. */
+function keep(found: Map<string, Cause>, by: readonly Candidate[], outcome: Outcome, tolerance: number): void {
   const code = by.map(({ mistake }) => mistake.code).join('+');
   const share = [outcome.joints, outcome.vertices, outcome.channels].find(({ of }) => of > 0) ?? outcome.joints;
   const known = found.get(code);
-  if (known && known.residual <= outcome.residual) return;
   const details = by.map(({ variant }) => variant.detail).filter((detail) => detail !== '');
+  const difference = known ? outcome.residual - known.residual : Number.NEGATIVE_INFINITY;
+  if (known && difference > -EQUAL_RESIDUALS * tolerance) {
+    const isAnother = by.length === 1 && !by[0].variant.isFiner && difference < EQUAL_RESIDUALS * tolerance;
+    if (isAnother) found.set(code, { ...known, alternatives: [...known.alternatives, ...details] });
+    return;
+  }
   found.set(code, {
     code,
     detail: details.join('; '),
+    alternatives: [],
     sentences: by.map(({ mistake, variant }) => mistake.sentence(variant.detail)),
     formulas: by.map(({ mistake }) => mistake.formula),
     explains: share.agree,

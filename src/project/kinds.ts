@@ -291,8 +291,8 @@ const FACTS: { readonly [K in FileKind]: (content: ContentOf<K>) => Facts } = {
     textures: characters.flatMap(({ textures }) => textures.map(({ name }) => name)),
   }),
   texture: ({ texture: { mime, bytes } }) => ({ mime, bytes: bytes.length }),
-  dump: ({ dump: { blocks } }) => ({
-    blocks: blocks.map(({ holds, time, values, lines }) => ({
+  dump: ({ dump: { blocks, time: stated } }) => ({
+    blocks: blocks.map(({ holds, time = stated, values, lines }) => ({
       ...(holds && { holds }),
       ...(time !== undefined && { time }),
       rows: lines.length,

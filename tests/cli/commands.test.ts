@@ -111,6 +111,16 @@ describe('marrow info', () => {
     ]);
   });
 
+  it('says what dumps hold, in words', async () => {
+    writeFileSync(join(folder, 'mine@1.5.txt'), '1 2 3 4\n5 6 7 8\n9 10 11 12\n');
+    writeFileSync(join(folder, 'takes.txt'), ['0', '1', '2', '3'].map((t) => `time ${t}\n1 2 3\n4 5 6\n`).join(''));
+    const { out } = await command(['info', 'mine@1.5.txt', 'takes.txt'], folder);
+    expect(out).toContain('mine@1.5.txt  dump     blocks 1 (time 1.5, rows 3, numbers 12)');
+    expect(out).toContain(
+      'blocks 4 (time 0, rows 2, numbers 6; time 1, rows 2, numbers 6; time 2, rows 2, numbers 6; …)',
+    );
+  });
+
   it('shows the offending line with a caret', async () => {
     const { code, err } = await command(['info', 'broken.skel'], folder);
     expect(code).toBe(1);

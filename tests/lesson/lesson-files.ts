@@ -14,14 +14,22 @@ const SAMPLES = fileURLToPath(new URL('../../public/samples/', import.meta.url))
 export function characterOf(...paths: readonly string[]): Character {
   const files = paths.map((path): ParsedFile => {
     const name = path.slice(path.lastIndexOf('/') + 1);
-    const bytes = new Uint8Array(readFileSync(path.includes('/') ? sharedPath(path) : SAMPLES + path));
-    const reader = formatOf(name)?.reader(name, bytes.length);
-    reader?.feed(bytes);
-    const value = reader?.end().value;
-    if (!value) throw new Error(`${path} can't be read.`);
-    return { ...value, source: { name, path: name, bytes: bytes.length } };
+    return parsed(name, new Uint8Array(readFileSync(path.includes('/') ? sharedPath(path) : SAMPLES + path)));
   });
   return openFiles(EMPTY_DOCUMENT, files).document.characters[0];
+}
+
+/** The character of one file. */
+export function characterFrom(name: string, text: string): Character {
+  return openFiles(EMPTY_DOCUMENT, [parsed(name, new TextEncoder().encode(text))]).document.characters[0];
+}
+
+function parsed(name: string, bytes: Uint8Array): ParsedFile {
+  const reader = formatOf(name)?.reader(name, bytes.length);
+  reader?.feed(bytes);
+  const value = reader?.end().value;
+  if (!value) throw new Error(`${name} can't be read.`);
+  return { ...value, source: { name, path: name, bytes: bytes.length } };
 }
 
 /** Ours. */

@@ -4,7 +4,7 @@ import { CATALOGUE } from '../../src/lesson/catalogue/all.ts';
 import { Evaluator } from '../../src/lesson/evaluator.ts';
 import { fitDumps } from '../../src/lesson/fit-dump.ts';
 import { RIGHT_PROGRAM } from '../../src/lesson/program.ts';
-import { characterOf, OWN } from './lesson-files.ts';
+import { characterFrom, characterOf, OWN } from './lesson-files.ts';
 import { compared, kindsOf, namedIn, numbersBy, positionsOf, VARIANTS } from './planted.ts';
 import { MATRIX_PRINTERS, NUMBER_STYLES, POINT_PRINTERS } from './printers.ts';
 
@@ -67,6 +67,56 @@ describe('a planted mistake', () => {
         expect(compared(CRAWLER, targets), `${kind} ${size}`).toMatchObject({ agrees, causes: [] });
       }
     }
+  });
+});
+
+describe('mistakes that make the same numbers', () => {
+  const byCode = (code: string) => {
+    const found = CATALOGUE.find((mistake) => mistake.code === code);
+    if (!found) throw new Error(`There is no mistake ${code}.`);
+    return found.variants;
+  };
+  const withKeys = (...extrapolations: readonly string[]) =>
+    characterFrom(
+      'mine.anim',
+      `animation { range 0 2 numchannels ${extrapolations.length} ${extrapolations
+        .map(
+          (each) =>
+            `channel { extrapolate ${each} keys 3 { 0 0.1 linear linear 0.2 0.5 smooth smooth 0.6 0.3 flat flat } }`,
+        )
+        .join(' ')} }`,
+    );
+
+  it('are all named: fmod that holds the first value before the keys, and no extrapolation there', () => {
+    const character = withKeys('cycle cycle', 'constant linear');
+    const [, held] = byCode('modulo-negative').filter(({ isFiner }) => !isFiner);
+    const found = compared(character, numbersBy(character, held.apply(RIGHT_PROGRAM), 'channels'));
+    expect(found.causes).toMatchObject([
+      { code: 'extrapolation-ignored', detail: 'before the first key', explains: 2, of: 2 },
+      { code: 'modulo-negative', detail: 'the value of the first key is held', explains: 2, of: 2 },
+    ]);
+  });
+
+  it.each([
+    ['before the first key', 1],
+    ['after the last key', 2],
+  ] as const)('no extrapolation %s is told from none on either side', (detail, index) => {
+    const character = withKeys('linear linear', 'cycle_offset cycle', 'cycle bounce');
+    const variant = byCode('extrapolation-ignored')[index];
+    const found = compared(character, numbersBy(character, variant.apply(RIGHT_PROGRAM), 'channels'));
+    expect(found.causes).toMatchObject([{ code: 'extrapolation-ignored', detail }]);
+  });
+
+  it('are other ways to make one where they are equal, as the first weight and the largest', () => {
+    const first = byCode('first-attachment-only')[0];
+    const found = compared(CRAWLER, numbersBy(CRAWLER, first.apply(RIGHT_PROGRAM), 'vertices'));
+    expect(found.causes[0]).toMatchObject({
+      detail: 'the first, with its own weight',
+      alternatives: ['the one with the largest weight, which it keeps'],
+    });
+    // A finer form of a rule says nothing beside it.
+    const signs = compared(CRAWLER, numbersBy(CRAWLER, byCode('rotation-sign')[0].apply(RIGHT_PROGRAM), 'world'));
+    expect(signs.causes[0]).toMatchObject({ code: 'rotation-sign', detail: '−φx', alternatives: [] });
   });
 });
 

@@ -76,9 +76,10 @@ function asJson({ agrees, compared, layout, worst, first, frames, own, inherited
     ...(first && { first }),
     own,
     inherited,
-    causes: causes.map(({ code, detail, explains, of, residual, sentences, formulas }) => ({
+    causes: causes.map(({ code, detail, alternatives, explains, of, residual, sentences, formulas }) => ({
       code,
       detail,
+      ...(alternatives.length > 0 && { alternatives }),
       explains,
       of,
       residual,
@@ -108,11 +109,12 @@ function asText(comparison: Comparison, character: Character): string {
     const list = (joints: readonly number[]) => joints.map((j) => nameOf(character, j)).join(', ');
     if (own.length > 0) lines.push(`Wrong by themselves: ${list(own)}.`);
     if (inherited.length > 0) lines.push(`Wrong only because a parent is: ${list(inherited)}.`);
-    for (const { code, detail, sentences, formulas, explains, of, residual } of causes) {
+    for (const { code, detail, alternatives, sentences, formulas, explains, of, residual } of causes) {
       lines.push(
         '',
         `${code}${detail && ` (${detail})`}`,
         ...sentences.map((sentence) => `  ${sentence}`),
+        ...alternatives.map((other) => `  Equally: ${other}.`),
         ...[...new Set(formulas)].map((formula) => `    ${formula}`),
         `  Explains ${explains} of ${of}; what remains is at most ${short(residual)}.`,
       );

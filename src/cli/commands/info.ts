@@ -56,13 +56,27 @@ function describeCharacter({ name, skeleton, skins, morphs, clips, sources }: Ch
   };
 }
 
+/** Records in a list are counted before they are told. */
+const MOST_RECORDS = 3;
+
+/** `1 (time 1.5, rows 92, numbers 368)` of a list of records. */
+function factText(value: unknown): string {
+  if (!Array.isArray(value)) return String(value);
+  const records = value.filter((each) => typeof each === 'object' && each !== null);
+  if (records.length === 0) return value.join(' ');
+  const told = records.slice(0, MOST_RECORDS).map((record) =>
+    Object.entries(record)
+      .map(([key, each]) => `${key} ${factText(each)}`)
+      .join(', '),
+  );
+  return `${records.length} (${told.join('; ')}${records.length > told.length ? '; …' : ''})`;
+}
+
 /** `bee/wasp.skel   skel   joints 19, dofs 57, roots 1`, then the characters and files left unused. */
 function asText(files: readonly FileFacts[], { characters, unused }: Document): string {
   const width = Math.max(...files.map((f) => f.name.length));
   const lines = files.map(({ name, kind, loaded, ...rest }) => {
-    const facts = Object.entries(rest).map(
-      ([key, value]) => `${key} ${Array.isArray(value) ? value.join(' ') : value}`,
-    );
+    const facts = Object.entries(rest).map(([key, value]) => `${key} ${factText(value)}`);
     const text = loaded ? facts.join(', ') : 'not loaded';
     return `${name.padEnd(width)}  ${kind.padEnd(7)}  ${text}`;
   });

@@ -1,14 +1,21 @@
 /** Mistakes in the values of channels. */
 import { HERMITE, type HermiteBasis } from '../curve-rules.ts';
-import { inCurves, type Mistake, type Variant } from './mistake.ts';
+import { finer, inCurves, type Mistake, type Variant } from './mistake.ts';
 
 const SMOOTH_FORMULA = 'm = (v[i+1] − v[i−1]) / (t[i+1] − t[i−1]); at the ends the slope of the segment';
 const HERMITE_FORMULA = 'p(u) = a·u³ + b·u² + c·u + d; c = (t₁ − t₀)·m₀';
 
-const MODULO = (['run on', 'hold', 'run on first', 'hold first'] as const).flatMap((rest) => [
-  rest,
-  `${rest}, floor` as const,
-]);
+/** What a program does with a negative remainder. */
+const MODULO = [
+  ['run on', 'the first segment continues backwards'],
+  ['hold', 'the value of the first key is held'],
+  ['run on first', 'the first segment continues backwards, in mirrored periods too'],
+  ['hold first', 'the value of the first key is held, in mirrored periods too'],
+] as const;
+const SWAPPED = [
+  ['columns', 'tan_in and tan_out as they are read'],
+  ['slopes', 'the slopes as they are used'],
+] as const;
 const ROWS = ['a', 'b', 'c', 'd'];
 const INPUTS = ['p₀', 'p₁', 'm₀', 'm₁'];
 
@@ -49,9 +56,9 @@ export const CHANNELS: readonly Mistake[] = [
     subject: 'channels',
     sentence: () => 'In and out tangents are exchanged: a key has time, value, in, out; a segment uses out, then in.',
     formula: 'keys { time value tan_in tan_out }',
-    variants: (['columns', 'slopes'] as const).flatMap((swapped) => [
-      inCurves(swapped, { swapped }),
-      inCurves(`${swapped}, between keys only`, { swapped, swapsInsideOnly: true }),
+    variants: SWAPPED.flatMap(([swapped, detail]) => [
+      inCurves(detail, { swapped }),
+      finer(inCurves(`${detail}, between keys only`, { swapped, swapsInsideOnly: true })),
     ]),
   },
   {
@@ -68,7 +75,7 @@ export const CHANNELS: readonly Mistake[] = [
     formula: HERMITE_FORMULA,
     variants: [
       inCurves('lines', { between: 'line' }),
-      inCurves('lines, also outside', { between: 'line', linearSlope: 'segment' }),
+      finer(inCurves('lines, also outside', { between: 'line', linearSlope: 'segment' })),
     ],
   },
   {
@@ -81,9 +88,13 @@ export const CHANNELS: readonly Mistake[] = [
   {
     code: 'extrapolation-ignored',
     subject: 'channels',
-    sentence: () => 'Outside the keys the end values are held, whatever the channel says.',
-    formula: 'extrapolate IN OUT',
-    variants: [inCurves('', { hasExtrapolation: false })],
+    sentence: (detail) => `The end value is held ${detail}, whatever the channel says; extrapolate as it says.`,
+    formula: 'extrapolate IN OUT: constant, linear, cycle, cycle_offset, bounce',
+    variants: [
+      inCurves('before the first and after the last key', { held: 'outside' }),
+      finer(inCurves('before the first key', { held: 'before' })),
+      finer(inCurves('after the last key', { held: 'after' })),
+    ],
   },
   {
     code: 'cycle-offset-missing',
@@ -121,9 +132,12 @@ export const CHANNELS: readonly Mistake[] = [
     code: 'modulo-negative',
     subject: 'channels',
     sentence: (detail) =>
-      `fmod of a negative time is negative (${detail}); fold times before the first key with floor.`,
+      `fmod of a negative time is negative, so ${detail}; fold times before the first key with floor.`,
     formula: 'n = ⌊(t − t_first) / P⌋, t − n·P',
-    variants: MODULO.map((modulo) => inCurves(modulo, { modulo })),
+    variants: MODULO.flatMap(([modulo, detail]) => [
+      modulo.endsWith('first') ? finer(inCurves(detail, { modulo })) : inCurves(detail, { modulo }),
+      finer(inCurves(`${detail}, and periods are counted by floor`, { modulo: `${modulo}, floor` })),
+    ]),
   },
   {
     code: 'period-of-range',
@@ -131,10 +145,10 @@ export const CHANNELS: readonly Mistake[] = [
     sentence: () => "The period is that of the range; it is from the channel's first key to its last.",
     formula: 'P = t_last − t_first',
     variants: [
-      inCurves('from its start', { period: 'range' }),
-      inCurves('from its start, end segments run on', { period: 'range, run on' }),
-      inCurves('outside the range only', { period: 'range only' }),
-      inCurves('from the first key', { period: 'length of range' }),
+      inCurves("counted from the range's start", { period: 'range' }),
+      finer(inCurves("counted from the range's start, end segments continue", { period: 'range, run on' })),
+      finer(inCurves('outside the range only', { period: 'range only' })),
+      inCurves('counted from the first key', { period: 'length of range' }),
     ],
   },
   {

@@ -1,7 +1,7 @@
 /** Mistakes in the matrices of joints. */
 import { EULER_ORDERS, type EulerOrder } from '../../model/skeleton.ts';
 import type { Breadth, JointRules, WorldMap } from '../program.ts';
-import { inJoints, type Mistake, type Variant } from './mistake.ts';
+import { finer, inJoints, type Mistake, type Variant } from './mistake.ts';
 
 /** As a variant's detail says it. */
 const BREADTHS: readonly (readonly [Breadth, string])[] = [
@@ -75,7 +75,7 @@ export const KINEMATICS: readonly Mistake[] = [
     formula: 'L = T(offset)·J(φ)',
     variants: [
       inJoints('J·T(offset + t)', { offset: 'after' }),
-      inJoints("R·T(offset + t), with the joint's own translation", { offset: 'inner after' }),
+      finer(inJoints("R·T(offset + t), with the joint's own translation", { offset: 'inner after' })),
     ],
   },
   {
@@ -104,7 +104,10 @@ export const KINEMATICS: readonly Mistake[] = [
     subject: 'kinematics',
     sentence: () => 'The translation of the root is ignored: the first three channels move the whole character.',
     formula: 'L_root = T(offset + t)·J(φ)',
-    variants: [inJoints('t = 0', { root: 'stays at 0' }), inJoints('t = 0 at the offset', { root: 'stays at offset' })],
+    variants: [
+      inJoints('t = 0', { root: 'stays at 0' }),
+      finer(inJoints('t = 0 at the offset', { root: 'stays at offset' })),
+    ],
   },
   {
     code: 'limits-not-applied',
@@ -119,8 +122,8 @@ export const KINEMATICS: readonly Mistake[] = [
     sentence: () => 'The pose is ignored: all DOFs are at rest.',
     formula: 'φ = pose, or the channel at the time',
     variants: (['rest', 'rest, root at 0', 'rest, root at offset'] as const).flatMap((pose) => [
-      inJoints(pose, { pose }),
-      inJoints(`${pose}, without limits`, { pose, hasLimits: false }),
+      pose === 'rest' ? inJoints(pose, { pose }) : finer(inJoints(pose, { pose })),
+      finer(inJoints(`${pose}, without limits`, { pose, hasLimits: false })),
     ]),
   },
   {
@@ -130,9 +133,12 @@ export const KINEMATICS: readonly Mistake[] = [
       `You count ${detail} level by level; the order is depth-first: a joint, then all its descendants.`,
     formula: 'joints and their DOFs in depth-first pre-order',
     variants: [false, true].flatMap((isInverse) =>
-      (['joints', 'dofs', 'both'] as const).map((of) =>
-        inJoints(`${COUNTED[of]}${isInverse ? ', put in their places' : ''}`, { breadthFirst: { of, isInverse } }),
-      ),
+      (['joints', 'dofs', 'both'] as const).map((of) => {
+        const variant = inJoints(`${COUNTED[of]}${isInverse ? ', put in their places' : ''}`, {
+          breadthFirst: { of, isInverse },
+        });
+        return isInverse ? finer(variant) : variant;
+      }),
     ),
   },
   {
@@ -142,7 +148,7 @@ export const KINEMATICS: readonly Mistake[] = [
     formula: 'pose x y z; channels x y z of each joint',
     variants: overJoints([
       ['z y x', (breadth) => ({ dofOrder: { isReversed: true, for: breadth, withRoot: true } })],
-      ['z y x below the root', (breadth) => ({ dofOrder: { isReversed: true, for: breadth, withRoot: false } })],
+      ['z y x below the root', (breadth) => ({ dofOrder: { isReversed: true, for: breadth, withRoot: false } }), true],
     ]),
   },
   mapped(
@@ -174,9 +180,11 @@ export const KINEMATICS: readonly Mistake[] = [
     formula: 'CHANNELS 3 Zrotation Xrotation Yrotation: R = Rz·Rx·Ry',
     variants: [
       inJoints('reversed', { bvhOrder: 'reversed' }),
-      ...EULER_ORDERS.map((order) => inJoints(`multiplied as ${product(order)}`, { bvhOrder: `multiplied ${order}` })),
       ...EULER_ORDERS.map((order) =>
-        inJoints(`columns read as those of ${product(order)}`, { bvhOrder: `read ${order}` }),
+        finer(inJoints(`multiplied as ${product(order)}`, { bvhOrder: `multiplied ${order}` })),
+      ),
+      ...EULER_ORDERS.map((order) =>
+        finer(inJoints(`columns read as those of ${product(order)}`, { bvhOrder: `read ${order}` })),
       ),
     ],
   },
@@ -189,20 +197,23 @@ export const KINEMATICS: readonly Mistake[] = [
   },
 ];
 
-/** What a variant says, and the rules by the joints that they are for. */
-type Rule = readonly [string, (breadth: Breadth) => Partial<JointRules>];
+/** What a variant says, the rules by the joints that they are for, and whether it is a finer form of the one before. */
+type Rule = readonly [string, (breadth: Breadth) => Partial<JointRules>, boolean?];
 
 /** For all joints, and for those of fewer types that a program may have in mind. */
 function overJoints(rules: readonly Rule[]): readonly Variant[] {
   return BREADTHS.flatMap(([breadth, where]) =>
-    rules.map(([detail, of]) => inJoints([detail, where].filter((part) => part !== '').join(' '), of(breadth))),
+    rules.map(([detail, of, isFiner = false]) => {
+      const variant = inJoints([detail, where].filter((part) => part !== '').join(' '), of(breadth));
+      return breadth === 'all' && !isFiner ? variant : finer(variant);
+    }),
   );
 }
 
 function angles(factor: number): readonly Variant[] {
   return overJoints([
     ['', (breadth) => ({ angles: { factor, at: 'joint', for: breadth } })],
-    ['before limits', (breadth) => ({ angles: { factor, at: 'file', for: breadth } })],
+    ['before limits', (breadth) => ({ angles: { factor, at: 'file', for: breadth } }), true],
   ]);
 }
 
@@ -213,7 +224,8 @@ function mapped(code: string, sentence: string, formula: string, maps: readonly 
     subject: 'kinematics',
     sentence: () => sentence,
     formula,
-    variants: maps.map((map) => ({
+    variants: maps.map((map, i) => ({
+      ...(i > 0 && { isFiner: true }),
       detail: map,
       apply: (program) => ({ ...program, joints: { ...program.joints, world: [...program.joints.world, map] } }),
     })),

@@ -22,6 +22,12 @@ export interface Variant {
   readonly detail: string;
   /** The program with the mistake; how wrong numbers are made. */
   apply(program: Program): Program;
+  /** A finer form of a variant before it: not worth naming beside it where both explain the same. */
+  readonly isFiner?: true;
+}
+
+export function finer(variant: Variant): Variant {
+  return { ...variant, isFiner: true };
 }
 
 export function inJoints(detail: string, rules: Partial<JointRules>): Variant {

@@ -1,6 +1,12 @@
 /** Mistakes in skinning, morphs and normals. */
-import { inSkin, type Mistake } from './mistake.ts';
+import { finer, inSkin, type Mistake } from './mistake.ts';
 
+/** What becomes of an attachment to a joint that is not there. */
+const BEYOND = [
+  ['clamped', 'beyond the ends the last joint'],
+  ['wrapped', 'beyond the ends from the other end'],
+  ['left out', 'beyond the ends none'],
+] as const;
 const SKINNING_FORMULA = 'v′ = Σ wᵢ·Wᵢ·Bᵢ⁻¹·v';
 
 export const SKINNING: readonly Mistake[] = [
@@ -38,10 +44,10 @@ export const SKINNING: readonly Mistake[] = [
     sentence: (detail) => `Only one attachment of each vertex is used (${detail}); all of them move it.`,
     formula: SKINNING_FORMULA,
     variants: [
-      inSkin('the first, with its weight', { attachments: 'first' }),
+      inSkin('the first, with its own weight', { attachments: 'first' }),
       inSkin('the first, with weight 1', { attachments: 'first as whole' }),
-      inSkin('the largest, with its weight', { attachments: 'largest' }),
-      inSkin('the largest, with weight 1', { attachments: 'largest as whole' }),
+      inSkin('the one with the largest weight, which it keeps', { attachments: 'largest' }),
+      inSkin('the one with the largest weight, as weight 1', { attachments: 'largest as whole' }),
     ],
   },
   {
@@ -50,11 +56,15 @@ export const SKINNING: readonly Mistake[] = [
     sentence: (detail) => `Only four attachments of each vertex are used (${detail}); a vertex may have any number.`,
     formula: SKINNING_FORMULA,
     variants: [
-      inSkin('the first, as given', { attachments: 'first four' }),
-      inSkin('the first, normalised', { attachments: 'first four normalised' }),
-      inSkin('the first, normalised where more are left out', { attachments: 'first four, cut ones normalised' }),
-      inSkin('the largest, as given', { attachments: 'largest four' }),
-      inSkin('the largest, normalised', { attachments: 'largest four normalised' }),
+      inSkin('the first four, their weights not rescaled', { attachments: 'first four' }),
+      inSkin('the first four, their weights rescaled to sum to 1', { attachments: 'first four normalised' }),
+      finer(
+        inSkin('the first four, their weights rescaled to sum to 1 where others are left out', {
+          attachments: 'first four, cut ones normalised',
+        }),
+      ),
+      inSkin('the four largest, their weights not rescaled', { attachments: 'largest four' }),
+      inSkin('the four largest, their weights rescaled to sum to 1', { attachments: 'largest four normalised' }),
     ],
   },
   {
@@ -71,7 +81,7 @@ export const SKINNING: readonly Mistake[] = [
     formula: SKINNING_FORMULA,
     variants: [
       inSkin('with morphs', { bind: 'bind pose' }),
-      inSkin('without morphs', { bind: 'bind pose without morphs' }),
+      finer(inSkin('without morphs', { bind: 'bind pose without morphs' })),
     ],
   },
   {
@@ -88,8 +98,8 @@ export const SKINNING: readonly Mistake[] = [
     formula: 'v = v₀ + Σ φₜ·(vₜ − v₀), then v′ = Σ wᵢ·Wᵢ·Bᵢ⁻¹·v',
     variants: [
       inSkin('', { morph: 'after' }),
-      inSkin('normals too, behind normalising', { morph: 'after normalising' }),
-      inSkin('positions only', { morph: 'after, positions only' }),
+      finer(inSkin('normals too, behind normalising', { morph: 'after normalising' })),
+      finer(inSkin('positions only', { morph: 'after, positions only' })),
     ],
   },
   {
@@ -122,9 +132,10 @@ export const SKINNING: readonly Mistake[] = [
     sentence: (detail) => `Joints of attachments are off by one (${detail}); indices begin at 0.`,
     formula: 'joint 0 is the root',
     variants: [1, -1].flatMap((shift) =>
-      (['clamped', 'wrapped', 'left out'] as const).map((beyond) =>
-        inSkin(`${shift > 0 ? '+1' : '−1'}, ${beyond} at the end`, { joint: { shift, beyond } }),
-      ),
+      BEYOND.map(([beyond, detail], i) => {
+        const variant = inSkin(`${shift > 0 ? '+1' : '−1'}, ${detail}`, { joint: { shift, beyond } });
+        return i > 0 ? finer(variant) : variant;
+      }),
     ),
   },
 ];
