@@ -12,68 +12,84 @@ export interface State {
   readonly selection: Selection;
 }
 
+/** What a step stores; undefined if both sides are equal. */
+export type StoredDelta = Delta | undefined;
+
 /** A step seen from one side. */
 interface Step {
   readonly label: string;
   /** Leads to the document on the other side. */
-  readonly delta: Delta | undefined;
+  readonly delta: StoredDelta;
   readonly selection: Selection;
   /** That document itself while something else retains it, to preserve identities and what is cached by them. */
   readonly document: WeakRef<Document>;
   /** The document that `delta` is relative to. */
   readonly against: WeakRef<Document>;
-  readonly next: Step | undefined;
 }
 
 export class History {
-  private past: Step | undefined;
-  private future: Step | undefined;
+  /** The next one to undo last. */
+  private past: Step[] = [];
+  /** The next one to redo last. */
+  private future: Step[] = [];
 
   /** Label of the step that undo would revert. */
   get undoLabel(): string | undefined {
-    return this.past?.label;
+    return this.past.at(-1)?.label;
   }
 
   get redoLabel(): string | undefined {
-    return this.future?.label;
+    return this.future.at(-1)?.label;
+  }
+
+  /** What the steps store, in the order of time. */
+  get stored(): { readonly past: readonly StoredDelta[]; readonly future: readonly StoredDelta[] } {
+    const deltas = (steps: readonly Step[]) => steps.map(({ delta }) => delta);
+    return { past: deltas(this.past), future: deltas(this.future).reverse() };
   }
 
   /** Records a step; redo steps are dropped. */
   remember(label: string, before: State, after: State): void {
-    this.past = stepTo(before, after, label, this.past);
-    this.future = undefined;
+    this.past.push(stepTo(before, after, label));
+    this.future = [];
+  }
+
+  /** Drops that many of the steps that undo would revert last. */
+  forgetOldest(count: number): void {
+    this.past.splice(0, count);
   }
 
   /** The present was replaced without a step: stored differences become relative to the new one. */
   rebase(present: State, next: State): void {
-    const again = (step: Step) => stepTo(otherSide(step, present), next, step.label, step.next);
-    this.past = this.past && again(this.past);
-    this.future = this.future && again(this.future);
+    for (const steps of [this.past, this.future]) {
+      const step = steps.pop();
+      if (step) steps.push(stepTo(otherSide(step, present), next, step.label));
+    }
   }
 
   /** @param present the result of the last step or rebase */
   undo(present: State): State | undefined {
-    const step = this.past;
-    if (!step) return undefined;
-    const before = otherSide(step, present);
-    this.past = step.next;
-    this.future = stepTo(present, before, step.label, this.future);
-    return before;
+    return across(present, this.past, this.future);
   }
 
   redo(present: State): State | undefined {
-    const step = this.future;
-    if (!step) return undefined;
-    const after = otherSide(step, present);
-    this.future = step.next;
-    this.past = stepTo(present, after, step.label, this.past);
-    return after;
+    return across(present, this.future, this.past);
   }
 }
 
-function stepTo({ document, selection }: State, { document: against }: State, label: string, next?: Step): Step {
+/** Takes the last of `from`, and puts the way back into `to`. */
+function across(present: State, from: Step[], to: Step[]): State | undefined {
+  const step = from.at(-1);
+  if (!step) return undefined;
+  const other = otherSide(step, present);
+  from.pop();
+  to.push(stepTo(present, other, step.label));
+  return other;
+}
+
+function stepTo({ document, selection }: State, { document: against }: State, label: string): Step {
   const delta = deltaTo(document, against);
-  return { label, delta, selection, document: new WeakRef(document), against: new WeakRef(against), next };
+  return { label, delta, selection, document: new WeakRef(document), against: new WeakRef(against) };
 }
 
 function otherSide({ delta, document, against, selection }: Step, present: State): State {

@@ -106,6 +106,16 @@ export class Store {
     return this.history.redoLabel;
   }
 
+  /** What the history stores (`history-budget.ts`). */
+  get stored(): History['stored'] {
+    return this.history.stored;
+  }
+
+  /** Drops that many of the steps that undo would revert last. */
+  forgetOldest(count: number): void {
+    this.history.forgetOldest(count);
+  }
+
   /**
    * Calls back after each change, with the previous state; compare identities to see what changed. Returns an
    * unsubscribe function.

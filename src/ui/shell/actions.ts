@@ -21,6 +21,7 @@ import { EDIT_ACTIONS } from './edit-actions.ts';
 import { FILE_ACTIONS, keptActions, sampleActions } from './file-actions.ts';
 import { offlineActions, PAGE_ACTIONS } from './page-actions.ts';
 import { SELECT_ACTIONS } from './select-actions.ts';
+import { UNDO_MEMORY_ACTIONS } from './undo-memory.ts';
 
 /** Static actions, in menu order. */
 export const ACTIONS: readonly Action[] = [
@@ -33,6 +34,7 @@ export const ACTIONS: readonly Action[] = [
   ...IK_ACTIONS,
   ...RETARGET_ACTIONS,
   ...SKIN_ACTIONS,
+  ...UNDO_MEMORY_ACTIONS,
   ...RIG_ACTIONS,
   ...KEYING_ACTIONS,
   ...KEY_ACTIONS,

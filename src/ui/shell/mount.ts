@@ -21,6 +21,7 @@ import { leaveRefusalsBehind } from './stale-messages.ts';
 import { statusBar } from './status-bar.ts';
 import { timelinePanel } from './timeline-panel.ts';
 import { TABS } from './timeline-tabs.ts';
+import { limitUndo } from './undo-memory.ts';
 import { viewportPane } from './viewport-pane.ts';
 
 export interface Beginnings {
@@ -59,6 +60,7 @@ export function mountWorkbench(
     followOpened(wb),
     followPeriods(wb),
     askAboutCycles(wb),
+    limitUndo(wb),
     theme.subscribe(recolour),
   ];
   signal.addEventListener('abort', () => {

@@ -27,6 +27,8 @@ export interface Settings {
   readonly snapsToGrid: boolean;
   /** Sections of the inspector and groups of the outliner that the user has expanded (true) or collapsed. */
   readonly folds: Readonly<Record<string, boolean>>;
+  /** Megabytes that undo may keep; 0: what the browser gives decides (`shell/undo-memory.ts`). */
+  readonly undoMegabytes: number;
   /** Whether shortcuts without Ctrl, Cmd or Alt are enabled; speech input and switch devices may conflict with them. */
   readonly singleKeys: boolean;
   /** The hint for newcomers, until it was followed or closed. */
@@ -71,6 +73,7 @@ export const DEFAULT_SETTINGS: Settings = {
   newKeyTangents: 'smooth',
   gizmoScale: 1,
   snapsToGrid: true,
+  undoMegabytes: 0,
   folds: {},
   singleKeys: true,
   firstSteps: true,
@@ -120,6 +123,7 @@ export function parseSettings(text: string | null): Settings {
     newKeyTangents: oneOf(NEW_KEY_TANGENTS, kept.newKeyTangents, d.newKeyTangents),
     gizmoScale: within(GIZMO_SCALES, kept.gizmoScale, d.gizmoScale),
     snapsToGrid: typeof kept.snapsToGrid === 'boolean' ? kept.snapsToGrid : d.snapsToGrid,
+    undoMegabytes: within([0, 1e5], kept.undoMegabytes, d.undoMegabytes),
     folds: Object.fromEntries(Object.entries(asRecord(kept.folds)).filter(isFold)),
     singleKeys: typeof singleKeys === 'boolean' ? singleKeys : d.singleKeys,
     firstSteps: typeof kept.firstSteps === 'boolean' ? kept.firstSteps : d.firstSteps,
