@@ -2,7 +2,7 @@
  * Compares another program's numbers with a character: where they are wrong first, which joints are wrong by
  * themselves, and which mistake explains them.
  */
-import { type Steps, within } from '../evaluate/steps.ts';
+import { runToEnd, type Steps, within } from '../evaluate/steps.ts';
 import { type Character, shownClip, shownSkin } from '../model/document.ts';
 import { characterDofs } from '../model/dofs.ts';
 import { DEFAULT_TOLERANCE, diagonalOf, matrixError, pointError } from './errors.ts';
@@ -99,6 +99,11 @@ export function* compare(character: Character, targets: Targets, tolerance = DEF
     inherited: differs?.inherited ?? [],
     causes,
   };
+}
+
+/** The largest error, without a search for what explains it. */
+export function worstError(character: Character, targets: Targets): number {
+  return runToEnd(compare(character, targets, Number.POSITIVE_INFINITY)).worst;
 }
 
 function wantedOf({ local, vertices, normals }: FrameTarget) {

@@ -151,6 +151,89 @@ describe('marrow compare', () => {
     expect(found.times).toBeUndefined();
   });
 
+  const ANIM = `animation { range 0 1 numchannels 12 ${Array.from({ length: 12 }, (_, c) => `channel { extrapolate constant constant keys 2 { 0 ${0.1 * c} linear linear 1 ${0.4 - 0.1 * c} linear linear } }`).join(' ')} }`;
+  const TIMES = [0, 0.25, 1] as const;
+
+  it('takes the times of frames that state none from --times, in order', async () => {
+    write('a.anim', ANIM);
+    const frames: string[] = [];
+    for (const time of TIMES) {
+      const args = ['pose', 'a.skel', 'a.anim', `--time=${time}`];
+      const { characters } = await commandJson<{ characters: { joints: { world: number[] }[] }[] }>(args, folder);
+      frames.push(`${characters[0].joints.map(({ world }) => world.join(' ')).join('\n')}\n`);
+    }
+    const wrong = frames.map((frame, f) => (f === 1 ? frame.replace(/^\S+/, '9') : frame));
+    write('all.txt', frames.join(''));
+    write('apart.txt', frames.join('# next\n'));
+    write('line.txt', frames.join('').replaceAll('\n', ' '));
+    write('wrong.txt', wrong.join(''));
+    wrong.forEach((frame, f) => void write(`frame${f}.txt`, frame));
+    const at = (...dumps: string[]) => ['compare', 'a.skel', 'a.anim', ...dumps, '--times', TIMES.join(',')];
+    for (const dump of ['all.txt', 'apart.txt', 'line.txt']) {
+      const found = await commandJson<CompareJson>(at(dump), folder);
+      expect(found.times?.map(({ time, agrees }) => [time, agrees])).toEqual(TIMES.map((time) => [time, true]));
+    }
+    for (const dumps of [['wrong.txt'], ['frame0.txt', 'frame1.txt', 'frame2.txt']]) {
+      const found = await commandJson<CompareJson>(at(...dumps), folder, 1);
+      expect(found.times?.map(({ time, agrees }) => [time, agrees])).toEqual([
+        [0, true],
+        [0.25, false],
+        [1, true],
+      ]);
+      expect(found.first).toMatchObject({ what: 'joint', index: 0 });
+    }
+    const { out } = await command(at('wrong.txt'), folder);
+    expect(out).toMatch(/^Times: 0 s agrees, 0\.25 s differs by [\d.]+, 1 s agrees\.$/m);
+    // What states its time keeps it, and channels have their own.
+    write(
+      'stated.txt',
+      frames
+        .map((frame, f) => `time ${TIMES[f]}\n${frame}`)
+        .reverse()
+        .join(''),
+    );
+    expect((await command(at('stated.txt'), folder)).code).toBe(0);
+    const values = (time: number) => Array.from({ length: 12 }, (_, c) => 0.1 * c + time * (0.4 - 0.2 * c));
+    write('values.csv', [0, 0.5, 1].map((time) => [time, ...values(time)].join(',')).join('\n'));
+    expect((await command(at('values.csv'), folder)).code).toBe(0);
+    expect((await command(at('values.csv', 'all.txt'), folder)).code).toBe(0);
+    for (const options of [['--times=0,1'], ['--times=0,0,1'], ['--times='], ['--times=0,1', '--time=2']]) {
+      const { code } = await command(['compare', 'a.skel', 'a.anim', 'all.txt', ...options], folder);
+      expect(code, options.join(' ')).toBe(2);
+    }
+  });
+
+  const figure = (name: string, offset: string, channels: string) =>
+    `ROOT ${name} { OFFSET ${offset} CHANNELS ${channels} JOINT ${name}_tip { OFFSET 0.2 1 0.3 CHANNELS 3 Zrotation Xrotation Yrotation End Site { OFFSET 0 1 0 } } }\n`;
+  const POSITIONS = 'Xposition Yposition Zposition';
+  const ROTATIONS = 'Zrotation Xrotation Yrotation';
+
+  it.each([
+    ['with positions', `6 ${POSITIONS} ${ROTATIONS}`, `6 ${POSITIONS} ${ROTATIONS}`],
+    ['the first without', `3 ${ROTATIONS}`, `6 ${ROTATIONS} ${POSITIONS}`],
+    ['the last without', `6 ${POSITIONS} ${ROTATIONS}`, `3 ${ROTATIONS}`],
+  ])('compares all roots of a motion capture file together, %s', async (_, first, last) => {
+    const width = [first, last].reduce((sum, list) => sum + Number(list[0]) + 3, 0);
+    const row = (f: number) => Array.from({ length: width }, (_, k) => 10 * Math.sin(7 * f + 3 * k)).join(' ');
+    const motion = `MOTION\nFrames: 2\nFrame Time: 0.5\n${row(1)}\n${row(2)}\n`;
+    write('pair.bvh', `HIERARCHY\n${figure('a', '0 1 0', first)}${figure('b', '2 0 1', last)}${motion}`);
+    interface Posed {
+      readonly characters: readonly { readonly joints: readonly { world: number[]; local: number[] }[] }[];
+    }
+    const { characters } = await commandJson<Posed>(['pose', 'pair.bvh', '--time', '0.5'], folder);
+    const joints = characters.flatMap((character) => character.joints);
+    write('both@0.5.txt', joints.map(({ world }) => world.join(' ')).join('\n'));
+    const right = await commandJson<CompareJson>(['compare', 'pair.bvh', 'both@0.5.txt'], folder);
+    expect(right).toMatchObject({ agrees: true, compared: { world: 4 } });
+    write('locals@0.5.txt', `world\n${joints.map(({ local }) => local.join(' ')).join('\n')}`);
+    const wrong = await commandJson<CompareJson>(['compare', 'pair.bvh', 'locals@0.5.txt'], folder, 1);
+    expect(wrong).toMatchObject({ first: { what: 'joint', index: 1, name: 'a_tip' }, own: [1, 3] });
+    expect(wrong.causes[0]).toMatchObject({ code: 'no-parent', explains: 4, of: 4 });
+    // One root alone, too: the one whose numbers these are.
+    write('last@0.5.txt', characters[1].joints.map(({ world }) => world.join(' ')).join('\n'));
+    expect((await command(['compare', 'pair.bvh', 'last@0.5.txt'], folder)).code).toBe(0);
+  });
+
   it('takes files of any name as dumps, and the tolerance as given', async () => {
     const matrices = (await ownMatrices()).map((m) => m.map((v, i) => (i === 12 ? v + 0.01 : v)));
     write('mine', matrices.map((m) => m.join(' ')).join('\n'));

@@ -3,33 +3,35 @@
  * joint, vertex or channel is wrong first, and which mistake explains all of it.
  */
 import { runToEnd } from '../../evaluate/steps.ts';
-import { type Comparison, compare, type FirstWrong } from '../../lesson/compare.ts';
+import { type Comparison, compare, type FirstWrong, type FrameComparison, worstError } from '../../lesson/compare.ts';
 import { comparedText } from '../../lesson/compared-text.ts';
+import { fitDumpsAt } from '../../lesson/dump-times.ts';
 import { DEFAULT_TOLERANCE } from '../../lesson/errors.ts';
-import { type Fitted, fitDumps, type NamedDump } from '../../lesson/fit-dump.ts';
+import type { Fitted, NamedDump } from '../../lesson/fit-dump.ts';
+import { joinedFigures } from '../../lesson/joined-figures.ts';
 import { type Diagnostic, hasErrors, withoutPlace } from '../../model/diagnostic.ts';
 import type { Character } from '../../model/document.ts';
 import { dumpFormat } from '../../project/codecs.ts';
-import { numberOf, parseArguments, UsageError } from '../arguments.ts';
+import { type Arguments, numberOf, numbersOf, parseArguments, UsageError } from '../arguments.ts';
 import type { CliCommand } from '../io.ts';
 import { loadFiles, openLoaded } from '../load.ts';
 import { printJson, report } from '../report.ts';
 
 export const compareCommand: CliCommand = {
   name: 'compare',
-  usage: 'FILE… DUMP… [--time T] [--tolerance X] [--json]',
+  usage: 'FILE… DUMP… [--time T | --times T,T,…] [--tolerance X] [--json]',
   summary: "where another program's numbers are wrong, and the mistake that explains them",
   exits: { 0: 'all agree', 1: 'numbers differ', 2: 'wrong usage, or a file is missing, has errors or does not fit' },
   async run(args, io) {
-    const given = parseArguments(args, { time: 'value', tolerance: 'value', json: 'flag' });
-    const [timeText, toleranceText] = [given.value('time'), given.value('tolerance')];
-    const time = timeText === undefined ? undefined : numberOf('time', timeText);
+    const given = parseArguments(args, { time: 'value', times: 'value', tolerance: 'value', json: 'flag' });
+    const times = timesOf(given);
+    const toleranceText = given.value('tolerance');
     const tolerance = toleranceText === undefined ? DEFAULT_TOLERANCE : numberOf('tolerance', toleranceText);
     if (!(tolerance > 0)) throw new UsageError(`--tolerance takes a number above 0, not ${tolerance}.`);
     const { document, dumps, diagnostics: opened } = openLoaded(loadFiles(given.files, io.folder, dumpFormat()));
     const diagnostics = [...opened];
     const named = dumps.map(({ dump, source }): NamedDump => ({ fileName: source.path, dump }));
-    const { fitted, character } = fitFirst(document.characters, named, time);
+    const { fitted, character } = fitFirst(document.characters, named, times);
     if (!hasErrors(diagnostics)) diagnostics.push(...missing(document.characters, named), ...fitted.diagnostics);
     report(diagnostics, io);
     if (hasErrors(diagnostics) || !fitted.targets || !character) {
@@ -43,15 +45,31 @@ export const compareCommand: CliCommand = {
   },
 };
 
-/** The first character that the dumps fit; else the first one, with what is wrong. */
-function fitFirst(characters: readonly Character[], dumps: readonly NamedDump[], time: number | undefined) {
-  const [first] = characters;
+/** Of dumps that state none; empty if not given. */
+function timesOf(given: Arguments): readonly number[] {
+  const [time, times] = [given.value('time'), given.value('times')];
+  if (time !== undefined && times !== undefined) throw new UsageError('Give one of --time and --times.');
+  if (time !== undefined) return [numberOf('time', time)];
+  if (times === undefined) return [];
+  const numbers = numbersOf('times', times);
+  if (numbers.length === 0) throw new UsageError('--times takes at least one number; found none.');
+  if (new Set(numbers).size < numbers.length) throw new UsageError('--times takes each time once.');
+  return numbers;
+}
+
+/** The character that the dumps fit best, or all roots of a file; else the first one, with what is wrong. */
+function fitFirst(characters: readonly Character[], dumps: readonly NamedDump[], times: readonly number[]) {
   const none: Fitted = { diagnostics: [] };
-  for (const character of characters) {
-    const fitted = fitDumps(character, dumps, time);
-    if (fitted.targets) return { fitted, character };
-  }
-  return { fitted: first ? fitDumps(first, dumps, time) : none, character: first };
+  const tried = [...characters, ...joinedFigures(characters)].map((character) => ({
+    character,
+    fitted: fitDumpsAt(character, dumps, times),
+  }));
+  const fits = tried.flatMap(({ character, fitted }) => {
+    const { targets } = fitted;
+    return targets ? [{ character, fitted, worst: tried.length > 1 ? worstError(character, targets) : 0 }] : [];
+  });
+  fits.sort((a, b) => (a.worst === b.worst ? 0 : a.worst - b.worst));
+  return fits[0] ?? tried[0] ?? { fitted: none, character: undefined };
 }
 
 function missing(characters: readonly Character[], dumps: readonly NamedDump[]): Diagnostic[] {
@@ -100,9 +118,10 @@ function asJson({ agrees, compared, layout, worst, first, frames, own, inherited
 }
 
 function asText(comparison: Comparison, character: Character): string {
-  const { agrees, compared, layout, worst, first, own, inherited, causes } = comparison;
-  const lines = [`Compared: ${comparedText(compared, comparison.frames.length)}.`];
+  const { agrees, compared, layout, worst, first, frames, own, inherited, causes } = comparison;
+  const lines = [`Compared: ${comparedText(compared, frames.length)}.`];
   if (layout) lines.push(`Matrices of ${layout.numbers} numbers, ${layout.order}.`);
+  if (frames.length > 1) lines.push(`Times: ${frames.map(timeText).join(', ')}.`);
   if (agrees || !first) lines.push(`All agree. The largest error is ${short(worst)}.`);
   else {
     lines.push(`First wrong: ${placeOf(first)}, by ${short(first.error)}. The largest error is ${short(worst)}.`);
@@ -122,6 +141,12 @@ function asText(comparison: Comparison, character: Character): string {
     if (causes.length === 0) lines.push('', 'No known mistake, nor two together, explains these numbers.');
   }
   return `${lines.join('\n')}\n`;
+}
+
+/** `1.5 s differs by 0.27`. */
+function timeText({ time, agrees, worst }: FrameComparison): string {
+  const at = time === undefined ? 'the file pose' : `${time} s`;
+  return `${at} ${agrees ? 'agrees' : `differs by ${short(worst)}`}`;
 }
 
 function placeOf({ what, index, name, time }: FirstWrong): string {

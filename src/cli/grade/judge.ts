@@ -10,8 +10,8 @@ import { relative, sep } from 'node:path';
 import { runToEnd } from '../../evaluate/steps.ts';
 import { type Compared, type Comparison, compare } from '../../lesson/compare.ts';
 import { compareDumps } from '../../lesson/compare-dumps.ts';
+import { fitDumpsAt } from '../../lesson/dump-times.ts';
 import { Evaluator } from '../../lesson/evaluator.ts';
-import { fitDumps } from '../../lesson/fit-dump.ts';
 import { RIGHT_PROGRAM } from '../../lesson/program.ts';
 import type { ChannelTarget, FrameTarget, Targets } from '../../lesson/targets.ts';
 import { ownValues } from '../../lesson/trial.ts';
@@ -218,15 +218,17 @@ class Judging {
 
   private judgeFitted(file: DumpFile, right: RightDump | undefined): void {
     const { times } = this.options;
-    const time = times?.length === 1 ? times[0] : undefined;
     const named = [{ fileName: file.source.path, dump: file.dump }];
     const stem = stemOf(file.source).toLowerCase();
     const shared = (character: Character) =>
       Math.max(0, ...character.sources.map((s) => (stem.startsWith(stemOf(s).toLowerCase()) ? stemOf(s).length : 0)));
     const characters = right?.of
       ? [right.of.character]
-      : [...this.reference.characters].sort((a, b) => shared(b) - shared(a));
-    const [first, ...others] = characters.map((character) => ({ character, fitted: fitDumps(character, named, time) }));
+      : [...this.reference.characters, ...this.reference.joined].sort((a, b) => shared(b) - shared(a));
+    const [first, ...others] = characters.map((character) => ({
+      character,
+      fitted: fitDumpsAt(character, named, times ?? []),
+    }));
     const found = [first, ...others].find((one) => one?.fitted.targets);
     if (!found?.fitted.targets) {
       // A note with some numbers in it is no dump.

@@ -1,4 +1,5 @@
 /** The teacher's files: what is right. */
+import { joinedFigures } from '../../lesson/joined-figures.ts';
 import { type Diagnostic, hasErrors } from '../../model/diagnostic.ts';
 import { type Character, shownClip } from '../../model/document.ts';
 import type { ParsedFile } from '../../model/files.ts';
@@ -9,6 +10,8 @@ import { type RightDump, rightDumps } from './right-dumps.ts';
 
 export interface Reference {
   readonly characters: readonly Character[];
+  /** For each motion capture file with several roots, all of them as one. */
+  readonly joined: readonly Character[];
   /** With paths relative to the reference folder. */
   readonly files: readonly ParsedFile[];
   readonly dumps: readonly RightDump[];
@@ -32,12 +35,13 @@ export function loadReference(folder: string, path: string, tolerance: number, e
   if (hasErrors(diagnostics)) throw new UsageError(`The reference ${path} has errors; nothing can be judged by it.`);
   const { characters } = document;
   const contradicting: Diagnostic[] = [];
-  const dumps = rightDumps(loaded.files, characters, tolerance, contradicting);
+  const joined = joinedFigures(characters);
+  const dumps = rightDumps(loaded.files, [...characters, ...joined], tolerance, contradicting);
   told(contradicting);
   if (characters.length === 0 && dumps.length === 0) {
     throw new UsageError(`The reference ${path} has no skeleton, skin, animation or dump to judge by.`);
   }
-  return { characters, files: loaded.files, dumps };
+  return { characters, joined, files: loaded.files, dumps };
 }
 
 /** Parts of a take at which it is compared if no times are given: within, and before and after it. */

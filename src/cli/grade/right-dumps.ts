@@ -3,8 +3,7 @@
  * the reference says to which character and times the numbers belong, so that mistakes are searched for; any other is
  * compared number by number.
  */
-import { runToEnd } from '../../evaluate/steps.ts';
-import { compare } from '../../lesson/compare.ts';
+import { worstError } from '../../lesson/compare.ts';
 import { fitDumps } from '../../lesson/fit-dump.ts';
 import { FRAME_KINDS, type Targets } from '../../lesson/targets.ts';
 import { type Diagnostic, withoutPlace } from '../../model/diagnostic.ts';
@@ -32,8 +31,8 @@ export function rightDumps(
     for (const character of characters) {
       const { targets } = fitDumps(character, [{ fileName: file.source.path, dump: file.dump }], undefined);
       if (!targets) continue;
-      const { agrees, worst } = runToEnd(compare(character, targets, tolerance));
-      if (agrees) return [{ file, of: { character, targets } }];
+      const worst = worstError(character, targets);
+      if (worst <= tolerance) return [{ file, of: { character, targets } }];
       nearest = Math.min(nearest, worst);
     }
     if (characters.length > 0) {
