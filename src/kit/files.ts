@@ -248,6 +248,33 @@ Frame Time: 0.25
 1.3 0.7 1.1 -20 30 50 45 -35 25 0.4 -1.3 0.1 -45 35 -25 20 55
 `;
 
+/** Beyond the course's format: `order` is the order in which the axes' rotations are applied. */
+const ORDERS = `balljoint root {
+  offset 0.2 -0.3 0.4
+  order zyx
+  pose 0.5 -0.8 1.1
+  balljoint left {
+    offset 0.6 0.7 -0.2
+    order yxz
+    pose -0.9 0.6 0.4
+    balljoint left_tip {
+      offset 0.1 0.8 0.3
+      pose 0.7 -0.5 0.9
+    }
+  }
+  universaljoint right {
+    offset -0.5 0.6 0.3
+    order yx
+    pose 0.8 -1.2
+    freejoint right_tip {
+      offset -0.2 0.7 0.1
+      order xzy
+      pose 0.3 -0.1 0.2 -0.6 0.9 0.5
+    }
+  }
+}
+`;
+
 /** Length, axis, angle in degrees, children; axes of any length. */
 const ARM = `1.2  0 0 2  35  2
 0.8  1 1 0  -50  1
@@ -266,6 +293,7 @@ export function kitFiles(): ReadonlyMap<string, string> {
     ['reed_twist.morph', reedMorph(3, [-0.1, 0.25, 0.15])],
     ['reed_move.anim', reedAnim()],
     ['curves.anim', curves()],
+    ['orders.skel', ORDERS],
     ['march.bvh', MARCH],
     ['arm.axskel', ARM],
   ]);
@@ -315,6 +343,14 @@ export const KIT_SETS: readonly KitSet[] = [
     about: 'Motion capture with channels in several orders, and positions of a joint that is not the root.',
     files: ['march.bvh'],
     times: [0, 0.25, 0.5],
+    channelTimes: [],
+  },
+  {
+    name: 'orders',
+    about:
+      "Joints with rotation orders of their own, which go beyond the course's format: skip it if you don't read them.",
+    files: ['orders.skel'],
+    times: [undefined],
     channelTimes: [],
   },
   {
