@@ -89,6 +89,7 @@ const workbench: Workbench = {
     disk: { ...disk, download },
     framesPerSecond: () => transport.get().framesPerSecond,
     sourceWorker: new WorkerClient(spawnWorker),
+    editWorker: new WorkerClient(spawnWorker),
     kitWorker: worker,
   }),
   kept: observable<KeptOffer | undefined>(undefined),

@@ -11,6 +11,7 @@ import type { SampleSwitches } from './sample-display.ts';
 import { type BundledExample, fetchSample } from './samples.ts';
 import type { Disk, Saver } from './saver.ts';
 import { SourceTexts, type SourceTextsParts } from './source-texts.ts';
+import type { FileEditsParts } from './text-edits.ts';
 import type { Unsaved } from './unsaved.ts';
 
 interface Parts extends Pick<ReloadParts, 'store' | 'messages'> {
@@ -25,7 +26,10 @@ interface Parts extends Pick<ReloadParts, 'store' | 'messages'> {
   readonly kitWorker: Runs<'kit'>;
   /** For work that may be cancelled any time. */
   readonly sourceWorker: SourceTextsParts['worker'];
+  readonly editWorker: FileEditsParts['worker'];
 }
+
+const forever = new AbortController().signal;
 
 export function fileActions(parts: Parts): FileActions {
   const { opener, samples, unsaved } = parts;
@@ -37,6 +41,10 @@ export function fileActions(parts: Parts): FileActions {
     worker: parts.sourceWorker,
     handles: parts.handles,
     readAgain: (file, signal) => readAgain(file, document.baseURI, signal),
+    async edits(texts) {
+      const { FileEdits } = await import('./text-edits.ts');
+      return new FileEdits({ ...parts, worker: parts.editWorker, find: (path) => texts.find(path, forever) });
+    },
   });
   opener.onGiven((given) => source.note(given));
   opener.subscribe(() => source.noteOpened(parts.store.document));

@@ -169,7 +169,7 @@ export class Opener {
 }
 
 /** Keeps the shown alternatives (skins, takes) if they still exist. */
-function showingTheSame(before: Document, after: Document): Document {
+export function showingTheSame(before: Document, after: Document): Document {
   const characters = after.characters.map((character) => {
     const was = findCharacter(before, character.id);
     if (!was) return character;

@@ -9,8 +9,9 @@ import { baseName, type SourceFile } from '../model/files.ts';
 import { mapMarks } from '../model/part.ts';
 import type { SourceMap } from '../model/source-map.ts';
 import { formatKindOf } from '../project/kinds.ts';
-import type { AsOpened, SourceFiles } from '../ui/state/source.ts';
+import type { AsOpened, SourceFiles, TextEdits } from '../ui/state/source.ts';
 import type { Runs } from '../worker/client.ts';
+import type { SourceInput } from '../worker/protocol.ts';
 import type { DiskHandles } from './disk-handles.ts';
 
 export interface SourceTextsParts {
@@ -18,6 +19,8 @@ export interface SourceTextsParts {
   readonly handles: Pick<DiskHandles, 'at'>;
   /** `readAgain` of `io/disk-files.ts`. */
   readAgain(file: DiskFile, signal: AbortSignal): Promise<GivenFile>;
+  /** Loads what compares and changes texts. */
+  edits(texts: SourceTexts): Promise<TextEdits>;
 }
 
 interface Found {
@@ -84,26 +87,30 @@ export class SourceTexts implements SourceFiles {
     onText: (text: Blob) => void,
     onProgress: (share: number) => void,
   ): Promise<SourceMap> {
-    const { blob, inside } = await this.find(path, signal);
+    const file = await this.find(path, signal);
     signal.throwIfAborted();
-    if (inside === undefined) onText(blob);
-    const { map, text } = await this.parts.worker.run(
-      'source',
-      { path, blob, ...(inside !== undefined && { inside }) },
-      { signal, onProgress: ({ done, of }) => onProgress(of > 0 ? done / of : 0) },
-    );
+    if (file.inside === undefined) onText(file.blob);
+    const { map, text } = await this.parts.worker.run('source', file, {
+      signal,
+      onProgress: ({ done, of }) => onProgress(of > 0 ? done / of : 0),
+    });
     if (text) onText(text);
     return map;
   }
 
-  private async find(path: string, signal: AbortSignal): Promise<Found> {
+  edits(): Promise<TextEdits> {
+    return this.parts.edits(this);
+  }
+
+  /** Where the text of a file is. Rejects as `read` does. */
+  async find(path: string, signal: AbortSignal): Promise<SourceInput> {
     const found = this.foundIn(path);
-    if (found) return found;
+    if (found) return { path, ...found };
     const file = this.parts.handles.at(path);
     if (!file) throw new Error('Its text is no longer at hand. Open the file again.');
     const { blob } = await this.parts.readAgain(file, signal);
     const inside = zipAndInside(path)?.[1];
-    return file.path === path || inside === undefined ? { blob } : { blob, inside };
+    return { path, blob, ...(file.path !== path && inside !== undefined && { inside }) };
   }
 
   private foundIn(path: string): Found | undefined {

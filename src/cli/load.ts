@@ -16,9 +16,9 @@ import {
   type ParsedFile,
   type SourceFile,
 } from '../model/files.ts';
-import { type Format, formatOf } from '../project/codecs.ts';
 import { READABLE_EXTENSIONS } from '../project/kinds.ts';
 import { type OpenResult, openFiles } from '../project/open/open-files.ts';
+import { type Format, formatOf } from '../project/readers.ts';
 import { UsageError } from './arguments.ts';
 import { findGiven, type GivenPath } from './paths.ts';
 

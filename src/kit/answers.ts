@@ -7,8 +7,8 @@ import { Evaluator, type FrameNumbers } from '../lesson/evaluator.ts';
 import { type Program, RIGHT_PROGRAM } from '../lesson/program.ts';
 import { type Character, EMPTY_DOCUMENT, shownClip } from '../model/document.ts';
 import type { ParsedFile } from '../model/files.ts';
-import { formatOf } from '../project/codecs.ts';
 import { openFiles } from '../project/open/open-files.ts';
+import { formatOf } from '../project/readers.ts';
 import { KIT_SETS, type KitSet, kitFiles } from './files.ts';
 
 /** A mistake must change a number by this much to be told from rounding: a hundred times what comparing tolerates. */

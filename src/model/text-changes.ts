@@ -14,3 +14,26 @@ export function kindOf({ oldFrom, oldTo, newFrom, newTo }: LineHunk): HunkKind {
   if (oldFrom === oldTo) return 'added';
   return newFrom === newTo ? 'removed' : 'changed';
 }
+
+/** The new number of an old line; undefined for one in a hunk. */
+export function lineNow(hunks: readonly LineHunk[], line: number): number | undefined {
+  let moved = 0;
+  for (const { oldFrom, oldTo, newTo } of hunks) {
+    if (line < oldFrom) break;
+    if (line < oldTo) return undefined;
+    moved = newTo - oldTo;
+  }
+  return line + moved;
+}
+
+/** How many lines were changed, added and removed. */
+export function countsOf(hunks: readonly LineHunk[]): { readonly [K in HunkKind]: number } {
+  const counts = { changed: 0, added: 0, removed: 0 };
+  for (const { oldFrom, oldTo, newFrom, newTo } of hunks) {
+    const both = Math.min(oldTo - oldFrom, newTo - newFrom);
+    counts.changed += both;
+    counts.added += newTo - newFrom - both;
+    counts.removed += oldTo - oldFrom - both;
+  }
+  return counts;
+}

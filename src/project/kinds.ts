@@ -1,7 +1,7 @@
 /**
  * All kinds of files. A record holds the names of a kind, its content, and which characters can be saved in it; the
- * tables below say what opening makes of each kind of content. Readers and writers are in `codecs.ts`, with an entry per
- * kind: the page's first script includes neither, since it reads in a worker and loads the writers when something is
+ * tables below say what opening makes of each kind of content. Readers and writers are in `readers.ts` and
+ * `writers.ts`, with an entry per kind: the page's first script includes neither, since it reads in a worker and loads the writers when something is
  * saved.
  */
 import { withoutUnkeyed } from '../edit/unkeyed.ts';
@@ -151,6 +151,9 @@ export type FormatKind = keyof typeof KINDS;
 export type SavedKind = {
   [K in FormatKind]: (typeof KINDS)[K] extends { readonly save: Saving } ? K : never;
 }[FormatKind];
+
+/** The content of a kind of file. */
+export type HeldBy<K extends FormatKind> = ContentOf<(typeof KINDS)[K]['content']>;
 
 /** In the order of the menus. */
 export const FORMAT_KINDS = Object.keys(KINDS) as readonly FormatKind[];

@@ -12,8 +12,8 @@ import { isEmptyDump } from '../model/dump.ts';
 import { type BrokenFile, folderOf, type ParsedFile, type SourceFile } from '../model/files.ts';
 import type { Morph } from '../model/morph.ts';
 import type { Skin } from '../model/skin.ts';
-import { type Format, formatOf } from '../project/codecs.ts';
 import { READABLE_EXTENSIONS } from '../project/kinds.ts';
+import { type Format, formatOf } from '../project/readers.ts';
 import type { GivenBlob, ParseInput, ParseOutput, Progress } from './protocol.ts';
 
 /** Interval of progress messages: enough for a smooth bar, at negligible cost. */

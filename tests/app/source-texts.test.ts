@@ -13,6 +13,7 @@ function textsOf(onDisk?: DiskFile, again = SKEL) {
     worker: new InThisThread(),
     handles: { at: () => onDisk },
     readAgain: async ({ path }) => ({ path, blob: new Blob([again]) }),
+    edits: () => Promise.reject(new Error('Nothing is edited.')),
   });
 }
 

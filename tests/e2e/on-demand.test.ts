@@ -35,15 +35,16 @@ describe('the page', () => {
     expect(bytes).toBeLessThan(MAX_BYTES);
   });
 
-  it('the page has writers without readers, and its worker readers without writers', () => {
+  it('the page has writers without readers, and its worker readers without writers until texts are compared', () => {
     const scripts = readdirSync(join(DIST, 'assets')).filter((file) => file.endsWith('.js'));
     const having = (text: string) =>
       scripts.filter((file) => readFileSync(join(DIST, 'assets', file), 'utf8').includes(text));
     const reading = having('Expected pose NAME { … }, found none.');
     const writing = having('which files belong together');
-    expect([reading.length, writing.length]).toEqual([1, 1]);
+    // The page's, and the worker's.
+    expect([reading.length, writing.length]).toEqual([1, 2]);
     expect(reading[0]).toMatch(/^entry-/);
-    expect(writing).not.toEqual(reading);
+    expect(writing).not.toContain(reading[0]);
   });
 
   it('the page keeps what is opened before its panels and its autosave have come', () =>

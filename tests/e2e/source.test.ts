@@ -51,8 +51,23 @@ describe('the text of files', () => {
         const { id = '' } = window.marrow.characters().find(({ name }) => name === 'figure') ?? {};
         window.marrow.run('rig.rename', { characterId: id, joint: 1, name: 'knee' });
       });
-      await note.filter({ hasText: 'Edited since it was opened' }).waitFor();
+      // What the page changed is marked; what it was is shown by a click, and by the switch.
+      await note.filter({ hasText: '1 line changed since it was opened' }).waitFor();
+      await expect.poll(() => lit.allTextContents()).toEqual(['5~', '6', '7', '8', '9']);
+      await page.keyboard.press('F7');
+      const row = (change: string) => page.locator(`.source-line[data-change="${change}"]`);
+      await row('changed').filter({ hasText: 'knee' }).click();
+      await row('old').filter({ hasText: 'leg' }).waitFor();
+      expect(await row('changed').getAttribute('aria-label')).toContain('Changed: ');
+      const toggle = page.getByRole('button', { name: 'Changes', exact: true });
+      await toggle.click();
+      await note.filter({ hasText: 'Edited since it was opened: lines are those of the file as it came' }).waitFor();
       await expect.poll(() => lit.count()).toBe(0);
+      await toggle.click();
+      await row('changed').waitFor();
+      await page.evaluate(() => window.marrow.run('edit.undo'));
+      await note.waitFor({ state: 'hidden' });
+      await row('changed').waitFor({ state: 'detached' });
 
       await dropFiles(page, [{ name: 'broken.skel', bytes: BROKEN }]);
       await page.getByRole('button', { name: 'Show line 3 of broken.skel in Source' }).first().click();

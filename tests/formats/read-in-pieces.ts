@@ -2,7 +2,7 @@
 import { isWorthDiagnosing } from '../../src/formats/diagnose/diagnose.ts';
 import type { ReadResult } from '../../src/formats/reader.ts';
 import type { FileContent } from '../../src/model/files.ts';
-import { formatOf } from '../../src/project/codecs.ts';
+import { formatOf } from '../../src/project/readers.ts';
 
 export function bytesOf(text: string): Uint8Array {
   return new TextEncoder().encode(text);

@@ -2,7 +2,7 @@
 import { readdirSync } from 'node:fs';
 import { readWhole } from '../../src/formats/reader.ts';
 import type { CapturedFigure } from '../../src/model/files.ts';
-import { formatOf } from '../../src/project/codecs.ts';
+import { formatOf } from '../../src/project/readers.ts';
 import { hasShared, sharedBytes, sharedPath } from './shared.ts';
 
 /** Names of all that load without errors. */

@@ -4,8 +4,8 @@ import { fileURLToPath } from 'node:url';
 import type { Character } from '../../src/model/document.ts';
 import { EMPTY_DOCUMENT } from '../../src/model/document.ts';
 import type { ParsedFile } from '../../src/model/files.ts';
-import { formatOf } from '../../src/project/codecs.ts';
 import { openFiles } from '../../src/project/open/open-files.ts';
+import { formatOf } from '../../src/project/readers.ts';
 import { sharedPath } from '../helpers/shared.ts';
 
 const SAMPLES = fileURLToPath(new URL('../../public/samples/', import.meta.url));

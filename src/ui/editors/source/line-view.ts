@@ -1,5 +1,5 @@
 /**
- * The lines of a file, of which only those in view are in the page. They hang in a layer that doesn't scroll:
+ * The lines of a file as rows, of which only those in view are in the page. They hang in a layer that doesn't scroll:
  *
  *     scroller ┌──────────────────┐
  *              │ layer: lines     │   sticky; its lines are placed by the line at the top, which need not be a whole one
@@ -8,6 +8,7 @@
  */
 import type { Severity } from '../../../model/diagnostic.ts';
 import type { LineRange } from '../../../model/source-map.ts';
+import type { HunkKind } from '../../../model/text-changes.ts';
 import { element, setAttribute, setText, uniqueId } from '../../kit/dom.ts';
 import { HAS_KEYS } from '../../kit/focus.ts';
 import { oncePerFrame } from '../../kit/frame.ts';
@@ -26,20 +27,41 @@ export interface LineProblem {
   readonly text: string;
 }
 
-export interface LineSource {
-  /** A line, from 1; undefined while it is read. */
-  text(line: number): ShownLine | undefined;
-  isLit(line: number): boolean;
+/** What a row shows: as a rule a line. */
+export interface ShownRow {
+  /** Its number in the text; absent for a row that isn't in it. */
+  readonly line?: number;
+  /** Undefined while it is read. */
+  readonly text: ShownLine | undefined;
+  readonly isLit: boolean;
   /** Of the current time. */
-  isNow(line: number): boolean;
-  problem(line: number): LineProblem | undefined;
-  /** Clicked, or Enter on it. */
-  pick(line: number): void;
+  readonly isNow: boolean;
+  readonly problem?: LineProblem | undefined;
+  readonly change?: RowChange | undefined;
 }
+
+/** `old`: what a changed or removed line was. */
+export type RowChange = HunkKind | 'old';
+
+export interface LineSource {
+  /** A row, from 1. */
+  row(row: number): ShownRow;
+  /** Clicked, or Enter on it. */
+  pick(row: number): void;
+}
+
+const CHANGES: { readonly [K in RowChange]: { readonly sign: string; readonly word: string } } = {
+  added: { sign: '+', word: 'Added' },
+  changed: { sign: '~', word: 'Changed' },
+  removed: { sign: '−', word: 'Removed' },
+  old: { sign: '−', word: 'Was' },
+};
 
 interface Row {
   readonly element: HTMLElement;
+  readonly margin: HTMLElement;
   readonly number: HTMLElement;
+  readonly sign: HTMLElement;
   readonly text: HTMLElement;
   shown: string | undefined;
 }
@@ -70,12 +92,18 @@ export class LineView {
     new ResizeObserver(() => this.resized()).observe(this.element);
   }
 
-  /** The line with the keyboard's mark, from 1. */
+  /** The row with the keyboard's mark, from 1. */
   get current(): number {
     return this.currentLine;
   }
 
-  /** Another file, or more of its lines. */
+  /** The first and the last row in view. */
+  get inView(): readonly [number, number] {
+    const first = Math.floor(this.top) + 1;
+    return [first, Math.max(first, Math.min(this.lines, Math.ceil(this.top + this.list.room / LINE_HEIGHT)))];
+  }
+
+  /** Another file, or more of its rows. */
   setLines(lines: number, isNewFile: boolean): void {
     this.lines = lines;
     if (isNewFile) {
@@ -86,13 +114,13 @@ export class LineView {
     this.resized();
   }
 
-  /** Moves the mark to a line, from 1, and shows it. */
+  /** Moves the mark to a row, from 1, and shows it. */
   goTo(line: number): void {
     this.currentLine = Math.max(1, Math.min(this.lines, line));
     this.reveal({ from: this.currentLine, to: this.currentLine });
   }
 
-  /** Shows lines; the first one if there is no room for all. */
+  /** Shows rows; the first one if there is no room for all. */
   reveal({ from, to }: LineRange): void {
     this.setTop(topToReveal(this.list, topToReveal(this.list, this.top, to - 1), from - 1));
   }
@@ -144,10 +172,10 @@ export class LineView {
   }
 
   private onClick({ target }: MouseEvent): void {
-    const row = target instanceof Element ? target.closest<HTMLElement>('[data-line]') : null;
+    const row = target instanceof Element ? target.closest<HTMLElement>('[data-row]') : null;
     // Text was selected, to be copied.
     if (!row || !(document.getSelection()?.isCollapsed ?? true)) return;
-    this.currentLine = Number(row.dataset.line);
+    this.currentLine = Number(row.dataset.row);
     this.drawSoon();
     this.source.pick(this.currentLine);
   }
@@ -175,25 +203,27 @@ export class LineView {
     setAttribute(this.element, 'aria-activedescendant', isShown ? `${this.idPrefix}-${this.currentLine}` : undefined);
   }
 
-  private fill(row: Row, line: number): void {
-    const { source } = this;
+  private fill(row: Row, at: number): void {
+    const { line, text: shown, isLit, isNow, problem, change } = this.source.row(at);
     const { element: own } = row;
-    const shown = source.text(line);
-    own.id = `${this.idPrefix}-${line}`;
-    own.dataset.line = String(line);
-    setText(row.number, String(line));
-    const isLit = source.isLit(line);
+    own.id = `${this.idPrefix}-${at}`;
+    own.dataset.row = String(at);
+    setAttribute(own, 'data-line', line === undefined ? undefined : String(line));
+    setText(row.number, line === undefined ? '' : String(line));
     own.classList.toggle('is-lit', isLit);
     own.setAttribute('aria-selected', String(isLit));
-    own.classList.toggle('is-now', source.isNow(line));
-    own.classList.toggle('is-current', line === this.currentLine);
-    const problem = source.problem(line);
+    own.classList.toggle('is-now', isNow);
+    own.classList.toggle('is-current', at === this.currentLine);
     setAttribute(own, 'data-severity', problem?.severity);
-    setTooltip(row.number, problem?.text ?? '');
+    setTooltip(row.margin, problem?.text ?? '');
+    setAttribute(own, 'data-change', change);
+    setText(row.sign, change ? CHANGES[change].sign : '');
     const cut = shown && shown.more > 0 ? cutNote(shown) : '';
     const text = `${shown?.text ?? ''}${cut}`;
-    // Nothing else would be read of an empty line.
-    setAttribute(own, 'aria-label', text.trim() === '' ? `Line ${line}, empty` : undefined);
+    const isEmpty = text.trim() === '';
+    // Nothing else would be read of an empty line, nor of the sign.
+    const read = isEmpty ? `Line ${line ?? ''}, empty` : text;
+    setAttribute(own, 'aria-label', change ? `${CHANGES[change].word}: ${read}` : isEmpty ? read : undefined);
     if (row.shown === text) return;
     row.shown = text;
     row.text.replaceChildren(...coloured(shown?.text ?? ''));
@@ -206,11 +236,15 @@ function cutNote({ more, isAbout }: ShownLine): string {
 }
 
 function makeRow(): Row {
-  const number = element('span', { class: 'source-number', 'aria-hidden': 'true' });
+  const number = element('span', { class: 'source-digits' });
+  const sign = element('span', { class: 'source-sign' });
+  const margin = element('span', { class: 'source-number', 'aria-hidden': 'true' }, number, sign);
   const text = element('span', { class: 'source-text' });
   return {
-    element: element('div', { class: 'source-line', role: 'option' }, number, text),
+    element: element('div', { class: 'source-line', role: 'option' }, margin, text),
+    margin,
     number,
+    sign,
     text,
     shown: undefined,
   };

@@ -1,30 +1,53 @@
 /**
  * The tab *Source*: the text of an open file with line numbers. What is selected lights up its lines; a click on a line
- * selects what it holds.
+ * selects what it holds. Once the page has changed something that is saved in the file, the text is that with the
+ * changes, which are marked.
  *
- *     arrows, Page Up, Page Down, Home, End   to another line       Enter    selects what it holds
+ *     arrows, Page Up, Page Down, Home, End   to another line       Enter    selects what it holds, shows what it was
  *     Ctrl+G                                  the number of a line  Ctrl+F   a text
+ *     F7, Shift+F7                            to another change
  */
 import type { Diagnostic } from '../../../model/diagnostic.ts';
 import { baseName } from '../../../model/files.ts';
-import { type LineRange, lastUpTo, linesOf, type SourceTarget, targetAt } from '../../../model/source-map.ts';
+import {
+  type LineRange,
+  lastUpTo,
+  linesOf,
+  type SourceMap,
+  type SourceTarget,
+  targetAt,
+} from '../../../model/source-map.ts';
+import { lineNow } from '../../../model/text-changes.ts';
 import { element, setText } from '../../kit/dom.ts';
 import { focusPanel } from '../../kit/focus.ts';
 import { oncePerFrame } from '../../kit/frame.ts';
 import { count, plural } from '../../kit/number-text.ts';
 import type { TimelineTab } from '../../state/timeline.ts';
 import type { Uses } from '../../state/workbench.ts';
-import { frameThen, type Known, type Origins, originsIn, pickNow, type TextState, targetsThen } from './as-opened.ts';
+import { frameThen, type Known, type Origins, originsIn, pickNow, targetsThen } from './as-opened.ts';
+import { changeBar, changesInWords } from './change-bar.ts';
+import { ChangedRows } from './changed-rows.ts';
 import { findLine } from './find-text.ts';
-import { LineView } from './line-view.ts';
+import type { ShownLine } from './line-text.ts';
+import { LineView, type ShownRow } from './line-view.ts';
 import { OpenedSource } from './opened-source.ts';
-import { sourcesOf } from './places.ts';
+import { partsFrom, sourcesOf } from './places.ts';
 import { worstFirst } from './problems.ts';
+import { type ChangedText, TextChanges } from './text-changes.ts';
 import { type SourceTools, sourceTools } from './tools.ts';
 
 type Parts = Uses<'store' | 'timeline' | 'files' | 'messages' | 'posing' | 'transport'>;
 
 const NO_LINES: readonly LineRange[] = [];
+const NO_ROWS = new ChangedRows(0, [], new Set());
+
+/** A text in view: the file as it came, or with the changes. */
+interface ShownText {
+  readonly map: SourceMap | undefined;
+  readonly text: Blob | undefined;
+  readonly count: number;
+  line(line: number): ShownLine | undefined;
+}
 
 export function sourcePanel(wb: Parts): TimelineTab {
   return new SourcePanel(wb);
@@ -36,8 +59,16 @@ class SourcePanel implements TimelineTab {
   private readonly view: LineView;
   private readonly controls: SourceTools;
   private readonly empty = element('p', { class: 'empty source-empty', hidden: true });
-  /** That the text isn't what is in the page. */
-  private readonly note = element('p', { class: 'source-note', role: 'status', hidden: true });
+  /** That the text isn't what is in the page, or what of it was changed there. */
+  private readonly bar = changeBar({
+    goTo: (step) => this.goToChange(step),
+    toggle: () => this.showChanges(!this.showsChanges),
+  });
+  private readonly changes: TextChanges;
+  private showsChanges = true;
+  private rows = NO_ROWS;
+  /** Changes whose old lines are shown. */
+  private readonly open: Set<number> = new Set();
   private visible = false;
   private opened: OpenedSource | undefined;
   private lit: readonly LineRange[] = NO_LINES;
@@ -61,18 +92,14 @@ class SourcePanel implements TimelineTab {
       isUnsaved: (id, path) =>
         unsaved.get().some(({ characterId, name }) => characterId === id && name === baseName(path)),
     };
-    this.view = new LineView({
-      text: (line) => this.opened?.line(line),
-      isLit: (line) => isIn(this.lit, this.litStarts, line),
-      isNow: (line) => line === this.now,
-      problem: (line) => {
-        const found = this.problems.get(line);
-        return found && { severity: found.severity, text: found.message };
-      },
-      pick: (line) => this.pick(line),
+    this.changes = new TextChanges(source, {
+      onChange: () => this.changed(),
+      onText: () => this.view.drawSoon(),
+      inView: () => this.view.inView,
     });
+    this.view = new LineView({ row: (row) => this.row(row), pick: (row) => this.pickRow(row) });
     this.controls = sourceTools({
-      choose: (path) => this.open(path),
+      choose: (path) => this.openFile(path),
       find: (text) => void this.find(text),
       goTo: (line) => this.goTo(line),
       leave: () => focusPanel(this.view.element),
@@ -81,7 +108,7 @@ class SourcePanel implements TimelineTab {
     this.element = element(
       'div',
       { class: 'source', 'data-panel': 'source' },
-      this.note,
+      this.bar.element,
       this.empty,
       this.view.element,
     );
@@ -92,6 +119,7 @@ class SourcePanel implements TimelineTab {
       this.followSoon();
     });
     posing.chosenDof.subscribe(this.followSoon);
+    unsaved.subscribe(this.followSoon);
     transport.subscribe((now, before) => {
       if (now.timeSeconds !== before.timeSeconds) this.showTime();
     });
@@ -132,7 +160,7 @@ class SourcePanel implements TimelineTab {
       this.say(`The text of ${place.file} is no longer at hand. Open it again.`);
       return;
     }
-    this.open(path, place.line);
+    this.openFile(path, place.line);
     // A message opened the file to be looked at here.
     focusPanel(this.view.element);
   }
@@ -144,7 +172,7 @@ class SourcePanel implements TimelineTab {
       .map(({ path }) => path);
   }
 
-  private open(path: string, line?: number): void {
+  private openFile(path: string, line?: number): void {
     this.wanted = line;
     // A file that was given again under its path is another one.
     this.closeFile();
@@ -158,7 +186,7 @@ class SourcePanel implements TimelineTab {
       },
     });
     this.opened = opened;
-    this.view.setLines(0, true);
+    this.showRows(true);
     this.status = '';
     this.readProblems();
     this.showFiles();
@@ -169,6 +197,7 @@ class SourcePanel implements TimelineTab {
   private closeFile(): void {
     this.opened?.close();
     this.opened = undefined;
+    this.changes.follow(undefined, [], false);
     this.search?.abort();
     this.light(NO_LINES);
     this.now = undefined;
@@ -177,11 +206,84 @@ class SourcePanel implements TimelineTab {
   private showLines(): void {
     const { opened, view, wanted } = this;
     if (!opened) return;
-    view.setLines(opened.count, false);
+    this.showRows();
     if (opened.map) this.follow(wanted === undefined);
     if (wanted === undefined || (wanted > opened.count && !opened.map)) return;
-    view.goTo(wanted);
+    const line = this.hunks.length > 0 ? (lineNow(this.hunks, wanted) ?? wanted) : wanted;
+    view.goTo(this.rows.rowOf(line));
     if (opened.map) this.wanted = undefined;
+  }
+
+  /** The text with the changes, if it is shown. */
+  private get changedText(): ChangedText | undefined {
+    return this.showsChanges ? this.changes.text : undefined;
+  }
+
+  private get shown(): ShownText | undefined {
+    return this.changedText ?? this.opened;
+  }
+
+  private get hunks(): ChangedText['hunks'] {
+    return this.changedText?.hunks ?? [];
+  }
+
+  private showRows(isNewFile = false): void {
+    this.rows = new ChangedRows(this.shown?.count ?? 0, this.hunks, this.open);
+    this.view.setLines(this.rows.count, isNewFile);
+  }
+
+  private showChanges(shows: boolean): void {
+    this.showsChanges = shows;
+    if (shows) this.follow(false);
+    this.changed();
+  }
+
+  /** There are other changes. */
+  private changed(): void {
+    this.open.clear();
+    this.readProblems();
+    this.showRows();
+    this.follow(false);
+    this.showState();
+  }
+
+  private goToChange(step: 1 | -1): void {
+    const hunk = this.rows.hunkFrom(this.view.current, step);
+    if (hunk === undefined) return;
+    this.view.goTo(this.rows.rowOfHunk(hunk));
+    this.say(`Change ${count(hunk + 1)} of ${count(this.hunks.length)}`);
+    focusPanel(this.view.element);
+  }
+
+  private row(row: number): ShownRow {
+    const found = this.rows.at(row);
+    if (found.kind === 'line') {
+      const { line, change } = found;
+      const problem = this.problems.get(line);
+      return {
+        line,
+        change,
+        text: this.shown?.line(line),
+        isLit: isIn(this.lit, this.litStarts, line),
+        isNow: line === this.now,
+        problem: problem && { severity: problem.severity, text: problem.message },
+      };
+    }
+    const plain = { isLit: false, isNow: false };
+    if (found.kind === 'old') return { ...plain, text: this.opened?.line(found.line), change: 'old' };
+    const text = `${plural(found.count, 'line')} removed`;
+    return { ...plain, text: { text, more: 0, isAbout: false }, change: 'removed' };
+  }
+
+  private pickRow(row: number): void {
+    const found = this.rows.at(row);
+    if (found.hunk !== undefined && this.hunks[found.hunk].oldFrom < this.hunks[found.hunk].oldTo) {
+      const line = found.kind === 'line' ? found.line : undefined;
+      if (!this.open.delete(found.hunk)) this.open.add(found.hunk);
+      this.showRows();
+      this.view.goTo(line === undefined ? this.rows.rowOfHunk(found.hunk) : this.rows.rowOf(line));
+    }
+    if (found.kind === 'line') this.pick(found.line);
   }
 
   private showState(): void {
@@ -192,7 +294,7 @@ class SourcePanel implements TimelineTab {
     this.view.element.hidden = !this.empty.hidden;
     setText(this.empty, failed || 'Open a file to see its text, with line numbers.');
     if (state?.kind === 'reading') this.controls.say(`Reading ${Math.round(100 * state.share)} %`);
-    else this.controls.say(this.status || (opened?.map ? plural(opened.count, 'line') : ''));
+    else this.controls.say(this.status || (this.shown?.map ? plural(this.shown.count, 'line') : ''));
   }
 
   private say(text: string): void {
@@ -210,7 +312,7 @@ class SourcePanel implements TimelineTab {
   private follow(reveals = true): void {
     if (!this.visible) return;
     if (this.opened?.isOld) {
-      this.open(this.opened.path, this.view.current);
+      this.openFile(this.opened.path, this.view.current);
       return;
     }
     const { store, posing } = this.wb;
@@ -220,13 +322,13 @@ class SourcePanel implements TimelineTab {
     const chosen = posing.chosenDof.get();
     const targetsIn = (path: string) =>
       originsIn(document, path, this.known).origins.flatMap((origin) => targetsThen(origin, selection, chosen));
-    const own = this.opened ? targetsIn(this.opened.path) : [];
+    const own = this.originsHere().origins.flatMap((origin) => targetsThen(origin, selection, chosen));
     const isOwnPick = this.isOwnPick;
     this.isOwnPick = false;
     if (own.length === 0 && !isOwnPick && this.wanted === undefined && this.isAnewSelected()) {
       const other = paths.find((path) => targetsIn(path).length > 0) ?? (this.opened ? undefined : paths[0]);
       if (other !== undefined && other !== this.opened?.path) {
-        this.open(other);
+        this.openFile(other);
         return;
       }
     }
@@ -249,14 +351,16 @@ class SourcePanel implements TimelineTab {
   }
 
   private lightTargets(targets: readonly SourceTarget[], reveals: boolean): void {
-    const map = this.opened?.map;
+    const map = this.shown?.map;
     if (!map) return;
     const before = this.lit;
     const all = targets.flatMap((target) => linesOf(map, target));
     const ascending = [...all].sort((a, b) => a.from - b.from);
     this.light(ascending);
     const isSame = before.length === ascending.length && before.every((l, i) => l.from === ascending[i].from);
-    if (reveals && !isSame && all.length) this.view.reveal(all[0]);
+    if (!reveals || isSame || all.length === 0) return;
+    const [{ from, to }] = all;
+    this.view.reveal({ from: this.rows.rowOf(from), to: this.rows.rowOf(to) });
   }
 
   private light(lines: readonly LineRange[]): void {
@@ -267,21 +371,41 @@ class SourcePanel implements TimelineTab {
 
   private originsHere(): Origins {
     const { opened, wb } = this;
-    return opened ? originsIn(wb.store.document, opened.path, this.known) : { state: 'same', origins: [] };
+    if (!opened) return { state: 'same', origins: [] };
+    const { document } = wb.store;
+    if (!this.changedText) return originsIn(document, opened.path, this.known);
+    // The text is what is in the page.
+    return { state: 'edited', origins: partsFrom(document, opened.path).map((now) => ({ now, file: now })) };
   }
 
   private showNote(): void {
-    const { state } = this.originsHere();
-    const hasErrors = [...this.problems.values()].some(({ severity }) => severity === 'error');
-    const text = this.opened && noteOf(state, hasErrors);
-    this.note.hidden = !text;
-    setText(this.note, text ?? '');
+    const { opened, changes, showsChanges, bar, wb } = this;
+    const { state, origins } = opened
+      ? originsIn(wb.store.document, opened.path, this.known)
+      : { state: 'same' as const, origins: [] };
+    const isFollowed = state === 'edited' && showsChanges;
+    changes.follow(
+      opened?.path,
+      origins.map(({ now }) => now.character),
+      isFollowed,
+    );
+    if (state !== 'edited') {
+      const hasErrors = [...this.problems.values()].some(({ severity }) => severity === 'error');
+      bar.show(state === 'other' ? otherNote(hasErrors) : '');
+      return;
+    }
+    const { text, problem, isComparing } = changes;
+    if (!showsChanges) bar.show(`Edited since it was opened: ${AS_IT_CAME}`, false);
+    else if (text)
+      bar.show(`${changesInWords(text.hunks)} since it was opened. Click one to see what it was.`, true, true);
+    else if (problem !== undefined && !isComparing) bar.show(`${problem} ${capital(AS_IT_CAME)}`);
+    else bar.show('Edited since it was opened. Comparing…', true);
   }
 
   /** The frame of the current time, of a capture. */
   private showTime(): void {
-    if (!this.visible || !this.opened?.map) return;
-    const { map } = this.opened;
+    const map = this.shown?.map;
+    if (!this.visible || !map) return;
     if (!map.rows.some(({ of }) => of === 'frame')) {
       this.now = undefined;
       return;
@@ -297,12 +421,18 @@ class SourcePanel implements TimelineTab {
   private readProblems(): void {
     const name = this.opened && baseName(this.opened.path);
     const all = this.wb.messages.list.get().flatMap(({ diagnostics }) => diagnostics);
-    this.problems = worstFirst(all.filter(({ file, line }) => file === name && line > 0));
+    const inFile = all.filter(({ file, line }) => file === name && line > 0);
+    const { hunks } = this;
+    const shown = inFile.flatMap((found) => {
+      const line = lineNow(hunks, found.line);
+      return line === undefined ? [] : [{ ...found, line }];
+    });
+    this.problems = worstFirst(shown);
     this.view.drawSoon();
   }
 
   private pick(line: number): void {
-    const map = this.opened?.map;
+    const map = this.shown?.map;
     if (!map) return;
     const target = targetAt(map, line);
     const picked = target && pickNow(this.originsHere().origins, target);
@@ -325,25 +455,25 @@ class SourcePanel implements TimelineTab {
   }
 
   private goTo(line: number): void {
-    if (!this.opened) return;
-    const { count: lines } = this.opened;
-    if (line > lines) this.say(`The last line is ${count(lines)}.`);
-    this.view.goTo(line);
+    const { shown, rows } = this;
+    if (!shown) return;
+    if (line > shown.count) this.say(`The last line is ${count(shown.count)}.`);
+    this.view.goTo(rows.rowOf(Math.min(line, shown.count)));
     focusPanel(this.view.element);
   }
 
   private async find(text: string): Promise<void> {
-    const { opened } = this;
-    if (!opened?.map || !opened.text || text === '') return;
+    const { shown } = this;
+    if (!shown?.map || !shown.text || text === '') return;
     this.search?.abort();
     const search = new AbortController();
     this.search = search;
     try {
-      const line = await findLine(opened.text, opened.map.index, text, this.view.current, search.signal);
+      const line = await findLine(shown.text, shown.map.index, text, this.currentLine, search.signal);
       if (search.signal.aborted) return;
       if (line === undefined) this.say(`“${text}” was not found.`);
       else {
-        this.view.goTo(line);
+        this.view.goTo(this.rows.rowOf(line));
         this.say(`Found on line ${count(line)}`);
       }
     } catch (error) {
@@ -351,7 +481,22 @@ class SourcePanel implements TimelineTab {
     }
   }
 
+  /** The line of the current row, or the one above it. */
+  private get currentLine(): number {
+    for (let row = this.view.current; row > 0; row--) {
+      const found = this.rows.at(row);
+      if (found.kind === 'line') return found.line;
+    }
+    return 1;
+  }
+
   private onKey(event: KeyboardEvent): void {
+    if (event.key === 'F7' && this.hunks.length > 0) {
+      event.preventDefault();
+      event.stopPropagation();
+      this.goToChange(event.shiftKey ? -1 : 1);
+      return;
+    }
     if (!(event.ctrlKey || event.metaKey) || event.altKey || event.shiftKey) return;
     const key = event.key.toLowerCase();
     if (key === 'g') this.controls.askLine();
@@ -362,12 +507,14 @@ class SourcePanel implements TimelineTab {
   }
 }
 
-function noteOf(state: TextState, hasErrors: boolean): string | undefined {
-  if (state === 'same') return undefined;
-  if (state === 'edited') return 'Edited since it was opened: lines are those of the file as it came.';
+const AS_IT_CAME = 'lines are those of the file as it came.';
+
+function otherNote(hasErrors: boolean): string {
   const why = hasErrors ? 'This text has errors and was not opened' : 'This text is not the version that is open';
   return `${why}. The page has another version, so nothing lights up.`;
 }
+
+const capital = (text: string) => text[0].toUpperCase() + text.slice(1);
 
 /** @param starts of the ranges, which ascend */
 function isIn(ranges: readonly LineRange[], starts: readonly number[], line: number): boolean {

@@ -35,7 +35,7 @@ function openedStore(texts = TEXTS) {
   const known: Known = {
     opened: () => ({ characters, given: undefined }),
     given: () => undefined,
-    isUnsaved: () => true,
+    isUnsaved: () => false,
   };
   return { store, known, id: characters[0].id };
 }
@@ -113,6 +113,13 @@ describe('lines of a file whose parts were edited since it was opened', () => {
     const another: Known = { ...known, given: () => new Blob(['broken']) };
     expect(originsIn(store.document, 'my/a.skel', another)).toEqual({ state: 'other', origins: [] });
     expect(lit(store.document, another, 'a.skel', { characterId: id, joint: ARM })).toEqual([]);
+  });
+
+  it('stay lit where only the pose was changed, which the file also holds', () => {
+    const { store, known, id } = openedStore();
+    const posed = { ...known, isUnsaved: () => true };
+    expect(originsIn(store.document, 'my/a.skel', posed).state).toBe('edited');
+    expect(lit(store.document, posed, 'a.skel', { characterId: id, joint: ARM })).toEqual([6]);
   });
 
   it('after a restored session are those of parts without unsaved changes', () => {
