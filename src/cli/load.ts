@@ -5,6 +5,7 @@
 import { closeSync, openSync, readFileSync, readSync, statSync } from 'node:fs';
 import { basename } from 'node:path';
 import { isWorthDiagnosing } from '../formats/diagnose/diagnose.ts';
+import { foldUnreadable } from '../formats/diagnose/fold.ts';
 import { type Diagnostic, withoutPlace } from '../model/diagnostic.ts';
 import { type Character, EMPTY_DOCUMENT } from '../model/document.ts';
 import { isEmptyDump } from '../model/dump.ts';
@@ -134,7 +135,8 @@ function ended(
   { diagnose }: Format,
   content: () => Uint8Array,
 ): Omit<LoadedOne, 'bytes'> {
-  const diagnostics = diagnose && isWorthDiagnosing(told, bytes) ? diagnose(name, content(), told) : told;
+  const isDiagnosed = diagnose && isWorthDiagnosing(told, bytes);
+  const diagnostics = foldUnreadable(isDiagnosed ? diagnose(name, content(), told) : told);
   return value ? { content: value, diagnostics } : { diagnostics };
 }
 

@@ -6,6 +6,7 @@
 import { checkMorph } from '../evaluate/binding.ts';
 import { skinFacts } from '../evaluate/bounds.ts';
 import { isWorthDiagnosing } from '../formats/diagnose/diagnose.ts';
+import { foldUnreadable } from '../formats/diagnose/fold.ts';
 import { unzip } from '../formats/unzip.ts';
 import { type Diagnostic, withoutPlace } from '../model/diagnostic.ts';
 import { isEmptyDump } from '../model/dump.ts';
@@ -126,12 +127,12 @@ async function located(
   blob: Blob,
   told: readonly Diagnostic[],
 ): Promise<readonly Diagnostic[]> {
-  if (!diagnose || !isWorthDiagnosing(told, blob.size)) return told;
+  if (!diagnose || !isWorthDiagnosing(told, blob.size)) return foldUnreadable(told);
   try {
-    return diagnose(name, new Uint8Array(await blob.arrayBuffer()), told);
+    return foldUnreadable(diagnose(name, new Uint8Array(await blob.arrayBuffer()), told));
   } catch (error) {
     // The file has changed on disk since it was read.
-    if (error instanceof DOMException) return told;
+    if (error instanceof DOMException) return foldUnreadable(told);
     throw error;
   }
 }

@@ -1,6 +1,7 @@
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
 import { isWorthDiagnosing } from '../../src/formats/diagnose/diagnose.ts';
+import { foldUnreadable } from '../../src/formats/diagnose/fold.ts';
 import { describeShared, sharedBytes } from '../helpers/shared.ts';
 import { read, readAsOpened, told } from './read-in-pieces.ts';
 
@@ -19,6 +20,34 @@ const withoutWord = (index: number) => (line: string) => {
 
 const JOINT = (name: string) => `\tballjoint ${name} {\n\t\toffset 0 1 0\n\t\tpose 0 0 0\n\t}\n`;
 const SKEL = `balljoint root {\n\toffset 0 0 0\n${['a', 'b', 'c', 'd'].map(JOINT).join('')}}\n`;
+
+describeShared('values that are not numbers', () => {
+  const take = new TextDecoder().decode(sharedBytes('data/bvh/boxing-extra-line.bvh'));
+  const broken = (lines: number) => {
+    let text = take;
+    for (let i = 0; i < lines; i++) text = withLine(text, 134 + 20 * i, (line) => line.replace(/^ *\S+/, 'NaN'));
+    return readAsOpened('take.bvh', text).diagnostics.filter(({ severity }) => severity === 'error');
+  };
+
+  it('a few of them are told each on its line', () => {
+    expect(broken(3).map(({ line }) => line)).toEqual([134, 154, 174]);
+    expect(foldUnreadable(broken(3))).toEqual(broken(3));
+  });
+
+  it('many of them are one message, which names the lines', () => {
+    const all = broken(42);
+    expect(all.map(({ line }) => line)).toEqual(Array.from({ length: 42 }, (_, i) => 134 + 20 * i));
+    expect(foldUnreadable(all)).toMatchObject([
+      {
+        line: 134,
+        message:
+          'Expected a value of a channel, found "NaN", which is not a number. ' +
+          'There are more on lines 154, 174, 194, 214, 234 and 36 more.',
+      },
+    ]);
+    expect(foldUnreadable(foldUnreadable(all))).toEqual(foldUnreadable(all));
+  });
+});
 
 describeShared('where the error of a real file is', () => {
   const wasp = new TextDecoder().decode(sharedBytes('data/cse169/wasp.skin'));

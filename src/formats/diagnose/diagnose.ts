@@ -130,6 +130,9 @@ function tried(
   const left = problemsOf(after, done).filter((d) => !isOn(d) || !OF_MEANING.has(d.code));
   const errors = left.filter(({ severity }) => severity === 'error');
   if (errors.some(isOn) || (isLoaded && errors.length > 0)) return undefined;
+  // Reading now ends before it did: the edit hides the problems with the rest of the file.
+  const first = Math.min(...rest.filter((d) => d.severity === 'error' && d.line > 0).map(({ line }) => line));
+  if (errors.some((d) => d.line > 0 && d.line < first && !known.has(keyOf(d)))) return undefined;
   // Errors that were not there before: more likely, the edit hides part of the file.
   const cost = left.length + errors.filter((d) => !known.has(keyOf(d))).length;
   return cost < before ? { guess, text: mended, after, cost } : undefined;
