@@ -154,7 +154,7 @@ async function storePage(): Promise<void> {
 
 function compare(dumps: readonly DumpFile[]): void {
   const load = () => import('./app/comparing.ts');
-  onDemand(messages, 'The comparison', load).then((module) => module?.compareDumps(workbench, compareWorker, dumps));
+  onDemand(messages, 'The comparison', load).then((module) => module?.compareDropped(workbench, compareWorker, dumps));
 }
 
 /** The opening example: a walking character. */

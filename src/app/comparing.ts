@@ -8,7 +8,7 @@ import type { Runs } from '../worker/client.ts';
 type Parts = Uses<'store' | 'transport' | 'messages' | 'comparing' | 'timeline'>;
 
 /** Compares them with the current character, along with those that are compared with it already. */
-export function compareDumps(wb: Parts, worker: Runs<'compare'>, files: readonly DumpFile[]): void {
+export function compareDropped(wb: Parts, worker: Runs<'compare'>, files: readonly DumpFile[]): void {
   const { comparing, messages, timeline } = wb;
   const dumps = files.map(({ source, dump }) => ({ fileName: source.name, dump }));
   const character = currentCharacter(wb);

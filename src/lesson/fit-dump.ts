@@ -25,12 +25,14 @@ export interface NamedDump {
   /** For diagnostics. */
   readonly fileName: string;
   readonly dump: Dump;
+  /** Of its numbers that state no time; absent: the time for all dumps. */
+  readonly assumed?: { readonly time: FrameTime };
 }
 
 /** @param time of dumps that state none; undefined: the only time that others state, else the file pose */
 export function fitDumps(character: Character, dumps: readonly NamedDump[], time: FrameTime): Fitted {
   const fit = new Fit(character, time ?? onlyTime(dumps));
-  for (const { fileName, dump } of dumps) fit.add(dump, fileName);
+  for (const dump of dumps) fit.add(dump);
   return fit.result();
 }
 
@@ -80,10 +82,11 @@ class Fit {
     this.evaluator = new Evaluator(character);
   }
 
-  add(dump: Dump, fileName: string): void {
+  add({ dump, fileName, assumed }: NamedDump): void {
+    const time = assumed ? assumed.time : this.time;
     for (const block of dump.blocks) {
       try {
-        this.block(block, dump);
+        this.block(block, dump, block.time ?? dump.time ?? time);
       } catch (error) {
         if (!(error instanceof Misfit)) throw error;
         this.diagnostics.push({
@@ -111,8 +114,7 @@ class Fit {
     return { targets: { frames, channels, ...(layout && { layout }) }, diagnostics };
   }
 
-  private block(block: DumpBlock, dump: Dump): void {
-    const time = block.time ?? dump.time ?? this.time;
+  private block(block: DumpBlock, dump: Dump, time: FrameTime): void {
     const holds = block.holds ?? kindOfName(dump.name);
     const isTimed = block.columns?.some((name) => /^(time|t|seconds)$/.test(name)) ?? false;
     if (block.channel !== undefined || holds === 'channels' || isTimed) {
@@ -120,7 +122,7 @@ class Fit {
       return;
     }
     const entries = entriesOf(block);
-    const kind = this.kindOf(block, entries, holds);
+    const kind = this.kindOf(block, entries, holds, time);
     if (kind === 'channels') this.channelBlock(block, time);
     else if (kind === 'matrices') this.matrices(block, entries, holds === 'local' ? 'local' : 'world', time);
     else if (kind === 'joints') this.points('positions', entries, this.names.length, time, block);
@@ -134,6 +136,7 @@ class Fit {
     block: DumpBlock,
     entries: readonly Entry[],
     holds: DumpKind | undefined,
+    time: FrameTime,
   ): 'matrices' | 'joints' | 'vertices' | 'normals' | 'both' | 'channels' {
     const { names, vertices, channels } = this;
     const joints = names.length;
@@ -166,7 +169,7 @@ class Fit {
     const wide = entries.every(({ numbers, label }) => label !== null && numbers.length >= 12) || width >= 12;
     const narrow = width === 3 || isIndexed;
     if (ofMatrices && (wide || !narrow)) return 'matrices';
-    if (ofPoints(vertices) && (ofPoints(joints) ? this.isNearer(block, entries) : true)) {
+    if (ofPoints(vertices) && (ofPoints(joints) ? this.isNearer(entries, time) : true)) {
       return isUnit(block.values, width) && !this.isSkinUnit() ? 'normals' : 'vertices';
     }
     if (ofPoints(joints)) return 'joints';
@@ -177,8 +180,7 @@ class Fit {
   }
 
   /** As many vertices as joints: whether the points are nearer to the vertices. */
-  private isNearer(block: DumpBlock, entries: readonly Entry[]): boolean {
-    const time = block.time ?? this.time;
+  private isNearer(entries: readonly Entry[], time: FrameTime): boolean {
     const { world, vertices } = this.evaluator.frame(RIGHT_PROGRAM, time, {
       local: false,
       vertices: true,

@@ -7,10 +7,10 @@ import type { CompareInput, CompareOutput, Progress } from './protocol.ts';
 const PROGRESS_STEPS = 100;
 
 export function compareDumps(
-  { character, dumps, time, tolerance }: CompareInput,
+  { character, dumps, tolerance }: CompareInput,
   onProgress: (progress: Progress) => void,
 ): CompareOutput {
-  const { targets, diagnostics } = fitDumps(character, dumps, time);
+  const { targets, diagnostics } = fitDumps(character, dumps, undefined);
   if (!targets) return { diagnostics };
   const steps = compare(character, targets, tolerance);
   let told = -1;

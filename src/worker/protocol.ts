@@ -57,8 +57,6 @@ export interface KnownSkin {
 export interface CompareInput {
   readonly character: Character;
   readonly dumps: readonly NamedDump[];
-  /** Of dumps that state none; undefined: the file pose. */
-  readonly time: number | undefined;
   /** Default `DEFAULT_TOLERANCE`. */
   readonly tolerance?: number;
 }

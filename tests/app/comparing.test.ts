@@ -1,5 +1,5 @@
 import { describe, expect, it } from 'vitest';
-import { compareDumps } from '../../src/app/comparing.ts';
+import { compareDropped } from '../../src/app/comparing.ts';
 import { readDump } from '../../src/formats/dump/read.ts';
 import { Evaluator } from '../../src/lesson/evaluator.ts';
 import { RIGHT_PROGRAM } from '../../src/lesson/program.ts';
@@ -26,7 +26,7 @@ function right(time: number): string {
 }
 
 function drop(wb: Workbench, ...files: DumpFile[]): Promise<void> {
-  compareDumps(wb, new InThisThread(), files);
+  compareDropped(wb, new InThisThread(), files);
   return new Promise((resolve) => {
     const comparing = wb.comparing.get();
     const look = () => {

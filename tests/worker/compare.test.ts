@@ -10,6 +10,7 @@ const character = characterOf(...OWN.crawler);
 const wanted = { local: false, vertices: false, normals: false };
 const dumpOf = (values: Float64Array) => ({
   fileName: 'mine.txt',
+  assumed: { time: 0.3 },
   dump: {
     name: 'mine',
     blocks: [{ values, starts: Uint32Array.of(0, values.length), lines: Uint32Array.of(1) }],
@@ -21,7 +22,7 @@ describe('the compare job', () => {
     const program = { ...RIGHT_PROGRAM, joints: { ...RIGHT_PROGRAM.joints, concatenation: 'no parent' as const } };
     const { world } = new Evaluator(character).frame(program, 0.3, wanted);
     const seen: Progress[] = [];
-    const input = { character, dumps: [dumpOf(world.slice())], time: 0.3 };
+    const input = { character, dumps: [dumpOf(world.slice())] };
     const output = compareDumps(structuredClone(input), (progress) => seen.push(progress));
     expect(output.comparison?.causes.map(({ code }) => code)).toContain('no-parent');
     expect(seen.length).toBeGreaterThan(10);
@@ -30,7 +31,7 @@ describe('the compare job', () => {
   });
 
   it('tells what would fit instead', () => {
-    const output = compareDumps({ character, dumps: [dumpOf(Float64Array.of(1, 2))], time: 0 }, () => undefined);
+    const output = compareDumps({ character, dumps: [dumpOf(Float64Array.of(1, 2))] }, () => undefined);
     expect(output).toMatchObject({
       diagnostics: [{ severity: 'error', code: 'dump-length', file: 'mine.txt', line: 1 }],
     });

@@ -36,7 +36,6 @@ import { type Observable, observable } from '../kit/observable.ts';
 export interface CompareInput {
   readonly character: Character;
   readonly dumps: readonly NamedDump[];
-  readonly time: number | undefined;
   readonly tolerance: number;
 }
 
@@ -78,10 +77,8 @@ export type ComparePhase =
   | { readonly kind: 'failed'; readonly message: string };
 
 export interface CompareState {
-  /** In the order in which they were given. */
+  /** In the order in which they were given. Those without a time have an assumed one, of the clip. */
   readonly dumps: readonly NamedDump[];
-  /** Of the character's clip, for dumps that state none; undefined: the file pose. */
-  readonly time: number | undefined;
   readonly tolerance: number;
   readonly phase: ComparePhase;
   readonly result?: ComparedResult;
@@ -112,8 +109,8 @@ export class DumpComparison {
   private running: AbortController | undefined;
   private waiting: (() => void) | undefined;
   private hasEnded = false;
-  /** Since dumps were given, nothing was found yet. */
-  private isNew = true;
+  /** Dumps that were given since the last result. */
+  private fresh: readonly NamedDump[];
 
   /**
    * Starts to compare.
@@ -127,10 +124,9 @@ export class DumpComparison {
     private readonly run: RunCompare,
     private readonly later: (work: () => void, milliseconds: number) => () => void = afterTimeout,
   ) {
-    const time = clipTimeShown(wb, this.character);
+    this.fresh = this.timed(dumps);
     this.state = observable<CompareState>({
-      dumps,
-      time,
+      dumps: this.fresh,
       tolerance: DEFAULT_TOLERANCE,
       phase: { kind: 'working', share: 0 },
     });
@@ -153,12 +149,9 @@ export class DumpComparison {
   add(dumps: readonly NamedDump[]): Promise<void> {
     const names = new Set(dumps.map(({ fileName }) => fileName));
     const others = this.state.get().dumps.filter(({ fileName }) => !names.has(fileName));
-    const all = [...others, ...dumps];
-    const isTimed = statedTimes(all).length > 0;
-    const time = isTimed ? this.state.get().time : clipTimeShown(this.wb, this.character);
-    this.change({ dumps: all, time });
-    this.isNew = true;
-    return this.start(others.length > 0 ? dumps : undefined);
+    this.fresh = this.timed(dumps);
+    this.change({ dumps: [...others, ...this.fresh] });
+    return this.start();
   }
 
   /** Removes one of several dumps. */
@@ -176,10 +169,10 @@ export class DumpComparison {
     void this.start();
   }
 
-  /** @param time of the character's clip; undefined: the file pose */
-  setTime(time: number | undefined): void {
-    if (time === this.state.get().time) return;
-    this.change({ time });
+  /** Of a dump that states none. @param time of the character's clip; undefined: the file pose */
+  setTime(fileName: string, time: number | undefined): void {
+    const { dumps } = this.state.get();
+    this.change({ dumps: dumps.map((dump) => (dump.fileName === fileName ? { ...dump, assumed: { time } } : dump)) });
     void this.start();
   }
 
@@ -242,53 +235,70 @@ export class DumpComparison {
     this.running = undefined;
   }
 
-  /** @param alone tried without the others, should all be for the same time */
-  private async start(alone?: readonly NamedDump[]): Promise<void> {
+  private async start(): Promise<void> {
     this.stopRunning();
     const { character } = this;
     if (!character || this.hasEnded) return;
     const running = new AbortController();
     this.running = running;
     this.change({ phase: { kind: 'working', share: 0 } });
-    const { dumps, time, tolerance } = this.state.get();
-    const compareAt = (at: number | undefined) =>
-      this.run({ character: lean(character), dumps, time: at, tolerance }, running.signal, (share) => {
+    const { tolerance, dumps: all } = this.state.get();
+    const compare = (dumps: readonly NamedDump[]) =>
+      this.run({ character: lean(character), dumps, tolerance }, running.signal, (share) => {
         if (this.running === running) this.change({ phase: { kind: 'working', share } });
       });
+    let dumps = all;
     try {
-      let output = await compareAt(timeFor(dumps, time));
-      let isFilePose = false;
-      if (this.isNew && time !== undefined && statedTimes(dumps).length === 0 && isUnexplained(output)) {
+      let output = await compare(dumps);
+      const isRepeated = output.diagnostics.some(({ code }) => code === 'dump-repeated');
+      if (isRepeated && this.fresh.length > 0 && this.fresh.length < all.length) {
+        dumps = this.fresh;
+        output = await compare(dumps);
+      }
+      const inFilePose = dumps.map((dump) => (this.fresh.includes(dump) ? asFilePose(dump) : dump));
+      if (isUnexplained(output) && inFilePose.some((dump, i) => dump !== dumps[i])) {
         // Programs begin with the file pose, and say nothing of a time then.
-        const other = await compareAt(undefined);
-        isFilePose = other.comparison !== undefined && !isUnexplained(other);
-        if (isFilePose) output = other;
+        const other = await compare(inFilePose);
+        if (other.comparison && !isUnexplained(other)) [dumps, output] = [inFilePose, other];
       }
       if (this.running !== running) return;
       this.running = undefined;
-      const { comparison, targets, diagnostics } = output;
-      if (comparison && targets) {
-        const result = { comparison, targets, character, tolerance };
-        this.change({ phase: { kind: 'done' }, result, ...(isFilePose && { time: undefined }) });
-        if (this.isNew) this.reveal(comparison);
-        this.isNew = false;
-      } else if (alone && diagnostics.some(({ code }) => code === 'dump-repeated')) {
-        this.change({ dumps: alone });
-        await this.start();
-      } else {
-        this.state.update(({ result: _, ...now }) => ({
-          ...now,
-          phase: hasErrors(diagnostics)
-            ? { kind: 'misfit', diagnostics }
-            : { kind: 'failed', message: 'Nothing could be compared.' },
-        }));
-      }
+      this.finish(character, dumps, output);
     } catch (error) {
       // Cancelled, or followed by another.
       if (this.running !== running) return;
       this.running = undefined;
       this.change({ phase: { kind: 'failed', message: error instanceof Error ? error.message : String(error) } });
     }
+  }
+
+  private finish(
+    character: Character,
+    dumps: readonly NamedDump[],
+    { comparison, targets, diagnostics }: CompareOutput,
+  ): void {
+    const isFresh = this.fresh.length > 0;
+    this.fresh = [];
+    if (comparison && targets) {
+      const { tolerance } = this.state.get();
+      this.change({ dumps, phase: { kind: 'done' }, result: { comparison, targets, character, tolerance } });
+      if (isFresh) this.reveal(comparison);
+      return;
+    }
+    const { result: _, ...now } = this.state.get();
+    this.state.set({
+      ...now,
+      phase: hasErrors(diagnostics)
+        ? { kind: 'misfit', diagnostics }
+        : { kind: 'failed', message: 'Nothing could be compared.' },
+    });
+  }
+
+  /** Those without a time are of the only one that others state, else of the time shown. */
+  private timed(dumps: readonly NamedDump[]): readonly NamedDump[] {
+    const stated = statedTimes(dumps);
+    const time = stated.length === 1 ? stated[0] : clipTimeShown(this.wb, this.character);
+    return dumps.map((dump) => (statesTime(dump) ? dump : { ...dump, assumed: { time } }));
   }
 
   /** Goes to the first time that differs, if none of the compared ones is shown, and nothing is lost by it. */
@@ -374,9 +384,14 @@ function isUnexplained({ comparison }: CompareOutput): boolean {
   );
 }
 
-/** Dumps without a time are of the only one that others state. */
-function timeFor(dumps: readonly NamedDump[], time: number | undefined): number | undefined {
-  return statedTimes(dumps).length === 1 ? undefined : time;
+/** Whether all numbers of a dump have a time, or are of channels. */
+export function statesTime({ dump }: NamedDump): boolean {
+  return dump.blocks.every((block) => block.holds === 'channels' || (block.time ?? dump.time) !== undefined);
+}
+
+/** The same object if it isn't of a time that was assumed. */
+function asFilePose(dump: NamedDump): NamedDump {
+  return dump.assumed?.time === undefined ? dump : { ...dump, assumed: { time: undefined } };
 }
 
 /** What is compared of a character: the rest needn't be copied to the worker. Its times are those of the clip. */

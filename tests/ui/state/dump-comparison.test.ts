@@ -36,6 +36,13 @@ function named(fileName: string, text: string | Uint8Array): NamedDump {
   return { fileName, dump: value };
 }
 
+/** Assumed for dumps that state none. */
+const timesOf = ({ dumps }: CompareInput) => dumps.map(({ assumed }) => assumed?.time);
+
+function withoutTime({ fileName, dump: { blocks, ...rest } }: NamedDump): NamedDump {
+  return { fileName, dump: { ...rest, blocks: blocks.map(({ time: _, ...block }) => block) } };
+}
+
 const NO_PARENT = { concatenation: 'no parent' } as const;
 
 /** A page with one comparison, whose jobs run in this thread, and wait for `quiet` after edits. */
@@ -103,12 +110,12 @@ describe('a comparison with dumps', () => {
   it('is of the time shown if the dump states none, and of the file pose without a take', async () => {
     const moving = comparisonOf(crawler, [dump('mine.txt', [undefined])], 0.4);
     await moving.settled();
-    expect(moving.inputs[0].time).toBe(0.4);
+    expect(timesOf(moving.inputs[0])).toEqual([0.4]);
     moving.at(0.9);
     expect(moving.comparing.shown.get()).toBeUndefined();
     const resting = comparisonOf({ ...crawler, shownClip: -1 }, [dump('mine.txt', [undefined])], 0.4);
     await resting.settled();
-    expect(resting.inputs[0].time).toBeUndefined();
+    expect(timesOf(resting.inputs[0])).toEqual([undefined]);
     resting.at(0.9);
     expect(resting.comparing.shown.get()?.frame).toMatchObject({ agrees: true });
   });
@@ -161,12 +168,35 @@ describe('a comparison with dumps', () => {
     const text = dump('rest.txt', [undefined], NO_PARENT);
     const { comparing, settled, inputs } = comparisonOf(crawler, [text], 0.4);
     await settled();
-    expect(inputs.map(({ time }) => time)).toEqual([0.4, undefined]);
-    expect(comparing.state.get()).toMatchObject({ time: undefined, result: { comparison: { agrees: false } } });
+    expect(inputs.map(timesOf)).toEqual([[0.4], [undefined]]);
+    expect(comparing.state.get().dumps).toMatchObject([{ assumed: { time: undefined } }]);
     expect(comparing.state.get().result?.comparison.causes[0]?.code).toBe('no-parent');
     const wrong = comparisonOf(rest, [text]);
     await wrong.settled();
     expect(wrong.inputs).toHaveLength(1);
+  });
+
+  it('each dump keeps the time that was shown when it was dropped, until it is given another', async () => {
+    const { comparing, settled, at, inputs } = comparisonOf(crawler, [dump('a.txt', [undefined])], 0.3);
+    // Of the times that they are dropped at.
+    const [a, b] = [0.3, 0.8].map((time) => withoutTime(dump('x.txt', [time])));
+    await settled();
+    await comparing.add([{ ...a, fileName: 'a.txt' }]);
+    at(0.8);
+    await comparing.add([{ ...b, fileName: 'b.txt' }]);
+    expect(comparing.state.get().result?.comparison.frames.map(({ time }) => time)).toEqual([0.3, 0.8]);
+    expect(comparing.state.get().result?.comparison.agrees).toBe(true);
+    comparing.setTime('b.txt', 0.1);
+    await settled();
+    expect(timesOf(inputs[inputs.length - 1])).toEqual([0.3, 0.1]);
+    expect(comparing.state.get().result?.comparison.frames.map(({ agrees }) => agrees)).toEqual([true, false]);
+  });
+
+  it('a dump without a time is of the one that the others of its drop state', async () => {
+    const dumps = [dump('a.txt', [0.7]), withoutTime({ ...dump('b.txt', [0.7]), fileName: 'local.txt' })];
+    const { settled, inputs } = comparisonOf(crawler, dumps, 0.2);
+    await settled();
+    expect(timesOf(inputs[0])).toEqual([undefined, 0.7]);
   });
 
   it('one of several dumps can be removed', async () => {

@@ -1,6 +1,7 @@
 /** The left part of the panel: the causes, and the facts of the comparison. */
 import type { Comparison } from '../../../lesson/compare.ts';
 import { comparedText } from '../../../lesson/compared-text.ts';
+import type { NamedDump } from '../../../lesson/fit-dump.ts';
 import { button, element, setAttribute } from '../../kit/dom.ts';
 import { icon } from '../../kit/icons.ts';
 import { NumberField } from '../../kit/number-field.ts';
@@ -10,6 +11,7 @@ import {
   type CompareState,
   clipTimeShown,
   type DumpComparison,
+  statesTime,
 } from '../../state/dump-comparison.ts';
 import type { Uses } from '../../state/workbench.ts';
 import { numberText } from './banner-text.ts';
@@ -25,15 +27,13 @@ export class Findings {
   private readonly facts = element('div');
   private readonly files = element('div', { class: 'compare-files' });
   private readonly tolerance: NumberField;
-  private readonly time: NumberField;
-  private readonly timeRow: HTMLElement;
   private of: DumpComparison | undefined;
   private state: CompareState | undefined;
 
   constructor(private readonly wb: Uses<'comparing' | 'transport' | 'messages'>) {
     const refuse = (reason: string) => wb.messages.note(reason, 'warning');
     this.tolerance = new NumberField({
-      label: 'Tolerance',
+      label: 'Tolerance, of the size and of 1 radian',
       class: 'compare-number',
       text: exact,
       commit: (value) => {
@@ -45,28 +45,11 @@ export class Findings {
       },
       refuse,
     });
-    this.time = new NumberField({
-      label: 'Time of dumps that state none, in seconds',
-      class: 'compare-number',
-      text: (value) => shown(value, 4),
-      commit: (value) => this.of?.setTime(value),
-      refuse,
-    });
-    this.time.element.placeholder = 'file pose';
-    const act = (label: string, tooltip: string, run: () => void) =>
-      button(label, { class: 'link', tooltip }, label, run);
-    this.timeRow = factRow(
-      'Time',
-      this.time.element,
-      act('Now', 'Compare at the time shown', () => this.of?.setTime(clipTimeShown(this.wb, this.of.character))),
-      act('File pose', 'Compare with the pose of the file, without the take', () => this.of?.setTime(undefined)),
-    );
     this.element.append(
       this.found,
       this.times,
       this.facts,
-      factRow('Tolerance', this.tolerance.element, element('span', { class: 'faint' }, 'of the size, of 1 radian')),
-      this.timeRow,
+      factRow('Tolerance', this.tolerance.element),
       factRow('Dumps', this.files),
     );
   }
@@ -76,10 +59,9 @@ export class Findings {
     const state = comparing.state.get();
     this.of = comparing;
     if (state.result !== this.state?.result) this.showResult(state.result);
-    if (state.dumps !== this.state?.dumps) this.showDumps(comparing, state);
+    if (state.dumps !== this.state?.dumps) this.showDumps(state);
     this.state = state;
     this.tolerance.show(state.tolerance);
-    this.time.show(state.time ?? Number.NaN);
     for (const [i, made] of [...this.times.children].entries()) setAttribute(made, 'aria-pressed', String(i === told));
   }
 
@@ -100,7 +82,7 @@ export class Findings {
       this.times.append(...frames.slice(0, MAX_TIMES).map((_, i) => this.timeButton(comparison, i)));
     this.facts.append(
       factRow('Compared', comparedText(compared, frames.length)),
-      layout ? factRow('Read as', `${layout.order}, ${layout.numbers} numbers each`) : '',
+      layout ? factRow('Read as', `${layout.order}, ${layout.numbers} numbers`) : '',
       factRow('Largest error', `${numberText(worst)}${sizeText(comparison)}`),
     );
   }
@@ -116,21 +98,41 @@ export class Findings {
     return made;
   }
 
-  private showDumps(comparing: DumpComparison, { dumps }: CompareState): void {
-    this.timeRow.hidden = dumps.every(({ dump }) =>
-      dump.blocks.every((block) => block.holds === 'channels' || (block.time ?? dump.time) !== undefined),
-    );
-    this.files.replaceChildren(
-      ...dumps.map(({ fileName }) =>
-        element(
-          'span',
-          { class: 'compare-file' },
-          fileName,
-          dumps.length > 1 &&
-            button(`Remove ${fileName}`, { class: 'tool small' }, icon('close'), () => comparing.remove(fileName)),
-        ),
-      ),
-    );
+  private showDumps({ dumps }: CompareState): void {
+    this.files.replaceChildren(...dumps.map((dump) => this.fileRow(dump, dumps.length > 1)));
+  }
+
+  private fileRow(dump: NamedDump, canRemove: boolean): HTMLElement {
+    const { fileName } = dump;
+    const row = element('div', { class: 'compare-file' }, fileName);
+    if (!statesTime(dump)) row.append(...this.timeOf(dump));
+    if (canRemove) {
+      const remove = () => this.of?.remove(fileName);
+      row.append(button(`Remove ${fileName}`, { class: 'tool small' }, icon('close'), remove));
+    }
+    return row;
+  }
+
+  /** Of a dump that states none. */
+  private timeOf({ fileName, assumed }: NamedDump): readonly HTMLElement[] {
+    const setTime = (time: number | undefined) => this.of?.setTime(fileName, time);
+    const field = new NumberField({
+      label: `Time of ${fileName}, in seconds`,
+      class: 'compare-number',
+      text: (value) => shown(value, 4),
+      commit: setTime,
+      refuse: (reason) => this.wb.messages.note(reason, 'warning'),
+    });
+    field.element.placeholder = 'file pose';
+    field.show(assumed?.time ?? Number.NaN);
+    const act = (label: string, tooltip: string, run: () => void) =>
+      button(`${label}: ${fileName}`, { class: 'link', tooltip }, label, run);
+    return [
+      element('span', { class: 'faint' }, 'at'),
+      field.element,
+      act('Now', 'Compare at the time shown', () => setTime(clipTimeShown(this.wb, this.of?.character))),
+      act('File pose', 'Compare with the pose of the file, without the take', () => setTime(undefined)),
+    ];
   }
 }
 

@@ -110,6 +110,7 @@ class ComparePanel implements TimelineTab {
     wb.store.subscribe((now, before) => {
       if (now.document !== before.document || now.selection !== before.selection) this.showSoon();
     });
+    this.setKind(this.kind);
     this.follow(wb.comparing.get());
   }
 

@@ -23,13 +23,12 @@ export function comparedCase(
   const character = characterOf(...files.map((file) => `data/${file}`));
   const { value } = readDump(bytes, dumpName);
   if (!value) throw new Error(`${dumpName} can't be read.`);
-  const dumps = [{ fileName: dumpName, dump: value }];
-  const { comparison, targets, diagnostics } = compareDumps({ character, dumps, time, tolerance }, () => undefined);
+  const dumps = [{ fileName: dumpName, dump: value, assumed: { time } }];
+  const { comparison, targets, diagnostics } = compareDumps({ character, dumps, tolerance }, () => undefined);
   const result = comparison && targets && { comparison, targets, character, tolerance };
   return {
     state: {
       dumps,
-      time,
       tolerance,
       phase: result ? { kind: 'done' } : { kind: 'misfit', diagnostics },
       ...(result && { result }),

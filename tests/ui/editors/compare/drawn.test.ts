@@ -19,7 +19,7 @@ function compared(paths: readonly string[], text: Uint8Array | string, time?: nu
   const { value } = readDump(text, 'mine.txt');
   if (!value) throw new Error('No dump.');
   const character = characterOf(...paths);
-  const input = { character, dumps: [{ fileName: 'mine.txt', dump: value }], time, tolerance: 1e-4 };
+  const input = { character, dumps: [{ fileName: 'mine.txt', dump: value, assumed: { time } }], tolerance: 1e-4 };
   const { comparison, targets } = compareDumps(input, () => undefined);
   if (!comparison || !targets) throw new Error('Nothing was compared.');
   const result = { comparison, targets, character, tolerance: 1e-4 };

@@ -1,0 +1,95 @@
+/** Another program's numbers on the page: dropped, pasted, at several times, and wrong ones. */
+import type { Page } from 'playwright-core';
+import { expect, it } from 'vitest';
+import { Evaluator } from '../../src/lesson/evaluator.ts';
+import { RIGHT_PROGRAM } from '../../src/lesson/program.ts';
+import { dropFiles, withPage } from '../helpers/page.ts';
+import { describeShared, sharedBytes } from '../helpers/shared.ts';
+import { characterOf, SHARED } from '../lesson/lesson-files.ts';
+
+const WASP = ['wasp.skel', 'wasp_walk.anim'];
+
+/** World matrices of the wasp at some times, the joints moved that are given. */
+function printed(times: readonly number[], moved: readonly number[] = []): string {
+  const evaluator = new Evaluator(characterOf(...SHARED.wasp));
+  return times
+    .map((time) => {
+      const { world } = evaluator.frame(RIGHT_PROGRAM, time, { local: false, vertices: false, normals: false });
+      const rows = Array.from({ length: world.length / 16 }, (_, j) => {
+        const row = [...world.subarray(16 * j, 16 * j + 16)];
+        if (moved.includes(j)) row[12] += 1;
+        return row.join(' ');
+      });
+      return `time ${time}\n${rows.join('\n')}`;
+    })
+    .join('\n');
+}
+
+const banner = (page: Page) => page.locator('.compare-banner');
+const says = (page: Page, text: string | RegExp) => banner(page).getByText(text).waitFor();
+/** Waits for the mark of a joint in the outliner. */
+const marked = (page: Page, joint: string, mark: string) =>
+  page.locator(`.row-joint:has-text("${joint}") .compare-swatch[aria-label="${mark}"]`).waitFor();
+
+describeShared('another program’s numbers', () => {
+  it('dropped numbers get a banner, marks of joints, causes, and theirs beside ours; time moves between those compared', () =>
+    withPage(async ({ page }) => {
+      await dropFiles(page, [
+        ...WASP.map((name) => ({ name, bytes: sharedBytes(`data/cse169/${name}`) })),
+        { name: 'mine@1.5.txt', bytes: sharedBytes('conformance/compare/d008.txt') },
+      ]);
+      await says(page, 'First wrong: hip_03_r. You multiply Rx·Ry·Rz; it should be Rz·Ry·Rx. Explains all 23 joints.');
+      const { undo } = await page.evaluate(() => window.marrow.steps());
+      await marked(page, 'tail_04', 'agrees');
+      await marked(page, 'hip_03_r', 'own error');
+      const panel = page.locator('.compare');
+      await panel.getByText('rotation-order', { exact: true }).waitFor();
+
+      await panel.locator('.compare-row', { hasText: 'knee_03_r' }).click();
+      await page.locator('[role=treeitem][aria-selected=true]', { hasText: 'knee_03_r' }).waitFor();
+      const ours = panel.locator('section[aria-label=Ours] .number');
+      const drawn = await page.evaluate(() => window.marrow.worldMatrices()[8]);
+      const numbers = (await ours.allTextContents()).map((text) => Number(text.replace('−', '-')));
+      numbers.forEach((number, i) => {
+        expect(number).toBeCloseTo(drawn[4 * (i % 4) + Math.floor(i / 4)], 2);
+      });
+      await panel.getByRole('button', { name: /^See its steps/ }).click();
+      await page.locator('.step-card[aria-label="W₈"]').waitFor();
+
+      // Another time: nothing is marked, and the banner leads back.
+      await page.evaluate(() => window.marrow.seek(0.4));
+      await page.locator('.row-joint .compare-swatch').first().waitFor({ state: 'detached' });
+      await banner(page).getByRole('button', { name: 'Go to 1.5 s' }).click();
+      await marked(page, 'hip_03_r', 'own error');
+
+      // Of the same name: in its place.
+      await dropFiles(page, [{ name: 'mine@1.5.txt', bytes: printed([1.5]) }]);
+      await says(page, /^All agree: 23 world matrices at 1.5 s/);
+      await dropFiles(page, [{ name: 'more.txt', bytes: printed([0.5, 1], [7, 8]) }]);
+      await says(page, /^Agrees at 1.5 s\. First wrong at 0.5 s: hip_03_r\. No known mistake/);
+      await banner(page).getByRole('button', { name: 'Details' }).click();
+      await panel.getByRole('button', { name: '1 s, differs' }).click();
+      await marked(page, 'knee_03_r', 'inherited');
+
+      // An edit compares again.
+      await page.evaluate(() => window.marrow.run('pose.resetToZero'));
+      await says(page, /^First wrong at 1 s: root/);
+      await page.keyboard.press('ControlOrMeta+z');
+      await says(page, /^First wrong at 1 s: hip_03_r/);
+
+      await panel.getByRole('grid', { name: 'Joints' }).focus();
+      await page.keyboard.press('Escape');
+      await banner(page).waitFor({ state: 'hidden' });
+      expect(await page.locator('.row-joint .compare-swatch').count()).toBe(0);
+      expect((await page.evaluate(() => window.marrow.steps())).undo).toBe(undo);
+
+      const pasted = printed([1.5], [22]);
+      await panel.getByLabel(/^Print your world matrices/).fill(pasted);
+      await panel.getByRole('button', { name: 'Compare', exact: true }).click();
+      await says(page, /^First wrong: wing_/);
+      await dropFiles(page, [{ name: 'short.txt', bytes: 'time 1.5\n1 2 3\n' }]);
+      await says(page, /^Not compared with wasp\. short\.txt: Expected 12 or 16 numbers for each of 23 joints/);
+      await banner(page).getByRole('button', { name: 'Line 2' }).click();
+      await page.locator('.source-lines').getByText('1 2 3').waitFor();
+    }));
+});
