@@ -7,13 +7,13 @@
  * doesn't count.
  */
 import type { ChannelClip } from '../model/clip.ts';
-import { type Character, type Space, shownClip } from '../model/document.ts';
+import { type Character, type Driver, type Space, shownClip } from '../model/document.ts';
 import { firstDofs, rootDofCount } from '../model/dofs.ts';
 import { dofsOf } from '../model/joint-types.ts';
 import { perPair } from '../model/per-object.ts';
 import { columnOf } from '../model/samples.ts';
 import type { Skeleton } from '../model/skeleton.ts';
-import type { CompiledSkeleton } from './kinematics.ts';
+import { type CompiledSkeleton, compileSkeleton } from './kinematics.ts';
 import { upAxis } from './space.ts';
 
 /** Smaller fractions of the largest translation in the chain are noise. */
@@ -25,10 +25,27 @@ const carrierIn = perPair(findCarrier);
 export function carrierOf(character: Character): number {
   const { skeleton, driver } = character;
   const clip = shownClip(character);
-  // A retargeted take moves the root.
-  if (!skeleton || !clip || driver) return 0;
-  return carrierIn(skeleton, clip);
+  if (driver && skeleton) return retargetCarrier(driver, skeleton);
+  return skeleton && clip ? carrierIn(skeleton, clip) : 0;
 }
+
+/**
+ * Index of the joint that a retargeted take moves over the ground: the one that follows the source's, if it can move in
+ * all directions, else the closest one above it that can, or the root. Cached per driver.
+ */
+export const retargetCarrier = perPair(({ source, pairs }: Driver, skeleton: Skeleton): number => {
+  const moving = carrierIn(source.skeleton, source.clip);
+  const chain = chainOf(skeleton);
+  const { slides, turns, firstDof } = compileSkeleton(skeleton);
+  const canMove = (j: number) =>
+    [0, 1, 2].every((k) => slides[3 * j + k] >= 0) && (turns[3 * j] >= 0 || firstDof[j + 1] - firstDof[j] === 3);
+  const canScale = (j: number) => dofsOf(skeleton.joints[j].motion).some(({ name }) => /^[sh]/.test(name));
+  let joint = (pairs.find((pair) => pair.source === moving) ?? pairs[0])?.target ?? 0;
+  while (joint > 0 && !(chain.includes(joint) && canMove(joint))) joint = skeleton.joints[joint].parent;
+  // A scaled parent would scale the movement.
+  for (let j = skeleton.joints[joint]?.parent ?? -1; j >= 0; j = skeleton.joints[j].parent) if (canScale(j)) return 0;
+  return joint;
+});
 
 /**
  * Writes how far the character has moved over the ground, x y z in its own space; 0 along its up axis.

@@ -3,8 +3,8 @@
  *
  *     T(t) = V · S(t) · K        K = S(ref)⁻¹ · D · T(rest)        V = U_t⁻¹ · U_s
  *
- * with S and T a joint's world rotation in source and target, S(ref) the source in its reference pose, T(rest) the
- * target in its file pose, and U the rotation from each one's axes to the scene's (`Space`; omitted on the right, where
+ * with S and T a joint's world rotation in source and target, S(ref) and T(rest) each in its reference pose
+ * (`reference.ts`), and U the rotation from each one's axes to the scene's (`Space`; omitted on the right, where
  * everything is in scene axes). At the reference, S(t)·K is D·T(rest): the target's rest pose, corrected by D, which
  * makes the target's bones point like the source's:
  *
@@ -34,7 +34,7 @@ export interface Bodies {
   /** The source's joint by target joint; -1 for none. */
   readonly sourceOf: Int32Array;
   readonly roles: Roles;
-  /** The target in its file pose. */
+  /** The target in its reference pose: usually its file pose (`reference.ts`). */
   readonly rest: RetargetFigure;
 }
 

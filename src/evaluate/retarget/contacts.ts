@@ -6,18 +6,20 @@
  *     speed  < 0.35 leg lengths a second        height above its most frequent minimum  < 0.08 leg lengths
  *
  * for at least 0.08 s. The target's ball then follows the source's, in proportion, with an offset that is constant
- * during the contact, so that it slides no more than the source's does. The offset is the difference that rotations
- * alone give in the middle of the contact, so that feet stay as far apart as suits the hips. Between contacts it
- * changes smoothly, while the foot is in the air.
+ * during the contact, so that it slides no more than the source's does. Over the ground the offset is the difference
+ * that rotations alone give during the contact, so that feet stay as far apart as suits the hips; upwards it makes soles
+ * equally high. Between contacts it changes smoothly, while the foot is in the air.
  *
  * The ground level is not constant within takes: inertial suits drift, and a foot may come down decimetres below its
  * previous contact. It would sink into a flat ground, so it is raised during the contact by its average depth. From
- * 0.17 leg lengths, the height of a stair, it counts as really standing lower.
+ * 0.17 leg lengths, the height of a stair, it counts as really standing lower. On its own skeleton a take stays as it
+ * is, drift included.
  */
 import { smoothstep } from '../../math/smoothstep.ts';
 import { worldMatrices } from '../kinematics.ts';
-import { type Bodies, driven } from './align.ts';
+import { type Bodies, driven, sourceFigure } from './align.ts';
 import type { RetargetFigure } from './figure.ts';
+import { depthOfLowest, median, type Soles, shiftOfHips, soleHeight, soleOf } from './ground.ts';
 import { legLength } from './leg-length.ts';
 import type { FootTrack, RetargetPlan } from './plan.ts';
 import { solveFreely } from './solve.ts';
@@ -39,45 +41,34 @@ const STANDING = 0.12;
 /** Number of times in a contact at which the offset is measured. */
 const MEASURED = 5;
 
-/** The plan with ankle heights and foot contacts. */
+/** The plan with its height above the ground and foot contacts. */
 export function footTracks(plain: RetargetPlan, bodies: Bodies, reference: RetargetFigure): RetargetPlan {
   const legs = plain.limbs.filter(({ part }) => part === 'leg');
   const length = legLength(bodies, reference, (t) => bodies.sourceOf[t]);
-  if (!legs.length || !(length > 0)) return { ...plain, ground: groundOfHips(plain, bodies, reference) };
+  if (!legs.length || !(length > 0)) return { ...plain, shift: shiftOfHips(plain, bodies, reference) };
+  const soles = legs.map(({ end }): Soles => {
+    const { source, sourceSpace, target, targetSpace, sourceOf } = bodies;
+    return {
+      own: soleOf(target, targetSpace, bodies.roles.rest, end),
+      source: soleOf(source, sourceSpace, sourceFigure(bodies), sourceOf[end]),
+    };
+  });
   const balls = legs.map((limb) => {
     const toe = driven(bodies, `${limb.side} toe`);
     return toe >= 0 ? toe : limb.end;
   });
-  const joints = [...legs.map(({ end }) => bodies.sourceOf[end]), ...balls.map((b) => bodies.sourceOf[b])];
+  const joints = balls.map((b) => bodies.sourceOf[b]);
   const ways = sampleWays(plain, joints);
-  const heightOf = (columns: readonly number[]) =>
-    percentile(
-      columns.flatMap((c) =>
-        Array.from({ length: ways.count }, (_, f) => ways.points[(f * joints.length + c) * 3 + 1]),
-      ),
-      STANDING,
-    );
-  const count = legs.length;
-  const columns = [...legs.keys()];
-  const plan: RetargetPlan = {
-    ...plain,
-    ground: {
-      carried: plain.ground.carried,
-      ownHeight: standingHeight(
-        bodies,
-        legs.map(({ end }) => end),
-      ),
-      sourceHeight: heightOf(columns),
-    },
-  };
-  const ownHeight = standingHeight(bodies, balls);
-  const tracks = legs.map((limb, i): FootTrack => {
-    const sourceHeight = heightOf([count + i]);
-    const contacts = contactsOf(ways, count + i, joints.length, sourceHeight, length);
-    const track = { limb, ball: balls[i], sourceBall: bodies.sourceOf[balls[i]], ownHeight, sourceHeight, contacts };
-    return { ...track, ...offsetsOf(plan, track, length) };
+  const depths: number[] = [];
+  const feet = legs.flatMap((limb, i): FootTrack[] => {
+    const heights = Array.from({ length: ways.count }, (_, f) => ways.points[(f * joints.length + i) * 3 + 1]);
+    const sourceHeight = percentile(heights, STANDING);
+    const contacts = contactsOf(ways, i, joints.length, sourceHeight, length);
+    if (contacts.length === 0) return [];
+    const track = { limb, ball: balls[i], sourceBall: joints[i], sourceHeight, contacts };
+    return [{ ...track, ...offsetsOf(plain, track, soles[i], plain.sameBones.lengths ? 0 : LEVEL * length, depths) }];
   });
-  return { ...plan, feet: tracks };
+  return { ...plain, feet, shift: feet.length ? median(depths) : depthOfLowest(plain, soles) };
 }
 
 /** Positions of joints over the clip. */
@@ -125,37 +116,46 @@ function contactsOf(ways: Ways, column: number, width: number, height: number, l
   return Float64Array.from(spans.filter(([from, to]) => to - from >= SHORTEST).flat());
 }
 
-/** The difference that rotations alone give between the target's ball and the source's, in proportion. */
+/**
+ * The difference that rotations alone give between the target's ball and the source's, in proportion; but soles are
+ * equally high.
+ * @param plan without a shift
+ * @param level metres; a foot that is this much lower than usual is not raised
+ * @param depths receives how much too low the target's sole is in these poses; metres
+ */
 function offsetsOf(
   plan: RetargetPlan,
   { ball, sourceBall, contacts, sourceHeight }: Omit<FootTrack, 'offsets' | 'rises'>,
-  leg: number,
+  soles: Soles,
+  level: number,
+  depths: number[],
 ): Pick<FootTrack, 'offsets' | 'rises'> {
-  const count = Math.max(1, contacts.length / 2);
-  const out = new Float64Array(2 * count);
-  const rises = new Float64Array(contacts.length / 2);
+  const count = contacts.length / 2;
+  const out = new Float64Array(3 * count);
+  const rises = new Float64Array(count);
   const dofs = Float64Array.from(plan.restDofs);
-  const p = new Float64Array(3);
+  const own = new Float64Array(3);
+  const other = new Float64Array(3);
   for (let c = 0; c < count; c++) {
-    const from = contacts.length ? contacts[2 * c] : plan.range[0];
-    const to = contacts.length ? contacts[2 * c + 1] : plan.range[1];
+    const [from, to] = [contacts[2 * c], contacts[2 * c + 1]];
     let tooLow = 0;
     for (let i = 0; i < MEASURED; i++) {
       solveFreely(plan, from + ((to - from) * (i + 0.5)) / MEASURED, dofs);
-      const { up, metres } = plan.targetSpace;
-      const w = plan.targetWorld.subarray(16 * ball + 12, 16 * ball + 15);
-      for (let k = 0; k < 3; k++) p[k] = plan.sourceWorld[16 * sourceBall + 12 + k];
-      toScene(plan.sourceSpace, p);
-      for (const [slot, k] of [
-        [0, 0],
-        [1, 2],
-      ]) {
-        const own = metres * (up[k] * w[0] + up[3 + k] * w[1] + up[6 + k] * w[2]);
-        out[2 * c + slot] += (own - plan.scale * p[k]) / MEASURED;
+      for (let k = 0; k < 3; k++) {
+        own[k] = plan.targetWorld[16 * ball + 12 + k];
+        other[k] = plan.sourceWorld[16 * sourceBall + 12 + k];
       }
-      tooLow += (sourceHeight - p[1]) / MEASURED;
+      toScene(plan.targetSpace, own);
+      toScene(plan.sourceSpace, other);
+      tooLow += (sourceHeight - other[1]) / MEASURED;
+      const sole = soleHeight(soles.own, plan.targetWorld, plan.targetSpace);
+      const sourceSole = soleHeight(soles.source, plan.sourceWorld, plan.sourceSpace);
+      depths.push(plan.scale * sourceSole - sole);
+      own[1] -= sole;
+      other[1] -= sourceSole;
+      for (let k = 0; k < 3; k++) out[3 * c + k] += (own[k] - plan.scale * other[k]) / MEASURED;
     }
-    if (c < rises.length && tooLow > 0 && tooLow < LEVEL * leg) rises[c] = plan.scale * tooLow;
+    if (tooLow > 0 && tooLow < level) rises[c] = plan.scale * tooLow;
   }
   return { offsets: out, rises };
 }
@@ -176,7 +176,7 @@ export function riseAt({ contacts, rises }: FootTrack, seconds: number): number 
   return (next > 0 ? past * rises[next - 1] : 0) + (next < count ? coming * rises[next] : 0);
 }
 
-/** Writes x z of the offset at a time to `out[0]` and `out[1]`. */
+/** Writes x y z of the offset at a time. */
 export function offsetAt({ contacts, offsets }: FootTrack, seconds: number, out: Float64Array): void {
   const count = contacts.length / 2;
   let next = 0;
@@ -188,9 +188,9 @@ export function offsetAt({ contacts, offsets }: FootTrack, seconds: number, out:
     else high = mid;
   }
   const before = Math.max(0, next - 1);
-  const after = Math.min(next, Math.max(0, count - 1));
+  const after = Math.min(next, count - 1);
   const t = before === after ? 0 : smoothstep(contacts[2 * before + 1], contacts[2 * after], seconds);
-  for (let k = 0; k < 2; k++) out[k] = offsets[2 * before + k] + t * (offsets[2 * after + k] - offsets[2 * before + k]);
+  for (let k = 0; k < 3; k++) out[k] = offsets[3 * before + k] + t * (offsets[3 * after + k] - offsets[3 * before + k]);
 }
 
 const FADE = 0.12;
@@ -208,36 +208,6 @@ export function standing({ contacts }: FootTrack, seconds: number): number {
     else low = mid + 1;
   }
   return 1 - smoothstep(0, FADE, nearest);
-}
-
-/** Height of the target's joints above its ground: the scene's, or the level where its feet end. */
-function standingHeight({ rest, target }: Bodies, joints: readonly number[]): number {
-  const y = (j: number) => rest.points[3 * j + 1];
-  const height = Math.min(...joints.map(y));
-  let low = Infinity;
-  let high = -Infinity;
-  target.joints.forEach(({ endSites }, j) => {
-    low = Math.min(low, y(j));
-    high = Math.max(high, y(j));
-    for (const end of endSites ?? []) {
-      const o = 9 * j;
-      const { rotations: r } = rest;
-      low = Math.min(low, y(j) + r[o + 1] * end[0] + r[o + 4] * end[1] + r[o + 7] * end[2]);
-    }
-  });
-  // If the file pose stands on the scene's ground, that is the ground below soles without joints.
-  return low > -0.01 * (high - low) && low < 0.1 * (high - low) ? height : height - low;
-}
-
-/** Without legs: by the hips, from their position in the reference to that at rest. */
-function groundOfHips(plan: RetargetPlan, { rest, sourceOf }: Bodies, reference: RetargetFigure) {
-  const [joint] = plan.ground.carried;
-  if (joint === undefined) return plan.ground;
-  return {
-    carried: plan.ground.carried,
-    ownHeight: rest.points[3 * joint + 1],
-    sourceHeight: reference.points[3 * sourceOf[joint] + 1],
-  };
 }
 
 /** Of the finite numbers; at least one is. */

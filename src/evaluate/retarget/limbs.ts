@@ -52,37 +52,53 @@ export function limbsOf(bodies: Bodies, target: CompiledSkeleton, rest: Float64A
   );
 }
 
+/** Angle by which other DOFs are turned to see whether an axis depends on them; radians. */
+const NUDGE = 0.5;
+
 function bendOf(bodies: Bodies, target: CompiledSkeleton, limb: Limb, rest: Float64Array, clamps: boolean) {
   const { lower, end } = limb;
   const { points, rotations } = bodies.rest;
   const first = target.firstDof[lower];
-  const count = target.firstDof[lower + 1] - first;
   const bone = Float64Array.from([0, 1, 2], (k) => points[3 * end + k] - points[3 * lower + k]);
   const length = Math.hypot(...bone);
   const upper = rotations.subarray(9 * limb.upper, 9 * limb.upper + 9);
-  const j = new Float64Array(16);
-  const d = new Float64Array(16);
-  target.motions[lower].write(rest, first, j, 0);
-  const found: { axis: Float64Array; low: number; high: number }[] = [];
-  for (let dof = 0; dof < count; dof++) {
-    target.motions[lower].writeDerivative(rest, first, dof, d, 0);
-    // ∂J·J⁻¹ of a rotation is [a]×.
-    const at = (r: number, c: number) => d[r] * j[c] + d[4 + r] * j[4 + c] + d[8 + r] * j[8 + c];
-    const axis = Float64Array.of(at(2, 1), at(0, 2), at(1, 0));
-    if (Math.abs(Math.hypot(...axis) - 1) > 1e-6) continue;
+  const moving: { dof: number; low: number; high: number }[] = [];
+  for (let dof = 0; dof < target.firstDof[lower + 1] - first; dof++) {
     const own = first - target.firstDof[0] + dof;
     const low = clamps ? target.lower[own] : -Infinity;
     const high = clamps ? target.upper[own] : Infinity;
-    if (high - low < STIFF) continue;
+    if (high - low >= STIFF) moving.push({ dof, low, high });
+  }
+  const found = moving.flatMap(({ dof, low, high }) => {
+    const axis = axisOf(target, lower, dof, rest);
+    if (!axis) return [];
     const turned = new Float64Array(3);
     turnVector(upper, 0, axis, 0, turned, 0);
     const along = Math.abs(turned[0] * bone[0] + turned[1] * bone[1] + turned[2] * bone[2]) / (length || 1);
-    if (along < ALONG) found.push({ axis, low, high });
-  }
+    return along < ALONG ? [{ dof, axis, low, high }] : [];
+  });
   if (found.length !== 1) return undefined;
-  const [{ axis, low, high }] = found;
+  const [{ dof, axis, low, high }] = found;
+  // A twist that is applied after the bend turns the axis: then the bone bends in any direction.
+  const nudged = Float64Array.from(rest);
+  for (const other of moving) if (other.dof !== dof) nudged[first + other.dof] += NUDGE;
+  const other = axisOf(target, lower, dof, nudged);
+  if (!other || axis.some((v, k) => Math.abs(v - other[k]) > 1e-6)) return undefined;
   const bends = low > -0.5 && high > 0.5 ? 1 : high < 0.5 && low < -0.5 ? -1 : 0;
   return { hinge: axis, bends };
+}
+
+/** The axis about which a DOF rotates a joint, in the parent's space; undefined if it does something else. */
+function axisOf(target: CompiledSkeleton, joint: number, dof: number, dofs: Float64Array): Float64Array | undefined {
+  const first = target.firstDof[joint];
+  const j = new Float64Array(16);
+  const d = new Float64Array(16);
+  target.motions[joint].write(dofs, first, j, 0);
+  target.motions[joint].writeDerivative(dofs, first, dof, d, 0);
+  // ∂J·J⁻¹ of a rotation is [a]×.
+  const at = (r: number, c: number) => d[r] * j[c] + d[4 + r] * j[4 + c] + d[8 + r] * j[8 + c];
+  const axis = Float64Array.of(at(2, 1), at(0, 2), at(1, 0));
+  return Math.abs(Math.hypot(...axis) - 1) > 1e-6 ? undefined : axis;
 }
 
 /** Limbs bent less than 3° count as straight; from 15° the plane has full weight. Sines. */

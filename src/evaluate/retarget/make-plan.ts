@@ -1,26 +1,37 @@
 /** Makes a plan (`plan.ts`) for each driver. */
 import { backMultiply3 } from '../../math/mat3.ts';
-import type { Character, Driver, Space } from '../../model/document.ts';
+import type { ChannelClip } from '../../model/clip.ts';
+import { type Character, type Driver, type Space, shownClip } from '../../model/document.ts';
 import { filePose } from '../../model/dofs.ts';
+import { dofsOf, factorsOf } from '../../model/joint-types.ts';
 import type { JointPair } from '../../model/retarget.ts';
-import type { Skeleton } from '../../model/skeleton.ts';
-import { compileSkeleton } from '../kinematics.ts';
+import type { Motion, Skeleton } from '../../model/skeleton.ts';
+import { type CompiledSkeleton, compileSkeleton, localMatrices } from '../kinematics.ts';
 import { metresPerUnit } from '../metres.ts';
-import { alignment, type Bodies, bodiesOf, bodyFrame, driven } from './align.ts';
+import { retargetCarrier } from '../travel.ts';
+import { alignment, type Bodies, bodiesOf, bodyFrame, driven, sourceFigure } from './align.ts';
 import { footTracks } from './contacts.ts';
 import { upRotation } from './figure.ts';
 import { jointFit } from './fit.ts';
 import { automaticScale } from './leg-length.ts';
 import { type Limb, limbsOf } from './limbs.ts';
-import type { RetargetPlan, SpaceRule } from './plan.ts';
-import { referenceFigure } from './reference.ts';
+import type { Carrier, CopiedDof, RetargetPlan, Slide, SpaceRule } from './plan.ts';
+import { ownReference, type PlayedTake, sourceReference, stands } from './reference.ts';
 import { LIMB_SIDES } from './roles.ts';
+import { sameBones } from './same-bones.ts';
 import { playedSource } from './source-pose.ts';
 
 /** By the driver's pairs, whose identity is kept when the source changes (`edit/drivers.ts`). */
 const plans = new WeakMap<
   readonly JointPair[],
-  { driver: Driver; skeleton: Skeleton; space: Space | undefined; clamps: boolean; plan: RetargetPlan }
+  {
+    driver: Driver;
+    skeleton: Skeleton;
+    space: Space | undefined;
+    clamps: boolean;
+    take: ChannelClip | undefined;
+    plan: RetargetPlan;
+  }
 >();
 
 /**
@@ -29,18 +40,20 @@ const plans = new WeakMap<
  */
 export function retargetPlan(driver: Driver, character: Character, skeleton: Skeleton): RetargetPlan {
   const { space, clampsToLimits } = character;
+  const take = shownClip(character);
   const known = plans.get(driver.pairs);
   if (
     known &&
     known.skeleton === skeleton &&
     known.space === space &&
     known.clamps === clampsToLimits &&
+    (known.take === take || !known.plan.asksOwnTake) &&
     (known.driver === driver || plansAlike(known.driver, driver))
   ) {
     return known.plan;
   }
-  const plan = planRetarget(driver, skeleton, space, clampsToLimits);
-  plans.set(driver.pairs, { driver, skeleton, space, clamps: clampsToLimits, plan });
+  const plan = planRetarget(driver, skeleton, space, clampsToLimits, take);
+  plans.set(driver.pairs, { driver, skeleton, space, clamps: clampsToLimits, take, plan });
   return plan;
 }
 
@@ -56,18 +69,23 @@ function plansAlike({ options, source: a }: Driver, { options: otherOptions, sou
   );
 }
 
+/** @param ownTake of the target: needed if its file pose is not a standing one */
 export function planRetarget(
   driver: Driver,
   skeleton: Skeleton,
   space: Space | undefined,
   clamps: boolean,
+  ownTake?: ChannelClip,
 ): RetargetPlan {
   const { source, options, pairs } = driver;
   const target = compileSkeleton(skeleton);
   const played = playedSource(source);
-  const bodies = bodiesOf(source.skeleton, source.space, skeleton, space, pairs);
+  const filed = bodiesOf(source.skeleton, source.space, skeleton, space, pairs);
   const { range } = source.clip;
-  const reference = referenceFigure(bodies, played, range, options.reference);
+  const same = sameBones(filed, sourceFigure(filed));
+  const asksOwnTake = !same.directions && !stands(filed, filed.rest, (t) => t);
+  const bodies = asksOwnTake ? { ...filed, rest: ownReference(filed, takeOf(skeleton, clamps, ownTake)) } : filed;
+  const reference = sourceReference(bodies, { played, range }, same.directions ? 'rest' : options.reference);
   const sourceSpace = ruleOf(source.space);
   const targetSpace = ruleOf(space);
   const across = new Float64Array(9);
@@ -75,7 +93,8 @@ export function planRetarget(
   const compiledSource = compileSkeleton(source.skeleton);
   const scale = options.scale ?? automaticScale(bodies, reference);
   const restDofs = Float64Array.from(filePose(skeleton, 0));
-  const limbs = limbsOf(bodies, target, restDofs, clamps);
+  const limbs = limbsOf(filed, target, restDofs, clamps);
+  const carrier = carrierOf(driver, skeleton, target);
   const plain: RetargetPlan = {
     source: compiledSource,
     target,
@@ -88,10 +107,16 @@ export function planRetarget(
     bones: bonesOf(bodies, limbs),
     fronts: frontsOf(bodies),
     limbs,
+    slides: slidesOf(bodies, target, carrier.joint),
+    copied: copiedDofs(bodies, target, compiledSource, (scale * sourceSpace.metres) / targetSpace.metres),
+    carrier,
+    asksOwnTake,
     restDofs,
     scale,
-    ground: { carried: carriedJoints(bodies), ownHeight: 0, sourceHeight: 0 },
+    carried: carriedJoints(bodies, carrier.joint),
+    shift: 0,
     plantsFeet: options.plantsFeet,
+    sameBones: same,
     feet: [],
     sourceSpace,
     targetSpace,
@@ -107,15 +132,80 @@ function ruleOf(space: Space | undefined): SpaceRule {
   return { up: upRotation(space), metres: space ? metresPerUnit(space) : 1, lift: space?.lift ?? 0 };
 }
 
-function carriedJoints(bodies: Bodies): number[] {
+function takeOf(skeleton: Skeleton, clampsToLimits: boolean, clip: ChannelClip | undefined): PlayedTake | undefined {
+  if (!clip) return undefined;
+  return { played: playedSource({ skeleton, clip, pose: filePose(skeleton, 0), clampsToLimits }), range: clip.range };
+}
+
+function carrierOf(driver: Driver, skeleton: Skeleton, { travel, slides }: CompiledSkeleton): Carrier {
+  const joint = retargetCarrier(driver, skeleton);
+  return { joint, dofs: joint > 0 ? slides.slice(3 * joint, 3 * joint + 3) : travel };
+}
+
+function carriedJoints(bodies: Bodies, carrier: number): number[] {
   const thighs = LIMB_SIDES.map((side) => driven(bodies, `${side} thigh`)).filter((j) => j >= 0);
   if (thighs.length === 2) return thighs;
   const hips = driven(bodies, 'hips');
-  if (hips >= 0) return [hips];
-  return bodies.sourceOf[0] >= 0 ? [0] : [];
+  if (hips >= carrier) return [hips];
+  return bodies.sourceOf[carrier] >= 0 ? [carrier] : [];
 }
 
-/** In each joint's own space at the file pose; constant for joints that only rotate. */
+/** The joints that slide: paired, with position DOFs on both sides, below joints that are a pair too. */
+function slidesOf({ source, target, sourceOf }: Bodies, compiled: CompiledSkeleton, carrier: number) {
+  const compiledSource = compileSkeleton(source);
+  const rest = Float64Array.from(filePose(source, 0));
+  const restLocals = new Float64Array(16 * source.joints.length);
+  localMatrices(compiledSource, rest, restLocals);
+  const restDofs = filePose(target, 0);
+  const dofsAlong = ({ slides, travel }: CompiledSkeleton, { joints }: Skeleton, j: number) =>
+    j === 0 ? travel : slidesFirst(joints[j].motion) ? slides.slice(3 * j, 3 * j + 3) : NO_SLIDES;
+  return target.joints.map(({ parent: above }, j): Slide | undefined => {
+    const s = sourceOf[j];
+    const dofs = dofsAlong(compiled, target, j);
+    if (j === carrier || s < 0 || dofs.every((d) => d < 0) || dofsAlong(compiledSource, source, s).every((d) => d < 0))
+      return undefined;
+    const { parent } = source.joints[s];
+    if (above >= 0 && (parent < 0 || sourceOf[above] !== parent)) return undefined;
+    return {
+      source: s,
+      parent: above < 0 ? -1 : parent,
+      sourceRest: restLocals.slice(16 * s + 12, 16 * s + 15),
+      dofs,
+      rest: Float64Array.from(dofs, (d) => (d < 0 ? 0 : restDofs[d])),
+    };
+  });
+}
+
+const NO_SLIDES = Int32Array.of(-1, -1, -1);
+
+/** Whether positions are applied before rotations and scales, if in any order. */
+function slidesFirst(motion: Motion): boolean {
+  const isSlide = (name: string) => /^t[xyz]$/.test(name);
+  const factors = factorsOf(motion) ?? [];
+  return factors.findLastIndex(isSlide) < factors.filter(isSlide).length;
+}
+
+/** Of pairs whose joints are of one type: what neither rotates them nor slides. */
+function copiedDofs(
+  { source, target, sourceOf }: Bodies,
+  compiled: CompiledSkeleton,
+  compiledSource: CompiledSkeleton,
+  lengths: number,
+): CopiedDof[] {
+  return target.joints.flatMap(({ motion }, j) => {
+    const s = sourceOf[j];
+    if (s < 0 || source.joints[s].motion.kind !== motion.kind) return [];
+    const others = dofsOf(source.joints[s].motion);
+    return dofsOf(motion).flatMap(({ name, unit }, d): CopiedDof[] => {
+      const other = others.findIndex((dof) => dof.name === name);
+      if (other < 0 || /^[rq]/.test(name) || (/^t[xyz]/.test(name) && slidesFirst(motion))) return [];
+      const factor = unit === 'length' ? lengths : 1;
+      return [{ target: compiled.firstDof[j] + d, source: compiledSource.firstDof[s] + other, factor }];
+    });
+  });
+}
+
+/** In each joint's own space at the reference pose; constant for joints that only rotate. */
 function bonesOf({ rest, target }: Bodies, limbs: readonly Limb[]): Float64Array {
   const out = new Float64Array(3 * target.joints.length);
   for (const { upper, lower, end } of limbs) {

@@ -1,6 +1,7 @@
 /**
  * Which joint of one skeleton drives which joint of another: the same part of the body, recognised by name or by shape
- * (`roles.ts`); trunks with different numbers of joints in proportion; otherwise joints with the same name.
+ * (`roles.ts`); trunks with different numbers of joints in proportion; otherwise joints with the same name. In a copy
+ * of one skeleton every joint drives itself.
  */
 import type { Space } from '../../model/document.ts';
 import type { JointPair } from '../../model/retarget.ts';
@@ -29,6 +30,9 @@ export function automaticPairs(
   sourceSpace?: Space,
   targetSpace?: Space,
 ): readonly MatchedPair[] {
+  if (isCopy(source, target)) {
+    return target.joints.map((_, j) => ({ target: j, source: j, confidence: SAME_NAME, reason: 'same skeleton' }));
+  }
   const from = rolesOf(source, sourceSpace);
   const onto = rolesOf(target, targetSpace);
   const matches = new Map<number, MatchedPair>();
@@ -79,6 +83,14 @@ export function automaticPairs(
       else add(t, s, IN_PROPORTION, `${part} ${count}, by proportion`);
     });
   }
+}
+
+/** Whether joint by joint names and parents are the same. */
+function isCopy(a: Skeleton, b: Skeleton): boolean {
+  return (
+    a.joints.length === b.joints.length &&
+    a.joints.every(({ name, parent }, j) => name === b.joints[j].name && parent === b.joints[j].parent)
+  );
 }
 
 function sameWords(a: NameParts, b: NameParts): boolean {

@@ -6,11 +6,13 @@ import type { Character, Driver } from '../../model/document.ts';
 import { perPair } from '../../model/per-object.ts';
 import type { Skeleton } from '../../model/skeleton.ts';
 import { compileSkeleton } from '../kinematics.ts';
+import { retargetCarrier } from '../travel.ts';
 
-const dofsMoved = perPair(({ pairs }: Driver, skeleton: Skeleton): ReadonlySet<number> => {
-  const { firstDof, travel } = compileSkeleton(skeleton);
-  const dofs = new Set(travel);
-  for (const { target } of pairs) {
+const dofsMoved = perPair((driver: Driver, skeleton: Skeleton): ReadonlySet<number> => {
+  const { firstDof, travel, slides } = compileSkeleton(skeleton);
+  const carrier = retargetCarrier(driver, skeleton);
+  const dofs = new Set(carrier > 0 ? slides.subarray(3 * carrier, 3 * carrier + 3) : travel);
+  for (const { target } of driver.pairs) {
     for (let d = firstDof[target]; d < firstDof[target + 1]; d++) dofs.add(d);
   }
   return dofs;

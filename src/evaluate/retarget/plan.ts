@@ -1,17 +1,16 @@
 /**
- * Everything that retargeting precomputes: how rotations are transferred (`align.ts`), the scale of the hips' movement,
- * heights of ankles and toes above the ground, and foot contacts (`contacts.ts`).
+ * Everything that retargeting precomputes: how rotations are transferred (`align.ts`), how joints that slide do so, the
+ * scale of the hips' movement, how high it is above the ground (`ground.ts`), and foot contacts (`contacts.ts`).
  *
  * Movement of the hips, in metres with y up, between the centres of the hip joints:
  *
- *     x, z     scale · s                      scale     ratio of the leg lengths by default
- *     y        a_t + scale · (s − a_s)        a_t, a_s  ankle heights when standing
- *
- * With legs in the same directions this puts ankles at a_t when the source's are at a_s: on the ground.
+ *     x, z     scale · s              scale     ratio of the leg lengths by default
+ *     y        scale · s + shift      shift     what puts the target's soles where the source's are, times the scale
  */
 import type { CompiledSkeleton } from '../kinematics.ts';
 import type { JointFit } from './fit.ts';
 import type { Limb } from './limbs.ts';
+import type { SameBones } from './same-bones.ts';
 import type { PlayedSource } from './source-pose.ts';
 
 export interface RetargetPlan {
@@ -31,12 +30,24 @@ export interface RetargetPlan {
   /** Towards the front of the body, in each joint's own space; x y z per target joint. */
   readonly fronts: Float64Array;
   readonly limbs: readonly Limb[];
+  /** By target joint; undefined for those that don't slide. */
+  readonly slides: readonly (Slide | undefined)[];
+  /** DOFs that are no rotation and no position, like scales: target, source, and factor. */
+  readonly copied: readonly CopiedDof[];
+  readonly carrier: Carrier;
+  /** Whether the plan depends on the target's own take, or would if it had one. */
+  readonly asksOwnTake: boolean;
   /** All DOFs of the target at rest, without morphs. */
   readonly restDofs: Float64Array;
   readonly scale: number;
-  readonly ground: Ground;
+  /** One or two joints of the target whose centre follows the source's; none if nothing moves. */
+  readonly carried: readonly number[];
+  /** Metres. */
+  readonly shift: number;
   readonly plantsFeet: boolean;
-  /** Feet of complete legs. */
+  /** Then both are compared in their file poses, whatever the options say. */
+  readonly sameBones: SameBones;
+  /** Feet of complete legs that touch the ground. */
   readonly feet: readonly FootTrack[];
   readonly sourceSpace: SpaceRule;
   readonly targetSpace: SpaceRule;
@@ -55,12 +66,29 @@ export interface SpaceRule {
   readonly lift: number;
 }
 
-/** Matching points of both skeletons, and their heights when standing, metres. */
-export interface Ground {
-  /** One or two joints of the target whose centre follows the source's; none if nothing moves. */
-  readonly carried: readonly number[];
-  readonly ownHeight: number;
-  readonly sourceHeight: number;
+/** A joint with position DOFs whose source has some too: it moves from its rest position as the source's does. */
+export interface Slide {
+  readonly source: number;
+  /** The source's parent; -1 for the root, whose position is taken as a whole. */
+  readonly parent: number;
+  /** The source's position in its parent's space at its file pose. */
+  readonly sourceRest: Float64Array;
+  /** DOFs along x, y and z, -1 for none, and their values at rest. */
+  readonly dofs: Int32Array;
+  readonly rest: Float64Array;
+}
+
+export interface CopiedDof {
+  readonly target: number;
+  readonly source: number;
+  readonly factor: number;
+}
+
+/** The joint whose position DOFs move the target over the ground: the root, or one below a root that doesn't move. */
+export interface Carrier {
+  readonly joint: number;
+  /** DOFs along x, y and z; -1 for none. */
+  readonly dofs: Int32Array;
 }
 
 export interface FootTrack {
@@ -68,12 +96,11 @@ export interface FootTrack {
   /** Joints whose paths are kept: the balls of both feet, or the ankles. */
   readonly ball: number;
   readonly sourceBall: number;
-  /** Heights of the balls when standing; metres. */
-  readonly ownHeight: number;
+  /** Height of the source's ball when standing; metres. */
   readonly sourceHeight: number;
   /** Seconds of the source's clip, ascending: start and end of each contact. */
   readonly contacts: Float64Array;
-  /** x z per contact, metres; one entry if there are no contacts. */
+  /** x y z per contact, from the source's ball times the scale to the target's; metres. */
   readonly offsets: Float64Array;
   /** One per contact, metres, not negative: how far it is raised to the foot's usual contact height. */
   readonly rises: Float64Array;

@@ -1,10 +1,10 @@
 /** A pose of the target from rotations alone: steps 1 to 4 of `retarget-pose.ts`. */
-import { backMultiply3, multiply3, writeRotationPart } from '../../math/mat3.ts';
+import { backMultiply3, multiply3, turnVector, writeRotationPart } from '../../math/mat3.ts';
 import { multiplyAffine } from '../../math/mat4.ts';
 import { worldMatrices } from '../kinematics.ts';
 import { fitJoint } from './fit.ts';
 import { rollLimb } from './limbs.ts';
-import type { RetargetPlan } from './plan.ts';
+import type { RetargetPlan, Slide } from './plan.ts';
 import { sourcePose } from './source-pose.ts';
 import { fromScene, inProportion, moveBy, toScene } from './travel.ts';
 
@@ -23,11 +23,13 @@ const middle = new Float64Array(3);
 export function solveFreely(plan: RetargetPlan, clipSeconds: number, out: Float64Array): void {
   sourcePose(plan.played, clipSeconds, plan.dofs);
   worldMatrices(plan.source, plan.dofs, plan.sourceWorld);
-  const { wanted, limbs, bones, target } = plan;
+  const { wanted, limbs, bones, target, copied, carrier, restDofs } = plan;
   wantRotations(plan);
   for (let i = 0; i < limbs.length; i++) rollLimb(limbs[i], bones, wanted);
-  const { travel } = target;
-  if (plan.ground.carried.length > 0) for (let k = 0; k < 3; k++) if (travel[k] >= 0) out[travel[k]] = 0;
+  if (plan.carried.length > 0) {
+    for (let k = 0; k < 3; k++) if (carrier.dofs[k] >= 0) out[carrier.dofs[k]] = restDofs[carrier.dofs[k]];
+  }
+  for (let i = 0; i < copied.length; i++) out[copied[i].target] = copied[i].factor * plan.dofs[copied[i].source];
   fitRange(plan, 0, target.jointCount, out);
   carry(plan, out);
 }
@@ -45,11 +47,13 @@ function wantRotations(plan: RetargetPlan): void {
 
 /** Fits joints `from` up to (excluding) `to`; those above must be final. */
 export function fitRange(plan: RetargetPlan, from: number, to: number, out: Float64Array): void {
-  const { target, fits, wanted, bones, targetWorld } = plan;
+  const { target, fits, slides, wanted, bones, targetWorld } = plan;
   const { parent, motions, firstDof, offsets } = target;
   for (let j = from; j < to; j++) {
     const above = parent[j];
     const fit = fits[j];
+    const slide = slides[j];
+    if (slide && above >= 0) slideBelow(plan, slide, above, out);
     if (fit) {
       if (above >= 0) {
         writeRotationPart(targetWorld, 16 * above, parentTurn, 0, 3);
@@ -62,15 +66,48 @@ export function fitRange(plan: RetargetPlan, from: number, to: number, out: Floa
     if (above >= 0) multiplyAffine(targetWorld, 16 * above, local, 0, targetWorld, 16 * j);
     else {
       if (target.hasRootTranslation) for (let k = 0; k < 3; k++) local[12 + k] += out[k];
+      if (slide) slideRoot(plan, slide, out);
       for (let k = 0; k < 16; k++) targetWorld[16 * j + k] = local[k];
     }
   }
 }
 
+/** The joint's distance from its rest position in its parent's space, as large as the source's in proportion. */
+function slideBelow(plan: RetargetPlan, slide: Slide, above: number, out: Float64Array): void {
+  const { sourceWorld, sourceSpace, targetSpace } = plan;
+  const { sourceRest, dofs, rest } = slide;
+  const p = 16 * slide.parent;
+  for (let k = 0; k < 3; k++) {
+    point[k] = sourceWorld[16 * slide.source + 12 + k] - sourceWorld[p + 12 + k];
+    for (let c = 0; c < 3; c++) point[k] -= sourceWorld[p + 4 * c + k] * sourceRest[c];
+  }
+  turnVector(plan.across, 0, point, 0, point, 0);
+  const factor = (plan.scale * sourceSpace.metres) / targetSpace.metres;
+  writeRotationPart(plan.targetWorld, 16 * above, parentTurn, 0, 3);
+  for (let k = 0; k < 3; k++) {
+    if (dofs[k] < 0) continue;
+    const c = 3 * k;
+    const way = parentTurn[c] * point[0] + parentTurn[c + 1] * point[1] + parentTurn[c + 2] * point[2];
+    out[dofs[k]] = rest[k] + factor * way;
+  }
+}
+
+/** A root above the carrier: where the source's is, in proportion. Changes `local` too. */
+function slideRoot(plan: RetargetPlan, { source, dofs }: Slide, out: Float64Array): void {
+  for (let k = 0; k < 3; k++) point[k] = plan.sourceWorld[16 * source + 12 + k];
+  toScene(plan.sourceSpace, point);
+  inProportion(plan, point);
+  fromScene(plan.targetSpace, point);
+  for (let k = 0; k < 3; k++) {
+    if (dofs[k] < 0) continue;
+    out[dofs[k]] += point[k] - local[12 + k];
+    local[12 + k] = point[k];
+  }
+}
+
 /** Moves the target so that the centre of `carried` is where it belongs. */
 function carry(plan: RetargetPlan, out: Float64Array): void {
-  const { ground, sourceOf, targetWorld } = plan;
-  const { carried } = ground;
+  const { carried, sourceOf, targetWorld } = plan;
   if (carried.length === 0) return;
   middle.fill(0);
   point.fill(0);
@@ -82,7 +119,8 @@ function carry(plan: RetargetPlan, out: Float64Array): void {
     }
   }
   toScene(plan.sourceSpace, middle);
-  inProportion(plan, middle, ground.ownHeight, ground.sourceHeight);
+  inProportion(plan, middle);
+  middle[1] += plan.shift;
   fromScene(plan.targetSpace, middle);
   moveBy(plan, middle[0] - point[0], middle[1] - point[1], middle[2] - point[2], out);
 }

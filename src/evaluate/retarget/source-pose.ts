@@ -21,7 +21,12 @@ export interface PlayedSource {
   readonly driven: number;
 }
 
-export function playedSource({ skeleton, clip, pose, clampsToLimits }: DriverSource): PlayedSource {
+export function playedSource({
+  skeleton,
+  clip,
+  pose,
+  clampsToLimits,
+}: Pick<DriverSource, 'skeleton' | 'clip' | 'pose' | 'clampsToLimits'>): PlayedSource {
   const compiled = compileSkeleton(skeleton);
   const curves = compileClip(clip);
   const dofCount = compiled.firstDof[compiled.jointCount];

@@ -2,22 +2,28 @@
 import type { RetargetPlan, SpaceRule } from './plan.ts';
 
 /**
- * Moves the whole target by its travel DOFs and updates its joints' positions; axes without such a DOF are left alone.
+ * Moves the target by its carrier's DOFs and updates the positions of the joints that it carries; axes without such a
+ * DOF are left alone.
  */
 export function moveBy(
-  { target, targetWorld }: RetargetPlan,
+  { target, targetWorld, carrier }: RetargetPlan,
   x: number,
   y: number,
   z: number,
   out: Float64Array,
 ): void {
-  const { travel } = target;
+  const { joint, dofs } = carrier;
+  const above = target.parent[joint];
   for (let k = 0; k < 3; k++) {
-    const d = travel[k];
+    const d = dofs[k];
     if (d < 0) continue;
     const way = k === 0 ? x : k === 1 ? y : z;
-    out[d] += way;
-    for (let o = 12 + k; o < targetWorld.length; o += 16) targetWorld[o] += way;
+    if (above < 0) out[d] += way;
+    else {
+      const c = 16 * above + 4 * k;
+      out[d] += targetWorld[c] * x + targetWorld[c + 1] * y + targetWorld[c + 2] * z;
+    }
+    for (let o = 16 * joint + 12 + k; o < 16 * target.subtreeEnd[joint]; o += 16) targetWorld[o] += way;
   }
 }
 
@@ -38,9 +44,7 @@ export function fromScene({ up, metres, lift }: SpaceRule, p: Float64Array): voi
   for (let k = 0; k < 3; k++) p[k] = up[3 * k] * x + up[3 * k + 1] * y + up[3 * k + 2] * z;
 }
 
-/** Maps a point of the source in the scene to the target's position, by their heights when standing. */
-export function inProportion({ scale }: RetargetPlan, p: Float64Array, ownHeight: number, sourceHeight: number): void {
-  p[0] *= scale;
-  p[1] = ownHeight + scale * (p[1] - sourceHeight);
-  p[2] *= scale;
+/** Maps a point of the source in the scene to the target's. */
+export function inProportion({ scale }: RetargetPlan, p: Float64Array): void {
+  for (let k = 0; k < 3; k++) p[k] *= scale;
 }

@@ -10,7 +10,7 @@ import { CommandError } from '../../../edit/store.ts';
 import { Trial } from '../../../edit/trial.ts';
 import { retargetPlan } from '../../../evaluate/retarget/make-plan.ts';
 import { automaticPairs, type MatchedPair } from '../../../evaluate/retarget/match.ts';
-import { measureSliding } from '../../../evaluate/retarget/sliding.ts';
+import { measureRetarget } from '../../../evaluate/retarget/measure.ts';
 import { type Character, type Document, findCharacter, shownClip } from '../../../model/document.ts';
 import type { JointPair, RetargetOptions } from '../../../model/retarget.ts';
 import type { DialogContent } from '../../kit/dialog.ts';
@@ -141,7 +141,10 @@ export function retargetDialog(
       if (!moved?.driver || !moved.skeleton) return;
       const plan = retargetPlan(moved.driver, moved, moved.skeleton);
       if (scale.value.trim() === '') scale.placeholder = `automatic: ${shown(plan.scale)}`;
-      setText(result, retargetText(moved.driver, moved.skeleton, measureSliding(plan, MEASURED)));
+      const isFixed = plan.sameBones.directions;
+      reference.disabled = isFixed;
+      setTooltip(reference, isFixed ? 'Both skeletons have the same bones: their file poses match' : '');
+      setText(result, retargetText(moved.driver, moved.skeleton, measureRetarget(moved, MEASURED)));
     });
   const soon = atMostEvery(PREVIEW_MS, preview);
 

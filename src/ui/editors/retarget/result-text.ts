@@ -1,16 +1,32 @@
 /** Summary of a retargeting. */
-import type { Sliding } from '../../../evaluate/retarget/sliding.ts';
+import type { Measured } from '../../../evaluate/retarget/measure.ts';
 import type { Driver } from '../../../model/document.ts';
 import type { Skeleton } from '../../../model/skeleton.ts';
 import { plural, shown } from '../../kit/number-text.ts';
 
-export function retargetText({ pairs, options }: Driver, skeleton: Skeleton, sliding: Sliding): string {
-  const following = `${pairs.length} of ${plural(skeleton.joints.length, 'joint')} follow.`;
-  if (sliding.contacts === 0) return `${following} No foot contacts found.`;
+export function retargetText(driver: Driver, skeleton: Skeleton, measured: Measured): string {
+  const following = `${driver.pairs.length} of ${plural(skeleton.joints.length, 'joint')} follow.`;
+  return [following, likenessText(measured), feetText(driver, measured)].filter(Boolean).join(' ');
+}
+
+function likenessText({ departure, limbs, limbsMean, limbsWorst }: Measured): string {
+  if (departure !== undefined) return `The skeletons are the same: joints are ${centimetres(departure)} off at most.`;
+  if (limbs === 0) return '';
+  return `Arms and legs point like the source’s within ${degrees(limbsMean)} on average, ${degrees(limbsWorst)} at most.`;
+}
+
+function feetText({ options }: Driver, measured: Measured): string {
+  const { contacts, allContacts, mean, worst, sourceMean, sourceWorst } = measured;
+  if (contacts === 0) return 'No foot contacts found.';
   const feet = options.plantsFeet ? 'Feet are planted' : 'Feet are not planted';
-  const slide = `slide ${centimetres(sliding.mean)} on average, ${centimetres(sliding.worst)} at most`;
-  const other = `${centimetres(sliding.sourceMean)} and ${centimetres(sliding.sourceWorst)}`;
-  return `${following} ${feet}: over ${plural(sliding.contacts, 'contact')} they ${slide} (source at this scale: ${other}).`;
+  const over = contacts < allContacts ? `${contacts} of ${allContacts} contacts` : plural(contacts, 'contact');
+  const slide = `slide ${centimetres(mean)} on average, ${centimetres(worst)} at most`;
+  const other = `${centimetres(sourceMean)} and ${centimetres(sourceWorst)}`;
+  return `${feet}: over ${over} they ${slide} (source at this scale: ${other}).`;
+}
+
+function degrees(value: number): string {
+  return `${shown(value, 1)}°`;
 }
 
 function centimetres(metres: number): string {

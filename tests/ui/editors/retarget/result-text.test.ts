@@ -5,7 +5,10 @@ import { driverOf, person, take } from '../../../evaluate/retarget/people.ts';
 
 const skeleton = person();
 const driver = driverOf(skeleton, take(skeleton, [[]]), [{ target: 0, source: 0 }]);
-const NOTHING = { worst: 0, mean: 0, sourceWorst: 0, sourceMean: 0, contacts: 0, lowest: 0, highest: 0 };
+const NOTHING = {
+  ...{ limbs: 0, limbsMean: 0, limbsWorst: 0, worst: 0, mean: 0, sourceWorst: 0, sourceMean: 0 },
+  ...{ contacts: 0, allContacts: 0, lowest: 0, highest: 0 },
+};
 
 describe('what a take on another character comes to', () => {
   it('tells how many joints follow, and that there are no foot contacts', () => {
@@ -13,11 +16,21 @@ describe('what a take on another character comes to', () => {
   });
 
   it('tells how far feet slide, and how far the source’s do', () => {
-    const sliding = { ...NOTHING, contacts: 5, mean: 0.007, worst: 0.0133, sourceMean: 0.007, sourceWorst: 0.0133 };
+    const feet = { contacts: 5, allContacts: 5, mean: 0.007, worst: 0.0133, sourceMean: 0.007, sourceWorst: 0.0133 };
+    const sliding = { ...NOTHING, ...feet };
     expect(retargetText(driver, skeleton, sliding)).toContain(
       'over 5 contacts they slide 0.7 cm on average, 1.3 cm at most',
     );
+    expect(retargetText(driver, skeleton, { ...sliding, allContacts: 80 })).toContain('over 5 of 80 contacts');
     const left = { ...driver, options: { ...DEFAULT_RETARGET, plantsFeet: false } };
     expect(retargetText(left, skeleton, sliding)).toContain('Feet are not planted');
+  });
+
+  it('tells how well arms and legs point, or how far the joints of the same skeleton are off', () => {
+    const limbs = { ...NOTHING, limbs: 4, limbsMean: 1.23, limbsWorst: 17 };
+    expect(retargetText(driver, skeleton, limbs)).toContain('within 1.2° on average, 17° at most.');
+    const same = retargetText(driver, skeleton, { ...limbs, departure: 0.0123 });
+    expect(same).toContain('The skeletons are the same: joints are 1.2 cm off at most.');
+    expect(same).not.toContain('Arms');
   });
 });

@@ -1,0 +1,28 @@
+/** A real take retargeted to a copy of its own skeleton comes out as itself, whatever its file pose and its dialect. */
+import { expect, it } from 'vitest';
+import type { RetargetOptions } from '../../../src/model/retarget.ts';
+import { BVH_FILES } from '../../helpers/bvh-files.ts';
+import { describeShared } from '../../helpers/shared.ts';
+import { captured, departure, frameTimes, retargeted } from './captures.ts';
+
+/** Of the figure's height, for joints and End Sites at every frame. */
+const WITHIN = 1e-6;
+
+describeShared('real takes on a copy of their own skeleton', () => {
+  it.each(BVH_FILES)('%s on a copy of its own skeleton is itself, at every frame', (file) => {
+    const source = captured(file);
+    const times = frameTimes(source);
+    const options: Partial<RetargetOptions>[] = [
+      {},
+      { reference: 'rest', plantsFeet: false },
+      { reference: times[Math.floor(times.length / 2)] },
+    ];
+    // However it was posed before.
+    const plain = captured(file, `${file} copy`);
+    const copy = { ...plain, pose: plain.pose.map((v, i) => v + 0.3 * Math.sin(i)) };
+    for (const own of options) {
+      const result = departure(retargeted(source, copy, own), source);
+      expect(result.share, `${JSON.stringify(own)}: ${result.point} at ${result.seconds} s`).toBeLessThan(WITHIN);
+    }
+  });
+});

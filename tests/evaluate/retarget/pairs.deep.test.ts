@@ -1,0 +1,41 @@
+/** Every real humanoid retargeted to every other one: arms and legs point like the source's, on planted feet. */
+import { expect, it } from 'vitest';
+import { describeShared } from '../../helpers/shared.ts';
+import { captured, HUMANOIDS, pairFit, retargeted } from './captures.ts';
+
+/** Degrees; the median of eight limb segments, each the mean over the take. */
+const DIRECTIONS = 3;
+/** Leg lengths. */
+const HIPS = 0.025;
+const SLIDE = 0.004;
+
+/** Legs of unequal lengths, the right one 7 % longer: on level ground one of them has to bend. */
+const UNEQUAL = 'openni-kinect-hash-names.bvh';
+/** Ends with a foot 13 cm below the floor it danced on, from where it is raised. */
+const SINKING = 'rokoko-dance.bvh';
+
+describeShared('each of 14 real humanoids on each other', () => {
+  it.each(HUMANOIDS)('%s on 13 other humanoids points its limbs in the same directions, on planted feet', (file) => {
+    const source = captured(file);
+    for (const target of HUMANOIDS) {
+      if (target === file) continue;
+      const fit = pairFit(retargeted(source, captured(target)), source);
+      const isOdd = file === SINKING || file === UNEQUAL || target === UNEQUAL;
+      const told = `${file} on ${target}: ${JSON.stringify(fit)}`;
+      expect(fit.median, told).toBeLessThan(isOdd ? 2 * DIRECTIONS : DIRECTIONS);
+      expect(fit.hips, told).toBeLessThan(isOdd ? 2.5 * HIPS : HIPS);
+      expect(fit.slide, told).toBeLessThan(fit.sourceSlide + SLIDE);
+    }
+  });
+
+  it.each(HUMANOIDS)('%s without planted feet points its limbs exactly', (file) => {
+    const source = captured(file);
+    for (const target of ['bandai-namco-bow-normal.bvh', 'lafan1-dance-10frames.bvh', 'mixamo-names.bvh']) {
+      if (target === file) continue;
+      const fit = pairFit(retargeted(source, captured(target), { plantsFeet: false }), source);
+      const told = `${file} on ${target}: ${JSON.stringify(fit)}`;
+      // Perception Neuron's bones change their lengths a little, which rotations can't follow.
+      expect(fit.worst, told).toBeLessThan(file.startsWith('perception') ? 1 : 0.01);
+    }
+  });
+});
