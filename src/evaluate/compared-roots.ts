@@ -9,7 +9,7 @@ import type { Skeleton } from '../model/skeleton.ts';
 import type { ComparedJoints } from './compared-joints.ts';
 import { alignment, type Bodies, bodiesOf, sourceFigure } from './retarget/align.ts';
 import type { RetargetFigure } from './retarget/figure.ts';
-import { referenceFigure, stands } from './retarget/reference.ts';
+import { sourceReference, stands } from './retarget/reference.ts';
 import { playedSource } from './retarget/source-pose.ts';
 
 /** Nine numbers for `measureDistances`; undefined if both have the same skeleton, and so the same axes. */
@@ -19,10 +19,14 @@ export function rootTurn(a: Character, b: Character, joints: ComparedJoints): Fl
   const ontoSecond = bodiesFrom(a, a.skeleton, joints.first, b, b.skeleton, joints.second);
   const ontoFirst = bodiesFrom(b, b.skeleton, joints.second, a, a.skeleton, joints.first);
   // The target's rest pose must be a standing one; of the source, a frame of its take can be used.
-  if (stands(ontoSecond, sourceFigure(ontoSecond)) || !stands(ontoFirst, sourceFigure(ontoFirst))) {
+  if (sourceStands(ontoSecond) || !sourceStands(ontoFirst)) {
     return correction(ontoFirst, b, i);
   }
   return transposed(correction(ontoSecond, a, j));
+}
+
+function sourceStands(bodies: Bodies): boolean {
+  return stands(bodies, sourceFigure(bodies), (t) => bodies.sourceOf[t]);
 }
 
 function bodiesFrom(
@@ -42,11 +46,11 @@ function correction(bodies: Bodies, source: Character, target: number): Float64A
 }
 
 function referenceOf(bodies: Bodies, source: Character): RetargetFigure {
-  const { name, pose, clampsToLimits, timeOffsetSeconds } = source;
+  const { pose, clampsToLimits } = source;
   const clip = source.driver ? undefined : shownClip(source);
   if (!clip) return sourceFigure(bodies);
-  const played = playedSource({ name, skeleton: bodies.source, clip, pose, clampsToLimits, timeOffsetSeconds });
-  return referenceFigure(bodies, played, clip.range, 'automatic');
+  const played = playedSource({ skeleton: bodies.source, clip, pose, clampsToLimits });
+  return sourceReference(bodies, { played, range: clip.range }, 'automatic');
 }
 
 function transposed(m: Float64Array): Float64Array {
