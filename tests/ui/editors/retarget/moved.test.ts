@@ -33,14 +33,15 @@ function moved(): Store {
   return store;
 }
 
-it('a retargeted character is marked in the outliner and in both rows of the takes', () => {
+it('a retargeted character is marked in the outliner and in the takes, where the retargeted take has a row of its own', () => {
   const store = moved();
   const rowOf = (id: string) => outlineRows(store.document, () => true).find((row) => row.key === id);
   const before = store.document;
   expect(rowOf('t')?.detail).toBe('follows take');
   expect(takeRows(before).map(({ name, note, isShown }) => ({ name, note, isShown }))).toEqual([
     { name: 'take', note: 'drives walker', isShown: true },
-    { name: 'own', note: 'aside: walker follows take', isShown: false },
+    { name: 'own', note: '', isShown: false },
+    { name: 'take', note: 'retargeted to walker', isShown: true },
   ]);
   store.apply(clearRetarget, { characterId: 't' });
   expect(sameOutline(before, store.document)).toBe(false);
