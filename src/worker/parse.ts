@@ -16,6 +16,7 @@ import type { Skin } from '../model/skin.ts';
 import { READABLE_EXTENSIONS } from '../project/kinds.ts';
 import { type Format, formatOf } from '../project/readers.ts';
 import type { GivenBlob, ParseInput, ParseOutput, Progress } from './protocol.ts';
+import { transferables } from './transferables.ts';
 
 /** Interval of progress messages: enough for a smooth bar, at negligible cost. */
 const PROGRESS_STEP_BYTES = 1 << 20;
@@ -52,7 +53,11 @@ export async function parse(input: ParseInput, onProgress: (progress: Progress) 
       }
       const result = reader.end();
       diagnostics.push(...(await located(format, source.name, blob, result.diagnostics)));
-      if (result.value && isEmptyDump(result.value)) passedOver.push(source);
+      const tooLarge = result.value && tooLargeToPost(source, transferables(result.value));
+      if (tooLarge) {
+        diagnostics.push(tooLarge);
+        broken.push({ kind: format.kind, source });
+      } else if (result.value && isEmptyDump(result.value)) passedOver.push(source);
       else if (result.value) files.push({ ...result.value, source });
       else broken.push({ kind: format.kind, source });
     } else passedOver.push(source);
@@ -140,6 +145,21 @@ async function located(
 async function feed(blob: Blob, take: (chunk: Uint8Array) => void): Promise<void> {
   const reader = blob.stream().getReader();
   for (let next = await reader.read(); !next.done; next = await reader.read()) take(next.value);
+}
+
+/** Browsers refuse to pass on larger buffers, with words about `postMessage`. */
+const MOST_BYTES = 2 ** 31 - 1;
+
+/** What is wrong if a file's numbers can't be passed from the worker to the page. */
+export function tooLargeToPost(
+  { name }: SourceFile,
+  buffers: readonly { readonly byteLength: number }[],
+): Diagnostic | undefined {
+  const largest = buffers.reduce((most, { byteLength }) => Math.max(most, byteLength), 0);
+  if (largest <= MOST_BYTES) return undefined;
+  const found = `Its values take ${(largest / 1e9).toFixed(1)} GB; the page takes up to ${(MOST_BYTES / 1e9).toFixed(1)} GB of a file.`;
+  const now = 'The command reads larger files: "marrow convert IN OUT --fps N" writes fewer frames.';
+  return withoutPlace('error', 'file-too-large', `${found} ${now}`, name);
 }
 
 function unreadable(source: SourceFile, error: unknown): Diagnostic {

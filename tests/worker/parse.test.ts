@@ -1,6 +1,6 @@
 import { strToU8, zipSync } from 'fflate';
 import { describe, expect, it } from 'vitest';
-import { parse } from '../../src/worker/parse.ts';
+import { parse, tooLargeToPost } from '../../src/worker/parse.ts';
 import type { Progress } from '../../src/worker/protocol.ts';
 import { transferables } from '../../src/worker/transferables.ts';
 import { describeShared, sharedBytes } from '../helpers/shared.ts';
@@ -16,6 +16,16 @@ describe('the parse job', () => {
     expect(files).toMatchObject([
       { kind: 'skel', source: { path: 'folder/A.SKEL', name: 'A.SKEL', bytes: skel.length } },
     ]);
+  });
+
+  it('says of a file whose numbers are too many for a browser to pass on how many, and what now', () => {
+    const source = { name: 'day.bvh', path: 'day.bvh', bytes: 2.3e9 };
+    expect(tooLargeToPost(source, [{ byteLength: 2 ** 31 - 1 }])).toBeUndefined();
+    expect(tooLargeToPost(source, [{ byteLength: 8 }, { byteLength: 2.6e9 }])).toMatchObject({
+      severity: 'error',
+      file: 'day.bvh',
+      message: expect.stringContaining('2.6 GB; the page takes up to 2.1 GB'),
+    });
   });
 
   it('lists a file with errors as broken, and goes on with the others', async () => {
