@@ -1,5 +1,5 @@
 /** How panels and views follow what is compared at the time shown, without its scripts before there is any. */
-import type { DumpComparison, ShownComparison } from './dump-comparison.ts';
+import type { ComparedResult, DumpComparison, ShownComparison } from './dump-comparison.ts';
 import type { Uses } from './workbench.ts';
 
 /**
@@ -28,4 +28,29 @@ export function onShown(
 export function endComparison({ comparing }: Uses<'comparing'>): void {
   comparing.get()?.end();
   comparing.set(undefined);
+}
+
+/** Calls back whenever what was found changes, with undefined if there is nothing. Returns an unsubscribe function. */
+export function onResult(
+  { comparing }: Uses<'comparing'>,
+  listener: (result: ComparedResult | undefined) => void,
+): () => void {
+  let last = comparing.get()?.state.get().result;
+  const tell = (result: ComparedResult | undefined) => {
+    if (result === last) return;
+    last = result;
+    listener(result);
+  };
+  let stop: (() => void) | undefined;
+  const follow = (now: DumpComparison | undefined) => {
+    stop?.();
+    stop = now?.state.subscribe(({ result }) => tell(result));
+    tell(now?.state.get().result);
+  };
+  const stopFollowing = comparing.subscribe(follow);
+  follow(comparing.get());
+  return () => {
+    stopFollowing();
+    stop?.();
+  };
 }

@@ -16,6 +16,7 @@ import { plural } from '../../kit/number-text.ts';
 import { setTooltip } from '../../kit/tooltip.ts';
 import { rowAfterKey, WindowedList, type WindowedRow } from '../../kit/windowed-list.ts';
 import { currentCharacter } from '../../state/action.ts';
+import { onResult } from '../../state/shown-comparison.ts';
 import { CHANNEL_LISTS, type ChannelListKind as ListChoice } from '../../state/timeline.ts';
 import type { Uses } from '../../state/workbench.ts';
 import { LIST_LABELS } from '../timeline/actions.ts';
@@ -26,6 +27,7 @@ import { extrapolationEntries, openChannelMenu, toggleIn } from './context-menu.
 import { isolatedAfter } from './isolating.ts';
 import { cssColour } from './scene/colours.ts';
 import type { CurveLine } from './scene/scene.ts';
+import { type TheirChannel, theirsText } from './theirs/their-channels.ts';
 
 /** The controls of a row, left to right. */
 const CELLS = ['eye', 'name', 'in', 'out', 'pin'] as const;
@@ -37,12 +39,15 @@ interface Row extends WindowedRow {
   readonly joint: HTMLElement;
   readonly dof: HTMLElement;
   readonly follows: HTMLElement;
+  readonly theirs: HTMLElement;
 }
 
 /** The plot's channels. */
 export interface ListSource {
   readonly channels: readonly ListedChannel[];
   line(channel: number): CurveLine | undefined;
+  /** What another program printed of a listed channel, if it is compared. */
+  theirs(channel: number): TheirChannel | undefined;
 }
 
 export class ChannelList {
@@ -76,7 +81,7 @@ export class ChannelList {
   readonly showSoon = oncePerFrame(() => this.show());
 
   constructor(
-    private readonly wb: Uses<'store' | 'actions' | 'timeline' | 'settings'>,
+    private readonly wb: Uses<'store' | 'actions' | 'timeline' | 'settings' | 'comparing'>,
     private readonly source: ListSource,
   ) {
     this.choice.append(...CHANNEL_LISTS.map((list) => element('option', { value: list }, LIST_LABELS[list])));
@@ -119,6 +124,7 @@ export class ChannelList {
       if (now.document !== before.document || now.selection !== before.selection) this.showSoon();
     });
     wb.timeline.view.subscribe(this.showSoon);
+    onResult(wb, this.showSoon);
   }
 
   setVisible(visible: boolean): void {
@@ -181,13 +187,20 @@ export class ChannelList {
     setText(row.dof, listed.dof);
     setText(row.follows, listed.follows === undefined ? '' : `← ${listed.follows}`);
     target.classList.toggle('follows', listed.follows !== undefined);
+    const theirs = this.source.theirs(channel);
+    setText(row.theirs, theirs ? (theirs.firstWrong === undefined ? '=' : '≠') : '');
+    row.theirs.classList.toggle('wrong', theirs?.firstWrong !== undefined);
     row.swatch.style.background = line && keyed ? cssColour(line.colour) : '';
     row.swatch.classList.toggle('dashed', (line?.colour.dash.length ?? 0) > 0);
     describe(cells.eye, hidden ? `Show ${name}` : `Hide ${name}`, !hidden);
     const { keyCount, sampleCount } = listed;
     const keys = sampleCount ? plural(sampleCount, 'sample') : keyed ? plural(keyCount, 'key') : 'no keys';
     const follows = listed.follows === undefined ? '' : `; linked to ${listed.follows}, so its keys have no effect`;
-    describe(cells.name, `${name}, ${keys}${isolated ? ', isolated' : ''}${follows}`, isolated);
+    describe(
+      cells.name,
+      `${name}, ${keys}${isolated ? ', isolated' : ''}${follows}${theirs ? `; ${theirsText(theirs)}` : ''}`,
+      isolated,
+    );
     const pinned = state.pinned.has(channel);
     describe(cells.pin, `${pinned ? 'Unpin' : 'Pin'} ${name}`, pinned);
     for (const side of ['in', 'out'] as const) {
@@ -316,6 +329,7 @@ function makeRow(): Row {
   const dof = element('span', { class: 'channel-dof' });
   // The cell's label says it too.
   const follows = element('span', { class: 'channel-follows', 'aria-hidden': 'true' });
+  const theirs = element('span', { class: 'channel-theirs', 'aria-hidden': 'true' });
   const cell = (name: Cell, ...content: Node[]) => {
     const made = element('button', { type: 'button', role: 'gridcell', tabindex: -1, class: `channel-${name}` });
     made.dataset.cell = name;
@@ -326,13 +340,13 @@ function makeRow(): Row {
   };
   const cells = {
     eye: cell('eye', icon('eye')),
-    name: cell('name', swatch, joint, new Text(' '), dof, follows),
+    name: cell('name', swatch, joint, new Text(' '), dof, follows, theirs),
     in: cell('in'),
     out: cell('out'),
     pin: cell('pin', icon('pin')),
   };
   const row = element('div', { role: 'row', class: 'channel-row' }, ...CELLS.map((c) => cells[c]));
-  return { element: row, cells, swatch, joint, dof, follows };
+  return { element: row, cells, swatch, joint, dof, follows, theirs };
 }
 
 interface ListState {

@@ -9,7 +9,7 @@ import { curveToolbar } from './toolbar.ts';
 import type { WhyPane } from './why/why-pane.ts';
 
 export function curvePanel(
-  wb: Uses<'store' | 'actions' | 'transport' | 'timeline' | 'settings' | 'messages'>,
+  wb: Uses<'store' | 'actions' | 'transport' | 'timeline' | 'settings' | 'messages' | 'comparing'>,
 ): TimelineTab {
   const plot = new CurvePlot(wb);
   const list = new ChannelList(wb, plot.source);

@@ -12,6 +12,7 @@ import { drawnChannels, type ListedChannel, listedChannels, selectedChannels } f
 import { currentTake, selectedKeysInView } from '../timeline/current-take.ts';
 import { type CurveLine, type CurveScene, NO_CHANNELS, sceneLines } from './scene/scene.ts';
 import { type CurveSpace, DEFAULT_AXES } from './scene/space.ts';
+import { type TheirChannel, type TheirChannels, theirChannels } from './theirs/their-channels.ts';
 
 /** Without a take there is still a ruler to scrub in. */
 const NO_CLIP: ChannelClip = { name: '', range: [0, 0], channels: [] };
@@ -39,7 +40,7 @@ export class PlotScene {
   private linesDrawn: readonly number[] | undefined;
   private byChannel: ReadonlyMap<number, CurveLine> = new Map();
 
-  constructor(private readonly wb: Uses<'store' | 'transport' | 'timeline' | 'settings'>) {}
+  constructor(private readonly wb: Uses<'store' | 'transport' | 'timeline' | 'settings' | 'comparing'>) {}
 
   /** Something that the scene depends on has changed. */
   invalidate(): void {
@@ -77,11 +78,13 @@ export class PlotScene {
     const settings = wb.settings.get();
     const clip = take?.clip ?? NO_CLIP;
     const offsetSeconds = take?.character.timeOffsetSeconds ?? 0;
+    const theirs = take && this.theirsOf(take.character);
     const made: CurveScene = {
       clip,
       curves: compileClip(clip),
       offsetSeconds,
       lines: this.lines,
+      ...(theirs && { theirs }),
       selected: selectedKeysInView(wb),
       ...(this.emphasised && { emphasised: this.emphasised }),
       space: { width: this.width, height: this.height, window: view.window, axes: this.axes },
@@ -92,6 +95,13 @@ export class PlotScene {
     };
     this.made = made;
     return made;
+  }
+
+  /** What is compared with the take; undefined if no channels are. */
+  private theirsOf({ id }: Character): TheirChannels | undefined {
+    const comparing = this.wb.comparing.get();
+    const result = comparing?.characterId === id ? comparing.state.get().result : undefined;
+    return result && theirChannels(result);
   }
 
   /** In a thicket of all channels the selected joint's are in front. */
@@ -132,6 +142,10 @@ export class PlotScene {
   line(channel: number): CurveLine | undefined {
     this.update();
     return this.byChannel.get(channel);
+  }
+
+  theirs(channel: number): TheirChannel | undefined {
+    return this.update().theirs?.get(channel);
   }
 
   private numbers: readonly number[] = NO_CHANNELS;

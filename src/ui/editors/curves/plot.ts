@@ -4,6 +4,7 @@ import { element, setText, uniqueId } from '../../kit/dom.ts';
 import { HAS_KEYS } from '../../kit/focus.ts';
 import { oncePerFrame } from '../../kit/frame.ts';
 import { revealTime } from '../../kit/time-window.ts';
+import { onResult } from '../../state/shown-comparison.ts';
 import type { Uses } from '../../state/workbench.ts';
 import type { SelectionBox } from '../timeline/box.ts';
 import { currentTake } from '../timeline/current-take.ts';
@@ -18,6 +19,7 @@ import { ScaleFrame } from './scale-frame.ts';
 import { fit as fitted } from './scene/fit.ts';
 import type { CurveScene } from './scene/scene.ts';
 import { type CurveSpace, PLOT_TOP, pan, timeAt, xOf, yOf, zoom } from './scene/space.ts';
+import { CurveLegend } from './theirs/curve-legend.ts';
 import type { WhyPlace } from './why/why-subject.ts';
 
 type FitKind = 'all' | 'values';
@@ -28,6 +30,7 @@ export class CurvePlot implements PlotHost {
   private readonly plotScene: PlotScene;
   private readonly readout: CurveReadout;
   private readonly frame: ScaleFrame;
+  private readonly legend = new CurveLegend();
   private readonly input: PlotInput;
   private readonly spoken = element('p', {
     class: 'off-screen',
@@ -45,7 +48,9 @@ export class CurvePlot implements PlotHost {
   /** What the view was last fitted to, to refit when that changes. */
   private fittedTo: { readonly take: string; readonly channels: readonly number[] } = { take: '', channels: [] };
 
-  constructor(readonly wb: Uses<'store' | 'actions' | 'transport' | 'timeline' | 'settings' | 'messages'>) {
+  constructor(
+    readonly wb: Uses<'store' | 'actions' | 'transport' | 'timeline' | 'settings' | 'messages' | 'comparing'>,
+  ) {
     this.element = element('div', {
       class: 'curve-plot',
       tabindex: 0,
@@ -59,7 +64,7 @@ export class CurvePlot implements PlotHost {
     this.plotScene = new PlotScene(wb);
     this.readout = new CurveReadout(wb);
     this.frame = new ScaleFrame(this);
-    this.element.append(this.empty, this.frame.element, this.readout.element, this.spoken);
+    this.element.append(this.empty, this.legend.element, this.frame.element, this.readout.element, this.spoken);
     new ResizeObserver(() => this.measure()).observe(this.element);
     this.input = new PlotInput(this);
     this.follow();
@@ -178,6 +183,7 @@ export class CurvePlot implements PlotHost {
       if (!this.dragging) setText(this.spoken, selectedText(wb));
     });
     wb.timeline.view.subscribe(() => this.redraw());
+    onResult(wb, () => this.redraw());
     wb.settings.subscribe((now, before) => {
       if (now.angles !== before.angles || now.timeDisplay !== before.timeDisplay) this.redraw();
     });
@@ -220,6 +226,7 @@ export class CurvePlot implements PlotHost {
     if (isEmpty) setText(this.empty, emptyPlotText(wb, plotScene.channels.length));
     if (!this.picture.draw(scene)) this.drawSoon();
     this.picture.drawOverlay(wb.transport.get().timeSeconds, hover, this.box);
+    this.legend.show(scene);
     this.frame.show(scene);
     this.readout.show(scene, this.input.pointer, hover);
     this.afterDraw?.();
@@ -232,11 +239,12 @@ export class CurvePlot implements PlotHost {
     const take = currentTake(wb);
     const view = wb.timeline.view.get();
     const name = take ? `${take.character.id} ${take.character.shownClip}` : '';
-    const { lines } = plotScene.scene;
+    const { lines, theirs } = plotScene.scene;
     // Hiding a curve doesn't refit the others.
     const channels = [
       view.normalised ? 1 : 0,
       lines.length ? 1 : 0,
+      theirs ? 1 : 0,
       ...(view.isolated ?? []),
       -1,
       ...plotScene.channels.map((c) => c.channel),

@@ -5,7 +5,8 @@ import type { Uses } from '../../state/workbench.ts';
 import { channelName, namedChannel } from '../timeline/channels.ts';
 import { currentTake } from '../timeline/current-take.ts';
 import { type CurveHit, type CurveLine, type CurveScene, lineOf } from './scene/scene.ts';
-import { timeAt, valueAt } from './scene/space.ts';
+import { pixelsPerSecond, timeAt, valueAt } from './scene/space.ts';
+import { sampleNear } from './theirs/their-channels.ts';
 import { curveValueText, timeText } from './tools/readout-text.ts';
 import type { PointerAt } from './tools/tool.ts';
 
@@ -42,15 +43,28 @@ export class CurveReadout {
     if (hover.kind === 'empty' || !line) return [at, '', heights(wb, scene, pointer.y)];
     const take = currentTake(wb);
     const name = take ? channelName(namedChannel(take.character, line.channel)) : line.name;
-    if (hover.kind === 'curve')
-      return [hover.timeSeconds - offsetSeconds, name, curveValueText(wb, line.unit, hover.value)];
+    if (hover.kind === 'curve') {
+      const own = curveValueText(wb, line.unit, hover.value);
+      return [hover.timeSeconds - offsetSeconds, name, own + this.theirsAt(scene, line, hover.timeSeconds)];
+    }
     const { times, values } = keysOf(clip.channels[hover.channel]);
     // The key was deleted by a drag.
     if (!(hover.index < times.length)) return [at, name, ''];
-    const value = curveValueText(wb, line.unit, values[hover.index]);
+    const own = curveValueText(wb, line.unit, values[hover.index]);
+    const value = own + this.theirsAt(scene, line, times[hover.index]);
     return [times[hover.index] - offsetSeconds, name, value];
   }
+
+  /** What another program printed for a time of the clip, if anything. */
+  private theirsAt({ theirs, space }: CurveScene, line: CurveLine, time: number): string {
+    const channel = theirs?.get(line.channel);
+    const sample = channel ? sampleNear(channel, time, THEIRS_REACH / pixelsPerSecond(space)) : -1;
+    return channel && sample >= 0 ? ` · theirs ${curveValueText(this.wb, line.unit, channel.values[sample])}` : '';
+  }
 }
+
+/** CSS pixels to the value of another program that is told with ours. */
+const THEIRS_REACH = 4;
 
 /** The pointer's value on each axis drawn. */
 function heights(wb: Uses<'settings'>, scene: CurveScene, y: number): string {

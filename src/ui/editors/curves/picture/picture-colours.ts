@@ -18,6 +18,9 @@ export interface PictureColours {
   readonly boxFill: string;
   readonly boxLine: string;
   readonly hover: string;
+  /** Another program's values, and those that are wrong. */
+  readonly theirs: string;
+  readonly wrong: string;
 }
 
 export function readPictureColours(target: Element): PictureColours {
@@ -45,5 +48,7 @@ export function readPictureColours(target: Element): PictureColours {
     boxFill: translucent(colour('--accent'), 0.12),
     boxLine: colour('--accent'),
     hover: colour('--text'),
+    theirs: colour('--text'),
+    wrong: colour('--error'),
   };
 }

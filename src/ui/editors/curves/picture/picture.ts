@@ -16,6 +16,7 @@ import { mixed } from '../scene/colours.ts';
 import { handleOf } from '../scene/handles.ts';
 import { type CurveHit, type CurveLine, type CurveScene, isFaint, lineOf } from '../scene/scene.ts';
 import { PLOT_TOP, xOf, yOf } from '../scene/space.ts';
+import { drawTheirs } from '../theirs/draw-theirs.ts';
 import { drawCurveGround, drawLimits, drawValueLabels, timeView } from './grid.ts';
 import { type PictureColours, readPictureColours } from './picture-colours.ts';
 import { CurveLayer, LINE_WIDTH } from './picture-curves.ts';
@@ -96,6 +97,7 @@ export class CurvePicture {
       drawCurveGround(g, scene, colours);
       drawLimits(g, scene, limited, ratio, colours);
       this.isWhole = this.lines.draw(g, { scene, standOut, ratio, palette: colours.palette, ground: colours.plot });
+      drawTheirs(g, scene, colours);
       drawValueLabels(g, scene, colours);
       drawTimeRuler(g, timeView(scene), colours.time);
     });
@@ -185,6 +187,7 @@ function sameGround(a: CurveScene, b: CurveScene): boolean {
     a.clip === b.clip &&
     a.offsetSeconds === b.offsetSeconds &&
     a.lines === b.lines &&
+    a.theirs === b.theirs &&
     a.space === b.space &&
     a.range[0] === b.range[0] &&
     a.range[1] === b.range[1] &&

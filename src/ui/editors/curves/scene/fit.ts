@@ -4,7 +4,10 @@ import { keysOf, spanOfChannel } from '../../../../model/clip.ts';
 import type { CurveLine, CurveScene } from './scene.ts';
 import { type AxisName, type CurveSpace, PLOT_TOP, VALUE_AXES, type ValueAxis } from './space.ts';
 
-export type Fitted = Pick<CurveScene, 'clip' | 'curves' | 'lines' | 'offsetSeconds' | 'selected' | 'space' | 'range'>;
+export type Fitted = Pick<
+  CurveScene,
+  'clip' | 'curves' | 'lines' | 'theirs' | 'offsetSeconds' | 'selected' | 'space' | 'range'
+>;
 
 /** Margins: for labels on both sides, and for half a diamond. */
 const SIDE_PIXELS = 48;
@@ -100,13 +103,30 @@ function includeAll(scene: Fitted, bounds: Bounds): void {
     bounds.from = Math.min(bounds.from, start);
     bounds.to = Math.max(bounds.to, stop);
     includeCurve(scene, line, start, stop, bounds);
+    const times = scene.theirs?.get(line.channel)?.times ?? NO_TIMES;
+    if (times.length === 0) continue;
+    bounds.from = Math.min(bounds.from, times[0]);
+    bounds.to = Math.max(bounds.to, times[times.length - 1]);
+    includeTheirs(scene, line, times[0], times[times.length - 1], bounds);
   }
+}
+
+const NO_TIMES = new Float64Array(0);
+
+function includeTheirs({ theirs }: Fitted, line: CurveLine, from: number, to: number, bounds: Bounds): void {
+  const channel = theirs?.get(line.channel);
+  channel?.values.forEach((value, i) => {
+    const isInside = channel.times[i] >= from && channel.times[i] <= to;
+    if (isInside && Number.isFinite(value)) include(bounds, line, value, value);
+  });
 }
 
 function includeInView(scene: Fitted, bounds: Bounds): void {
   const { window } = scene.space;
   for (const line of scene.lines) {
-    includeCurve(scene, line, window.from + scene.offsetSeconds, window.to + scene.offsetSeconds, bounds);
+    const [from, to] = [window.from + scene.offsetSeconds, window.to + scene.offsetSeconds];
+    includeCurve(scene, line, from, to, bounds);
+    includeTheirs(scene, line, from, to, bounds);
   }
 }
 

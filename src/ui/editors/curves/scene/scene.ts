@@ -11,6 +11,7 @@ import { perObject } from '../../../../model/per-object.ts';
 import { columnOf } from '../../../../model/samples.ts';
 import type { ChannelKeys } from '../../../../model/session.ts';
 import { type DofUnit, isUnlimited, type Limit } from '../../../../model/skeleton.ts';
+import type { TheirChannels } from '../theirs/their-channels.ts';
 import { axisColour, followingColour, type LineColour, otherColour } from './colours.ts';
 import type { AxisName, CurveSpace, Normalise } from './space.ts';
 
@@ -44,6 +45,8 @@ export interface CurveScene {
    * with selected keys are never faint. Absent: all are alike.
    */
   readonly emphasised?: ReadonlySet<number>;
+  /** Another program's values that are compared, drawn over the lines. */
+  readonly theirs?: TheirChannels;
   readonly space: CurveSpace;
   /** Playback range, seconds of the transport. */
   readonly range: readonly [number, number];

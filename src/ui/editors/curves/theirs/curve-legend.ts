@@ -1,0 +1,18 @@
+/** The legend of the plot while another program's channels are drawn over ours. */
+import { element } from '../../../kit/dom.ts';
+import type { CurveScene } from '../scene/scene.ts';
+
+export class CurveLegend {
+  readonly element = element(
+    'div',
+    { class: 'curve-legend', hidden: true },
+    ...['ours', 'theirs', 'differs'].map((name) =>
+      element('span', {}, element('span', { class: `curve-legend-line ${name}`, 'aria-hidden': 'true' }), name),
+    ),
+  );
+
+  show({ theirs, lines }: CurveScene): void {
+    const isHidden = !theirs || !lines.some(({ channel }) => theirs.has(channel));
+    if (this.element.hidden !== isHidden) this.element.hidden = isHidden;
+  }
+}
