@@ -19,9 +19,9 @@ const GHOST_OPACITY = 0.66;
 /** How thick nodes are drawn, by their looks: wrong ones are thicker than others. */
 const THICKNESS: Readonly<Record<number, number>> = { [AGREES]: 1.1, [OWN]: 1.7, [INHERITED]: 1.35 };
 
-/** How a joint compares: it agrees, is wrong by itself, or only because a parent is. */
-export type JointVerdict = 'agrees' | 'own' | 'inherited';
-const LOOKS: Readonly<Record<JointVerdict, number>> = { agrees: AGREES, own: OWN, inherited: INHERITED };
+/** How a joint compares: it agrees, is wrong by itself or only because a parent is, or which of both isn't known. */
+export type JointVerdict = 'agrees' | 'own' | 'inherited' | 'differs';
+const LOOKS: Readonly<Record<JointVerdict, number>> = { agrees: AGREES, own: OWN, inherited: INHERITED, differs: OWN };
 
 /** What is drawn of a comparison. */
 export type ComparedSide = 'ours' | 'theirs' | 'both';

@@ -3,6 +3,7 @@
  * how they compare, theirs as a ghost, vertices coloured by their errors, with a legend. Loaded with the first
  * comparison.
  */
+import { jointMarks } from '../../../lesson/joint-marks.ts';
 import { type Character, shownSkin } from '../../../model/document.ts';
 import { type ComparedDrawing, CompareOverlay } from '../../../view/compare/compare-overlay.ts';
 import type { ComparedSide } from '../../../view/compare/compared-skeleton.ts';
@@ -22,7 +23,6 @@ import {
   type HeatScale,
   tellsOwn,
   theirJoints,
-  verdictsOf,
 } from './drawn.ts';
 import { CompareLegend, type ScaleText } from './legend.ts';
 
@@ -175,8 +175,9 @@ class ComparisonDrawing {
     const theirs = skeleton && theirJoints(skeleton, shown);
     if (!theirs) return base;
     const { world: ours } = shown.frame.ours;
-    const tolerance = shown.result.tolerance * shown.frame.size;
-    return { ...base, joints: { skeleton, verdicts: verdictsOf(shown), ours, theirs, tolerance } };
+    const { tolerance } = shown.result;
+    const verdicts = jointMarks(shown.frame, tolerance);
+    return { ...base, joints: { skeleton, verdicts, ours, theirs, tolerance: tolerance * shown.frame.size } };
   }
 
   private lookOf({ id }: Character, part: ComparedPart): Look {

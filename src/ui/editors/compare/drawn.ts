@@ -1,7 +1,6 @@
 /** What is drawn of a comparison: verdicts of joints, theirs in world space, errors as colours. */
 import { multiplyAffine } from '../../../math/mat4.ts';
 import type { Skeleton } from '../../../model/skeleton.ts';
-import type { JointVerdict } from '../../../view/compare/compared-skeleton.ts';
 import type { ShownComparison } from '../../state/dump-comparison.ts';
 import { heatScale } from '../skin/four-text.ts';
 
@@ -20,17 +19,6 @@ export function comparedParts({ frame }: ShownComparison): readonly ComparedPart
 /** Whether it can be told which joints are wrong by themselves: not from positions alone. */
 export function tellsOwn({ theirs }: ShownComparison): boolean {
   return theirs.world !== undefined || theirs.local !== undefined;
-}
-
-/** One per joint. Where own and inherited errors can't be told apart, all that differ are `own`. */
-export function verdictsOf(shown: ShownComparison): readonly JointVerdict[] {
-  const { own, inherited, jointErrors } = shown.frame;
-  const { tolerance } = shown.result;
-  // Not `>`: NaN is wrong too.
-  const verdicts = Array.from(jointErrors, (error): JointVerdict => (error <= tolerance ? 'agrees' : 'own'));
-  for (const joint of inherited) verdicts[joint] = 'inherited';
-  for (const joint of own) verdicts[joint] = 'own';
-  return verdicts;
 }
 
 /** World matrices, 16 per joint, or positions, x y z per joint; of local matrices their products. */

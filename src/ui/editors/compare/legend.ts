@@ -3,6 +3,7 @@
  * vertices mean, and which of both programs is drawn.
  */
 
+import { MARK_TEXTS } from '../../../lesson/joint-marks.ts';
 import type { ComparedSide } from '../../../view/compare/compared-skeleton.ts';
 import { button, element, keepsFocusElsewhere, setAttribute, setText } from '../../kit/dom.ts';
 import { setTooltip } from '../../kit/tooltip.ts';
@@ -63,11 +64,16 @@ export class CompareLegend {
   constructor(events: LegendEvents) {
     this.sides = new Radios('Drawn', SIDES, SIDE_TIPS, (side) => events.side(side));
     this.parts = new Radios('Compared', PARTS, PART_TIPS, (part) => events.part(part));
-    this.inherited = look('inherited', 'inherited');
+    this.inherited = look('inherited', MARK_TEXTS.inherited);
     setTooltip(this.inherited, 'Wrong only because a parent is');
     setTooltip(this.own, 'Wrong by itself, relative to its parent');
     const theirs = look('theirs', 'theirs');
-    this.joints.append(look('agrees', 'agrees'), element('li', {}, swatch('own'), this.own), this.inherited, theirs);
+    this.joints.append(
+      look('agrees', MARK_TEXTS.agrees),
+      element('li', {}, swatch('own'), this.own),
+      this.inherited,
+      theirs,
+    );
     this.worst = keepsFocusElsewhere(button('Select the worst vertex', { class: 'link' }, '', () => events.worst()));
     this.scale.append(this.title, this.ramp.element, this.worst);
     this.element = element(
@@ -85,7 +91,7 @@ export class CompareLegend {
     this.parts.show(part);
     this.joints.hidden = part !== 'joints';
     this.scale.hidden = part !== 'skin';
-    setText(this.own, tellsOwn ? 'own error' : 'differs');
+    setText(this.own, MARK_TEXTS[tellsOwn ? 'own' : 'differs']);
     this.inherited.hidden = !tellsOwn;
     if (!scale) return;
     setText(this.title, scale.title);

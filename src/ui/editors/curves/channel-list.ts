@@ -27,7 +27,7 @@ import { extrapolationEntries, openChannelMenu, toggleIn } from './context-menu.
 import { isolatedAfter } from './isolating.ts';
 import { cssColour } from './scene/colours.ts';
 import type { CurveLine } from './scene/scene.ts';
-import { type TheirChannel, theirsText } from './theirs/their-channels.ts';
+import { type TheirChannel, theirsText } from './scene/their-channels.ts';
 
 /** The controls of a row, left to right. */
 const CELLS = ['eye', 'name', 'in', 'out', 'pin'] as const;

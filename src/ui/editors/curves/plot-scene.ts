@@ -12,7 +12,7 @@ import { drawnChannels, type ListedChannel, listedChannels, selectedChannels } f
 import { currentTake, selectedKeysInView } from '../timeline/current-take.ts';
 import { type CurveLine, type CurveScene, NO_CHANNELS, sceneLines } from './scene/scene.ts';
 import { type CurveSpace, DEFAULT_AXES } from './scene/space.ts';
-import { type TheirChannel, type TheirChannels, theirChannels } from './theirs/their-channels.ts';
+import { type TheirChannel, type TheirChannels, theirChannels } from './scene/their-channels.ts';
 
 /** Without a take there is still a ruler to scrub in. */
 const NO_CLIP: ChannelClip = { name: '', range: [0, 0], channels: [] };

@@ -10,6 +10,7 @@ import type { SelectionBox } from '../timeline/box.ts';
 import { currentTake } from '../timeline/current-take.ts';
 import { selectedText } from '../timeline/key-edits.ts';
 import type { ListSource } from './channel-list.ts';
+import { CurveLegend } from './curve-legend.ts';
 import { emptyPlotText } from './empty-text.ts';
 import { CurvePicture } from './picture/picture.ts';
 import { type PlotHost, PlotInput } from './plot-input.ts';
@@ -19,7 +20,6 @@ import { ScaleFrame } from './scale-frame.ts';
 import { fit as fitted } from './scene/fit.ts';
 import type { CurveScene } from './scene/scene.ts';
 import { type CurveSpace, PLOT_TOP, pan, timeAt, xOf, yOf, zoom } from './scene/space.ts';
-import { CurveLegend } from './theirs/curve-legend.ts';
 import type { WhyPlace } from './why/why-subject.ts';
 
 type FitKind = 'all' | 'values';

@@ -6,7 +6,7 @@ import { channelName, namedChannel } from '../timeline/channels.ts';
 import { currentTake } from '../timeline/current-take.ts';
 import { type CurveHit, type CurveLine, type CurveScene, lineOf } from './scene/scene.ts';
 import { pixelsPerSecond, timeAt, valueAt } from './scene/space.ts';
-import { sampleNear } from './theirs/their-channels.ts';
+import { sampleNear } from './scene/their-channels.ts';
 import { curveValueText, timeText } from './tools/readout-text.ts';
 import type { PointerAt } from './tools/tool.ts';
 

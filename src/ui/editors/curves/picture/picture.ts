@@ -16,11 +16,11 @@ import { mixed } from '../scene/colours.ts';
 import { handleOf } from '../scene/handles.ts';
 import { type CurveHit, type CurveLine, type CurveScene, isFaint, lineOf } from '../scene/scene.ts';
 import { PLOT_TOP, xOf, yOf } from '../scene/space.ts';
-import { drawTheirs } from '../theirs/draw-theirs.ts';
 import { drawCurveGround, drawLimits, drawValueLabels, timeView } from './grid.ts';
 import { type PictureColours, readPictureColours } from './picture-colours.ts';
 import { CurveLayer, LINE_WIDTH } from './picture-curves.ts';
 import { drawKeys, drawKeysOf, KEY_PIXELS } from './picture-keys.ts';
+import { drawTheirs } from './picture-theirs.ts';
 
 const HOVER_WIDTH = 3;
 

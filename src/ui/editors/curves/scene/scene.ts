@@ -11,9 +11,9 @@ import { perObject } from '../../../../model/per-object.ts';
 import { columnOf } from '../../../../model/samples.ts';
 import type { ChannelKeys } from '../../../../model/session.ts';
 import { type DofUnit, isUnlimited, type Limit } from '../../../../model/skeleton.ts';
-import type { TheirChannels } from '../theirs/their-channels.ts';
 import { axisColour, followingColour, type LineColour, otherColour } from './colours.ts';
 import type { AxisName, CurveSpace, Normalise } from './space.ts';
+import type { TheirChannels } from './their-channels.ts';
 
 /** A channel that is drawn. */
 export interface CurveLine {

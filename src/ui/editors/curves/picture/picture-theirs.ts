@@ -5,11 +5,11 @@
  */
 import type { TraceMap } from '../../../../evaluate/plot/trace-path.ts';
 import { firstNotBelow } from '../../../../math/search.ts';
-import type { PictureColours } from '../picture/picture-colours.ts';
 import { type CurveLine, type CurveScene, isFaint } from '../scene/scene.ts';
 import { PLOT_TOP } from '../scene/space.ts';
+import type { TheirChannel } from '../scene/their-channels.ts';
 import { traceMap } from '../scene/trace.ts';
-import type { TheirChannel } from './their-channels.ts';
+import type { PictureColours } from './picture-colours.ts';
 
 /** Values closer than this on average have no dots. */
 const DOTS_APART = 7;

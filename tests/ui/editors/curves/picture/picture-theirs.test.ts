@@ -1,7 +1,7 @@
 import { describe, expect, it } from 'vitest';
 import type { PictureColours } from '../../../../../src/ui/editors/curves/picture/picture-colours.ts';
-import { drawTheirs } from '../../../../../src/ui/editors/curves/theirs/draw-theirs.ts';
-import type { TheirChannel } from '../../../../../src/ui/editors/curves/theirs/their-channels.ts';
+import { drawTheirs } from '../../../../../src/ui/editors/curves/picture/picture-theirs.ts';
+import type { TheirChannel } from '../../../../../src/ui/editors/curves/scene/their-channels.ts';
 import { keyed, scene } from '../scenes.ts';
 
 // Only these two are asked for.

@@ -1,6 +1,6 @@
 /** The legend of the plot while another program's channels are drawn over ours. */
-import { element } from '../../../kit/dom.ts';
-import type { CurveScene } from '../scene/scene.ts';
+import { element } from '../../kit/dom.ts';
+import type { CurveScene } from './scene/scene.ts';
 
 export class CurveLegend {
   readonly element = element(

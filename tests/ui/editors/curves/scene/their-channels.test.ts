@@ -5,7 +5,7 @@ import { readDump } from '../../../../../src/formats/dump/read.ts';
 import type { Character } from '../../../../../src/model/document.ts';
 import { PlotScene } from '../../../../../src/ui/editors/curves/plot-scene.ts';
 import { fit as fitted } from '../../../../../src/ui/editors/curves/scene/fit.ts';
-import { sampleNear, theirChannels, theirsText } from '../../../../../src/ui/editors/curves/theirs/their-channels.ts';
+import { sampleNear, theirChannels, theirsText } from '../../../../../src/ui/editors/curves/scene/their-channels.ts';
 import { observable } from '../../../../../src/ui/kit/observable.ts';
 import { type ComparedResult, DumpComparison } from '../../../../../src/ui/state/dump-comparison.ts';
 import { onResult } from '../../../../../src/ui/state/shown-comparison.ts';
