@@ -20,7 +20,7 @@ function compared(of: Character, text: Uint8Array | string): ComparedResult {
   const { value } = readDump(text, 'mine.txt');
   if (!value) throw new Error('No dump.');
   const dumps = [{ fileName: 'mine.txt', dump: value }];
-  const output = compareDumps({ character: of, dumps, time: undefined, tolerance: TOLERANCE }, () => undefined);
+  const output = compareDumps({ character: of, dumps, tolerance: TOLERANCE }, () => undefined);
   const { comparison, targets } = output;
   if (!comparison || !targets) throw new Error('Nothing was compared.');
   return { comparison, targets, character: of, tolerance: TOLERANCE };
