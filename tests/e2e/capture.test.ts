@@ -131,6 +131,32 @@ it('plays one take after the other by key, and compares two by the distance of t
     expect(await joints.first().textContent()).toContain('Leg');
     expect(await joints.last().textContent()).toBe('Hips00');
 
+    // The largest distance is a click away, by the summary, by a double click, and by Enter.
+    const time = page.getByRole('textbox', { name: 'Time in seconds', exact: true });
+    const most = page.getByRole('button', { name: /^max / });
+    const at = /at ([\d.]+) s/.exec((await most.textContent()) ?? '')?.[1] ?? '';
+    await page.evaluate(() => window.marrow.seek(0.1));
+    await most.click();
+    await expect.poll(() => time.inputValue()).toBe(at);
+    expect(await joints.first().getAttribute('aria-selected')).toBe('true');
+    await page.evaluate(() => window.marrow.seek(0.1));
+    await joints.first().dblclick();
+    await expect.poll(() => time.inputValue()).toBe(at);
+    await page.evaluate(() => window.marrow.seek(0.1));
+    await page.getByRole('listbox', { name: 'Joints by distance' }).press('Enter');
+    await expect.poll(() => time.inputValue()).toBe(at);
+    // Deselected, it isn't drawn on its own any more.
+    await page.keyboard.press('Escape');
+    await expect.poll(() => joints.first().getAttribute('aria-selected')).toBe('false');
+    // A drag past the edge of the chart stops at the first frame.
+    const chart = await page.locator('.distance-chart').boundingBox();
+    if (!chart) throw new Error('the chart is not shown');
+    await page.mouse.move(chart.x + 60, chart.y + 60);
+    await page.mouse.down();
+    await page.mouse.move(chart.x - 300, chart.y + 60, { steps: 5 });
+    await page.mouse.up();
+    await expect.poll(() => time.inputValue()).toBe('0');
+
     // With a third take one is selected, and the other chosen in a menu: no key is needed.
     await page.getByRole('button', { name: 'Stop comparing' }).first().click();
     await dropFiles(page, [{ name: 'third.bvh', bytes: TAKE }]);

@@ -28,6 +28,27 @@ export function zoomWindow(window: TimeWindow, about: number, factor: number): T
   return { from: about - part * next, to: about + (1 - part) * next };
 }
 
+/**
+ * Two fingers: the window grows by how far they were apart, and the time between them stays there.
+ *
+ * @param window when they came down; `from` and `to`: x of each then and now, in pixels of `width`
+ */
+export function pinchWindow(
+  window: TimeWindow,
+  width: number,
+  from: readonly [number, number],
+  to: readonly [number, number],
+): TimeWindow {
+  const apart = ([a, b]: readonly [number, number]) => Math.max(LEAST_APART, Math.abs(b - a));
+  const middle = ([a, b]: readonly [number, number]) => (a + b) / 2 / width;
+  const about = window.from + middle(from) * (window.to - window.from);
+  const zoomed = zoomWindow(window, about, apart(from) / apart(to));
+  return panWindow(zoomed, (middle(from) - middle(to)) * (zoomed.to - zoomed.from));
+}
+
+/** Fingers above each other zoom no further; pixels. */
+const LEAST_APART = 24;
+
 export function panWindow(window: TimeWindow, seconds: number): TimeWindow {
   return { from: window.from + seconds, to: window.to + seconds };
 }

@@ -1,5 +1,13 @@
+import fc from 'fast-check';
 import { expect, it } from 'vitest';
-import { fitWindow, panWindow, revealTime, snapTime, zoomWindow } from '../../../src/ui/kit/time-window.ts';
+import {
+  fitWindow,
+  panWindow,
+  pinchWindow,
+  revealTime,
+  snapTime,
+  zoomWindow,
+} from '../../../src/ui/kit/time-window.ts';
 
 it('shows the range with room on both sides', () => {
   const { from, to } = fitWindow([0, 10]);
@@ -39,3 +47,27 @@ it('scrubs to short decimals, or to whole frames', () => {
   expect(snapTime(123.456, 3)).toBe(123);
   expect(snapTime(1.02, 0.004, 24)).toBeCloseTo(24 / 24);
 });
+
+it('two fingers zoom the window: the times below them stay below them', () => {
+  const window = { from: 10, to: 20 };
+  fc.assert(
+    fc.property(pixels(), pixels(), (from, to) => {
+      const zoomed = pinchWindow(window, 500, from, to);
+      for (const k of [0, 1]) {
+        const before = window.from + (from[k] / 500) * (window.to - window.from);
+        const after = zoomed.from + (to[k] / 500) * (zoomed.to - zoomed.from);
+        expect(after).toBeCloseTo(before, 6);
+      }
+    }),
+  );
+  expect(pinchWindow(window, 500, [100, 300], [100, 300])).toEqual(window);
+  // Fingers above each other only move it.
+  const above = pinchWindow(window, 500, [100, 101], [150, 149]);
+  expect(above.to - above.from).toBeCloseTo(10, 9);
+});
+
+/** Two fingers that are far enough apart to zoom. */
+function pixels() {
+  const at = fc.integer({ min: 0, max: 250 });
+  return fc.tuple(at, fc.integer({ min: 30, max: 250 })).map(([a, apart]) => [a, a + apart] as const);
+}

@@ -1,19 +1,20 @@
 /**
  * Distances over time: the picked joints in colour, mean and maximum over all joints in grey. A drag scrubs, the wheel
- * zooms in time, and with Shift pans. Uses the timeline's time window, like curves and dope sheet.
+ * and two fingers zoom in time, the wheel with Shift pans. Uses the timeline's time window, like curves and dope sheet.
  */
 import { element, setAttribute } from '../../kit/dom.ts';
 import { followPointer } from '../../kit/drag.ts';
 import { HAS_KEYS } from '../../kit/focus.ts';
 import { oncePerFrame } from '../../kit/frame.ts';
 import { shown } from '../../kit/number-text.ts';
-import { fitWindow, panWindow, revealTime, snapTime, type TimeWindow, zoomWindow } from '../../kit/time-window.ts';
+import { fitWindow, panWindow, pinchWindow, revealTime, type TimeWindow, zoomWindow } from '../../kit/time-window.ts';
 import type { Uses } from '../../state/workbench.ts';
 import { scrubFrames } from '../timeline/scrub-frames.ts';
 import { TIME_RULER_HEIGHT, type TimeView } from '../timeline/time-ruler.ts';
 import { type ChartLine, ChartPicture, type ChartReadout, type ChartScene, framesIn, yAt } from './chart-picture.ts';
 import { type DistanceUnit, distanceText } from './distance-text.ts';
 import type { Measured } from './measuring.ts';
+import { scrubbedTime } from './scrub-time.ts';
 
 /** Distance within which the pointer reads a line. */
 const REACH_PIXELS = 14;
@@ -39,6 +40,11 @@ export class DistanceChart {
   private pointer: { readonly x: number; readonly y: number } | undefined;
   private scene: ChartScene | undefined;
   private visible = false;
+  /** Ends following the pointer that scrubs, and puts its time back. */
+  private endScrub: (() => void) | undefined;
+  /** x of the fingers that are down, by pointer. */
+  private readonly fingers = new Map<number, number>();
+  private pinch: { readonly window: TimeWindow; readonly from: readonly [number, number] } | undefined;
 
   constructor(private readonly wb: Uses<'transport' | 'timeline' | 'settings'>) {
     this.element.append(this.picture.element);
@@ -215,13 +221,21 @@ export class DistanceChart {
     const { element: target } = this;
     target.addEventListener('pointerdown', (event) => {
       if (event.button !== 0) return;
-      this.scrub(event);
-      followPointer(target, event, { move: (e) => this.scrub(e), over() {} });
+      if (event.pointerType === 'touch') this.fingers.set(event.pointerId, this.at(event).x);
+      if (this.fingers.size === 2) this.beginPinch();
+      if (this.fingers.size < 2) this.beginScrub(event);
     });
     target.addEventListener('pointermove', (event) => {
+      if (this.fingers.has(event.pointerId)) this.fingers.set(event.pointerId, this.at(event).x);
       this.pointer = this.at(event);
+      if (this.pinch) this.onPinch(this.pinch);
       this.drawSoon();
     });
+    for (const end of ['pointerup', 'pointercancel'] as const) {
+      target.addEventListener(end, ({ pointerId }) => {
+        if (this.fingers.delete(pointerId)) this.pinch = undefined;
+      });
+    }
     target.addEventListener('pointerleave', () => {
       this.pointer = undefined;
       this.drawSoon();
@@ -245,11 +259,35 @@ export class DistanceChart {
   }
 
   private scrub(event: MouseEvent): void {
-    const view = this.timeView();
-    const perPixel = (view.window.to - view.window.from) / view.width;
-    const time = this.timeAt(view, this.at(event).x);
-    const timeSeconds = snapTime(time, perPixel, scrubFrames(this.wb, event.shiftKey));
+    const snapsTo = scrubFrames(this.wb, event.shiftKey);
+    const timeSeconds = scrubbedTime(this.at(event).x, this.timeView(), this.measured?.distances, snapsTo);
     this.wb.transport.update((p) => ({ ...p, timeSeconds, playing: false }));
+  }
+
+  private beginScrub(press: PointerEvent): void {
+    const { timeSeconds, playing } = this.wb.transport.get();
+    this.scrub(press);
+    const leave = followPointer(this.element, press, {
+      move: (event) => this.scrub(event),
+      over: () => (this.endScrub = undefined),
+    });
+    this.endScrub = () => {
+      leave();
+      this.endScrub = undefined;
+      this.wb.transport.update((p) => ({ ...p, timeSeconds, playing }));
+    };
+  }
+
+  /** The first of two fingers has scrubbed until now, and didn't mean to. */
+  private beginPinch(): void {
+    this.endScrub?.();
+    const [a, b] = this.fingers.values();
+    this.pinch = { window: this.wb.timeline.view.get().window, from: [a, b] };
+  }
+
+  private onPinch({ window, from }: NonNullable<typeof this.pinch>): void {
+    const [a, b] = this.fingers.values();
+    this.look(pinchWindow(window, this.size.width, from, [a, b]));
   }
 
   private onWheel(event: WheelEvent): void {

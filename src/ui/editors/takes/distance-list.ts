@@ -1,4 +1,7 @@
-/** The compared joints, largest distance first: maximum and mean distance. Picked ones are drawn in colour. */
+/**
+ * The compared joints, largest distance first: maximum and mean distance. Picked ones are drawn in colour. A double
+ * click, Enter, or a click on the maximum goes to the time of the largest distance.
+ */
 import type { Distances } from '../../../evaluate/distance.ts';
 import { element, setAttribute, setText, uniqueId } from '../../kit/dom.ts';
 import { isMac } from '../../kit/keyboard.ts';
@@ -11,7 +14,19 @@ export interface ListEvents {
   /** @param adds toggles it in the selection */
   pick(pair: number, adds: boolean): void;
   hover(pair: number | undefined): void;
+  /** To the time of its largest distance. */
+  goTo(pair: number): void;
   order(order: DistanceView['order']): void;
+}
+
+/** Texts of a pair of joints. */
+export interface JointLabel {
+  readonly name: string;
+  /** The second one's name if it differs. */
+  readonly partner: string;
+  readonly tooltip: string;
+  /** When its distance is largest. */
+  readonly worst: string;
 }
 
 const HEADS: readonly (readonly [DistanceView['order'], string, string])[] = [
@@ -45,7 +60,13 @@ export class DistanceList {
       const pair = pairAt(event);
       if (pair === undefined) return;
       this.focused = this.order.indexOf(pair);
-      events.pick(pair, event.shiftKey || (isMac ? event.metaKey : event.ctrlKey));
+      const adds = event.shiftKey || (isMac ? event.metaKey : event.ctrlKey);
+      events.pick(pair, adds);
+      if (!adds && isOn(event, '.distance-most')) events.goTo(pair);
+    });
+    this.rows.addEventListener('dblclick', (event) => {
+      const pair = pairAt(event);
+      if (pair !== undefined) events.goTo(pair);
     });
     this.rows.addEventListener('pointerover', (event) => events.hover(pairAt(event)));
     this.rows.addEventListener('pointerleave', () => events.hover(undefined));
@@ -54,12 +75,12 @@ export class DistanceList {
 
   show(
     distances: Distances,
-    names: readonly string[],
+    labels: readonly JointLabel[],
     unit: DistanceUnit,
     { picked, order }: Pick<DistanceView, 'picked' | 'order'>,
   ): void {
     const before = this.order[this.focused];
-    this.order = inOrder(distances, names, order);
+    this.order = inOrder(distances, labels, order);
     this.focused = before === undefined ? -1 : this.order.indexOf(before);
     for (const [i, head] of this.heads.entries()) {
       const [of, label] = HEADS[i];
@@ -71,8 +92,11 @@ export class DistanceList {
       const option = this.options.get(pair) ?? this.option(pair);
       const [mark, name, mean, most] = option.children;
       const ordinal = picked.indexOf(pair);
-      setText(name, names[pair] || 'unnamed');
-      setTooltip(name, names[pair]);
+      const { name: own, partner, tooltip, worst } = labels[pair];
+      setText(name.children[0], own || 'unnamed');
+      setText(name.children[1], partner);
+      setTooltip(name, tooltip);
+      setTooltip(most, worst);
       setText(mean, distanceNumber(distances.jointMean[pair], unit));
       setText(most, distanceNumber(distances.jointMost[pair], unit));
       setAttribute(option, 'aria-selected', String(ordinal >= 0));
@@ -82,7 +106,11 @@ export class DistanceList {
       options.set(pair, option);
     }
     this.options = options;
-    this.rows.replaceChildren(...options.values());
+    // Only if they differ: a double click needs its row to stay.
+    const rows = [...options.values()];
+    const { children } = this.rows;
+    if (rows.length !== children.length || rows.some((row, i) => row !== children[i]))
+      this.rows.replaceChildren(...rows);
     this.point();
   }
 
@@ -91,9 +119,9 @@ export class DistanceList {
       'div',
       { class: 'distance-row', role: 'option', id: `${this.idPrefix}-${pair}`, 'data-pair': pair },
       element('span', { class: 'take-mark' }),
-      element('span', { class: 'label' }),
+      element('span', { class: 'label' }, element('span'), element('span', { class: 'distance-partner' })),
       element('span', { class: 'number' }),
-      element('span', { class: 'number' }),
+      element('span', { class: 'number distance-most' }),
     );
     return made;
   }
@@ -109,6 +137,10 @@ export class DistanceList {
     const pair = order[this.focused];
     if (pair === undefined) return;
     event.preventDefault();
+    if (event.key === 'Enter') {
+      this.events.goTo(pair);
+      return;
+    }
     const adds = event.key === ' ' || (event.shiftKey && step !== undefined);
     this.events.pick(pair, adds);
     this.options.get(pair)?.scrollIntoView({ block: 'nearest' });
@@ -123,13 +155,18 @@ export class DistanceList {
 
 function inOrder(
   { jointMost, jointMean }: Distances,
-  names: readonly string[],
+  labels: readonly JointLabel[],
   order: DistanceView['order'],
 ): readonly number[] {
   const pairs = [...jointMost.keys()];
-  if (order === 'name') return pairs.sort((a, b) => names[a].localeCompare(names[b], 'en', { numeric: true }));
+  const byName = (a: number, b: number) => labels[a].name.localeCompare(labels[b].name, 'en', { numeric: true });
+  if (order === 'name') return pairs.sort(byName);
   const by = order === 'mean' ? jointMean : jointMost;
   return pairs.sort((a, b) => by[b] - by[a]);
+}
+
+function isOn({ target }: Event, selector: string): boolean {
+  return target instanceof Element && target.closest(selector) !== null;
 }
 
 function pairAt(event: Event): number | undefined {

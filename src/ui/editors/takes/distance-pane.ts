@@ -2,19 +2,22 @@
  * Beside the table while two takes are compared: which they are, a summary of their distances, the chart over time, and
  * the list of joints.
  */
-import { ALIGNMENTS, type Alignment } from '../../../evaluate/distance.ts';
-import type { Skeleton } from '../../../model/skeleton.ts';
+import { ALIGNMENTS, type Alignment, type Distances } from '../../../evaluate/distance.ts';
+import type { Selection } from '../../../model/session.ts';
 import { button, element, keepsFocusElsewhere, setText } from '../../kit/dom.ts';
 import { focusPanel } from '../../kit/focus.ts';
 import { icon } from '../../kit/icons.ts';
+import { openMenu } from '../../kit/menu.ts';
+import { middleCut } from '../../kit/middle-cut.ts';
 import { plural, shown } from '../../kit/number-text.ts';
 import { setTooltip } from '../../kit/tooltip.ts';
-import { comparedIn } from '../../state/takes.ts';
+import { comparedIn, playedName } from '../../state/takes.ts';
 import type { Uses } from '../../state/workbench.ts';
 import { DistanceChart } from './chart.ts';
 import { endComparison } from './compare.ts';
 import { DistanceList } from './distance-list.ts';
 import { type DistanceUnit, distanceText, distanceUnit } from './distance-text.ts';
+import { farthestPair, jointLabels, leftOutEntries, worstSeconds } from './joint-labels.ts';
 import { type Measured, Measuring } from './measuring.ts';
 
 export class DistancePane {
@@ -22,10 +25,17 @@ export class DistancePane {
   private readonly measuring: Measuring;
   private readonly chart: DistanceChart;
   private readonly list: DistanceList;
-  private readonly names = [element('span', { class: 'compared-name' }), element('span', { class: 'compared-name' })];
-  private readonly facts = element('span', { class: 'distance-facts', role: 'status' });
+  private readonly names = [middleCut('compared-name'), middleCut('compared-name')];
+  private readonly facts = element('div', { class: 'distance-facts', hidden: true });
+  /** Mean and RMS; the maximum, which leads there; frames; the joints that are left out. */
+  private readonly means = element('span', { role: 'status' });
+  private readonly most: HTMLButtonElement;
+  private readonly frames = element('span', { class: 'distance-frames' });
+  private readonly left: HTMLButtonElement;
   private readonly note = element('p', { class: 'empty distance-note', hidden: true });
   private readonly alignment: HTMLSelectElement;
+  /** Of the last result. */
+  private match: Measured['match'] | undefined;
   private unit: DistanceUnit = { factor: 1, symbol: '' };
 
   constructor(private readonly wb: Uses<'store' | 'transport' | 'timeline' | 'settings' | 'messages' | 'actions'>) {
@@ -35,34 +45,40 @@ export class DistancePane {
     this.list = new DistanceList({
       pick: (pair, adds) => this.pick(pair, adds),
       hover: (pair) => this.chart.hover(pair),
+      goTo: (pair) => this.goTo(pair),
       order: (order) => takes.distances.update((now) => ({ ...now, order })),
     });
     this.alignment = alignmentChoice(wb);
     const close = keepsFocusElsewhere(
       button('Stop comparing', { class: 'tool small' }, icon('close'), () => endComparison(wb)),
     );
+    this.most = linkButton('Go to the largest distance, and select its joint', () => this.goToMost());
+    this.left = linkButton('Which joints are not compared, and why', () => this.showLeftOut());
+    this.left.setAttribute('aria-haspopup', 'menu');
+    this.facts.append(this.means, this.most, this.frames, this.left);
     const head = element(
       'div',
       { class: 'distance-title' },
       element('span', { class: 'take-mark first', 'aria-hidden': 'true' }),
-      this.names[0],
+      this.names[0].element,
       element('span', { class: 'take-mark second', 'aria-hidden': 'true' }),
-      this.names[1],
-      this.facts,
+      this.names[1].element,
       this.alignment,
       close,
     );
     this.element = element(
       'section',
       { class: 'distance', 'aria-label': 'Distance between takes', hidden: true },
-      head,
+      element('div', { class: 'distance-head-lines' }, head, this.facts),
       element('div', { class: 'distance-plot' }, this.chart.element, this.note),
       this.list.element,
     );
     this.measuring.result.subscribe(() => this.show());
     takes.distances.subscribe(() => this.showList());
     wb.store.subscribe((now, before) => {
-      if (now.selection !== before.selection) this.pickSelected();
+      if (now.selection === before.selection) return;
+      this.unpickDeselected(before.selection);
+      this.pickSelected();
     });
   }
 
@@ -85,6 +101,11 @@ export class DistancePane {
   private show(): void {
     const measured = this.measuring.result.get();
     const distances = measured?.distances;
+    // Picked rows of other pairs mean nothing now.
+    if (measured && measured.match !== this.match) {
+      this.match = measured.match;
+      this.wb.timeline.takes.distances.update((now) => (now.picked.length ? { ...now, picked: [] } : now));
+    }
     const largest = distances ? distances.jointMost.reduce((most, d) => Math.max(most, d), 0) : 0;
     if (measured) this.unit = distanceUnit(measured.first, measured.second, largest);
     this.chart.show(measured, this.unit);
@@ -97,17 +118,16 @@ export class DistancePane {
     if (!measured) return;
     const { first, second, distances, match } = measured;
     for (const [i, character] of [first, second].entries()) {
-      const name = character.clips[character.shownClip]?.name ?? character.name;
-      setText(this.names[i], name);
-      setTooltip(this.names[i], name);
+      const name = playedName(character);
+      this.names[i].show(name);
+      setTooltip(this.names[i].element, name);
     }
-    const missing = [
-      ...namesOf(first.skeleton, match.onlyFirst, first.name),
-      ...namesOf(second.skeleton, match.onlySecond, second.name),
-    ];
-    const left = missing.length ? ` · ${plural(missing.length, 'joint')} without a counterpart` : '';
-    setText(this.facts, (distances ? factsText(measured, this.unit) : '') + left);
-    setTooltip(this.facts, missing.length ? `Not compared: ${missing.join(', ')}` : undefined);
+    const left = match.onlyFirst.length + match.onlySecond.length;
+    this.facts.hidden = !distances && !left;
+    setText(this.left, left ? `${plural(left, 'joint')} not compared` : '');
+    setText(this.means, distances ? meansText(distances, this.unit) : '');
+    setText(this.most, distances ? mostText(measured, distances, this.unit) : '');
+    setText(this.frames, distances ? plural(distances.frameCount, 'frame') : '');
     this.note.hidden = distances !== undefined;
     setText(this.note, 'These takes do not overlap in time. Align their starts or change a start time.');
   }
@@ -117,8 +137,8 @@ export class DistancePane {
     const distances = measured?.distances;
     this.list.element.hidden = !distances;
     if (!distances) return;
-    const names = distances.match.first.map((j) => measured.first.skeleton?.joints[j]?.name ?? '');
-    this.list.show(distances, names, this.unit, this.wb.timeline.takes.distances.get());
+    const labels = jointLabels(measured, distances);
+    this.list.show(distances, labels, this.unit, this.wb.timeline.takes.distances.get());
   }
 
   /** Draws a joint's distance, and selects the joint if it is the only one. */
@@ -139,15 +159,55 @@ export class DistancePane {
     store.select({ characterId: isSecond ? second.id : first.id, joint });
   }
 
+  /** The time at which a pair is farthest apart, and its joint. */
+  private goTo(pair: number): void {
+    const distances = this.measuring.result.get()?.distances;
+    if (!distances || pair >= distances.match.first.length) return;
+    this.pick(pair, false);
+    this.wb.transport.update((p) => ({ ...p, timeSeconds: worstSeconds(distances, pair), playing: false }));
+  }
+
+  private goToMost(): void {
+    const distances = this.measuring.result.get()?.distances;
+    if (distances) this.goTo(farthestPair(distances));
+  }
+
+  private showLeftOut(): void {
+    const measured = this.measuring.result.get();
+    if (!measured) return;
+    const entries = leftOutEntries(this.wb, measured);
+    openMenu(this.left.getBoundingClientRect(), entries, {
+      label: 'Joints that are not compared',
+      opener: this.left,
+      opensByClick: true,
+    });
+  }
+
+  /** A joint that is no longer selected, nor any other, isn't drawn on its own. */
+  private unpickDeselected({ characterId, joint }: Selection): void {
+    const { store, timeline } = this.wb;
+    const { picked } = timeline.takes.distances.get();
+    if (joint === undefined || store.selection.joint !== undefined || picked.length !== 1) return;
+    if (this.pairOf(characterId, joint) === picked[0]) {
+      timeline.takes.distances.update((now) => ({ ...now, picked: [] }));
+    }
+  }
+
+  /** -1: the joint isn't compared. */
+  private pairOf(characterId: string | undefined, joint: number): number {
+    const measured = this.measuring.result.get();
+    if (!measured) return -1;
+    const { first, second, match } = measured;
+    const side = characterId === first.id ? match.first : characterId === second.id ? match.second : [];
+    return side.indexOf(joint);
+  }
+
   /** Draws a joint selected elsewhere. */
   private pickSelected(): void {
     const { store, timeline } = this.wb;
     const { characterId, joint } = store.selection;
-    const measured = this.measuring.result.get();
-    if (!measured || joint === undefined) return;
-    const { first, second, match } = measured;
-    const side = characterId === first.id ? match.first : characterId === second.id ? match.second : [];
-    const pair = side.indexOf(joint);
+    if (joint === undefined) return;
+    const pair = this.pairOf(characterId, joint);
     const { picked } = timeline.takes.distances.get();
     if (pair >= 0 && !picked.includes(pair)) timeline.takes.distances.update((now) => ({ ...now, picked: [pair] }));
   }
@@ -187,21 +247,26 @@ function alignmentChoice(wb: Uses<'timeline'>): HTMLSelectElement {
   return choice;
 }
 
-/** `mean 3.4 cm, RMS 4.1 cm, max 21 cm (LeftHand at 3.2 s)`. */
-function factsText({ distances, first }: Measured, unit: DistanceUnit): string {
-  if (!distances) return '';
-  const { jointMean, jointRms, jointMost, jointMostAt, match, frameCount, startSeconds, frameSeconds } = distances;
-  const joints = match.first.length;
+/** `mean 3.4 cm, RMS 4.1 cm`. */
+function meansText({ jointMean, jointRms }: Distances, unit: DistanceUnit): string {
+  const joints = jointMean.length;
   const mean = jointMean.reduce((sum, d) => sum + d, 0) / joints;
   const rms = Math.sqrt(jointRms.reduce((sum, d) => sum + d * d, 0) / joints);
-  let farthest = 0;
-  for (let k = 1; k < joints; k++) if (jointMost[k] > jointMost[farthest]) farthest = k;
-  const name = first.skeleton?.joints[match.first[farthest]]?.name ?? '';
-  const at = shown(startSeconds + jointMostAt[farthest] * frameSeconds, 2);
-  const max = `max ${distanceText(jointMost[farthest], unit)} (${name} at ${at} s)`;
-  return `mean ${distanceText(mean, unit)}, RMS ${distanceText(rms, unit)}, ${max} · ${plural(frameCount, 'frame')}`;
+  return `mean ${distanceText(mean, unit)}, RMS ${distanceText(rms, unit)}`;
 }
 
-function namesOf(skeleton: Skeleton | undefined, joints: readonly number[], of: string): string[] {
-  return joints.map((j) => `${skeleton?.joints[j]?.name ?? j} (${of})`);
+/** `max 21 cm (LeftHand at 3.2 s)`. */
+function mostText({ first, match }: Measured, distances: Distances, unit: DistanceUnit): string {
+  const farthest = farthestPair(distances);
+  const name = first.skeleton?.joints[match.first[farthest]]?.name ?? '';
+  const at = shown(worstSeconds(distances, farthest), 2);
+  return `max ${distanceText(distances.jointMost[farthest], unit)} (${name} at ${at} s)`;
+}
+
+/** A button that is read by its text. */
+function linkButton(tooltip: string, run: () => void): HTMLButtonElement {
+  const made = keepsFocusElsewhere(element('button', { type: 'button', class: 'link' }));
+  setTooltip(made, tooltip);
+  made.addEventListener('click', run);
+  return made;
 }

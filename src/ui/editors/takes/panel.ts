@@ -34,7 +34,7 @@ import { shownKey, type TakeRow, takeKey } from './rows.ts';
 import { compareTakes } from './start-comparison.ts';
 import { TakeTable } from './table.ts';
 import { arrangeEntries, takeTools } from './tools.ts';
-import { followPlayed } from './which-takes.ts';
+import { followSelection } from './which-takes.ts';
 
 export function takesPanel(wb: Workbench): TimelineTab {
   return new TakesPanel(wb);
@@ -59,7 +59,7 @@ class TakesPanel implements TimelineTab {
   constructor(private readonly wb: Workbench) {
     const { takes } = wb.timeline;
     this.table = new TakeTable({
-      toggle: (row) => toggleShown(wb, row),
+      toggle: (row) => this.toggle(row),
       play: (row) => playAlone(wb, row),
       startAt: (row, seconds) => startAt(wb, row, seconds),
       place: (row, to) => this.place(row, to),
@@ -91,7 +91,7 @@ class TakesPanel implements TimelineTab {
   private follow(): void {
     const { wb } = this;
     const { takes } = wb.timeline;
-    followPlayed(wb);
+    followSelection(wb);
     wb.store.subscribe((now, before) => {
       if (now.selection.characterId !== before.selection.characterId) this.goToSelected();
       if (now.document !== before.document) this.showSoon();
@@ -178,6 +178,16 @@ class TakesPanel implements TimelineTab {
     // Stays if the list is at any of its takes.
     if (!key || focused?.startsWith(`${character.id}/`)) return;
     timeline.takes.change({ focused: key, chosen: new Set([key]) });
+  }
+
+  /** The second take of one compared character is hidden with it. */
+  private toggle(row: TakeRow): void {
+    const { store, timeline } = this.wb;
+    const comparison = timeline.takes.comparison.get();
+    const compared = comparedIn(store.document, comparison);
+    const keys = compared && comparison ? keysOf(compared, comparison) : [];
+    const isDrawn = keys.includes(row.key) && !row.isHidden;
+    toggleShown(this.wb, isDrawn ? { ...row, isShown: true } : row);
   }
 
   private place(row: TakeRow, { x = row.x, z = row.z }: { readonly x?: number; readonly z?: number }): void {

@@ -1,6 +1,7 @@
 /** One row of the table of takes: cells created once, and updated for another take. */
 import { button, element, keepsFocusElsewhere, setAttribute, setText } from '../../kit/dom.ts';
 import { icon } from '../../kit/icons.ts';
+import { middleCut } from '../../kit/middle-cut.ts';
 import { NumberField } from '../../kit/number-field.ts';
 import { count, duration, shown } from '../../kit/number-text.ts';
 import { setTooltip } from '../../kit/tooltip.ts';
@@ -30,7 +31,7 @@ export class RowView {
   readonly element: HTMLElement;
   private row: TakeRow;
   private readonly mark = element('span', { class: 'take-mark', 'aria-hidden': 'true' });
-  private readonly name = element('span');
+  private readonly name = middleCut('');
   private readonly note = element('span', { class: 'take-note' });
   private readonly character = cell('take-character');
   private readonly duration = cell('number');
@@ -69,7 +70,7 @@ export class RowView {
         () => events.play(this.row),
       ),
     );
-    this.nameCell = cell('take-name', this.mark, this.name, this.note);
+    this.nameCell = cell('take-name', this.mark, this.name.element, this.note);
     this.element = element(
       'div',
       { class: 'take-row', role: 'row' },
@@ -96,16 +97,18 @@ export class RowView {
     const { element: target, eye, fields } = this;
     setAttribute(target, 'aria-selected', String(chosen));
     target.classList.toggle('hidden-take', !row.isShown && !compared);
-    if (eye.dataset.shown !== String(row.isShown)) {
-      eye.dataset.shown = String(row.isShown);
-      eye.replaceChildren(icon(row.isShown ? 'eye' : 'eyeOff'));
-      eye.classList.toggle('on', row.isShown);
-      setAttribute(eye, 'aria-pressed', String(row.isShown));
-      setTooltip(eye, row.isShown ? 'Visible. Click to hide' : 'Hidden. Click to show');
+    // The second take of one character is drawn beside the one that it plays.
+    const isSeen = row.isShown || (compared !== undefined && !row.isHidden);
+    if (eye.dataset.shown !== String(isSeen)) {
+      eye.dataset.shown = String(isSeen);
+      eye.replaceChildren(icon(isSeen ? 'eye' : 'eyeOff'));
+      eye.classList.toggle('on', isSeen);
+      setAttribute(eye, 'aria-pressed', String(isSeen));
+      setTooltip(eye, isSeen ? 'Visible. Click to hide' : 'Hidden. Click to show');
     }
     setAttribute(eye, 'aria-label', `Show ${row.name}`);
     this.mark.className = `take-mark ${compared ?? ''}`;
-    setText(this.name, row.name || 'unnamed');
+    this.name.show(row.name || 'unnamed');
     setText(this.note, row.note);
     setTooltip(this.nameCell, row.note ? `${row.name}, ${row.note}` : row.name);
     setText(this.character, row.character);

@@ -39,13 +39,13 @@ export function compareTakes(
     const { range: playedBefore } = wb.transport.get();
     wb.store.apply(overlayTakes, { first, second });
     const after = wb.store.document;
-    if (!joints.isSame) sayWhich(wb, joints);
     wb.timeline.takes.distances.update((now) => ({ ...now, picked: [] }));
     const comparison = {
       first: { characterId: first.characterId, clip: first.clip },
       second: { characterId: second.characterId, clip: second.clip },
     };
     wb.timeline.takes.comparison.set(comparison);
+    if (!joints.isSame) sayWhich(wb, joints);
     const ends = [first, second].map(({ range, offsetSeconds }) => range.map((t) => t - offsetSeconds));
     const common: [number, number] = [Math.max(ends[0][0], ends[1][0]), Math.min(ends[0][1], ends[1][1])];
     const both: [number, number] = [Math.min(ends[0][0], ends[1][0]), Math.max(ends[0][1], ends[1][1])];
@@ -59,12 +59,22 @@ export function compareTakes(
   });
 }
 
-function sayWhich(wb: Uses<'messages' | 'dialog'>, { first, onlyFirst, onlySecond }: ComparedJoints): void {
+/** Said until the comparison ends. */
+function sayWhich(
+  wb: Uses<'messages' | 'dialog' | 'timeline'>,
+  { first, onlyFirst, onlySecond }: ComparedJoints,
+): void {
+  const { messages, timeline } = wb;
   const left = onlyFirst.length + onlySecond.length;
-  const text = partText(first.length, left);
   // Few matches of many joints: they can be matched by hand.
-  if (left > 2 * first.length) wb.messages.confirm(`${text} ${BY_HAND}`, retargetOffer(wb));
-  else wb.messages.note(text, 'info');
+  const isLittle = left > 2 * first.length;
+  const text = `${partText(first.length, left)}${isLittle ? ` ${BY_HAND}` : ''}`;
+  if (isLittle) messages.confirm(text, retargetOffer(wb));
+  else messages.note(text, 'info');
+  const stop = timeline.takes.comparison.subscribe(() => {
+    stop();
+    if (messages.passing.get() === text) messages.passing.set(undefined);
+  });
 }
 
 const BY_HAND = 'To match joints by hand, retarget one take to the other character (Edit > Retarget take…).';

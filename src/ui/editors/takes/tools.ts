@@ -24,6 +24,8 @@ const BUTTONS: readonly (readonly [id: string, text: string, tooltip: string])[]
   ['take.together', 'Together', 'Play only the selected takes, together'],
   ['take.showAll', 'Show all', 'Show all characters'],
 ];
+/** Takes that are found without a filter. */
+const FEW = 6;
 const COMPARE_TIP = `Overlay two takes and measure the distance between their joints. ${isMac ? 'Cmd' : 'Ctrl'}+click a second take, or choose it in the menu`;
 const ARRANGING = ['take.alignStarts', 'take.resetOffsets', 'line', 'take.put.grid', 'take.put.spot', 'take.put.space'];
 
@@ -57,34 +59,38 @@ export function takeTools(
     return made;
   };
   const counted = element('span', { class: 'take-count', role: 'status' });
+  const filter = takeFilter(wb);
   const show = () => {
     for (const refresh of refreshing) refresh();
-    const { document } = wb.store;
-    setText(counted, countText(listOfTakes(wb).length, takeRows(document).length, chosenTakes(wb).length));
+    const count = takeRows(wb.store.document).length;
+    setText(counted, countText(listOfTakes(wb).length, count, chosenTakes(wb).length));
+    const { comparison, view } = wb.timeline.takes;
+    tools.classList.toggle('few', (count <= FEW || comparison.get() !== undefined) && !view.get().filter);
   };
   const showSoon = oncePerFrame(show);
   wb.store.subscribe(showSoon);
   wb.timeline.takes.view.subscribe(showSoon);
   wb.timeline.takes.comparison.subscribe(showSoon);
-  show();
-  return element(
+  const tools = element(
     'div',
     { class: 'take-tools' },
-    takeFilter(wb),
+    filter,
     toolbar(
       element(
         'div',
         { class: 'tools', 'aria-label': 'Takes' },
         step('take.previous', 'Previous take', 'previousTake'),
         step('take.next', 'Next take', 'nextTake'),
-        ...buttons.slice(0, 2),
+        // First: on small pages later ones are scrolled to.
         compare,
-        ...buttons.slice(2),
+        ...buttons,
         arrange,
       ),
     ),
     counted,
   );
+  show();
+  return tools;
 }
 
 /** Compares the two selected takes, or the only two; otherwise a menu of those that one can be compared with. */

@@ -32,16 +32,21 @@ export function takeToCompare(wb: Uses<'store' | 'timeline'>): TakeRow | undefin
 
 /**
  * A take that was selected because its character plays it stays with the character: when another is retargeted or baked
- * into it, that one is selected.
+ * into it, that one is selected. What deselects everything deselects takes.
  */
-export function followPlayed(wb: Uses<'store' | 'timeline'>): () => void {
+export function followSelection(wb: Uses<'store' | 'timeline'>): () => void {
+  const { takes } = wb.timeline;
   return wb.store.subscribe((now, before) => {
-    const { chosen, focused } = wb.timeline.takes.view.get();
+    const { chosen, focused } = takes.view.get();
+    if (before.selection.characterId !== undefined && now.selection.characterId === undefined) {
+      if (chosen.size > 0) takes.change({ chosen: new Set() });
+      return;
+    }
     const [key] = chosen;
     if (now.document === before.document || chosen.size !== 1 || focused !== key) return;
     const was = before.document.characters.find((c) => shownKey(c) === key);
     const is = was && findCharacter(now.document, was.id);
     const next = is && shownKey(is);
-    if (next !== undefined && next !== key) wb.timeline.takes.change({ chosen: new Set([next]), focused: next });
+    if (next !== undefined && next !== key) takes.change({ chosen: new Set([next]), focused: next });
   });
 }

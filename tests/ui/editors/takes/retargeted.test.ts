@@ -4,10 +4,18 @@ import { RETARGETED } from '../../../../src/edit/drivers.ts';
 import { type Character, findCharacter } from '../../../../src/model/document.ts';
 import { filePose, jointDofCount } from '../../../../src/model/dofs.ts';
 import { compareEntries } from '../../../../src/ui/editors/takes/compare-menu.ts';
+import {
+  farthestPair,
+  jointLabels,
+  leftOutEntries,
+  worstSeconds,
+} from '../../../../src/ui/editors/takes/joint-labels.ts';
 import { Measuring } from '../../../../src/ui/editors/takes/measuring.ts';
 import { listOfTakes, playAlone, removeTakeRows, startAt } from '../../../../src/ui/editors/takes/play.ts';
 import { compareTakes } from '../../../../src/ui/editors/takes/start-comparison.ts';
-import { followPlayed, takesToCompare } from '../../../../src/ui/editors/takes/which-takes.ts';
+import { followSelection, takesToCompare } from '../../../../src/ui/editors/takes/which-takes.ts';
+import { findAction, isEnabled, runAction, tryAction } from '../../../../src/ui/state/action.ts';
+import { reasonOf } from '../../../../src/ui/state/needs.ts';
 import { comparedIn, drawnDocument, playedName } from '../../../../src/ui/state/takes.ts';
 import { person, take } from '../../../evaluate/retarget/people.ts';
 import { character, documentOf } from '../../../helpers/builders.ts';
@@ -76,7 +84,7 @@ describe('a retargeted take in the list', () => {
 
   it('a character’s selected take stays selected when another one is retargeted or baked into it', () => {
     const { wb, retarget } = bench();
-    followPlayed(wb);
+    followSelection(wb);
     wb.timeline.takes.change({ chosen: new Set(['boxer/0']), focused: 'boxer/0' });
     retarget();
     expect([...wb.timeline.takes.view.get().chosen]).toEqual([LIVE]);
@@ -85,6 +93,15 @@ describe('a retargeted take in the list', () => {
     wb.store.undo();
     expect([...wb.timeline.takes.view.get().chosen]).toEqual([LIVE]);
   });
+});
+
+it('what deselects everything deselects takes too', () => {
+  const { wb } = bench();
+  followSelection(wb);
+  wb.store.select({ characterId: 'boxer' });
+  wb.timeline.takes.change({ chosen: new Set(['boxer/0', 'dancer/0']), focused: 'boxer/0' });
+  wb.store.select({});
+  expect([...wb.timeline.takes.view.get().chosen]).toEqual([]);
 });
 
 describe('comparing after retargeting', () => {
@@ -136,6 +153,51 @@ describe('comparing after retargeting', () => {
     compareTakes(wb, row('boxer/0'), row('dancer/0'));
     expect(wb.timeline.takes.comparison.get()).toBeDefined();
     expect(wb.messages.passing.get()).toBe('21 joints are compared, matched by name and part of the body.');
+    runAction(wb, 'take.compare');
+    expect(wb.messages.passing.get()).toBeUndefined();
+  });
+
+  it('takes that lie over each other are not put side by side', () => {
+    const { wb, row } = bench();
+    const sideBySide = findAction(wb, 'take.put.grid');
+    if (!sideBySide) throw new Error('there is no such action');
+    compareTakes(wb, row('boxer/0'), row('dancer/0'));
+    const { document } = wb.store;
+    tryAction(wb, sideBySide);
+    expect(wb.store.document).toBe(document);
+    expect(reasonOf(sideBySide.enabled, wb)).toContain('Stop comparing first');
+    runAction(wb, 'take.compare');
+    expect(isEnabled(wb, sideBySide)).toBe(true);
+  });
+
+  it('each compared joint tells its partner and when both are farthest apart, and each other one why it is left out', async () => {
+    const { wb, measuring, measured, row } = bench();
+    const [boxer, dancer] = wb.store.document.characters;
+    const { skeleton } = dancer;
+    if (!skeleton) throw new Error('the dancer has a skeleton');
+    const tail = { ...skeleton.joints[4], name: 'TAIL', parent: 0 };
+    const longer = { ...dancer, skeleton: { ...skeleton, joints: [...skeleton.joints, tail] } };
+    wb.store.replace('x', { document: documentOf(boxer, longer) });
+    compareTakes(wb, row('boxer/0'), row('dancer/0'));
+    const mean = measured();
+    measuring.setVisible(true);
+    await mean;
+    const result = measuring.result.get();
+    if (!result?.distances) throw new Error('nothing was measured');
+    expect(jointLabels(result, result.distances)[7]).toEqual({
+      name: 'left forearm',
+      partner: 'LEFT FOREARM',
+      tooltip: 'left forearm and LEFT FOREARM: left forearm, same name',
+      worst: 'At 0 s. Click to go there',
+    });
+    expect(worstSeconds(result.distances, farthestPair(result.distances))).toBe(0);
+    const entries = leftOutEntries(wb, result);
+    expect(entries).toMatchObject([
+      { kind: 'note', text: 'Not compared of dancer' },
+      { kind: 'item', label: 'TAIL', detail: 'boxer has no counterpart of it' },
+    ]);
+    if (entries[1].kind === 'item') entries[1].run();
+    expect(wb.store.selection).toEqual({ characterId: 'dancer', joint: 21 });
   });
 
   it('a comparison follows its characters when one is retargeted, baked, or released, and undo', async () => {

@@ -1,0 +1,24 @@
+/** Names that are cut before their last letters, since takes of one series begin alike: `boxing-ext…cmu-01_01`. */
+import { element, setText } from './dom.ts';
+
+/** Letters that are never cut. */
+const TAIL = 9;
+
+export interface MiddleCut {
+  readonly element: HTMLElement;
+  show(name: string): void;
+}
+
+export function middleCut(className: string): MiddleCut {
+  const head = element('span', { class: 'cut-head' });
+  const tail = element('span', { class: 'cut-tail' });
+  return {
+    element: element('span', { class: `middle-cut ${className}` }, head, tail),
+    show(name) {
+      const letters = [...name];
+      const end = letters.length > 2 * TAIL ? TAIL : 0;
+      setText(head, letters.slice(0, letters.length - end).join(''));
+      setText(tail, end ? letters.slice(-end).join('') : '');
+    },
+  };
+}
