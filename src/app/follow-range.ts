@@ -8,7 +8,7 @@
  * Without a clip there is still a range, since poses need a timeline to be keyed on: the one before the clips came.
  */
 import { sharedFrameRate } from '../edit/frame-rate.ts';
-import { countedAt, DEFAULT_PLAYBACK, type Playback } from '../edit/playback.ts';
+import { countedAt, DEFAULT_PLAYBACK, intoRange, type Playback } from '../edit/playback.ts';
 import type { Store } from '../edit/store.ts';
 import { findCharacter, rangeOfClips } from '../model/document.ts';
 import type { Observable } from '../ui/kit/observable.ts';
@@ -42,8 +42,8 @@ export function followRange(store: Store, transport: Observable<Playback>): void
 /** Nothing is animated any more. The time stays, clamped to the range. */
 function pausePlayback(playback: Playback, was: Range | undefined, otherwise: Range, isOther: boolean): Playback {
   const range = isOther || sameRange(playback.range, was) ? otherwise : playback.range;
-  const timeSeconds = isOther ? range[0] : Math.min(range[1], Math.max(range[0], playback.timeSeconds));
-  return { ...playback, range, timeSeconds, playing: false };
+  const stopped = { ...playback, range, playing: false };
+  return isOther ? { ...stopped, timeSeconds: range[0] } : intoRange(stopped);
 }
 
 function sameRange(a: Range | undefined, b: Range | undefined): boolean {

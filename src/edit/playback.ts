@@ -91,6 +91,13 @@ export function pause(playback: Playback, onFrame: boolean): Playback {
   return { ...stopped, timeSeconds: found ?? timeSeconds };
 }
 
+/** Moves a time beyond the range to its nearer end. */
+export function intoRange(playback: Playback): Playback {
+  const { range, timeSeconds } = playback;
+  const inside = Math.min(range[1], Math.max(range[0], timeSeconds));
+  return inside === timeSeconds ? playback : { ...playback, timeSeconds: inside };
+}
+
 /** Uses this frame rate for display, if it is valid; otherwise unchanged. */
 export function countedAt(playback: Playback, framesPerSecond: number | undefined): Playback {
   const [least, most] = FRAME_RATES;

@@ -7,6 +7,8 @@ let region: HTMLElement | undefined;
 
 /** Says it, also if it is the same again. */
 export function announce(text: string): void {
+  // Tests of actions have no page.
+  if (typeof document === 'undefined') return;
   if (!region?.isConnected) {
     region = element('div', { class: 'off-screen', role: 'status' });
     document.body.append(region);

@@ -69,6 +69,33 @@ export function focusNextRegion(step: 1 | -1): void {
   if (region) firstStop(region)?.focus();
 }
 
+/** Where the focus was before `enterRegion`. */
+let enteredFrom: Element | null = null;
+
+/** Focuses a part of the page, as `focusNextRegion` does, from where `returnFocus` leads back. */
+export function enterRegion(name: string): void {
+  // Tests of actions have no page.
+  if (typeof document === 'undefined') return;
+  const stop = firstStopOf(name);
+  if (!stop) return;
+  enteredFrom = document.activeElement;
+  stop.focus();
+}
+
+/** The part of the page that had the focus is closed: back to where it was entered from, else to the viewport. */
+export function returnFocus(): void {
+  const from = enteredFrom;
+  enteredFrom = null;
+  const isThere =
+    from instanceof HTMLElement && from !== document.body && from.checkVisibility() && !from.closest('[inert]');
+  (isThere ? from : firstStopOf('stage'))?.focus({ preventScroll: true });
+}
+
+function firstStopOf(name: string): HTMLElement | undefined {
+  const region = document.querySelector<HTMLElement>(`[${REGION}="${name}"]`);
+  return region ? firstStop(region) : undefined;
+}
+
 /** Marks a section of a panel by a name, for `focusSection`. */
 export const SECTION = 'data-section';
 

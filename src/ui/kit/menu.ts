@@ -4,6 +4,7 @@
  */
 import { element, uniqueId } from './dom.ts';
 import { icon } from './icons.ts';
+import { touchWords } from './touch-words.ts';
 
 export type MenuEntry =
   | MenuItem
@@ -181,10 +182,13 @@ export class Menu {
     const tick = element('span', { class: 'menu-tick' });
     if (entry.checked) tick.append(icon(entry.radio ? 'dot' : entry.checked === 'mixed' ? 'mixed' : 'check'));
     const text = element('span', { class: 'menu-label' }, entry.label);
-    if (entry.detail) text.append(element('span', { class: 'menu-detail' }, entry.detail));
+    // The space is for screen readers.
+    if (entry.detail) text.append(' ', element('span', { class: 'menu-detail' }, touchWords(entry.detail)));
     item.append(tick, text);
     if (entry.shortcut) item.append(element('kbd', { 'aria-hidden': 'true' }, entry.shortcut));
-    item.addEventListener('pointerenter', () => this.hover(item));
+    item.addEventListener('pointerenter', (event) => {
+      if (hovers(event)) this.hover(item);
+    });
     item.addEventListener('click', () => this.run(entry));
     this.items.push(item);
     return item;
@@ -215,7 +219,8 @@ export class Menu {
       );
       this.child.showAt(item.getBoundingClientRect(), 'beside');
     };
-    item.addEventListener('pointerenter', () => {
+    item.addEventListener('pointerenter', (event) => {
+      if (!hovers(event)) return;
       this.hover(item);
       this.timer = setTimeout(() => show(false), HOVER_OPENS_MS);
     });
@@ -336,6 +341,11 @@ export function menuButton(
     event.preventDefault();
     show(true);
   });
+}
+
+/** A finger that comes by scrolls the menu. */
+function hovers({ pointerType }: PointerEvent): boolean {
+  return pointerType !== 'touch';
 }
 
 function place(menu: HTMLElement, anchor: Anchor, side: 'below' | 'beside'): void {

@@ -48,6 +48,8 @@ class TooltipLayer {
     'div',
     { class: 'tooltip', role: 'tooltip', id: uniqueId('tooltip'), popover: 'manual' },
     this.text,
+    // For screen readers.
+    ' ',
     this.shortcut,
   );
   private state: TooltipState<Element> = NO_TOOLTIP;

@@ -7,7 +7,7 @@
  *     timeline: curves, dope sheet and lists collapses; closed at first on a narrow page
  */
 import { element } from '../kit/dom.ts';
-import { REGION } from '../kit/focus.ts';
+import { REGION, returnFocus } from '../kit/focus.ts';
 import { isPanelOpen, NARROW, openPanel } from '../state/panels.ts';
 import { splitter } from '../state/splitter.ts';
 import type { Uses } from '../state/workbench.ts';
@@ -50,8 +50,10 @@ export function layout(wb: Uses<'settings'>, root: HTMLElement, parts: Parts, si
     sizePanels(root, settings);
     root.classList.toggle('narrow', narrow.matches);
     for (const name of ['outliner', 'inspector'] as const) {
+      const hadFocus = parts[name].contains(document.activeElement);
       // Hidden panels can't have the focus either.
       parts[name].inert = !isPanelOpen(settings, name);
+      if (hadFocus && parts[name].inert) returnFocus();
     }
   };
   const closeDrawers = () => {

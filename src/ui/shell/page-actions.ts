@@ -1,6 +1,6 @@
 /** Actions for panels, theme, units and help. */
 import { jointName } from '../../model/joint-name.ts';
-import { focusNextRegion, focusSection } from '../kit/focus.ts';
+import { enterRegion, focusNextRegion, focusSection } from '../kit/focus.ts';
 import { currentCharacter } from '../state/action.ts';
 import { NO_CHARACTER, needs } from '../state/needs.ts';
 import { isPanelOpen, openPanel } from '../state/panels.ts';
@@ -22,7 +22,11 @@ export const PAGE_ACTIONS: readonly Action[] = [
     shortcuts: ['T'],
     icon: 'outliner',
     checked: (wb) => isPanelOpen(wb.settings.get(), 'outliner'),
-    run: (wb) => openPanel(wb, 'outliner', !isPanelOpen(wb.settings.get(), 'outliner')),
+    run(wb, how) {
+      const open = !isPanelOpen(wb.settings.get(), 'outliner');
+      openPanel(wb, 'outliner', open);
+      if (open && how === 'key') enterRegion('outliner');
+    },
   },
   {
     id: 'page.inspector',

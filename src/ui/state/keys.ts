@@ -39,7 +39,7 @@ export function handleKey(wb: Uses<'actions' | 'settings' | 'dialog'>, event: Ke
   // Also if disabled: Ctrl+S never opens the browser's dialog.
   event.preventDefault();
   if (event.repeat && !action.repeats) return;
-  tryAction(wb, action);
+  tryAction(wb, action, 'key');
 }
 
 /** A key of the panel that was left with the mouse does nothing there unseen. */

@@ -7,12 +7,12 @@ import { type AxisLetter, axisOfDof } from '../../../model/dof-axis.ts';
 import { characterDofs } from '../../../model/dofs.ts';
 import { jointName } from '../../../model/joint-name.ts';
 import { element, keepsFocusElsewhere } from '../../kit/dom.ts';
+import { limitValueText } from '../../state/dof-text.ts';
 import { type ResolvedJoint, selectedJoint } from '../../state/selected-joint.ts';
 import type { Uses } from '../../state/workbench.ts';
 import { coupleText } from '../inspector/dof-rows.ts';
 import { activeDof, chooseDof, dofsByHand, dofsOfJoint, freeDofs, isLockedDof } from '../posing/active-dof.ts';
 import { channelName, namedChannel } from '../timeline/channels.ts';
-import { limitValueText } from './readout-text.ts';
 
 export function dofButtons(wb: Uses<'store' | 'posing' | 'settings' | 'messages'>): {
   readonly element: HTMLElement;

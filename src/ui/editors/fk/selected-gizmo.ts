@@ -5,6 +5,7 @@ import type { DraggedHandle, GizmoState } from '../../../view/gizmo/gizmo-look.t
 import type { HandleHit } from '../../../view/gizmo/handle-at.ts';
 import { JointGizmo } from '../../../view/gizmo/joint-gizmo.ts';
 import { Readout } from '../../kit/readout.ts';
+import { dofValueText, limitNote } from '../../state/dof-text.ts';
 import { type ResolvedJoint, selectedJoint, selectedJoints } from '../../state/selected-joint.ts';
 import type { Workbench } from '../../state/workbench.ts';
 import { shownDofs } from '../posing/active-dof.ts';
@@ -12,7 +13,6 @@ import type { CanvasDrag, CanvasPointer } from '../viewport/canvas-tools.ts';
 import { type DraggedJoint, handDrag } from './hand-drag.ts';
 import { KnownHandles } from './known-handles.ts';
 import { type DragResult, type FkGrip, handleMover, handlesOf, type Mover } from './movers.ts';
-import { dofValueText, limitNote } from './readout-text.ts';
 
 /** Extra hit tolerance for touch; CSS pixels. */
 const FINGER = 10;

@@ -28,12 +28,19 @@ const LETTER = 7;
 const LINE = 16;
 /** Radius around a pin that no label may cover, CSS pixels. */
 const CLEAR = 9;
+/** CSS pixels: in narrower viewports a long label beside its point would cover the character. */
+const NARROW = 600;
 /** Vertical offsets, in label heights, tried if both sides are taken. */
 const SHIFTS = [0, 1, -1, 2, -2];
 
 /** One label per thing: the one with a pin's problem also names the pin. */
 export function oneForEach(labels: readonly Label[]): Label[] {
   return [...new Map(labels.map((label) => [label.of, label])).values()];
+}
+
+/** Whether a label is put below the toolbar instead of beside its point. It names what it is about. */
+export function isAside({ kind }: Pick<Label, 'kind'>, width: number): boolean {
+  return kind === 'gap' && width < NARROW;
 }
 
 /** Placement of a label relative to its point. */
@@ -95,8 +102,12 @@ export function labelPlace(
   const px = (value: number) => `${value.toFixed(1)}px`;
   const start = side === 'right' ? px(x + BESIDE) : `calc(${px(x - BESIDE)} - 100%)`;
   const within = (from: number, to: number, at: string) => `clamp(${px(from)}, ${at}, calc(${px(to - EDGE)} - 100%))`;
-  const high = top > 0 ? top + HEAD_ROOM : EDGE;
-  return `translate(${within(EDGE, width, start)}, ${within(high, height, `calc(${px(y + lower)} - 50%)`)})`;
+  return `translate(${within(EDGE, width, start)}, ${within(headRoom(top), height, `calc(${px(y + lower)} - 50%)`)})`;
+}
+
+/** CSS pixels covered at the top. */
+function headRoom(top: number): number {
+  return top > 0 ? top + HEAD_ROOM : EDGE;
 }
 
 export class IkLabels {
@@ -133,6 +144,7 @@ export class IkLabels {
       ? this.wb.viewport.canvas.getBoundingClientRect()
       : { left: 0, top: 0, width: 0, height: 0 };
     const shown = oneForEach(labels);
+    this.element.style.paddingTop = `${headRoom(this.top)}px`;
     const taken = shown.length ? pins.map((pin) => ({ x: pin.x - left, y: pin.y - top })) : [];
     shown.forEach((label, i) => {
       const { text, kind, x, y } = label;
@@ -142,6 +154,11 @@ export class IkLabels {
       const isOut = x < left || y < top || x > left + width || y > top + height;
       // If a target is out of view, its problem is still shown, at the edge.
       line.hidden = isOut && kind === 'name';
+      line.classList.toggle('aside', isAside(label, width));
+      if (isAside(label, width)) {
+        line.style.transform = '';
+        return;
+      }
       const inX = Math.min(Math.max(x - left, 0), width);
       const inY = Math.min(Math.max(y - top, 0), height);
       const spot = labelSpot(label, inX, inY, width, taken);

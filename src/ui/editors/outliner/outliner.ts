@@ -9,6 +9,7 @@ import { jointsIn, withJoints, withJointToggled } from '../../../model/selected-
 import type { Selection } from '../../../model/session.ts';
 import { element } from '../../kit/dom.ts';
 import { icon } from '../../kit/icons.ts';
+import { isMac } from '../../kit/keyboard.ts';
 import { type MenuEntry, type MenuPlace, openMenu } from '../../kit/menu.ts';
 import { setTooltip } from '../../kit/tooltip.ts';
 import { actionsOf, currentCharacter, runAction } from '../../state/action.ts';
@@ -17,6 +18,7 @@ import type { DumpComparison, ShownComparison } from '../../state/dump-compariso
 import { itemOf } from '../../state/menu-entries.ts';
 import { onDemand } from '../../state/on-demand.ts';
 import { selectedJointsOf } from '../../state/selected-joint.ts';
+import { actionFor, shortcutsOf } from '../../state/shortcuts.ts';
 import { onShown } from '../../state/shown-comparison.ts';
 import { splitter } from '../../state/splitter.ts';
 import type { Uses, Workbench } from '../../state/workbench.ts';
@@ -62,6 +64,9 @@ export function outliner(wb: Workbench): HTMLElement {
     activate: (row) => activate(wb, row),
     doubleClick: (row) => (row.kind === 'character' ? startRename(row) : activate(wb, row)),
     menu: (row, at) => rowMenu(wb, row, at, startRename),
+    // The key that opens the panel also closes it.
+    isShortcut: (event) =>
+      actionFor(shortcutsOf(event, isMac), actionsOf(wb), 'outliner', wb.settings.get())?.id === 'page.outliner',
     draw: (row) => (row.key === renaming ? [renameField(row)] : drawRow(wb, row, marks(row))),
   });
   tree.element.dataset.panel = 'outliner';

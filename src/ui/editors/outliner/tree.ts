@@ -1,5 +1,6 @@
 /** The outliner's tree, a windowed list: mouse and keys, and what all rows share. */
 import { element, setAttribute } from '../../kit/dom.ts';
+import { HAS_KEYS } from '../../kit/focus.ts';
 import { icon } from '../../kit/icons.ts';
 import type { MenuPlace } from '../../kit/menu.ts';
 import { setTooltip } from '../../kit/tooltip.ts';
@@ -18,6 +19,8 @@ export interface TreeEvents {
   activate(row: OutlineRow): void;
   doubleClick(row: OutlineRow): void;
   menu(row: OutlineRow, at: MenuPlace): void;
+  /** Whether a letter that begins no name yet is left to the page. */
+  isShortcut(event: KeyboardEvent): boolean;
   /** Fills in the row's icon and label; the tree does the rest. */
   draw(row: OutlineRow): Node[];
 }
@@ -58,6 +61,7 @@ export class Tree {
     'aria-multiselectable': 'true',
     class: 'tree',
     tabindex: 0,
+    [HAS_KEYS]: true,
   });
   private readonly space = element('div', { class: 'tree-space', role: 'presentation' });
   private rows: readonly OutlineRow[] = [];
@@ -92,6 +96,7 @@ export class Tree {
     });
     this.element.addEventListener('focus', () => {
       this.takesLetters = !this.isPressed;
+      if (this.takesLetters && this.focusedKey !== undefined) this.reveal(this.focusedKey);
     });
     for (const type of ['click', 'pointercancel']) {
       this.element.addEventListener(type, () => {
@@ -275,9 +280,13 @@ export class Tree {
     if (!shows) scroller.scrollLeft = left + NAME_PIXELS - scroller.clientWidth;
   }
 
+  private isTyping(now: number): boolean {
+    return this.typed.text !== '' && now - this.typed.at <= TYPING_MS;
+  }
+
   /** Goes to a row by its name. */
   private type(letter: string, index: number, now: number): void {
-    const text = now - this.typed.at > TYPING_MS ? letter : this.typed.text + letter;
+    const text = this.isTyping(now) ? this.typed.text + letter : letter;
     this.typed = { text, at: now };
     const to = rowTyped(this.rows, index, text);
     if (to >= 0) this.moveTo(this.rows[to]);
@@ -303,6 +312,7 @@ export class Tree {
       return;
     }
     if (this.takesLetters && /^[\p{L}\p{N}_]$/u.test(event.key)) {
+      if (!this.isTyping(event.timeStamp) && this.events.isShortcut(event)) return;
       this.type(event.key, index, event.timeStamp);
       event.preventDefault();
       return;

@@ -8,10 +8,12 @@ import { dofCountOf, poseAt } from '../../../evaluate/pose.ts';
 import { coupleOf } from '../../../model/couples.ts';
 import type { Character } from '../../../model/document.ts';
 import { type CharacterDof, characterDofs, firstDofs } from '../../../model/dofs.ts';
+import { jointName } from '../../../model/joint-name.ts';
 import { quaternionDofs } from '../../../model/joint-types.ts';
 import { lengthStep } from '../../../model/reach.ts';
 import type { Skeleton } from '../../../model/skeleton.ts';
 import { addKeyed } from '../../state/add-keys.ts';
+import { dofValueText, limitNote } from '../../state/dof-text.ts';
 import { pausePlayback } from '../../state/pause-playback.ts';
 import { type ResolvedJoint, selectedJoint, selectedJoints } from '../../state/selected-joint.ts';
 import type { Uses } from '../../state/workbench.ts';
@@ -81,8 +83,14 @@ export function shownDofs(wb: Uses<'transport'>, character: Character): Float64A
   return dofs;
 }
 
-/** Rotates the active DOF by a degree, or moves it by a small step; with it that of the other selected joints. */
-export function nudgeDof(wb: Uses<'store' | 'transport' | 'timeline' | 'posing' | 'settings'>, way: 1 | -1): void {
+/**
+ * Rotates the active DOF by a degree, or moves it by a small step; with it that of the other selected joints. Says the
+ * value, which no other part of the page may show.
+ */
+export function nudgeDof(
+  wb: Uses<'store' | 'transport' | 'timeline' | 'posing' | 'settings' | 'messages'>,
+  way: 1 | -1,
+): void {
   const index = activeDof(wb);
   const selected = selectedJoint(wb);
   if (!selected || index === undefined) return;
@@ -95,6 +103,22 @@ export function nudgeDof(wb: Uses<'store' | 'transport' | 'timeline' | 'posing' 
   const dofs = [own, ...sameChange(shown, own, matching)];
   const { timeSeconds } = wb.transport.get();
   addKeyed(wb, setDofs, { characterId: character.id, dofs, timeSeconds, key: autoKey(wb) });
+  // Also where nothing has changed, at a limit.
+  wb.messages.note(activeDofText(wb));
+}
+
+/** `forearm_l rx 42.5°`, and the limit that it is at. */
+function activeDofText(wb: Uses<'store' | 'transport' | 'posing' | 'settings'>): string {
+  const index = activeDof(wb);
+  const selected = selectedJoint(wb);
+  if (!selected || index === undefined) return '';
+  const { character, skeleton, joint } = selected;
+  const { angles } = wb.settings.get();
+  const dof = characterDofs(skeleton, [])[index];
+  const value = shownDofs(wb, character)[index];
+  const held = character.clampsToLimits ? [dof.limit.min, dof.limit.max].find((limit) => limit === value) : undefined;
+  const told = `${jointName(skeleton, joint)} ${dofValueText(dof, value, character, angles)}`;
+  return held === undefined ? told : `${told}, ${limitNote(dof, held, true, character, angles)}`;
 }
 
 function nudgeOf({ unit }: CharacterDof, skeleton: Skeleton): number {

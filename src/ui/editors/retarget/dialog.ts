@@ -4,7 +4,7 @@
  */
 import { bakeRetarget, clearRetarget, setRetarget } from '../../../edit/commands/retarget.ts';
 import { driverSource, possibleSources } from '../../../edit/drivers.ts';
-import { pause, play } from '../../../edit/playback.ts';
+import { intoRange, pause, play } from '../../../edit/playback.ts';
 import { cutName, SHORT_NAME } from '../../../edit/step-names.ts';
 import { CommandError } from '../../../edit/store.ts';
 import { Trial } from '../../../edit/trial.ts';
@@ -48,6 +48,8 @@ export function retargetDialog(
     close();
   });
   const { base } = trial;
+  const opened = wb.transport.get();
+  const wasInRange = intoRange(opened) === opened;
   let target = first;
   let matches: readonly MatchedPair[] = [];
 
@@ -180,9 +182,14 @@ export function retargetDialog(
     if (keep) attempt(() => trial.show(keep()));
     if (apply.disabled && keep) return;
     stop();
-    if (keep) trial.keep(label);
-    else trial.putBack();
-    if (keep) close();
+    if (!keep) {
+      trial.putBack();
+      return;
+    }
+    trial.keep(label);
+    // The range may have become that of a shorter take.
+    if (wasInRange) wb.transport.update(intoRange);
+    close();
   }
 
   targets.addEventListener('change', () => {

@@ -8,6 +8,7 @@ import { needs } from '../../state/needs.ts';
 import { stopsOnFrame } from '../../state/pause-playback.ts';
 import type { Action, Uses } from '../../state/workbench.ts';
 import { switchKinematics } from '../posing/actions.ts';
+import { sayRange } from './range-edits.ts';
 
 export const LOOP_LABELS: Readonly<Record<LoopMode, string>> = {
   once: 'Once',
@@ -74,30 +75,14 @@ export const PLAY_ACTIONS: readonly Action[] = [
   },
   at('play.toStart', 'Go to range start', ['Home'], 1, 'start', (p) => ({ ...p, timeSeconds: p.range[0] })),
   at('play.toEnd', 'Go to range end', ['End'], 1, 'end', (p) => ({ ...p, timeSeconds: p.range[1], playing: false })),
-  at(
-    'play.setIn',
-    'Set range start',
-    ['I'],
-    2,
-    undefined,
-    (p) => ({
-      ...p,
-      range: [p.timeSeconds, Math.max(p.timeSeconds, p.range[1])],
-    }),
-    ONLY_PLAYED,
-  ),
-  at(
-    'play.setOut',
-    'Set range end',
-    ['O'],
-    2,
-    undefined,
-    (p) => ({
-      ...p,
-      range: [Math.min(p.timeSeconds, p.range[0]), p.timeSeconds],
-    }),
-    ONLY_PLAYED,
-  ),
+  rangeEnd('play.setIn', 'Set range start', 'I', ({ timeSeconds, range }) => [
+    timeSeconds,
+    Math.max(timeSeconds, range[1]),
+  ]),
+  rangeEnd('play.setOut', 'Set range end', 'O', ({ timeSeconds, range }) => [
+    Math.min(timeSeconds, range[0]),
+    timeSeconds,
+  ]),
   {
     id: 'play.wholeRange',
     label: 'Fit range to takes',
@@ -108,7 +93,9 @@ export const PLAY_ACTIONS: readonly Action[] = [
     enabled: needs('There is no take whose range could play.', (wb) => clipsRange(wb.store.document) !== undefined),
     run(wb) {
       const range = clipsRange(wb.store.document);
-      if (range) wb.transport.update((p) => ({ ...p, range }));
+      if (!range) return;
+      wb.transport.update((p) => ({ ...p, range }));
+      sayRange(wb);
     },
   },
   {
@@ -169,7 +156,6 @@ function at(
   section: number,
   icon: Action['icon'],
   change: (playback: Playback) => Playback,
-  detail?: string,
 ): Action {
   const run = (wb: Uses<'transport'>) => wb.transport.update(change);
   const repeats = id.startsWith('play.step');
@@ -183,7 +169,27 @@ function at(
     repeats,
     run,
     ...(icon && { icon }),
-    ...(detail !== undefined && { detail }),
+  };
+}
+
+function rangeEnd(
+  id: string,
+  label: string,
+  shortcut: string,
+  rangeOf: (playback: Playback) => Playback['range'],
+): Action {
+  return {
+    id,
+    label,
+    group: 'Play',
+    menu: 'Play',
+    section: 2,
+    shortcuts: [shortcut],
+    detail: ONLY_PLAYED,
+    run(wb) {
+      wb.transport.update((p) => ({ ...p, range: rangeOf(p) }));
+      sayRange(wb);
+    },
   };
 }
 

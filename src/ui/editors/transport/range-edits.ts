@@ -4,6 +4,7 @@
  */
 import { setClipRange } from '../../../edit/commands/clips.ts';
 import { type Character, playingCharacters } from '../../../model/document.ts';
+import { announce } from '../../kit/announce.ts';
 import { attempt } from '../../state/attempt.ts';
 import type { Uses } from '../../state/workbench.ts';
 import { timeText } from '../timeline/time-menu.ts';
@@ -12,6 +13,17 @@ import { timeText } from '../timeline/time-menu.ts';
 function onlyTake(wb: Uses<'store'>): Character | undefined {
   const playing = playingCharacters(wb.store.document);
   return playing.length === 1 ? playing[0] : undefined;
+}
+
+/** Says the range, which a key has changed. */
+export function sayRange(wb: Uses<'transport' | 'settings'>): void {
+  announce(rangeText(wb));
+}
+
+/** `Range 0 s to 2.5 s`. */
+export function rangeText(wb: Uses<'transport' | 'settings'>): string {
+  const [from, to] = wb.transport.get().range;
+  return `Range ${timeText(wb, from)} to ${timeText(wb, to)}`;
 }
 
 /** @param range seconds of the transport; refused with a message if it ends before it starts */

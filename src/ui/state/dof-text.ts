@@ -1,10 +1,10 @@
-/** The readout beside the pointer during a drag: `rx 34.2°`, `rx 90.0° · limit 90°`. */
-import type { Character } from '../../../model/document.ts';
-import type { CharacterDof } from '../../../model/dofs.ts';
-import { aligned, shown } from '../../kit/number-text.ts';
-import { shownPerUnit, unitText } from '../../state/angles.ts';
-import { lengthUnit } from '../../state/length-unit.ts';
-import type { Settings } from '../../state/settings.ts';
+/** Values of DOFs as told during a drag or by keys: `rx 34.2°`, `limit 90°`. */
+import type { Character } from '../../model/document.ts';
+import type { CharacterDof } from '../../model/dofs.ts';
+import { aligned, shown } from '../kit/number-text.ts';
+import { shownPerUnit, unitText } from './angles.ts';
+import { lengthUnit } from './length-unit.ts';
+import type { Settings } from './settings.ts';
 
 type Unit = Pick<CharacterDof, 'name' | 'unit'>;
 
