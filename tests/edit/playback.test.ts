@@ -3,6 +3,7 @@ import { describe, expect, it } from 'vitest';
 import {
   advance,
   DEFAULT_PLAYBACK,
+  intoRange,
   LOOP_MODES,
   type Playback,
   pause,
@@ -72,6 +73,17 @@ describe('play', () => {
   it('starts again when `once` had reached its end', () => {
     expect(play(playing({ playing: false, loop: 'once', timeSeconds: 3 })).timeSeconds).toBe(1);
     expect(play(playing({ playing: false, loop: 'once', timeSeconds: 1, rate: -1 })).timeSeconds).toBe(3);
+  });
+});
+
+describe('intoRange', () => {
+  it('moves a time beyond the range to its nearer end, and leaves others where they are', () => {
+    const at = (timeSeconds: number) => ({ ...DEFAULT_PLAYBACK, range: [1, 2] as const, timeSeconds });
+    expect([0, 3].map((seconds) => intoRange(at(seconds)).timeSeconds)).toEqual([1, 2]);
+    for (const seconds of [1, 1.5, 2]) {
+      const playback = at(seconds);
+      expect(intoRange(playback)).toBe(playback);
+    }
   });
 });
 

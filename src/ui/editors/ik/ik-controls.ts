@@ -60,6 +60,6 @@ export function ikControls(wb: Uses<'store' | 'actions' | 'posing' | 'settings'>
 
 /** What to do first, and next. */
 export function ikHintText(pins: number): string {
-  if (pins === 0) return touchWords('Click a foot, hand or joint to pin it. Drag others; pins hold.');
+  if (pins === 0) return touchWords('Click a hand, foot or joint to pin it; drag others.');
   return touchWords('Drag any point; pins hold. Click a pin to remove it.');
 }

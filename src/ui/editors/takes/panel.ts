@@ -19,6 +19,7 @@ import type { Workbench } from '../../state/workbench.ts';
 import { movedEntries } from '../retarget/moved.ts';
 import { endComparison } from './compare.ts';
 import { compareWith } from './compare-menu.ts';
+import { type CompareSwitch, compareSwitch } from './compare-switch.ts';
 import { DistancePane } from './distance-pane.ts';
 import {
   chosenTakes,
@@ -52,6 +53,7 @@ class TakesPanel implements TimelineTab {
   readonly tools: HTMLElement;
   private readonly table: TakeTable;
   private readonly distances: DistancePane;
+  private readonly parts: CompareSwitch;
   private readonly empty = element('p', { class: 'empty take-empty', hidden: true });
   private visible = false;
   private readonly showSoon = oncePerFrame(() => this.show());
@@ -85,6 +87,8 @@ class TakesPanel implements TimelineTab {
       this.table.element,
       this.distances.element,
     );
+    this.parts = compareSwitch(this.element);
+    this.element.prepend(this.parts.element);
     this.follow();
   }
 
@@ -100,6 +104,7 @@ class TakesPanel implements TimelineTab {
     takes.view.subscribe(() => this.show());
     takes.comparison.subscribe(() => {
       this.show();
+      this.parts.choose('graph');
       this.distances.setVisible(this.visible);
     });
     wb.transport.subscribe((now, before) => {

@@ -1,5 +1,5 @@
 import { describe, expect, it } from 'vitest';
-import { type Label, labelPlace, labelSpot, oneForEach } from '../../../../src/ui/editors/ik/ik-labels.ts';
+import { isAside, type Label, labelPlace, labelSpot, oneForEach } from '../../../../src/ui/editors/ik/ik-labels.ts';
 
 const label = (change: Partial<Label>): Label => ({
   text: 'foot',
@@ -26,6 +26,12 @@ describe('labels beside points', () => {
     expect(labelPlace({ side: 'left', lower: 20 }, 100, 50, 800, 600)).toContain(
       'clamp(4.0px, calc(86.0px - 100%), calc(796.0px - 100%)), clamp(4.0px, calc(70.0px - 50%)',
     );
+  });
+
+  it('in a narrow viewport a problem is told below the toolbar, where it covers no character; names stay beside', () => {
+    expect(isAside(label({ kind: 'gap' }), 390)).toBe(true);
+    expect(isAside(label({ kind: 'gap' }), 800)).toBe(false);
+    expect(isAside(label({}), 390)).toBe(false);
   });
 
   it('labels switch sides if there is no room on theirs', () => {

@@ -137,6 +137,23 @@ describe('the active DOF', () => {
     expect(activeDof(wb)).toBe(8);
   });
 
+  it('plus and minus say the new value, and the limit that stops it', () => {
+    const [hips, leg, foot] = armature.joints;
+    const limit = { min: -Math.PI / 120, max: Math.PI / 120 };
+    const limited = { ...leg, limits: [limit, ...leg.limits.slice(1)] };
+    const { wb, press } = posing({ skeleton: { ...armature, joints: [hips, limited, foot] } });
+    wb.store.select({ characterId: 'c1', joint: 1 });
+    press('+', 'viewport');
+    expect(wb.messages.passing.get()).toBe('leg rx 1.0°');
+    for (const _again of [2, 3]) {
+      press('+', 'viewport');
+      expect(wb.messages.passing.get()).toBe('leg rx 1.5°, limit 1.5°');
+    }
+    wb.settings.update((now) => ({ ...now, angles: 'radians' }));
+    press('-', 'viewport');
+    expect(wb.messages.passing.get()).toBe('leg rx 0.009 rad');
+  });
+
   it('no DOF is active without a joint, nor a linked one', () => {
     const { wb } = posing();
     expect(activeDof(wb)).toBeUndefined();
