@@ -48,6 +48,8 @@ const ANIM = `animation {
   ${'channel { extrapolate constant constant keys 1 { 0 0 flat flat } }\n'.repeat(2)}
 }
 `;
+/** The arm's world matrices at two times, as another program has them. */
+const DUMP = [0, 1].map((time) => `time ${time}\n${'1 0 0 0 0 1 0 0 0 0 1 0 0 0 0 1\n'.repeat(2)}`).join('');
 /** Has an error, for the message line and the list of messages. */
 const BROKEN = 'balljoint broken { offset 0 one 0 }';
 
@@ -124,7 +126,28 @@ const STATES: readonly (readonly [name: string, enter: (page: Page) => Promise<u
       await page.locator('.source-line').first().waitFor();
     },
   ],
-  ['IK mode', (page) => run(page, 'posing.ik')],
+  [
+    'it is said what a program of one’s own should print',
+    async (page) => {
+      await tab(page, 'compare');
+      await page.locator('.compare-start').waitFor({ state: 'attached' });
+    },
+  ],
+  [
+    'a dump is compared',
+    async (page) => {
+      await dropFiles(page, [{ name: 'mine.txt', bytes: DUMP }]);
+      await page.locator('.compare-row').first().waitFor({ state: 'attached' });
+      await page.locator('.compare-banner[data-tone=differs]').waitFor();
+    },
+  ],
+  [
+    'IK mode',
+    async (page) => {
+      await run(page, 'compare.stop');
+      await run(page, 'posing.ik');
+    },
+  ],
   ['Rig mode', (page) => run(page, 'posing.rig')],
   [
     'messages are shown',

@@ -34,6 +34,7 @@ const marked = (page: Page, joint: string, mark: string) =>
 describeShared('another program’s numbers', () => {
   it('dropped numbers get a banner, marks of joints, causes, and theirs beside ours; time moves between those compared', () =>
     withPage(async ({ page }) => {
+      await page.context().grantPermissions(['clipboard-read', 'clipboard-write']);
       await dropFiles(page, [
         ...WASP.map((name) => ({ name, bytes: sharedBytes(`data/cse169/${name}`) })),
         { name: 'mine@1.5.txt', bytes: sharedBytes('conformance/compare/d008.txt') },
@@ -87,6 +88,11 @@ describeShared('another program’s numbers', () => {
       await panel.getByLabel(/^Print your world matrices/).fill(pasted);
       await panel.getByRole('button', { name: 'Compare', exact: true }).click();
       await says(page, /^First wrong: wing_/);
+      // By keys too, in the place of what was pasted before.
+      await page.evaluate((text) => navigator.clipboard.writeText(text), printed([1.5]));
+      await panel.getByRole('grid', { name: 'Joints' }).focus();
+      await page.keyboard.press('ControlOrMeta+v');
+      await says(page, /^All agree: 23 world matrices/);
       await dropFiles(page, [{ name: 'short.txt', bytes: 'time 1.5\n1 2 3\n' }]);
       await says(page, /^Not compared with wasp\. short\.txt: Expected 12 or 16 numbers for each of 23 joints/);
       await banner(page).getByRole('button', { name: 'Line 2' }).click();

@@ -13,6 +13,7 @@ export type RowKind = (typeof ROW_KINDS)[number];
 export interface ComparedRow {
   /** Of the joint, vertex or channel. */
   readonly index: number;
+  /** Of the joint, or of the DOF that the channel drives; of a vertex the joint that it follows most. */
   readonly name: string;
   readonly mark: JointMark;
   /** The largest, as `FirstWrong.error`. */
@@ -65,10 +66,26 @@ export function rowsOf(
   const errors = kind === 'vertices' ? frame.vertexErrors : frame.normalErrors;
   return worstOf(errors, MAX_VERTICES).map((index) => ({
     index,
-    name: `vertex ${index}`,
+    name: followedBy(character, index),
     mark: errors[index] <= tolerance ? 'agrees' : 'differs',
     error: errors[index],
   }));
+}
+
+/** The joint with the largest weight at a vertex; empty if it has none. */
+function followedBy(character: Character, vertex: number): string {
+  const attachments = shownSkin(character)?.attachments;
+  if (!attachments) return '';
+  const { start, joints, weights } = attachments;
+  let most = start[vertex];
+  for (let a = most; a < start[vertex + 1]; a++) if (weights[a] > weights[most]) most = a;
+  return most < start[vertex + 1] ? jointName(character.skeleton, joints[most]) : '';
+}
+
+/** How a row is called where it is alone. */
+export function rowTitle(kind: RowKind, { index, name }: ComparedRow): string {
+  if (kind === 'vertices') return `vertex ${index}`;
+  return kind === 'normals' ? `normal of vertex ${index}` : name;
 }
 
 /** Indices of the largest, NaN first; ties by index. */

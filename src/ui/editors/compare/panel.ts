@@ -12,7 +12,7 @@ import type { ComparedResult, CompareState, DumpComparison } from '../../state/d
 import { endComparison } from '../../state/shown-comparison.ts';
 import type { TimelineTab } from '../../state/timeline.ts';
 import type { Uses } from '../../state/workbench.ts';
-import { type ComparedRow, kindsIn, type RowKind, rowsOf } from './compared-rows.ts';
+import { type ComparedRow, kindsIn, type RowKind, rowsOf, rowTitle } from './compared-rows.ts';
 import { Detail, type JointNumbers, jointNumbersIn } from './detail.ts';
 import { Findings } from './findings.ts';
 import { compareText, startPage } from './start.ts';
@@ -206,10 +206,11 @@ class ComparePanel implements TimelineTab {
       this.numbers = what;
       this.showSoon();
     });
-    setText(this.detailName, this.kind === 'normals' ? `normal of ${row.name}` : row.name);
+    const title = rowTitle(this.kind, row);
+    setText(this.detailName, title);
     const explains = this.kind === 'channels' ? 'Why this curve' : 'See its steps';
     setText(this.steps, explains);
-    setAttribute(this.steps, 'aria-label', `${explains}: ${row.name}`);
+    setAttribute(this.steps, 'aria-label', `${explains}: ${title}`);
     this.detail.show({ result, frame, kind: this.kind, index: row.index, numbers: this.numbers });
     this.explained = row;
   }

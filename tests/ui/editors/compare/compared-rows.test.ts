@@ -1,5 +1,5 @@
 import { expect, it } from 'vitest';
-import { inOrder, kindsIn, MAX_VERTICES, rowsOf } from '../../../../src/ui/editors/compare/compared-rows.ts';
+import { inOrder, kindsIn, MAX_VERTICES, rowsOf, rowTitle } from '../../../../src/ui/editors/compare/compared-rows.ts';
 import { jointNumbersIn, samplesOf } from '../../../../src/ui/editors/compare/detail.ts';
 import { describeShared } from '../../../helpers/shared.ts';
 import { comparedCase } from './compare-cases.ts';
@@ -51,6 +51,10 @@ describeShared('the tables of a comparison', () => {
     const rows = rowsOf('vertices', result, frame, character);
     const sorted = [...frame.vertexErrors].sort((a, b) => b - a);
     expect(rows.map(({ error }) => error)).toEqual(sorted.slice(0, MAX_VERTICES));
+    expect([rowTitle('vertices', rows[0]), rows[0].name]).toEqual([
+      `vertex ${rows[0].index}`,
+      expect.stringMatching(/_/),
+    ]);
     expect(rows.every(({ index, error }) => frame.vertexErrors[index] === error)).toBe(true);
   });
 
