@@ -39,54 +39,106 @@ Print your numbers, and let Marrow name the mistake: drop \`tree.skel\` and \`mi
     marrow compare reed.skel reed.skin reed_bulge.morph reed_twist.morph reed_move.anim mine.txt --time 0.35
     marrow compare curves.anim values.csv
 
-Or check them in a test of your own.
+Or check them in a test of your own. Each of these needs one function of yours, and fails at what is wrong, NaN too: it is
+neither larger nor smaller than a tolerance, so they ask for \`error <= tolerance\`.
 
 C++, with \`answers.txt\`:
 
 \`\`\`cpp
-std::ifstream in("answers.txt");
-std::string line, set, time, kind;
-while (std::getline(in, line)) {
-  std::istringstream row(line);
-  int index;
-  if (line[0] == '#' || !(row >> set >> time >> kind >> index)) continue;
-  if (set != "tree" || kind != "world") continue;
-  double right[16];
-  for (double& x : right) row >> x;
-  const glm::mat4 mine = skeleton.joints[index]->world;  // by columns, as here
-  for (int i = 0; i < 16; i++) assert(std::abs(mine[i / 4][i % 4] - right[i]) < 1e-4);
+#include <cmath>
+#include <fstream>
+#include <iostream>
+#include <sstream>
+#include <string>
+
+const float* worldOf(int joint);  // yours: 16 numbers by columns, as glm::value_ptr gives them
+
+int main() {
+  std::ifstream in("answers.txt");
+  std::string line, set, time, kind;
+  int joint, compared = 0, wrong = 0;
+  while (std::getline(in, line)) {
+    std::istringstream row(line);
+    if (!(row >> set >> time >> kind >> joint) || set != "tree" || kind != "world") continue;
+    const float* mine = worldOf(joint);
+    bool agrees = true;
+    for (int i = 0; i < 16; i++) {
+      double right;
+      row >> right;
+      if (!(std::abs(mine[i] - right) <= 1e-4)) agrees = false;
+    }
+    compared++;
+    if (!agrees) std::cout << "joint " << joint << " is wrong\\n", wrong++;
+  }
+  std::cout << compared << " joints compared, " << wrong << " wrong\\n";
+  return compared > 0 && wrong == 0 ? 0 : 1;
 }
 \`\`\`
 
-Java, with \`answers.txt\`:
+Java, with \`answers.txt\` (\`assert\` does nothing without \`-ea\`):
 
 \`\`\`java
-for (String line : Files.readAllLines(Path.of("answers.txt"))) {
-  String[] row = line.split(" ");
-  if (!row[0].equals("tree") || !row[2].equals("world")) continue;
-  double[] mine = skeleton.joint(Integer.parseInt(row[3])).worldByColumns();
-  for (int i = 0; i < 16; i++) assert Math.abs(mine[i] - Double.parseDouble(row[4 + i])) < 1e-4;
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+
+class CheckTree {
+  public static void main(String[] args) throws IOException {
+    int compared = 0;
+    for (String line : Files.readAllLines(Path.of("answers.txt"))) {
+      String[] row = line.split(" ");
+      if (!row[0].equals("tree") || !row[2].equals("world")) continue;
+      int joint = Integer.parseInt(row[3]);
+      double[] mine = Mine.worldOf(joint);  // yours: 16 numbers by columns
+      for (int i = 0; i < 16; i++) {
+        double right = Double.parseDouble(row[4 + i]);
+        if (!(Math.abs(mine[i] - right) <= 1e-4)) {
+          throw new AssertionError("joint " + joint + ", number " + i + ": " + mine[i] + ", expected " + right);
+        }
+      }
+      compared++;
+    }
+    if (compared == 0) throw new AssertionError("answers.txt has no rows of tree");
+    System.out.println(compared + " joints agree");
+  }
 }
 \`\`\`
 
-Python:
+Python, with \`answers.json\`:
 
 \`\`\`python
-import json, numpy as np
-for answers in json.load(open("answers.json"))["sets"]:
+import json
+from mine import world_of  # yours: for files, a time and a joint, 4 rows of 4 numbers
+
+SETS = ["tree"]  # more as you get there: sway, reed, morphs, march, arm
+with open("answers.json") as file:
+    sets = [answers for answers in json.load(file)["sets"] if answers["name"] in SETS]
+assert len(sets) == len(SETS)
+for answers in sets:
     for frame in answers.get("frames", []):
-        for joint, right in zip(my_joints(answers["files"], frame.get("time")), frame["joints"]):
-            np.testing.assert_allclose(joint, np.reshape(right["world"], (4, 4)).T, atol=1e-4)
+        time = frame.get("time")  # None: the pose of the file
+        for j, joint in enumerate(frame["joints"]):
+            mine = world_of(answers["files"], time, j)
+            for i, right in enumerate(joint["world"]):  # by columns
+                error = abs(mine[i % 4][i // 4] - right)
+                assert error <= 1e-4, (answers["name"], time, joint["name"], i, error)
+    print(answers["name"], "agrees")
 \`\`\`
 
-JavaScript, with three.js:
+JavaScript, with \`answers.json\`, in Node as a module (\`check.mjs\`):
 
 \`\`\`js
-const { sets } = JSON.parse(await readFile('answers.json', 'utf8'));
+import assert from 'node:assert/strict';
+import { readFileSync } from 'node:fs';
+import { worldOf } from './mine.mjs'; // yours: 16 numbers by columns, as matrixWorld.elements of three.js
+
+const { sets } = JSON.parse(readFileSync('answers.json', 'utf8'));
 const [frame] = sets.find(({ name }) => name === 'tree').frames;
 frame.joints.forEach(({ name, world }, j) => {
-  myJoints[j].matrixWorld.elements.forEach((x, i) => assert(Math.abs(x - world[i]) < 1e-4, name));
+  const mine = worldOf(j);
+  world.forEach((right, i) => assert(Math.abs(mine[i] - right) <= 1e-4, \`\${name}, number \${i}: \${mine[i]}, expected \${right}\`));
 });
+console.log(frame.joints.length, 'joints agree');
 \`\`\`
 
 ## The files

@@ -1,4 +1,5 @@
 /** The test kit: that its files tell every known mistake apart, and that its answers are right. */
+import { spawnSync } from 'node:child_process';
 import { mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
@@ -97,8 +98,22 @@ describe('the test kit', () => {
       expect(text).toContain(`### ${name}\n`);
       for (const code of tells) expect(text).toContain(`\`${code}\``);
     }
-    for (const language of ['C++', 'Java', 'Python', 'JavaScript'])
-      expect(text).toContain(`\n${language}, `.replace('Python, ', 'Python:'));
+    for (const language of ['C++', 'Java', 'Python', 'JavaScript']) expect(text).toContain(`\n${language}, with `);
+  });
+
+  it.each([
+    ['passes with the right numbers', 0, 0, '6 joints agree'],
+    ['fails with a wrong one', 0.001, 1, 'trunk, number 0'],
+    ['fails with what is no number', Number.NaN, 1, 'trunk, number 0'],
+  ])('has a README whose JavaScript %s', async (_, off, code, told) => {
+    const text = readFileSync(join(folder, 'kit/README.md'), 'utf8');
+    const [, program] = /```js\n(.*?)```/s.exec(text) ?? [];
+    writeFileSync(join(folder, 'kit/check.mjs'), program ?? '');
+    const worlds = sets[0].frames?.[0].joints.map(({ world }) => world.map((x) => x + off)) ?? [];
+    const list = JSON.stringify(worlds).replaceAll('null', 'NaN');
+    writeFileSync(join(folder, 'kit/mine.mjs'), `const all = ${list};\nexport const worldOf = (j) => all[j];\n`);
+    const ran = spawnSync(process.execPath, ['check.mjs'], { cwd: join(folder, 'kit'), encoding: 'utf8' });
+    expect([ran.status, ran.stdout + ran.stderr]).toEqual([code, expect.stringContaining(told)]);
   });
 
   it('replaces files only when told to', async () => {
