@@ -234,6 +234,16 @@ describe('marrow compare', () => {
     expect((await command(['compare', 'pair.bvh', 'last@0.5.txt'], folder)).code).toBe(0);
   });
 
+  it('names twenty joints as text, and counts the others', async () => {
+    const chain = Array.from({ length: 30 }, (_, j) => `balljoint j${j} { offset 0 1 0 pose 0.1 0 0`);
+    write('chain.skel', `${chain.join('\n')}${'}'.repeat(30)}`);
+    write('zeros.txt', `${Array.from({ length: 30 }, () => '0 '.repeat(16)).join('\n')}\n`);
+    const { out } = await command(['compare', 'chain.skel', 'zeros.txt'], folder);
+    expect(out).toContain('j18, j19 and 10 more.');
+    const { own } = await commandJson<CompareJson>(['compare', 'chain.skel', 'zeros.txt'], folder, 1);
+    expect(own).toHaveLength(30);
+  });
+
   it('takes files of any name as dumps, and the tolerance as given', async () => {
     const matrices = (await ownMatrices()).map((m) => m.map((v, i) => (i === 12 ? v + 0.01 : v)));
     write('mine', matrices.map((m) => m.join(' ')).join('\n'));

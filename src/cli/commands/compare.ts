@@ -125,7 +125,11 @@ function asText(comparison: Comparison, character: Character): string {
   if (agrees || !first) lines.push(`All agree. The largest error is ${short(worst)}.`);
   else {
     lines.push(`First wrong: ${placeOf(first)}, by ${short(first.error)}. The largest error is ${short(worst)}.`);
-    const list = (joints: readonly number[]) => joints.map((j) => nameOf(character, j)).join(', ');
+    const list = (joints: readonly number[]) => {
+      const named = joints.slice(0, MAX_NAMED).map((j) => nameOf(character, j));
+      const more = joints.length - named.length;
+      return more > 0 ? `${named.join(', ')} and ${more} more` : named.join(', ');
+    };
     if (own.length > 0) lines.push(`Wrong by themselves: ${list(own)}.`);
     if (inherited.length > 0) lines.push(`Wrong only because a parent is: ${list(inherited)}.`);
     for (const { code, detail, alternatives, sentences, formulas, explains, of, residual } of causes) {
@@ -142,6 +146,9 @@ function asText(comparison: Comparison, character: Character): string {
   }
   return `${lines.join('\n')}\n`;
 }
+
+/** As text; JSON has all. */
+const MAX_NAMED = 20;
 
 /** `1.5 s differs by 0.27`. */
 function timeText({ time, agrees, worst }: FrameComparison): string {
