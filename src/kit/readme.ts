@@ -1,6 +1,9 @@
 /** `README.md` of the test kit. */
 import type { SetAnswers } from './answers.ts';
 
+/** A word of a program in the text, which tools would take for one of this file's. */
+const IMPORT = 'import';
+
 export function readme(sets: readonly SetAnswers[]): string {
   const entries = sets.map(
     ({ name, about, files, tells }) =>
@@ -128,9 +131,9 @@ for answers in sets:
 JavaScript, with \`answers.json\`, in Node as a module (\`check.mjs\`):
 
 \`\`\`js
-import assert from 'node:assert/strict';
-import { readFileSync } from 'node:fs';
-import { worldOf } from './mine.mjs'; // yours: 16 numbers by columns, as matrixWorld.elements of three.js
+${IMPORT} assert from 'node:assert/strict';
+${IMPORT} { readFileSync } from 'node:fs';
+${IMPORT} { worldOf } from './mine.mjs'; // yours: 16 numbers by columns, as matrixWorld.elements of three.js
 
 const { sets } = JSON.parse(readFileSync('answers.json', 'utf8'));
 const [frame] = sets.find(({ name }) => name === 'tree').frames;
