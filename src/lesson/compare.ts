@@ -7,11 +7,11 @@ import { type Character, shownClip, shownSkin } from '../model/document.ts';
 import { characterDofs } from '../model/dofs.ts';
 import { DEFAULT_TOLERANCE, diagonalOf, matrixError, pointError } from './errors.ts';
 import { Evaluator, type FrameNumbers, type FrameTime } from './evaluator.ts';
+import { ownValues } from './own-values.ts';
 import { RIGHT_PROGRAM } from './program.ts';
 import { relativeMatrices } from './relative.ts';
-import { type Cause, findCauses, worstVertices } from './search.ts';
+import { type Cause, type CauseSubject, type FoundCauses, findCauses } from './search.ts';
 import { FRAME_KINDS, type FrameTarget, type MatrixLayout, type Targets } from './targets.ts';
-import { ownValues } from './trial.ts';
 
 /** How many items of each kind were compared. */
 export interface Compared {
@@ -30,6 +30,8 @@ export interface FirstWrong {
   /** Of a joint, or of the DOF that a channel drives; absent for vertices. */
   readonly name?: string;
   readonly error: number;
+  /** The error in the units of the files, if it is one of a length: `error` is over the size. */
+  readonly length?: number;
   /** Of a channel. */
   readonly time?: number;
 }
@@ -41,6 +43,8 @@ export interface FrameComparison {
   readonly agrees: boolean;
   readonly worst: number;
   readonly first?: FirstWrong;
+  /** Where the error is largest, if any is wrong. */
+  readonly largest?: FirstWrong;
   /** Joints whose own local matrix is wrong. */
   readonly own: readonly number[];
   /** Joints that are wrong only because a parent is. */
@@ -61,6 +65,8 @@ export interface Comparison {
   readonly layout?: MatrixLayout;
   readonly worst: number;
   readonly first?: FirstWrong;
+  /** Where the error is largest, if any is wrong. */
+  readonly largest?: FirstWrong;
   /** In the order of the dumps. `first`, `own` and `inherited` of the whole are those of the first that differs. */
   readonly frames: readonly FrameComparison[];
   /** Our value of each sample of channels. */
@@ -69,6 +75,8 @@ export interface Comparison {
   readonly inherited: readonly number[];
   /** The best first; empty if all agrees, or if nothing explains it. */
   readonly causes: readonly Cause[];
+  /** Where some parts of the numbers are explained: those that aren't, or only in what a mistake touches. */
+  readonly unexplained?: CauseSubject;
 }
 
 /** Yields progress; a caller that stops asking cancels it. */
@@ -84,20 +92,24 @@ export function* compare(character: Character, targets: Targets, tolerance = DEF
   const worst = Math.max(ofChannels.worst, ...frames.map((frame) => frame.worst));
   const agrees = worst <= tolerance;
   const differs = frames.find((frame) => !frame.agrees);
-  const vertices = worstVertices(asked, own);
-  const causes = agrees ? [] : yield* within(findCauses(character, targets, sizes, vertices, tolerance), 0.1, 1);
+  const { causes, unexplained }: FoundCauses = agrees
+    ? { causes: [] }
+    : yield* within(findCauses({ character, targets, own, sizes, tolerance }), 0.1, 1);
   const first = differs?.first ?? ofChannels.first;
+  const largest = [...frames.map((frame) => frame.largest), ofChannels.largest].find((at) => at?.error === worst);
   return {
     agrees,
     compared: countOf(asked, channels.channels),
     ...(layout && { layout }),
     worst,
     ...(first && { first }),
+    ...(largest && { largest }),
     frames,
     ourChannels: ofChannels.own,
     own: differs?.own ?? [],
     inherited: differs?.inherited ?? [],
     causes,
+    ...(unexplained && { unexplained }),
   };
 }
 
@@ -153,14 +165,32 @@ function compareFrame(
     );
   const vertexErrors = errorsOf(vertices, ours.vertices, size);
   const normalErrors = errorsOf(normals, ours.normals, 1);
-  const found = [
-    firstOf('joint', jointErrors, tolerance),
-    firstOf('vertex', vertexErrors, tolerance),
-    firstOf('normal', normalErrors, tolerance),
-  ].find((first) => first !== undefined);
-  const worst = Math.max(largest(jointErrors), largest(vertexErrors), largest(normalErrors));
+  const lists = [
+    ['joint', jointErrors],
+    ['vertex', vertexErrors],
+    ['normal', normalErrors],
+  ] as const;
+  const worst = Math.max(...lists.map(([, errors]) => largestOf(errors)));
+  const placed = ([what, errors]: (typeof lists)[number], index: number): FirstWrong => {
+    const error = errors[index];
+    const ofPlace = Math.max(
+      world ? pointError(world, 16 * index + 12, ours.world, 16 * index + 12, size) : 0,
+      local ? pointError(local, 16 * index + 12, ours.local, 16 * index + 12, size) : 0,
+      positions ? pointError(positions, 3 * index, ours.world, 16 * index + 12, size) : 0,
+    );
+    const isLength = what === 'vertex' || (what === 'joint' && ofPlace === error);
+    const name = what === 'joint' && joints[index].name ? { name: joints[index].name } : {};
+    return { what, index, ...name, error, ...(isLength && { length: error * size }) };
+  };
+  const firstIn = lists.find(([, errors]) => !largestWithin(errors, tolerance));
   const first =
-    found?.what === 'joint' && joints[found.index].name ? { ...found, name: joints[found.index].name } : found;
+    firstIn &&
+    placed(
+      firstIn,
+      firstIn[1].findIndex((error) => !(error <= tolerance)),
+    );
+  const worstIn = first && lists.find(([, errors]) => errors.includes(worst));
+  const largest = worstIn && placed(worstIn, worstIn[1].indexOf(worst));
   const own = ownWrong(character, target, ours, size, tolerance, jointErrors);
   const isWrong = (j: number) => !(jointErrors[j] <= tolerance);
   const inherited = world ? joints.flatMap((_, j) => (isWrong(j) && !own.includes(j) ? [j] : [])) : [];
@@ -169,6 +199,7 @@ function compareFrame(
     agrees: worst <= tolerance,
     worst,
     ...(first && { first }),
+    ...(largest && { largest }),
     own,
     inherited,
     jointErrors,
@@ -179,12 +210,7 @@ function compareFrame(
   };
 }
 
-function firstOf(what: FirstWrong['what'], errors: Float64Array, tolerance: number): FirstWrong | undefined {
-  const index = errors.findIndex((error) => !(error <= tolerance));
-  return index < 0 ? undefined : { what, index, error: errors[index] };
-}
-
-function largest(errors: Float64Array): number {
+function largestOf(errors: Float64Array): number {
   let most = 0;
   for (const error of errors) most = Math.max(most, error);
   return most;
@@ -218,16 +244,21 @@ function compareChannels(character: Character, { channels: target }: Targets, to
   const own = ownValues(character, target);
   let worst = 0;
   let first: FirstWrong | undefined;
+  let largest: FirstWrong | undefined;
   target.channels.forEach((index, i) => {
     const difference = Math.abs(own[i] - target.values[i]);
     const error = Number.isNaN(difference) ? Number.POSITIVE_INFINITY : difference;
+    const isLargest = error > worst;
     worst = Math.max(worst, error);
     if (error <= tolerance) return;
     const time = target.times[i];
     const isEarlier = !first || index < first.index || (index === first.index && time < (first.time ?? 0));
-    if (isEarlier) first = { what: 'channel', index, ...nameOfChannel(character, index), error, time };
+    if (!isEarlier && !isLargest) return;
+    const place: FirstWrong = { what: 'channel', index, ...nameOfChannel(character, index), error, time };
+    if (isEarlier) first = place;
+    if (isLargest) largest = place;
   });
-  return { own, worst, first };
+  return { own, worst, first, largest };
 }
 
 function nameOfChannel(character: Character, index: number): { readonly name?: string } {

@@ -1,5 +1,6 @@
-/** What was compared, in words. */
+/** What was compared, and what a cause is about, in words. */
 import type { Compared } from './compare.ts';
+import type { Cause, CauseSubject } from './search.ts';
 
 const NAMES: Readonly<Record<keyof Compared, readonly [one: string, many: string]>> = {
   world: ['world matrix', 'world matrices'],
@@ -9,6 +10,25 @@ const NAMES: Readonly<Record<keyof Compared, readonly [one: string, many: string
   normals: ['normal', 'normals'],
   channels: ['channel', 'channels'],
 };
+
+/** `world matrices of anna.txt`: what a cause of a part is about. @param hasSeveral dumps, so that they are named */
+export function subjectText({ kinds, files }: CauseSubject, hasSeveral: boolean): string {
+  const named = kinds.map((kind) => NAMES[kind][1]).join(', ');
+  return hasSeveral ? `${named} of ${files.join(', ')}` : named;
+}
+
+/** What an explained item is: a joint, a vertex or a channel. */
+export function explainedNoun({ about }: Cause, compared: Compared): 'joint' | 'vertex' | 'channel' {
+  const has = (kind: keyof Compared) => (about ? about.kinds.includes(kind) : compared[kind] > 0);
+  if (has('world') || has('local') || has('positions')) return 'joint';
+  return has('vertices') || has('normals') ? 'vertex' : 'channel';
+}
+
+/** Whether causes explain the same numbers, all of them: these can't tell them apart. */
+export function areEqual(causes: readonly Cause[]): boolean {
+  const subjects = causes.map(({ about }) => JSON.stringify(about ?? null));
+  return causes.length > 1 && new Set(subjects).size === 1 && causes.every(({ explains, of }) => explains === of);
+}
 
 /** `23 world matrices at 11 times; 72 channels`. @param times of the frames; the counts are of all of them */
 export function comparedText({ channels, ...ofFrames }: Compared, times: number): string {

@@ -13,7 +13,7 @@ import { vertexCount } from '../model/skin.ts';
 import { Evaluator, type FrameTime } from './evaluator.ts';
 import { matricesOf } from './matrix-layout.ts';
 import { RIGHT_PROGRAM } from './program.ts';
-import type { FrameKind, FrameTarget, MatrixLayout, Targets } from './targets.ts';
+import type { FrameKind, FrameTarget, MatrixLayout, Origins, Targets } from './targets.ts';
 
 export interface Fitted {
   /** Absent if a dump doesn't fit. */
@@ -64,7 +64,10 @@ class Misfit extends Error {
 class Fit {
   private readonly diagnostics: Diagnostic[] = [];
   private readonly frames: FrameTarget[] = [];
-  private readonly samples: { channel: number; time: number; value: number }[] = [];
+  private readonly samples: { channel: number; time: number; value: number; dump: number }[] = [];
+  /** Which dump each kind of each frame is of. */
+  private readonly sources: Partial<Record<FrameKind, number>>[] = [];
+  private readonly fileNames: string[] = [];
   private layout: MatrixLayout | undefined;
   private readonly names: readonly string[];
   private readonly vertices: number;
@@ -84,6 +87,7 @@ class Fit {
 
   add({ dump, fileName, assumed }: NamedDump): void {
     const time = assumed ? assumed.time : this.time;
+    this.fileNames.push(fileName);
     for (const block of dump.blocks) {
       try {
         this.block(block, dump, block.time ?? dump.time ?? time);
@@ -103,7 +107,7 @@ class Fit {
   }
 
   result(): Fitted {
-    const { diagnostics, frames, layout } = this;
+    const { diagnostics, frames, layout, fileNames } = this;
     const samples = this.samples.sort((a, b) => a.channel - b.channel || a.time - b.time);
     if (diagnostics.some(({ severity }) => severity === 'error')) return { diagnostics };
     const channels = {
@@ -111,7 +115,9 @@ class Fit {
       times: Float64Array.from(samples, ({ time }) => time),
       values: Float64Array.from(samples, ({ value }) => value),
     };
-    return { targets: { frames, channels, ...(layout && { layout }) }, diagnostics };
+    const dumps = Uint32Array.from(samples, ({ dump }) => dump);
+    const origins: Origins = { fileNames, frames: this.sources, samples: dumps };
+    return { targets: { frames, channels, ...(layout && { layout }), origins }, diagnostics };
   }
 
   private block(block: DumpBlock, dump: Dump, time: FrameTime): void {
@@ -236,6 +242,7 @@ class Fit {
     if (!frame) {
       frame = { time };
       this.frames.push(frame);
+      this.sources.push({});
     }
     return frame;
   }
@@ -251,6 +258,7 @@ class Fit {
       );
     }
     frame[kind] = values;
+    this.sources[this.frames.indexOf(frame)][kind] = this.fileNames.length - 1;
   }
 
   private matrices(block: DumpBlock, entries: readonly Entry[], kind: 'world' | 'local', time: FrameTime): void {
@@ -366,7 +374,8 @@ class Fit {
       if (Number.isInteger(c) && c >= 0 && c < channels) return c;
       throw new Misfit('dump-index', `Expected a channel from 0 to ${channels - 1}, found ${c}.`, lines[at] ?? line);
     };
-    const put = (c: number, t: number, value: number) => void this.samples.push({ channel: c, time: t, value });
+    const dump = this.fileNames.length - 1;
+    const put = (c: number, t: number, value: number) => void this.samples.push({ channel: c, time: t, value, dump });
     if (times && times.length > 0) {
       const count = times.length;
       const isByTime = rows === count && width === channels && width !== count;

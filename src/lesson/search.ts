@@ -7,14 +7,25 @@ import { normalsOf } from '../evaluate/normals.ts';
 import type { Steps } from '../evaluate/steps.ts';
 import type { Character } from '../model/document.ts';
 import { shownSkin } from '../model/document.ts';
+import { DUMP_KINDS, type DumpKind } from '../model/dump.ts';
 import type { Morph, MorphRows } from '../model/morph.ts';
 import type { Skin } from '../model/skin.ts';
 import { CATALOGUE } from './catalogue/all.ts';
 import type { Mistake, Variant } from './catalogue/mistake.ts';
+import { type Cell, type CellPiece, type ComparedNumbers, cellsOf } from './cells.ts';
 import { pointError } from './errors.ts';
+import { ownValues } from './own-values.ts';
+import { outcomeOf, type Part, type PartOutcome, partsOf } from './parts.ts';
 import { type Program, RIGHT_PROGRAM } from './program.ts';
 import type { ChannelTarget, FrameTarget, Targets } from './targets.ts';
-import { type Outcome, ownValues, Trial } from './trial.ts';
+import { type CellOutcome, Trial } from './trial.ts';
+
+/** What a cause of a part is about. */
+export interface CauseSubject {
+  readonly kinds: readonly DumpKind[];
+  /** Of the dumps. */
+  readonly files: readonly string[];
+}
 
 /** A mistake, or two, that make our numbers theirs. */
 export interface Cause {
@@ -32,6 +43,8 @@ export interface Cause {
   readonly of: number;
   /** The largest remaining error. */
   readonly residual: number;
+  /** Absent: all numbers that it touches. Else it explains these alone, and is counted in them. */
+  readonly about?: CauseSubject;
 }
 
 interface Candidate {
@@ -49,28 +62,38 @@ const FEW_SAMPLES = 6;
  * Numbers that a part or a pair must change: of the thousands of pairs some would come near to a single point by chance.
  */
 const MIN_EVIDENCE = 6;
+/** Residuals that differ by less, of the tolerance, are equal: as digits that were not printed. */
+const EQUAL_RESIDUALS = 0.01;
 /** Programs tried between two reports of progress. */
 const BETWEEN_STEPS = 16;
 
-/**
- * @param worst the vertices that differ most, in any order
- * @param sizes of the character, per frame
- */
-export function* findCauses(
-  character: Character,
-  targets: Targets,
-  sizes: readonly number[],
-  worst: readonly number[],
-  tolerance: number,
-): Steps<readonly Cause[]> {
-  const { frames, channels } = targets;
-  const all = new Trial(character, frames, channels, sizes, tolerance);
-  const few = fewOf(character, frames, channels, worst);
-  const small = new Trial(few.character, few.frames, few.channels, sizes, tolerance);
+/** What explains the numbers. */
+export interface FoundCauses {
+  /** Causes of all numbers; else those of parts, each with what it is about, and last those of what they touch. */
+  readonly causes: readonly Cause[];
+  /** Where some parts are explained: those that aren't. */
+  readonly unexplained?: CauseSubject;
+}
+
+/** What was found for a part. */
+interface PartCauses {
+  readonly part: Part;
+  /** By code: mistakes that explain all of it; two of them; those that explain what they touch. */
+  readonly singles: Map<string, Cause>;
+  readonly pairs: Map<string, Cause>;
+  readonly partial: Map<string, Cause>;
+}
+
+export function* findCauses(numbers: ComparedNumbers): Steps<FoundCauses> {
+  const { character, targets, own, sizes, tolerance } = numbers;
+  const { frames } = targets;
+  const cells = cellsOf(numbers);
+  const all = new Trial(character, frames, cells, sizes, tolerance);
+  const few = fewOf(character, frames, cells, worstVertices(frames, own));
+  const small = new Trial(few.character, few.frames, few.cells, sizes, tolerance);
+  const finder = new Finder(cells, tolerance);
   const candidates = CATALOGUE.flatMap((mistake) => mistake.variants.map((variant) => candidateOf(mistake, variant)));
 
-  const whole = new Map<string, Cause>();
-  const parts = new Map<string, Cause>();
   const active: Candidate[] = [];
   const known = new Set<string>();
   const activate = (candidate: Candidate) => {
@@ -82,42 +105,184 @@ export function* findCauses(
   for (let i = 0; i < candidates.length; i++) {
     const candidate = candidates[i];
     const glance = small.run(candidate.program, true);
+    const touches = glance.some((outcome) => outcome.touches);
     // Limits may be reached only with another mistake.
-    if (glance.touches || candidate.mistake.code === 'limits-not-applied') activate(candidate);
-    if (glance.isWhole || glance.isPart || (!glance.touches && isHopeful(glance))) {
-      const outcome = all.run(candidate.program, true);
-      if (outcome.touches && !glance.touches) activate(candidate);
-      if (outcome.isWhole) keep(whole, [candidate], outcome, tolerance);
-      else if (outcome.isPart && outcome.evidence >= MIN_EVIDENCE) keep(parts, [candidate], outcome, tolerance);
+    if (touches || candidate.mistake.code === 'limits-not-applied') activate(candidate);
+    if (finder.mayBeExplained(glance)) {
+      const outcomes = all.run(candidate.program, true);
+      if (!touches && outcomes.some((outcome) => outcome.touches)) activate(candidate);
+      finder.addSingle(candidate, outcomes);
     }
     yield (0.2 * i) / candidates.length;
   }
-  if (whole.size === 0) yield* findPairs(active, small, all, whole, tolerance);
-  // Beside an explanation of everything, one of a part says nothing more.
-  return sorted(whole.size > 0 ? whole : parts);
+  if (!finder.isWhole) yield* findPairs(active, small, all, finder);
+  return finder.found(targets);
 }
 
-function* findPairs(
-  active: readonly Candidate[],
-  small: Trial,
-  all: Trial,
-  found: Map<string, Cause>,
-  tolerance: number,
-): Steps<void> {
+function* findPairs(active: readonly Candidate[], small: Trial, all: Trial, finder: Finder): Steps<void> {
   let tried = 0;
   const count = (active.length * (active.length - 1)) / 2;
+  finder.endSingles();
   for (let i = 0; i < active.length; i++) {
     for (let k = i + 1; k < active.length; k++) {
       const [a, b] = [active[i], active[k]];
       if (++tried % BETWEEN_STEPS === 0) yield 0.2 + (0.8 * tried) / count;
       if (a.mistake === b.mistake) continue;
       for (const program of bothOf(a, b)) {
-        if (!small.run(program, false).isWhole) continue;
-        const outcome = all.run(program, false);
-        if (outcome.isWhole && outcome.evidence >= MIN_EVIDENCE) keep(found, [a, b], outcome, tolerance);
+        if (finder.isExplained(small.run(program, false))) finder.addPair([a, b], all.run(program, false));
       }
     }
   }
+}
+
+/** What is found, by part. */
+class Finder {
+  private readonly parts: readonly PartCauses[];
+  /** Wrong cells, each with the right ones of its dump. */
+  private readonly smallest: readonly { readonly cell: number; readonly right: readonly number[] }[];
+  /** Those of them that no single mistake explains. */
+  private open: Finder['smallest'];
+
+  constructor(
+    private readonly cells: readonly Cell[],
+    private readonly tolerance: number,
+  ) {
+    this.parts = partsOf(cells).map((part) => ({ part, singles: new Map(), pairs: new Map(), partial: new Map() }));
+    this.smallest = cells.flatMap(({ isWrong, dump }, cell) => {
+      const right = cells.flatMap((each, c) => (each.dump === dump && !each.isWrong ? [c] : []));
+      return isWrong ? [{ cell, right }] : [];
+    });
+    this.open = this.smallest;
+  }
+
+  /** Whether a single mistake explains all. */
+  get isWhole(): boolean {
+    return this.parts[0].singles.size > 0;
+  }
+
+  /** Whether a single mistake may explain a part, by a few of its numbers. */
+  mayBeExplained(few: readonly CellOutcome[]): boolean {
+    return this.smallest.some(({ cell, right }) => {
+      if (!few[cell].isPartial || !right.every((c) => few[c].isPartial)) return false;
+      // All joints are tried; of others something that isn't among the few may be changed.
+      return few[cell].touches || this.cells[cell].group !== 'joints';
+    });
+  }
+
+  /** Whether a pair may explain a part that no single mistake explains, or all. */
+  isExplained(few: readonly CellOutcome[]): boolean {
+    const isBy = ({ cell, right }: Finder['smallest'][number]) =>
+      few[cell].agrees && few[cell].touches && right.every((c) => few[c].agrees);
+    return this.open.some(isBy) || this.smallest.every(isBy);
+  }
+
+  endSingles(): void {
+    const explained = new Set(this.parts.flatMap(({ part, singles }) => (singles.size > 0 ? part.wrong : [])));
+    this.open = this.smallest.filter(({ cell }) => !explained.has(cell));
+  }
+
+  addSingle(candidate: Candidate, outcomes: readonly CellOutcome[]): void {
+    for (const { part, singles, partial } of this.parts) {
+      const outcome = outcomeOf(part, this.cells, outcomes);
+      if (outcome.isWhole && (part.isAll || outcome.evidence >= MIN_EVIDENCE)) this.keep(singles, [candidate], outcome);
+      else if (outcome.isPartial && outcome.evidence >= MIN_EVIDENCE) this.keep(partial, [candidate], outcome);
+    }
+  }
+
+  addPair(pair: readonly Candidate[], outcomes: readonly CellOutcome[]): void {
+    for (const { part, pairs } of this.parts) {
+      const outcome = outcomeOf(part, this.cells, outcomes);
+      if (outcome.isWhole && outcome.evidence >= MIN_EVIDENCE) this.keep(pairs, pair, outcome);
+    }
+  }
+
+  /** The largest parts that are explained, each by one mistake before two. */
+  found(targets: Targets): FoundCauses {
+    const open = new Set(this.smallest.map(({ cell }) => cell));
+    const whole: Cause[] = [];
+    const partial: Cause[] = [];
+    for (const { part, singles, pairs, partial: touched } of this.parts) {
+      const about = part.isAll
+        ? {}
+        : {
+            about: subjectOf(
+              targets,
+              part.wrong.map((c) => this.cells[c]),
+            ),
+          };
+      const told = (causes: ReadonlyMap<string, Cause>) => sorted(causes).map((cause) => ({ ...cause, ...about }));
+      const explaining = singles.size > 0 ? singles : pairs;
+      // Beside an explanation of everything, one of a part says nothing more.
+      if (!part.wrong.every((c) => open.has(c))) continue;
+      if (explaining.size === 0) partial.unshift(...told(touched));
+      else {
+        for (const cause of told(explaining)) addCause(whole, cause);
+        for (const c of part.wrong) open.delete(c);
+      }
+    }
+    if (open.size === 0) return { causes: whole };
+    const codes = new Set(whole.map(({ code }) => code));
+    const causes = [...whole, ...partial.filter(({ code }) => !codes.has(code) && codes.add(code))];
+    const isPartly = causes.length > 0 && this.cells.length > 1;
+    return {
+      causes,
+      ...(isPartly && {
+        unexplained: subjectOf(
+          targets,
+          [...open].map((c) => this.cells[c]),
+        ),
+      }),
+    };
+  }
+
+  /** Of several ways to make the same mistakes the nearest; of those as near the first, and the others with it. */
+  private keep(found: Map<string, Cause>, by: readonly Candidate[], outcome: PartOutcome): void {
+    const { tolerance } = this;
+    const { residual, agree, of } = outcome;
+    const code = by.map(({ mistake }) => mistake.code).join('+');
+    const known = found.get(code);
+    const details = by.map(({ variant }) => variant.detail).filter((detail) => detail !== '');
+    const difference = known ? residual - known.residual : Number.NEGATIVE_INFINITY;
+    if (known && difference > -EQUAL_RESIDUALS * tolerance) {
+      const isAnother = by.length === 1 && !by[0].variant.isFiner && difference < EQUAL_RESIDUALS * tolerance;
+      if (isAnother) found.set(code, { ...known, alternatives: [...known.alternatives, ...details] });
+      return;
+    }
+    found.set(code, {
+      code,
+      detail: details.join('; '),
+      alternatives: [],
+      sentences: by.map(({ mistake, variant }) => mistake.sentence(variant.detail)),
+      formulas: by.map(({ mistake }) => mistake.formula),
+      explains: agree,
+      of,
+      residual,
+    });
+  }
+}
+
+/** What explains several parts is told once. */
+function addCause(causes: Cause[], cause: Cause): void {
+  const at = causes.findIndex(({ code, detail }) => code === cause.code && detail === cause.detail);
+  if (at < 0) causes.push(cause);
+  else causes[at] = joined(causes[at], cause);
+}
+
+function joined(a: Cause, b: Cause): Cause {
+  const both = (key: keyof CauseSubject) => [...new Set([...(a.about?.[key] ?? []), ...(b.about?.[key] ?? [])])];
+  return {
+    ...a,
+    explains: a.explains + b.explains,
+    of: a.of + b.of,
+    residual: Math.max(a.residual, b.residual),
+    alternatives: a.alternatives.filter((each) => b.alternatives.includes(each)),
+    about: { kinds: DUMP_KINDS.filter((kind) => both('kinds').includes(kind)), files: both('files') },
+  };
+}
+
+function subjectOf({ origins }: Targets, cells: readonly Cell[]): CauseSubject {
+  const files = cells.flatMap(({ dump }) => origins?.fileNames[dump] ?? []);
+  return { kinds: [...new Set(cells.flatMap(({ kinds }) => kinds))], files: [...new Set(files)] };
 }
 
 /** A program with both mistakes; two where their order matters, none where one replaces the other. */
@@ -142,50 +307,13 @@ function candidateOf(mistake: Mistake, variant: Variant): Candidate {
   return { mistake, variant, program, rules };
 }
 
-/** Nothing of the few is changed, and something may be elsewhere. */
-function isHopeful({ vertices, channels }: Outcome): boolean {
-  return vertices.of > 0 || channels.of > 0;
-}
-
-/** Residuals that differ by less, of the tolerance, are equal: as digits that were not printed. */
-const EQUAL_RESIDUALS = 0.01;
-
-/** Of several ways to make the same mistakes the one that is nearest; of those as near the first, and the others with it. */
-function keep(found: Map<string, Cause>, by: readonly Candidate[], outcome: Outcome, tolerance: number): void {
-  const code = by.map(({ mistake }) => mistake.code).join('+');
-  const share = [outcome.joints, outcome.vertices, outcome.channels].find(({ of }) => of > 0) ?? outcome.joints;
-  const known = found.get(code);
-  const details = by.map(({ variant }) => variant.detail).filter((detail) => detail !== '');
-  const difference = known ? outcome.residual - known.residual : Number.NEGATIVE_INFINITY;
-  if (known && difference > -EQUAL_RESIDUALS * tolerance) {
-    const isAnother = by.length === 1 && !by[0].variant.isFiner && difference < EQUAL_RESIDUALS * tolerance;
-    if (isAnother) found.set(code, { ...known, alternatives: [...known.alternatives, ...details] });
-    return;
-  }
-  found.set(code, {
-    code,
-    detail: details.join('; '),
-    alternatives: [],
-    sentences: by.map(({ mistake, variant }) => mistake.sentence(variant.detail)),
-    formulas: by.map(({ mistake }) => mistake.formula),
-    explains: share.agree,
-    of: share.of,
-    residual: outcome.residual,
-  });
-}
-
 function sorted(found: ReadonlyMap<string, Cause>): readonly Cause[] {
   return [...found.values()].sort((a, b) => a.residual - b.residual);
 }
 
 // ——— a few of everything ———
 
-function fewOf(
-  character: Character,
-  frames: readonly FrameTarget[],
-  channels: ChannelTarget,
-  worst: readonly number[],
-) {
+function fewOf(character: Character, frames: readonly FrameTarget[], cells: readonly Cell[], worst: readonly number[]) {
   const skin = shownSkin(character);
   const few = skin ? chosen(skin, worst) : [];
   const pick = (values: Float64Array | undefined) => values && rowsOf(values, few);
@@ -193,11 +321,14 @@ function fewOf(
     character: skin
       ? { ...character, skins: [skinOf(skin, few)], shownSkin: 0, morphs: character.morphs.map((m) => morphOf(m, few)) }
       : character,
-    frames: frames.map((frame): FrameTarget => {
-      const [vertices, normals] = [pick(frame.vertices), pick(frame.normals)];
-      return { ...frame, ...(vertices && { vertices }), ...(normals && { normals }) };
+    frames,
+    cells: cells.map((cell): Cell => {
+      const pieces = cell.pieces.map(({ frame, target }): CellPiece => {
+        const [vertices, normals] = [pick(target.vertices), pick(target.normals)];
+        return { frame, target: { ...target, ...(vertices && { vertices }), ...(normals && { normals }) } };
+      });
+      return { ...cell, pieces, channels: fewSamples(character, cell.channels) };
     }),
-    channels: fewSamples(character, channels),
   };
 }
 
@@ -294,7 +425,7 @@ function fewSamples(character: Character, target: ChannelTarget): ChannelTarget 
 }
 
 /** The vertices with the largest errors at any of the times, the worst first. */
-export function worstVertices(
+function worstVertices(
   frames: readonly FrameTarget[],
   own: readonly { readonly vertices: Float64Array; readonly normals: Float64Array }[],
 ): number[] {

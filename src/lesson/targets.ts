@@ -33,6 +33,16 @@ export interface Targets {
   readonly channels: ChannelTarget;
   /** Of the first matrices. */
   readonly layout?: MatrixLayout;
+  /** Absent: all are of one dump. */
+  readonly origins?: Origins;
+}
+
+/** Which dump each list of a frame and each sample is of: indices into the names. */
+export interface Origins {
+  readonly fileNames: readonly string[];
+  /** Per frame. */
+  readonly frames: readonly Readonly<Partial<Record<FrameKind, number>>>[];
+  readonly samples: Uint32Array;
 }
 
 export type FrameKind = Exclude<DumpKind, 'channels'>;

@@ -3,35 +3,29 @@
  * touches. One trial has all numbers; a small one has those of few vertices and samples, and only tells what is not
  * worth trying with all.
  */
-import { compileClip } from '../evaluate/compiled-clip.ts';
-import { evaluateChannel } from '../evaluate/curves.ts';
 import { type Character, shownClip } from '../model/document.ts';
+import type { Cell } from './cells.ts';
 import { channelValue, RIGHT_CURVES } from './curve-rules.ts';
 import { larger, matrixError, pointError } from './errors.ts';
 import { Evaluator, type FrameNumbers } from './evaluator.ts';
+import { ownValues } from './own-values.ts';
 import { type Program, RIGHT_PROGRAM, type Wanted } from './program.ts';
 import type { ChannelTarget, FrameTarget } from './targets.ts';
 
-/** What a program does to our numbers, and how near they come to theirs. */
-export interface Outcome {
+/** What a program does to our numbers of a cell, and how near they come to theirs. */
+export interface CellOutcome {
   /** Whether any number is changed by more than the tolerance. */
   readonly touches: boolean;
   /** Whether all numbers are theirs, within the tolerance; and all those that are changed. */
-  readonly isWhole: boolean;
-  readonly isPart: boolean;
+  readonly agrees: boolean;
+  readonly isPartial: boolean;
   /** How many numbers the program changes. */
   readonly evidence: number;
   /** The largest error of what is explained. */
   readonly residual: number;
-  /** By kind of item: how many agree, and how many there are. */
-  readonly joints: Share;
-  readonly vertices: Share;
-  readonly channels: Share;
-}
-
-interface Share {
-  agree: number;
-  of: number;
+  /** Joints, vertices or channels that agree, and how many there are. */
+  readonly agree: number;
+  readonly of: number;
 }
 
 /** Our own numbers of a frame. */
@@ -43,14 +37,17 @@ interface Own extends FrameNumbers {
 export class Trial {
   private readonly evaluator: Evaluator;
   private readonly own: readonly Own[];
-  private readonly ownChannels: Float64Array;
+  /** Of the channels of each cell. */
+  private readonly ownChannels: readonly Float64Array[];
   private readonly wanted: readonly Wanted[];
+  /** Per frame. */
+  private readonly pieces: readonly (readonly { readonly cell: number; readonly target: FrameTarget }[])[];
 
   /** @param sizes of the whole character, per frame */
   constructor(
     private readonly character: Character,
     private readonly frames: readonly FrameTarget[],
-    private readonly channels: ChannelTarget,
+    private readonly cells: readonly Cell[],
     sizes: readonly number[],
     private readonly tolerance: number,
   ) {
@@ -70,19 +67,34 @@ export class Trial {
         normals: numbers.normals.slice(),
       };
     });
-    this.ownChannels = ownValues(character, channels);
+    this.ownChannels = cells.map(({ channels }) => ownValues(character, channels));
+    this.pieces = frames.map((_, f) =>
+      cells.flatMap(({ pieces }, cell) =>
+        pieces.flatMap(({ frame, target }) => (frame === f ? [{ cell, target }] : [])),
+      ),
+    );
   }
 
-  /** Stops early, with `isWhole` and `isPart` both false, if neither can be. @param forPart whether parts matter */
-  run(program: Program, forPart: boolean): Outcome {
-    const state = new State(this.tolerance, forPart);
-    if (program.curves !== RIGHT_CURVES) this.tryChannels(program, state);
-    else this.countChannels(state);
-    for (let f = 0; f < this.frames.length && !state.isHopeless; f++) {
+  /**
+   * Per cell. Stops early if no wrong cell can be explained; then one of its `agrees` and `isPartial` is false.
+   *
+   * @param forPart whether cells may be explained in part
+   */
+  run(program: Program, forPart: boolean): readonly CellOutcome[] {
+    const states = this.cells.map(() => new State(this.tolerance, forPart));
+    const isHopeless = () => this.cells.every(({ isWrong }, c) => !isWrong || states[c].isHopeless);
+    this.cells.forEach(({ channels }, c) => {
+      if (channels.channels.length === 0) return;
+      if (program.curves !== RIGHT_CURVES) this.tryChannels(program, channels, this.ownChannels[c], states[c]);
+      else countChannels(channels, this.ownChannels[c], states[c]);
+    });
+    for (let f = 0; f < this.frames.length && !isHopeless(); f++) {
       const numbers = this.evaluator.frame(program, this.frames[f].time, this.wanted[f]);
-      this.tryFrame(numbers, this.own[f], this.frames[f], state);
+      for (const { cell, target } of this.pieces[f]) {
+        if (!states[cell].isHopeless) this.tryFrame(numbers, this.own[f], target, states[cell]);
+      }
     }
-    return state.outcome();
+    return states.map((state) => state.outcome());
   }
 
   /** Equal for programs that do the same here. */
@@ -96,12 +108,13 @@ export class Trial {
       for (const values of [world, local, vertices, normals]) add(values);
     });
     const clip = shownClip(this.character);
-    const { channels, times } = this.channels;
-    channels.forEach((c, i) => {
-      const channel = clip?.channels[c];
-      if (clip && channel?.kind === 'keys')
-        sum += Math.sin(i) * channelValue(channel, clip.range, times[i], program.curves);
-    });
+    for (const { channels: of } of this.cells) {
+      of.channels.forEach((c, i) => {
+        const channel = clip?.channels[c];
+        if (clip && channel?.kind === 'keys')
+          sum += Math.sin(i) * channelValue(channel, clip.range, of.times[i], program.curves);
+      });
+    }
     return sum.toPrecision(12);
   }
 
@@ -125,7 +138,7 @@ export class Trial {
           change = Math.max(change, pointError(now.world, o + 12, own.world, o + 12, size));
           error = Math.max(error, pointError(now.world, o + 12, positions, 3 * j, size));
         }
-        state.add(state.joints, change, error, world || local ? MATRIX : POINT);
+        state.add(change, error, world || local ? MATRIX : POINT);
       }
     }
     const count = (vertices ?? normals)?.length ?? 0;
@@ -140,13 +153,13 @@ export class Trial {
         change = Math.max(change, pointError(now.normals, o, own.normals, o, 1));
         error = Math.max(error, pointError(now.normals, o, normals, o, 1));
       }
-      state.add(state.vertices, change, error, POINT);
+      state.add(change, error, POINT);
     }
   }
 
-  private tryChannels(program: Program, state: State): void {
+  private tryChannels(program: Program, target: ChannelTarget, ownValues: Float64Array, state: State): void {
     const clip = shownClip(this.character);
-    const { channels, times, values } = this.channels;
+    const { channels, times, values } = target;
     if (!clip) return;
     for (let from = 0; from < channels.length && !state.isHopeless; ) {
       const c = channels[from];
@@ -157,28 +170,26 @@ export class Trial {
       let i = from;
       for (; i < channels.length && channels[i] === c; i++) {
         const now =
-          channel.kind === 'keys' ? channelValue(channel, clip.range, times[i], program.curves) : this.ownChannels[i];
-        const own = larger(0, now - this.ownChannels[i]);
+          channel.kind === 'keys' ? channelValue(channel, clip.range, times[i], program.curves) : ownValues[i];
+        const own = larger(0, now - ownValues[i]);
         if (own > this.tolerance) changed++;
         change = Math.max(change, own);
         error = larger(error, now - values[i]);
       }
-      state.add(state.channels, change, error, changed);
+      state.add(change, error, changed);
       from = i;
     }
   }
+}
 
-  /** Rules of joints and skins leave channels as they are. */
-  private countChannels(state: State): void {
-    const { channels, values } = this.channels;
-    for (let from = 0; from < channels.length && !state.isHopeless; ) {
-      let error = 0;
-      let i = from;
-      for (; i < channels.length && channels[i] === channels[from]; i++)
-        error = larger(error, this.ownChannels[i] - values[i]);
-      state.add(state.channels, 0, error, 0);
-      from = i;
-    }
+/** Rules of joints and skins leave channels as they are. */
+function countChannels({ channels, values }: ChannelTarget, ownValues: Float64Array, state: State): void {
+  for (let from = 0; from < channels.length && !state.isHopeless; ) {
+    let error = 0;
+    let i = from;
+    for (; i < channels.length && channels[i] === channels[from]; i++) error = larger(error, ownValues[i] - values[i]);
+    state.add(0, error, 0);
+    from = i;
   }
 }
 
@@ -186,16 +197,16 @@ export class Trial {
 const MATRIX = 12;
 const POINT = 3;
 
+/** What is known of a cell. */
 class State {
-  readonly joints: Share = { agree: 0, of: 0 };
-  readonly vertices: Share = { agree: 0, of: 0 };
-  readonly channels: Share = { agree: 0, of: 0 };
   isHopeless = false;
   private touches = false;
-  private isWhole = true;
-  private isPart = true;
+  private agrees = true;
+  private isPartial = true;
   private residual = 0;
   private evidence = 0;
+  private agree = 0;
+  private of = 0;
 
   constructor(
     private readonly tolerance: number,
@@ -203,38 +214,22 @@ class State {
   ) {}
 
   /** An item of some numbers that the program changes by `change`, and that is `error` from theirs then. */
-  add(share: Share, change: number, error: number, numbers: number): void {
+  add(change: number, error: number, numbers: number): void {
     const { tolerance } = this;
     const isTouched = !(change <= tolerance);
     const agrees = error <= tolerance;
-    share.of++;
-    if (agrees) share.agree++;
+    this.of++;
+    if (agrees) this.agree++;
     if (agrees && error > this.residual) this.residual = error;
     this.touches ||= isTouched;
     if (isTouched) this.evidence += numbers;
-    this.isWhole &&= agrees;
-    this.isPart &&= agrees || !isTouched;
-    this.isHopeless = !this.isWhole && !(this.forPart && this.isPart);
+    this.agrees &&= agrees;
+    this.isPartial &&= agrees || !isTouched;
+    this.isHopeless = !this.agrees && !(this.forPart && this.isPartial);
   }
 
-  outcome(): Outcome {
-    const { touches, isWhole, isPart, residual, evidence, joints, vertices, channels } = this;
-    return {
-      touches,
-      isWhole: isWhole && touches,
-      isPart: isPart && touches,
-      residual,
-      evidence,
-      joints,
-      vertices,
-      channels,
-    };
+  outcome(): CellOutcome {
+    const { touches, agrees, isPartial, residual, evidence, agree, of } = this;
+    return { touches, agrees, isPartial, residual, evidence, agree, of };
   }
-}
-
-/** Our values of the samples. */
-export function ownValues(character: Character, { channels, times }: ChannelTarget): Float64Array {
-  const clip = shownClip(character);
-  const compiled = clip && compileClip(clip);
-  return Float64Array.from(channels, (c, i) => (compiled ? evaluateChannel(compiled, c, times[i]) : 0));
 }

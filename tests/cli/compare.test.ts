@@ -129,6 +129,56 @@ describe('marrow compare', () => {
     expect(text.out).toContain('Explains 3 of 3');
   });
 
+  it('names the mistakes of two dumps, each with its file, and says what none explains', async () => {
+    const anim = (angle: number) =>
+      `channel { extrapolate constant constant keys 3 { 0 0 smooth smooth 0.5 ${angle} smooth smooth 2 0.1 smooth smooth } }`;
+    write(
+      'a.anim',
+      `animation { range 0 2 numchannels 12 ${[...'0'.repeat(12)].map((_, c) => anim(0.1 * c)).join(' ')} }`,
+    );
+    const { out } = await command(['pose', 'a.skel', 'a.anim', '--time', '0.8', '--json'], folder);
+    const joints: readonly { world: number[]; local: number[] }[] = JSON.parse(out).characters[0].joints;
+    write(
+      'anna@0.8.txt',
+      joints
+        .map(({ local }) => local.join(' '))
+        .join('\n')
+        .replace(/^/, 'world\n'),
+    );
+    const times = Array.from({ length: 9 }, (_, i) => i / 4);
+    const held = times.map((time) => [
+      time,
+      ...Array.from({ length: 12 }, (_, c) => (time < 0.5 ? 0 : time < 2 ? 0.1 * c : 0.1)),
+    ]);
+    write('dan.csv', held.map((row) => row.join(',')).join('\n'));
+    const both = await command(['compare', 'a.skel', 'a.anim', 'anna@0.8.txt', 'dan.csv'], folder);
+    expect(both.out).toContain('no-parent (W = L), in the world matrices of anna@0.8.txt\n');
+    expect(both.out).toContain('stepped, in the channels of dan.csv\n');
+    expect(both.out).toContain('Explains 12 of 12 channels');
+    const found = await commandJson<CompareJson>(['compare', 'a.skel', 'a.anim', 'anna@0.8.txt', 'dan.csv'], folder, 1);
+    expect(found.causes).toMatchObject([
+      { code: 'no-parent', kinds: ['world'], files: ['anna@0.8.txt'], explains: 3, of: 3 },
+      { code: 'stepped', kinds: ['channels'], files: ['dan.csv'], explains: 12, of: 12 },
+    ]);
+    write('noise.csv', held.map((row) => row.map((v, c) => (c > 0 ? v + Math.sin(9 * c) : v)).join(',')).join('\n'));
+    const { out: text } = await command(['compare', 'a.skel', 'a.anim', 'anna@0.8.txt', 'noise.csv'], folder);
+    expect(text).toContain('no-parent');
+    expect(text).toContain('No known mistake, nor two together, explains all of the channels of noise.csv.');
+  });
+
+  it('says errors of lengths in the units of the files, and others as they are', async () => {
+    const matrices = (await ownMatrices()).map((m) => [...m]);
+    matrices[1][12] += 0.5;
+    matrices[2][0] += 0.4;
+    write('lengths.txt', matrices.map((m) => m.join(' ')).join('\n'));
+    const { out } = await command(['compare', 'a.skel', 'lengths.txt'], folder);
+    const [, share, size] = /by 0\.5 \((\S+) of the size (\S+)\)/.exec(out) ?? [];
+    expect(Number(share) * Number(size)).toBeCloseTo(0.5, 2);
+    expect(out).toContain('joint 2 "hand", by 0.4 in its rotation');
+    const { first } = await commandJson<CompareJson>(['compare', 'a.skel', 'lengths.txt'], folder, 1);
+    expect(first).toEqual({ what: 'joint', index: 1, name: 'arm', error: expect.closeTo(Number(share), 3) });
+  });
+
   it('compares several times in one file, each with its own numbers', async () => {
     const matrices = await ownMatrices();
     const frame = (time: number, by: number) =>

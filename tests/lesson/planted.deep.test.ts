@@ -6,7 +6,7 @@ import { describe, expect, it } from 'vitest';
 import { RIGHT_PROGRAM } from '../../src/lesson/program.ts';
 import { hasShared } from '../helpers/shared.ts';
 import { characterOf, OWN, SHARED } from './lesson-files.ts';
-import { compared, kindsOf, namedIn, numbersBy, random, VARIANTS } from './planted.ts';
+import { compared, kindsOf, namedIn, numbersBy, random, together, VARIANTS } from './planted.ts';
 
 /** Of those that change a number. */
 const SINGLES_NAMED = 0.99;
@@ -14,6 +14,7 @@ const PAIRS_NAMED = 0.95;
 /** Characters and kinds of numbers that each way to make a mistake is tried on. */
 const TRIES = 4;
 const PAIRS = 200;
+const DUMPS = 120;
 
 const FILES: Readonly<Record<string, readonly string[]>> = { ...OWN, ...(hasShared && SHARED) };
 const PLACES = Object.entries(FILES).flatMap(([name, files]) => {
@@ -62,6 +63,40 @@ describe('planted mistakes', () => {
       if (namedIn(found).length === 0) missed.push(what);
     }
     expect(wrong).toBeGreaterThan(50);
+    expect(1 - missed.length / wrong, missed.join('\n')).toBeGreaterThanOrEqual(PAIRS_NAMED);
+  });
+
+  it('are named in two dumps of two programs, and never for a dump that has noise', () => {
+    const missed: string[] = [];
+    const falsely: string[] = [];
+    let wrong = 0;
+    const pick = picker(13);
+    const noise = random(17);
+    for (let i = 0; i < DUMPS; i++) {
+      const { name, character, kind } = pick(PLACES);
+      const other = pick(kindsOf(character));
+      const [a, b] = [pick(VARIANTS), pick(VARIANTS)];
+      const isNoise = i % 2 === 0;
+      const planted = numbersBy(character, a.variant.apply(RIGHT_PROGRAM), kind);
+      const second = numbersBy(character, isNoise ? RIGHT_PROGRAM : b.variant.apply(RIGHT_PROGRAM), other);
+      if (isNoise) {
+        const values = other === 'channels' ? second.channels.values : (second.frames[0][other] ?? new Float64Array(0));
+        values.forEach((value, v) => {
+          if ((other !== 'world' && other !== 'local') || v % 4 < 3) values[v] = value + 0.2 * noise.next().value;
+        });
+      }
+      const [one, two] = [planted, second].map((dump) => compared(character, dump));
+      if (one.agrees || two.agrees) continue;
+      wrong++;
+      const found = compared(character, together(planted, second));
+      const of = (file: string) =>
+        found.causes.filter(({ about }) => !about || about.files.includes(file)).map(({ code }) => code);
+      const what = `${name} ${kind} ${a.code} ${a.variant.detail}; ${other} ${isNoise ? 'noise' : b.code}`;
+      if (!of('0.txt').some((code) => code.split('+').includes(a.code))) missed.push(what);
+      if (isNoise && of('1.txt').length > 0) falsely.push(`${what}: ${of('1.txt').join()}`);
+    }
+    expect(wrong).toBeGreaterThan(30);
+    expect(falsely).toEqual([]);
     expect(1 - missed.length / wrong, missed.join('\n')).toBeGreaterThanOrEqual(PAIRS_NAMED);
   });
 

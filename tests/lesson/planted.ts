@@ -73,6 +73,27 @@ function rounded(values: Float64Array): Float64Array {
   return values.map((value) => Number(value.toFixed(6)));
 }
 
+/** Numbers of several programs, each in a dump of its own: `0.txt`, `1.txt` … */
+export function together(...dumps: readonly Targets[]): Targets {
+  const frames = dumps.flatMap((dump) => dump.frames);
+  const all = <K extends keyof ChannelTarget>(key: K) => dumps.flatMap(({ channels }) => Array.from(channels[key]));
+  return {
+    frames,
+    channels: {
+      channels: Uint32Array.from(all('channels')),
+      times: Float64Array.from(all('times')),
+      values: Float64Array.from(all('values')),
+    },
+    origins: {
+      fileNames: dumps.map((_, d) => `${d}.txt`),
+      frames: dumps.flatMap((dump, d) =>
+        dump.frames.map(({ time: _, ...kinds }) => Object.fromEntries(Object.keys(kinds).map((kind) => [kind, d]))),
+      ),
+      samples: Uint32Array.from(dumps.flatMap(({ channels }, d) => Array.from(channels.channels, () => d))),
+    },
+  };
+}
+
 export function compared(character: Character, targets: Targets): Comparison {
   return runToEnd(compare(character, targets));
 }

@@ -3,8 +3,7 @@
  * joint, vertex or channel is wrong first, and which mistake explains all of it.
  */
 import { runToEnd } from '../../evaluate/steps.ts';
-import { type Comparison, compare, type FirstWrong, type FrameComparison, worstError } from '../../lesson/compare.ts';
-import { comparedText } from '../../lesson/compared-text.ts';
+import { compare, worstError } from '../../lesson/compare.ts';
 import { fitDumpsAt } from '../../lesson/dump-times.ts';
 import { DEFAULT_TOLERANCE } from '../../lesson/errors.ts';
 import type { Fitted, NamedDump } from '../../lesson/fit-dump.ts';
@@ -13,6 +12,7 @@ import { type Diagnostic, hasErrors, withoutPlace } from '../../model/diagnostic
 import type { Character } from '../../model/document.ts';
 import { dumpFormat } from '../../project/readers.ts';
 import { type Arguments, numberOf, numbersOf, parseArguments, UsageError } from '../arguments.ts';
+import { comparisonJson, comparisonText } from '../compare-text.ts';
 import type { CliCommand } from '../io.ts';
 import { loadFiles, openLoaded } from '../load.ts';
 import { printJson, report } from '../report.ts';
@@ -39,8 +39,8 @@ export const compareCommand: CliCommand = {
       return 2;
     }
     const comparison = runToEnd(compare(character, fitted.targets, tolerance));
-    if (given.flag('json')) await printJson({ ...asJson(comparison), diagnostics }, io);
-    else await io.out(asText(comparison, character));
+    if (given.flag('json')) await printJson({ ...comparisonJson(comparison), diagnostics }, io);
+    else await io.out(comparisonText(comparison, character, named.length > 1));
     return comparison.agrees ? 0 : 1;
   },
 };
@@ -81,89 +81,4 @@ function missing(characters: readonly Character[], dumps: readonly NamedDump[]):
   if (dumps.length > 0) return [];
   const message = 'Expected a dump: numbers of joints, vertices or channels printed by another program; found none.';
   return [withoutPlace('error', 'dump-missing', message, '')];
-}
-
-function asJson({ agrees, compared, layout, worst, first, frames, own, inherited, causes }: Comparison) {
-  const shown = frames.find((frame) => !frame.agrees) ?? frames[0];
-  return {
-    agrees,
-    ...(shown?.time !== undefined && { time: shown.time }),
-    compared,
-    ...(layout && { layout }),
-    worst,
-    ...(first && { first }),
-    own,
-    inherited,
-    causes: causes.map(({ code, detail, alternatives, explains, of, residual, sentences, formulas }) => ({
-      code,
-      detail,
-      ...(alternatives.length > 0 && { alternatives }),
-      explains,
-      of,
-      residual,
-      sentence: sentences.join(' '),
-      formula: formulas.join('; '),
-    })),
-    ...(frames.length > 1 && {
-      times: frames.map((frame) => ({
-        ...(frame.time !== undefined && { time: frame.time }),
-        agrees: frame.agrees,
-        worst: frame.worst,
-        ...(frame.first && { first: frame.first }),
-        own: frame.own,
-        inherited: frame.inherited,
-      })),
-    }),
-  };
-}
-
-function asText(comparison: Comparison, character: Character): string {
-  const { agrees, compared, layout, worst, first, frames, own, inherited, causes } = comparison;
-  const lines = [`Compared: ${comparedText(compared, frames.length)}.`];
-  if (layout) lines.push(`Matrices of ${layout.numbers} numbers, ${layout.order}.`);
-  if (frames.length > 1) lines.push(`Times: ${frames.map(timeText).join(', ')}.`);
-  if (agrees || !first) lines.push(`All agree. The largest error is ${short(worst)}.`);
-  else {
-    lines.push(`First wrong: ${placeOf(first)}, by ${short(first.error)}. The largest error is ${short(worst)}.`);
-    const list = (joints: readonly number[]) => {
-      const named = joints.slice(0, MAX_NAMED).map((j) => nameOf(character, j));
-      const more = joints.length - named.length;
-      return more > 0 ? `${named.join(', ')} and ${more} more` : named.join(', ');
-    };
-    if (own.length > 0) lines.push(`Wrong by themselves: ${list(own)}.`);
-    if (inherited.length > 0) lines.push(`Wrong only because a parent is: ${list(inherited)}.`);
-    for (const { code, detail, alternatives, sentences, formulas, explains, of, residual } of causes) {
-      lines.push(
-        '',
-        `${code}${detail && ` (${detail})`}`,
-        ...sentences.map((sentence) => `  ${sentence}`),
-        ...alternatives.map((other) => `  Equally: ${other}.`),
-        ...[...new Set(formulas)].map((formula) => `    ${formula}`),
-        `  Explains ${explains} of ${of}; what remains is at most ${short(residual)}.`,
-      );
-    }
-    if (causes.length === 0) lines.push('', 'No known mistake, nor two together, explains these numbers.');
-  }
-  return `${lines.join('\n')}\n`;
-}
-
-/** As text; JSON has all. */
-const MAX_NAMED = 20;
-
-/** `1.5 s differs by 0.27`. */
-function timeText({ time, agrees, worst }: FrameComparison): string {
-  const at = time === undefined ? 'the file pose' : `${time} s`;
-  return `${at} ${agrees ? 'agrees' : `differs by ${short(worst)}`}`;
-}
-
-function placeOf({ what, index, name, time }: FirstWrong): string {
-  return `${what} ${index}${name ? ` "${name}"` : ''}${time === undefined ? '' : ` at ${time} s`}`;
-}
-
-function nameOf({ skeleton }: Character, joint: number): string {
-  return skeleton?.joints[joint]?.name || `joint ${joint}`;
-}
-
-function short(value: number): string {
-  return Number.isFinite(value) ? String(Number(value.toPrecision(3))) : 'not a number';
 }

@@ -12,9 +12,9 @@ import { type Compared, type Comparison, compare } from '../../lesson/compare.ts
 import { compareDumps } from '../../lesson/compare-dumps.ts';
 import { fitDumpsAt } from '../../lesson/dump-times.ts';
 import { Evaluator } from '../../lesson/evaluator.ts';
+import { ownValues } from '../../lesson/own-values.ts';
 import { RIGHT_PROGRAM } from '../../lesson/program.ts';
 import type { ChannelTarget, FrameTarget, Targets } from '../../lesson/targets.ts';
-import { ownValues } from '../../lesson/trial.ts';
 import { type Diagnostic, hasErrors, withoutPlace } from '../../model/diagnostic.ts';
 import { type Character, EMPTY_DOCUMENT, shownClip, shownSkin } from '../../model/document.ts';
 import { isEmptyDump } from '../../model/dump.ts';

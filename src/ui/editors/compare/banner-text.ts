@@ -1,6 +1,6 @@
 /** What the banner says: whether all agrees, what is wrong first, and which mistake explains it. */
 import type { Comparison, FirstWrong } from '../../../lesson/compare.ts';
-import { comparedText } from '../../../lesson/compared-text.ts';
+import { comparedText, explainedNoun } from '../../../lesson/compared-text.ts';
 import type { Cause } from '../../../lesson/search.ts';
 import { type Diagnostic, hasErrors } from '../../../model/diagnostic.ts';
 import type { Character } from '../../../model/document.ts';
@@ -130,9 +130,9 @@ function causeText(comparison: Comparison): string {
 }
 
 /** `Explains all 23 joints.`, `Explains 20 of 23 joints.` */
-export function explainsText({ explains, of }: Cause, { compared, frames }: Comparison): string {
-  const joints = compared.world + compared.local + compared.positions;
-  const noun = joints > 0 ? 'joint' : compared.vertices + compared.normals > 0 ? 'vertex' : 'channel';
+export function explainsText(cause: Cause, { compared, frames }: Comparison): string {
+  const { explains, of } = cause;
+  const noun = explainedNoun(cause, compared);
   const many = noun === 'vertex' ? 'vertices' : `${noun}s`;
   const times = noun === 'channel' ? 1 : frames.length;
   // Items of all times are counted; whole ones are told as there are in the character.

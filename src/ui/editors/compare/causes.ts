@@ -1,5 +1,6 @@
 /** The mistakes that explain what was found: what was done, what should be done, and how much it explains. */
 import type { Comparison } from '../../../lesson/compare.ts';
+import { areEqual, subjectText } from '../../../lesson/compared-text.ts';
 import type { Cause } from '../../../lesson/search.ts';
 import { element } from '../../kit/dom.ts';
 import { explainsText, numberText } from './banner-text.ts';
@@ -7,7 +8,7 @@ import { explainsText, numberText } from './banner-text.ts';
 export function causesList(comparison: Comparison): HTMLElement {
   const list = element('div', { class: 'compare-causes' });
   const { causes, agrees } = comparison;
-  if (causes.length > 1) {
+  if (areEqual(causes)) {
     list.append(element('p', { class: 'faint' }, 'Each of these explains it; these numbers can’t tell them apart.'));
   }
   list.append(...causes.map((cause) => causeBlock(cause, comparison)));
@@ -20,11 +21,13 @@ export function causesList(comparison: Comparison): HTMLElement {
 }
 
 function causeBlock(cause: Cause, comparison: Comparison): HTMLElement {
-  const { code, detail, sentences, formulas, residual } = cause;
+  const { code, detail, alternatives, sentences, formulas, residual, about } = cause;
   return element(
     'article',
     { class: 'compare-cause', 'aria-label': code },
+    ...(about ? [element('p', { class: 'faint' }, `In the ${subjectText(about, true)}:`)] : []),
     ...sentences.map((sentence) => element('p', { class: 'compare-sentence' }, sentence)),
+    ...alternatives.map((other) => element('p', { class: 'faint' }, `Equally: ${other}.`)),
     ...[...new Set(formulas)].map((formula) => element('p', { class: 'compare-formula' }, formula)),
     element(
       'p',

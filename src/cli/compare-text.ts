@@ -1,0 +1,122 @@
+/** What `marrow compare` prints. */
+import type { Compared, Comparison, FirstWrong, FrameComparison } from '../lesson/compare.ts';
+import { areEqual, comparedText, explainedNoun, subjectText } from '../lesson/compared-text.ts';
+import type { Cause } from '../lesson/search.ts';
+import type { Character } from '../model/document.ts';
+
+/** What `--json` prints. */
+export function comparisonJson({ agrees, compared, layout, worst, first, frames, own, inherited, causes }: Comparison) {
+  const shown = frames.find((frame) => !frame.agrees) ?? frames[0];
+  return {
+    agrees,
+    ...(shown?.time !== undefined && { time: shown.time }),
+    compared,
+    ...(layout && { layout }),
+    worst,
+    ...(first && { first: placeJson(first) }),
+    own,
+    inherited,
+    causes: causes.map(({ code, detail, alternatives, explains, of, residual, sentences, formulas, about }) => ({
+      code,
+      detail,
+      ...(alternatives.length > 0 && { alternatives }),
+      ...(about && { kinds: about.kinds, files: about.files }),
+      explains,
+      of,
+      residual,
+      sentence: sentences.join(' '),
+      formula: formulas.join('; '),
+    })),
+    ...(frames.length > 1 && {
+      times: frames.map((frame) => ({
+        ...(frame.time !== undefined && { time: frame.time }),
+        agrees: frame.agrees,
+        worst: frame.worst,
+        ...(frame.first && { first: placeJson(frame.first) }),
+        own: frame.own,
+        inherited: frame.inherited,
+      })),
+    }),
+  };
+}
+
+/** What is printed without `--json`. */
+export function comparisonText(comparison: Comparison, character: Character, isOfSeveral: boolean): string {
+  const { agrees, compared, layout, worst, first, frames, largest, own, inherited, causes, unexplained } = comparison;
+  const lines = [`Compared: ${comparedText(compared, frames.length)}.`];
+  if (layout) lines.push(`Matrices of ${layout.numbers} numbers, ${layout.order}.`);
+  if (frames.length > 1) lines.push(`Times: ${frames.map(timeText).join(', ')}.`);
+  if (agrees || !first) lines.push(`All agree. The largest error is ${short(worst)}.`);
+  else {
+    lines.push(`First wrong: ${placeOf(first)}, by ${errorText(first)}.`);
+    if (largest && !isSamePlace(largest, first))
+      lines.push(`Largest error: ${placeOf(largest)}, by ${errorText(largest)}.`);
+    const list = (joints: readonly number[]) => {
+      const named = joints.slice(0, MAX_NAMED).map((j) => nameOf(character, j));
+      const more = joints.length - named.length;
+      return more > 0 ? `${named.join(', ')} and ${more} more` : named.join(', ');
+    };
+    if (own.length > 0) lines.push(`Wrong by themselves: ${list(own)}.`);
+    if (inherited.length > 0) lines.push(`Wrong only because a parent is: ${list(inherited)}.`);
+    if (areEqual(causes)) {
+      lines.push('', `Each of these ${causes.length} mistakes explains it; these numbers can't tell them apart.`);
+    }
+    for (const cause of causes) lines.push('', ...causeLines(cause, compared, isOfSeveral));
+    if (unexplained) {
+      const what = subjectText(unexplained, isOfSeveral);
+      lines.push('', `No known mistake, nor two together, explains all of the ${what}.`);
+    }
+    if (causes.length === 0) lines.push('', 'No known mistake, nor two together, explains these numbers.');
+  }
+  return `${lines.join('\n')}\n`;
+}
+
+function causeLines(cause: Cause, compared: Compared, isOfSeveral: boolean): readonly string[] {
+  const { code, detail, alternatives, sentences, formulas, explains, of, residual, about } = cause;
+  const noun = explainedNoun(cause, compared);
+  const items = of === 1 ? noun : noun === 'vertex' ? 'vertices' : `${noun}s`;
+  return [
+    `${code}${detail && ` (${detail})`}${about ? `, in the ${subjectText(about, isOfSeveral)}` : ''}`,
+    ...sentences.map((sentence) => `  ${sentence}`),
+    ...alternatives.map((other) => `  Equally: ${other}.`),
+    ...[...new Set(formulas)].map((formula) => `    ${formula}`),
+    `  Explains ${explains} of ${of} ${items}; what remains is at most ${short(residual)}.`,
+  ];
+}
+
+/** As scripts know it, without what is for people. */
+function placeJson({ length: _length, ...place }: FirstWrong) {
+  return place;
+}
+
+function isSamePlace(a: FirstWrong, b: FirstWrong): boolean {
+  return a.what === b.what && a.index === b.index && a.time === b.time;
+}
+
+/** As text; JSON has all. */
+const MAX_NAMED = 20;
+
+/** `1.5 s differs by 0.27`. */
+function timeText({ time, agrees, worst }: FrameComparison): string {
+  const at = time === undefined ? 'the file pose' : `${time} s`;
+  return `${at} ${agrees ? 'agrees' : `differs by ${short(worst)}`}`;
+}
+
+/** `1.9 (0.476 of the size 4)` of lengths; other errors have no unit. */
+function errorText({ what, error, length }: FirstWrong): string {
+  if (length !== undefined && length > 0)
+    return `${short(length)} (${short(error)} of the size ${short(length / error)})`;
+  return what === 'joint' ? `${short(error)} in its rotation` : short(error);
+}
+
+function placeOf({ what, index, name, time }: FirstWrong): string {
+  return `${what} ${index}${name ? ` "${name}"` : ''}${time === undefined ? '' : ` at ${time} s`}`;
+}
+
+function nameOf({ skeleton }: Character, joint: number): string {
+  return skeleton?.joints[joint]?.name || `joint ${joint}`;
+}
+
+function short(value: number): string {
+  return Number.isFinite(value) ? String(Number(value.toPrecision(3))) : 'not a number';
+}
