@@ -120,15 +120,32 @@ const STATES: readonly (readonly [name: string, enter: (page: Page) => Promise<u
     },
   ],
   [
-    'the text of a file is shown',
+    'the text of a file is shown, with what was changed and what it was',
     async (page) => {
       await tab(page, 'source');
-      await page.locator('.source-line').first().waitFor();
+      await page.evaluate(() => {
+        const { id = '' } = window.marrow.characters().find(({ name }) => name === 'arm') ?? {};
+        void window.marrow.run('rig.rename', { characterId: id, joint: 1, name: 'elbow_2' });
+      });
+      await page.locator('.source-line[data-change="changed"]').waitFor();
+      if ((await page.locator('.source-line[data-change="old"]').count()) === 0)
+        await click(page.locator('.source-line[data-change="changed"]'));
+      await page.locator('.source-line[data-change="old"]').waitFor();
+    },
+  ],
+  [
+    'a text is edited, and has an error',
+    async (page) => {
+      await click(page.locator('.source-tools button', { hasText: 'Edit' }));
+      await page.locator('.source-field-text').fill(SKEL.replace('0.8 0 boxmin', 'x 0 boxmin'));
+      await page.locator('.source-problems li').first().waitFor();
     },
   ],
   [
     'it is said what a program of one’s own should print',
     async (page) => {
+      await click(page.locator('.source-edit-bar button', { hasText: 'Discard' }).first());
+      await click(page.locator('.source-tools button', { hasText: 'Edit' }));
       await tab(page, 'compare');
       await page.locator('.compare-start').waitFor({ state: 'attached' });
     },

@@ -58,7 +58,7 @@ describe('the text of files', () => {
       const row = (change: string) => page.locator(`.source-line[data-change="${change}"]`);
       await row('changed').filter({ hasText: 'knee' }).click();
       await row('old').filter({ hasText: 'leg' }).waitFor();
-      expect(await row('changed').getAttribute('aria-label')).toContain('Changed: ');
+      await page.getByRole('option', { name: 'Changed: balljoint knee {' }).waitFor();
       const toggle = page.getByRole('button', { name: 'Changes', exact: true });
       await toggle.click();
       await note.filter({ hasText: 'Edited since it was opened: lines are those of the file as it came' }).waitFor();
@@ -68,6 +68,28 @@ describe('the text of files', () => {
       await page.evaluate(() => window.marrow.run('edit.undo'));
       await note.waitFor({ state: 'hidden' });
       await row('changed').waitFor({ state: 'detached' });
+
+      // The text is edited: errors have their lines, leaving asks, what fits is one step.
+      await page.getByRole('button', { name: 'Edit', exact: true }).click();
+      const field = page.getByRole('textbox', { name: 'Text of figure.skel' });
+      await page.keyboard.press('Control+Enter');
+      await page.getByText('Nothing was edited, so nothing was applied.').waitFor();
+      await field.fill(SKEL.replace('0 1 0', '0 x 0'));
+      await page.locator('.source-gutter-line[data-severity="error"]', { hasText: '6' }).waitFor();
+      await page.getByRole('button', { name: /^Line 6: Expected/ }).waitFor();
+      await page.keyboard.press('Control+Enter');
+      await page.getByText('Not applied. The text has 1 error.').waitFor();
+      await page.keyboard.press('Escape');
+      await page.getByRole('alertdialog', { name: 'Discard the edits?' }).waitFor();
+      await page.keyboard.press('Escape');
+      await field.fill(SKEL.replace('0 1 0', '0 2 0'));
+      await page.keyboard.press('Control+Enter');
+      await page.getByText('Applied to figure.skel as one step').waitFor();
+      await page.keyboard.press('Escape');
+      await note.filter({ hasText: '1 line changed since it was opened' }).waitFor();
+      await row('changed').filter({ hasText: '0 2 0' }).waitFor();
+      await page.evaluate(() => window.marrow.run('edit.undo'));
+      await note.waitFor({ state: 'hidden' });
 
       await dropFiles(page, [{ name: 'broken.skel', bytes: BROKEN }]);
       await page.getByRole('button', { name: 'Show line 3 of broken.skel in Source' }).first().click();

@@ -101,8 +101,19 @@ export function frameThen({ now, file }: Origin, timeSeconds: number): SourceTar
   return isSame ? frameAt(now, timeSeconds) : undefined;
 }
 
+/** Changes with what the document has from a file. */
+export function contentKey({ characters }: Document, path: string): string {
+  const own = characters.flatMap((character) => {
+    const marks = marksFrom(character, path);
+    const hasSkeleton = character.parts?.skeleton?.file?.source.path === path;
+    const key = marks.map(({ id, revision }) => `${id} ${revision}`).join();
+    return marks.length > 0 ? [`${character.id} ${key} ${hasSkeleton ? character.pose.join(' ') : ''}`] : [];
+  });
+  return own.join('\n');
+}
+
 function marksFrom({ parts }: Character, path: string): readonly PartMark[] {
-  const all = parts ? [parts.skeleton, ...parts.skins, ...parts.morphs, ...parts.clips] : [];
+  const all = parts ? [parts.skeleton, ...parts.skins, ...parts.morphs, ...parts.clips, parts.poses] : [];
   return all.flatMap((mark) => (mark?.file?.source.path === path ? [mark] : []));
 }
 

@@ -62,6 +62,8 @@ interface Row {
   readonly margin: HTMLElement;
   readonly number: HTMLElement;
   readonly sign: HTMLElement;
+  /** What the sign says. */
+  readonly word: HTMLElement;
   readonly text: HTMLElement;
   shown: string | undefined;
 }
@@ -221,9 +223,10 @@ export class LineView {
     const cut = shown && shown.more > 0 ? cutNote(shown) : '';
     const text = `${shown?.text ?? ''}${cut}`;
     const isEmpty = text.trim() === '';
-    // Nothing else would be read of an empty line, nor of the sign.
-    const read = isEmpty ? `Line ${line ?? ''}, empty` : text;
-    setAttribute(own, 'aria-label', change ? `${CHANGES[change].word}: ${read}` : isEmpty ? read : undefined);
+    // The sign isn't read.
+    setText(row.word, change ? `${CHANGES[change].word}: ` : '');
+    // Nothing else would be read of an empty line.
+    setAttribute(own, 'aria-label', isEmpty ? `${row.word.textContent}Line ${line ?? ''}, empty`.trim() : undefined);
     if (row.shown === text) return;
     row.shown = text;
     row.text.replaceChildren(...coloured(shown?.text ?? ''));
@@ -239,9 +242,11 @@ function makeRow(): Row {
   const number = element('span', { class: 'source-digits' });
   const sign = element('span', { class: 'source-sign' });
   const margin = element('span', { class: 'source-number', 'aria-hidden': 'true' }, number, sign);
+  const word = element('span', { class: 'off-screen' });
   const text = element('span', { class: 'source-text' });
   return {
-    element: element('div', { class: 'source-line', role: 'option' }, margin, text),
+    element: element('div', { class: 'source-line', role: 'option' }, margin, word, text),
+    word,
     margin,
     number,
     sign,

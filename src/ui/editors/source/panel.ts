@@ -6,6 +6,8 @@
  *     arrows, Page Up, Page Down, Home, End   to another line       Enter    selects what it holds, shows what it was
  *     Ctrl+G                                  the number of a line  Ctrl+F   a text
  *     F7, Shift+F7                            to another change
+ *
+ * The text can also be edited (`editing.ts`).
  */
 import type { Diagnostic } from '../../../model/diagnostic.ts';
 import { baseName } from '../../../model/files.ts';
@@ -27,6 +29,7 @@ import type { Uses } from '../../state/workbench.ts';
 import { frameThen, type Known, type Origins, originsIn, pickNow, targetsThen } from './as-opened.ts';
 import { changeBar, changesInWords } from './change-bar.ts';
 import { ChangedRows } from './changed-rows.ts';
+import { Editing } from './editing.ts';
 import { findLine } from './find-text.ts';
 import type { ShownLine } from './line-text.ts';
 import { LineView, type ShownRow } from './line-view.ts';
@@ -65,6 +68,7 @@ class SourcePanel implements TimelineTab {
     toggle: () => this.showChanges(!this.showsChanges),
   });
   private readonly changes: TextChanges;
+  private readonly editing: Editing;
   private showsChanges = true;
   private rows = NO_ROWS;
   /** Changes whose old lines are shown. */
@@ -97,12 +101,18 @@ class SourcePanel implements TimelineTab {
       onText: () => this.view.drawSoon(),
       inView: () => this.view.inView,
     });
+    this.editing = new Editing(wb, {
+      edits: () => this.changes.edits(),
+      onChange: () => this.showEditing(),
+      say: (text) => this.say(text),
+    });
     this.view = new LineView({ row: (row) => this.row(row), pick: (row) => this.pickRow(row) });
     this.controls = sourceTools({
       choose: (path) => this.openFile(path),
       find: (text) => void this.find(text),
       goTo: (line) => this.goTo(line),
-      leave: () => focusPanel(this.view.element),
+      edit: () => this.edit(),
+      leave: () => focusPanel(this.element),
     });
     this.tools = this.controls.element;
     this.element = element(
@@ -111,6 +121,7 @@ class SourcePanel implements TimelineTab {
       this.bar.element,
       this.empty,
       this.view.element,
+      this.editing.element,
     );
     this.element.addEventListener('keydown', (event) => this.onKey(event));
     const { store, timeline, posing, transport, messages } = wb;
@@ -195,6 +206,7 @@ class SourcePanel implements TimelineTab {
   }
 
   private closeFile(): void {
+    this.editing.end();
     this.opened?.close();
     this.opened = undefined;
     this.changes.follow(undefined, [], false);
@@ -236,6 +248,30 @@ class SourcePanel implements TimelineTab {
     this.showsChanges = shows;
     if (shows) this.follow(false);
     this.changed();
+  }
+
+  private edit(): void {
+    const { opened, editing } = this;
+    if (editing.path !== undefined) {
+      editing.leave();
+      return;
+    }
+    const why = editing.whyNot(opened, this.isOther);
+    if (why !== undefined || !opened) this.say(why ?? '');
+    else void editing.begin(opened);
+  }
+
+  private get isOther(): boolean {
+    const { opened, wb } = this;
+    return opened !== undefined && originsIn(wb.store.document, opened.path, this.known).state === 'other';
+  }
+
+  private showEditing(): void {
+    this.status = '';
+    this.showState();
+    this.showNote();
+    this.view.drawSoon();
+    if (this.editing.path === undefined && this.visible) focusPanel(this.view.element);
   }
 
   /** There are other changes. */
@@ -290,8 +326,9 @@ class SourcePanel implements TimelineTab {
     const { opened } = this;
     const state = opened?.state;
     const failed = state?.kind === 'failed' ? `${baseName(opened?.path ?? '')} can’t be shown. ${state.message}` : '';
-    this.empty.hidden = opened !== undefined && !failed;
-    this.view.element.hidden = !this.empty.hidden;
+    const isEdited = this.editing.path !== undefined;
+    this.empty.hidden = isEdited || (opened !== undefined && !failed);
+    this.view.element.hidden = isEdited || !this.empty.hidden;
     setText(this.empty, failed || 'Open a file to see its text, with line numbers.');
     if (state?.kind === 'reading') this.controls.say(`Reading ${Math.round(100 * state.share)} %`);
     else this.controls.say(this.status || (this.shown?.map ? plural(this.shown.count, 'line') : ''));
@@ -325,7 +362,9 @@ class SourcePanel implements TimelineTab {
     const own = this.originsHere().origins.flatMap((origin) => targetsThen(origin, selection, chosen));
     const isOwnPick = this.isOwnPick;
     this.isOwnPick = false;
-    if (own.length === 0 && !isOwnPick && this.wanted === undefined && this.isAnewSelected()) {
+    const isEdited = this.editing.path !== undefined;
+    if (isEdited) void this.editing.follow(this.opened);
+    if (!isEdited && own.length === 0 && !isOwnPick && this.wanted === undefined && this.isAnewSelected()) {
       const other = paths.find((path) => targetsIn(path).length > 0) ?? (this.opened ? undefined : paths[0]);
       if (other !== undefined && other !== this.opened?.path) {
         this.openFile(other);
@@ -389,6 +428,16 @@ class SourcePanel implements TimelineTab {
       origins.map(({ now }) => now.character),
       isFollowed,
     );
+    this.controls.showEditing(this.editing.path !== undefined, this.editing.whyNot(opened, state === 'other'));
+    // The field says itself what is edited.
+    if (this.editing.path !== undefined) {
+      bar.show('');
+      return;
+    }
+    if (opened && this.editing.hasDraft(opened.path)) {
+      bar.show('Edits of this text were not applied. Edit shows them again.');
+      return;
+    }
     if (state !== 'edited') {
       const hasErrors = [...this.problems.values()].some(({ severity }) => severity === 'error');
       bar.show(state === 'other' ? otherNote(hasErrors) : '');
@@ -455,8 +504,12 @@ class SourcePanel implements TimelineTab {
   }
 
   private goTo(line: number): void {
-    const { shown, rows } = this;
+    const { shown, rows, editing } = this;
     if (!shown) return;
+    if (editing.path !== undefined) {
+      editing.goTo(line);
+      return;
+    }
     if (line > shown.count) this.say(`The last line is ${count(shown.count)}.`);
     this.view.goTo(rows.rowOf(Math.min(line, shown.count)));
     focusPanel(this.view.element);
@@ -465,6 +518,10 @@ class SourcePanel implements TimelineTab {
   private async find(text: string): Promise<void> {
     const { shown } = this;
     if (!shown?.map || !shown.text || text === '') return;
+    if (this.editing.path !== undefined) {
+      this.say(this.editing.find(text) ? `Found “${text}”` : `“${text}” was not found.`);
+      return;
+    }
     this.search?.abort();
     const search = new AbortController();
     this.search = search;
@@ -491,7 +548,7 @@ class SourcePanel implements TimelineTab {
   }
 
   private onKey(event: KeyboardEvent): void {
-    if (event.key === 'F7' && this.hunks.length > 0) {
+    if (event.key === 'F7' && this.hunks.length > 0 && this.editing.path === undefined) {
       event.preventDefault();
       event.stopPropagation();
       this.goToChange(event.shiftKey ? -1 : 1);

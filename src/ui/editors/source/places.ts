@@ -7,7 +7,7 @@ import { type Character, type Document, shownClip, shownSkin } from '../../../mo
 import { characterDofs } from '../../../model/dofs.ts';
 import type { SourceFile } from '../../../model/files.ts';
 import { jointName } from '../../../model/joint-name.ts';
-import type { PartMark } from '../../../model/part.ts';
+import type { PartMark, PartMarks } from '../../../model/part.ts';
 import { jointsIn } from '../../../model/selected-joints.ts';
 import type { Selection } from '../../../model/session.ts';
 import type { Skin } from '../../../model/skin.ts';
@@ -53,10 +53,16 @@ export function partsFrom({ characters }: Pick<Document, 'characters'>, path: st
     const hasSkin = isFrom(parts?.skins[character.shownSkin]);
     const hasMorph = parts?.morphs.some(isFrom) ?? false;
     const hasClip = isFrom(parts?.clips[character.shownClip]);
-    if (root === undefined && !hasSkin && !hasMorph && !hasClip) continue;
+    if (root === undefined && !hasMorph && !hasPartFrom(parts, path)) continue;
     found.push({ character, ...(root !== undefined && { root }), hasSkin, hasMorph, hasClip });
   }
   return found;
+}
+
+/** Also what isn't shown, or has no lines that can be selected. */
+function hasPartFrom(parts: PartMarks | undefined, path: string): boolean {
+  const marks = parts ? [...parts.skins, ...parts.clips, parts.poses] : [];
+  return marks.some((mark) => mark?.file?.source.path === path);
 }
 
 /** A `.skel` numbers its skeletons in their names, from the second one on; others are in the order of the document. */

@@ -1,12 +1,15 @@
 /** Controls of the tab *Source*, beside the tabs: the file, a search in it, and the number of a line. */
 import { baseName } from '../../../model/files.ts';
-import { element, setText } from '../../kit/dom.ts';
+import { element, keepsFocusElsewhere, setAttribute, setText } from '../../kit/dom.ts';
 import { icon } from '../../kit/icons.ts';
+import { setTooltip } from '../../kit/tooltip.ts';
 
 export interface SourceTools {
   readonly element: HTMLElement;
   /** @param shown path of the file in view */
   showFiles(paths: readonly string[], shown: string | undefined): void;
+  /** @param whyNot why the text can't be edited, as a sentence */
+  showEditing(isOn: boolean, whyNot: string | undefined): void;
   /** Says in a few words what a line holds, or how far reading is. */
   say(text: string): void;
   askLine(): void;
@@ -18,6 +21,8 @@ interface Calls {
   /** The next one after the current line. */
   find(text: string): void;
   goTo(line: number): void;
+  /** Begins to edit the text, or ends it. */
+  edit(): void;
   /** Back to the lines. */
   leave(): void;
 }
@@ -39,6 +44,10 @@ export function sourceTools(calls: Calls): SourceTools {
   line.inputMode = 'numeric';
   line.classList.add('source-go');
   const status = element('span', { class: 'source-status', role: 'status' });
+  const editing = keepsFocusElsewhere(element('button', { type: 'button', class: 'tool source-toggle' }, 'Edit'));
+  editing.addEventListener('click', () => calls.edit());
+  let why: string | undefined;
+  setTooltip(editing, () => why ?? 'Edit the text of this file');
   let listed = '';
   return {
     element: element(
@@ -47,6 +56,7 @@ export function sourceTools(calls: Calls): SourceTools {
       files,
       element('div', { class: 'search source-find' }, icon('search'), find),
       line,
+      editing,
       status,
     ),
     showFiles(paths, shown) {
@@ -56,6 +66,11 @@ export function sourceTools(calls: Calls): SourceTools {
       files.replaceChildren(...paths.map((path) => element('option', { value: path }, labelOf(path, paths))));
       files.disabled = paths.length === 0;
       files.value = shown ?? '';
+    },
+    showEditing(isOn, whyNot) {
+      why = whyNot;
+      setAttribute(editing, 'aria-pressed', String(isOn));
+      setAttribute(editing, 'aria-disabled', whyNot === undefined ? undefined : 'true');
     },
     say: (text) => setText(status, text),
     askLine: () => line.select(),

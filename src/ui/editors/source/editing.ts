@@ -1,0 +1,145 @@
+/** Editing the text of the file that is shown: when it can be, its field, and what was left unapplied of other files. */
+import { baseName } from '../../../model/files.ts';
+import { element } from '../../kit/dom.ts';
+import { bytes, count } from '../../kit/number-text.ts';
+import { onDemand } from '../../state/on-demand.ts';
+import type { TextEdits } from '../../state/source.ts';
+import type { Uses } from '../../state/workbench.ts';
+import { contentKey } from './as-opened.ts';
+import type { OpenedSource } from './opened-source.ts';
+import type { Draft, TextEditor } from './text-editor.ts';
+
+/** A field of 55,000 lines takes half a second to open, and 60 ms to draw a key. */
+const MAX_EDITED = { bytes: 3_000_000, lines: 50_000 };
+
+type Parts = Uses<'store' | 'messages'>;
+
+interface Calls {
+  edits(): Promise<TextEdits>;
+  /** It begins or ends. */
+  onChange(): void;
+  say(text: string): void;
+}
+
+export class Editing {
+  readonly element = element('div', { class: 'source-editing', hidden: true });
+  /** The file that is edited. */
+  path: string | undefined;
+  private editor: TextEditor | undefined;
+  /** What the page had from the file when the text was taken. */
+  private key = '';
+  private isBeginning = false;
+  private readonly drafts = new Map<string, Draft>();
+
+  constructor(
+    private readonly wb: Parts,
+    private readonly calls: Calls,
+  ) {}
+
+  /** Why a file can't be edited, as a sentence; undefined if it can. */
+  whyNot(opened: OpenedSource | undefined, isOther: boolean): string | undefined {
+    if (!opened) return 'There is no file to edit.';
+    const { path, map } = opened;
+    const name = baseName(path);
+    if (isOther) return `This text of ${name} is not what is open. Correct the file, and open it again.`;
+    if (contentKey(this.wb.store.document, path) === '') return `Nothing that is open is saved in ${name}.`;
+    if (!map) return `${name} is being read.`;
+    const { bytes: size, count: lines } = map.index;
+    if (size <= MAX_EDITED.bytes && lines <= MAX_EDITED.lines) return undefined;
+    const most = `${bytes(MAX_EDITED.bytes)} and ${count(MAX_EDITED.lines)} lines`;
+    return `Texts up to ${most} can be edited here; this one has ${bytes(size)} and ${count(lines)} lines.`;
+  }
+
+  /** Whether a file has edits that were left. */
+  hasDraft(path: string): boolean {
+    return this.drafts.has(path);
+  }
+
+  async begin(opened: OpenedSource): Promise<void> {
+    if (this.isBeginning) return;
+    this.isBeginning = true;
+    try {
+      const { path } = opened;
+      const editor = await this.loaded();
+      const key = contentKey(this.wb.store.document, path);
+      const base = editor && (await this.textNow(opened));
+      if (!editor || base === undefined) return;
+      this.key = key;
+      this.path = path;
+      this.element.hidden = editor.element.hidden = false;
+      editor.open(baseName(path), base, this.drafts.get(path));
+      this.drafts.delete(path);
+      this.calls.onChange();
+      editor.focus();
+    } catch (error) {
+      this.calls.say(error instanceof Error ? error.message : String(error));
+    } finally {
+      this.isBeginning = false;
+    }
+  }
+
+  /** Asks if there are edits. */
+  leave(): void {
+    this.editor?.leave();
+  }
+
+  /** Ends it; edits are kept for the next time. */
+  end(): void {
+    const { path, editor } = this;
+    if (path === undefined || !editor) return;
+    const { draft } = editor;
+    if (draft) this.drafts.set(path, draft);
+    this.path = undefined;
+    this.element.hidden = editor.element.hidden = true;
+    editor.close();
+    this.calls.onChange();
+  }
+
+  /** The document may have changed. */
+  async follow(opened: OpenedSource | undefined): Promise<void> {
+    const { path, editor } = this;
+    if (path === undefined || !editor || opened?.path !== path) return;
+    const key = contentKey(this.wb.store.document, path);
+    if (key === this.key) return;
+    this.key = key;
+    try {
+      const base = await this.textNow(opened);
+      if (base !== undefined && this.path === path && this.key === key) editor.follow(base);
+    } catch (error) {
+      this.calls.say(error instanceof Error ? error.message : String(error));
+    }
+  }
+
+  goTo(line: number): void {
+    this.editor?.goTo(line);
+  }
+
+  find(text: string): boolean {
+    return this.editor?.find(text) ?? false;
+  }
+
+  focus(): void {
+    this.editor?.focus();
+  }
+
+  /** The text as the page has it now. */
+  private async textNow({ path, text }: OpenedSource): Promise<string | undefined> {
+    const { changed } = await (await this.calls.edits()).changes(path);
+    return await (changed?.text ?? text)?.text();
+  }
+
+  private async loaded(): Promise<TextEditor | undefined> {
+    if (this.editor) return this.editor;
+    const module = await onDemand(this.wb.messages, 'The text editor', () => import('./text-editor.ts'));
+    if (!module) return undefined;
+    this.editor = new module.TextEditor({
+      check: async (edited, base) => (await this.calls.edits()).check(this.path ?? '', edited, base),
+      applied: () => {
+        this.key = contentKey(this.wb.store.document, this.path ?? '');
+      },
+      leave: () => this.end(),
+    });
+    this.element.append(this.editor.element);
+    return this.editor;
+  }
+}
