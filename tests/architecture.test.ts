@@ -41,6 +41,7 @@ const MAY_IMPORT: Readonly<Record<string, readonly string[]>> = {
   // What `main.ts` wires together, where it takes more than a line.
   app: [
     'kit',
+    'lesson',
     'ui/shell',
     'ui/editors',
     'ui/state',

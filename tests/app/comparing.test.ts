@@ -66,6 +66,18 @@ describe('dropped dumps', () => {
     expect(first?.shown.get()).toBeUndefined();
   });
 
+  it('dropped dumps that do not fit the selected character are compared with one that they fit', async () => {
+    const post = { ...characterOf(...OWN.tangents), id: 'c2', name: 'post' };
+    const wb = open(crawler, post);
+    wb.store.select({ characterId: 'c2' });
+    await drop(wb, dumpFile('mine.txt', right(0.5)));
+    await expect.poll(() => wb.comparing.get()?.characterId).toBe(crawler.id);
+    expect(wb.comparing.get()?.shown.get()?.frame).toMatchObject({ time: 0.5, agrees: true });
+    expect(wb.store.selection).toEqual({ characterId: crawler.id });
+    expect(wb.messages.list.get()).toEqual([]);
+    expect(wb.messages.passing.get()).toBe('Compared with crawler, which the numbers fit.');
+  });
+
   it('a dump that does not fit is a message with its line, which a fitting one takes away', async () => {
     const wb = open(crawler);
     await drop(wb, dumpFile('mine.txt', '\n1 2 3\n'));
@@ -74,6 +86,18 @@ describe('dropped dumps', () => {
     ]);
     await drop(wb, dumpFile('mine.txt', right(0)));
     expect(wb.messages.list.get()).toEqual([]);
+  });
+
+  it('dumps of one drop that fit are compared, and the others are messages', async () => {
+    const wb = open(crawler);
+    await drop(wb, dumpFile('a.txt', right(0.5)), dumpFile('short.txt', '1 2 3\n'), dumpFile('twice.txt', right(0.5)));
+    const state = wb.comparing.get()?.state.get();
+    expect(state?.dumps.map(({ fileName }) => fileName)).toEqual(['a.txt']);
+    expect(state?.result?.comparison.agrees).toBe(true);
+    expect(wb.messages.list.get().map(({ text }) => text)).toEqual([
+      expect.stringMatching(/^short\.txt:1: not compared\. Expected/),
+      expect.stringMatching(/^twice\.txt:2: not compared\. Expected one list of world at 0\.5 s/),
+    ]);
   });
 
   it('dumps without a character say what is missing', async () => {

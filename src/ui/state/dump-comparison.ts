@@ -69,7 +69,8 @@ export interface ComparedResult {
 
 export type ComparePhase =
   | { readonly kind: 'working'; readonly share: number }
-  | { readonly kind: 'done' }
+  /** With the problems of dumps that were left out, since they don't fit. */
+  | { readonly kind: 'done'; readonly problems?: readonly Diagnostic[] }
   /** Cancelled by the user: the last result, if any, is of an earlier state. */
   | { readonly kind: 'cancelled' }
   /** The dumps don't fit the character. */
@@ -99,6 +100,11 @@ interface Parts {
   readonly transport: Observable<Playback>;
 }
 
+interface CompareOptions {
+  readonly isTrial?: boolean;
+  readonly later?: (work: () => void, milliseconds: number) => () => void;
+}
+
 /** After the last of several edits, as a drag makes them. */
 const QUIET_MS = 200;
 
@@ -109,21 +115,24 @@ export class DumpComparison {
   private running: AbortController | undefined;
   private waiting: (() => void) | undefined;
   private hasEnded = false;
+  private isTrial: boolean;
   /** Dumps that were given since the last result. */
   private fresh: readonly NamedDump[];
 
   /**
    * Starts to compare.
    *
-   * @param later runs work after some milliseconds, and returns a function that prevents it
+   * @param options.isTrial what is found first doesn't change the time shown; `reveal` does
+   * @param options.later runs work after some milliseconds, and returns a function that prevents it
    */
   constructor(
     private readonly wb: Parts,
     readonly characterId: string,
     dumps: readonly NamedDump[],
     private readonly run: RunCompare,
-    private readonly later: (work: () => void, milliseconds: number) => () => void = afterTimeout,
+    private readonly options: CompareOptions = {},
   ) {
+    this.isTrial = options.isTrial ?? false;
     this.fresh = this.timed(dumps);
     this.state = observable<CompareState>({
       dumps: this.fresh,
@@ -224,7 +233,8 @@ export class DumpComparison {
     else if (!was || !isSameFor(is, was)) {
       this.stopRunning();
       this.change({ phase: { kind: 'working', share: 0 } });
-      this.waiting = this.later(() => void this.start(), QUIET_MS);
+      const { later = afterTimeout } = this.options;
+      this.waiting = later(() => void this.start(), QUIET_MS);
     }
   }
 
@@ -255,6 +265,13 @@ export class DumpComparison {
         dumps = this.fresh;
         output = await compare(dumps);
       }
+      const rest = withoutMisfits(dumps, output.diagnostics);
+      let problems: readonly Diagnostic[] = [];
+      if (!output.targets && rest.length > 0 && rest.length < dumps.length) {
+        problems = output.diagnostics;
+        dumps = rest;
+        output = await compare(rest);
+      }
       const inFilePose = dumps.map((dump) => (this.fresh.includes(dump) ? asFilePose(dump) : dump));
       if (isUnexplained(output) && inFilePose.some((dump, i) => dump !== dumps[i])) {
         // Programs begin with the file pose, and say nothing of a time then.
@@ -263,7 +280,7 @@ export class DumpComparison {
       }
       if (this.running !== running) return;
       this.running = undefined;
-      this.finish(character, dumps, output);
+      this.finish(character, dumps, { ...output, diagnostics: [...problems, ...output.diagnostics] });
     } catch (error) {
       // Cancelled, or followed by another.
       if (this.running !== running) return;
@@ -281,8 +298,12 @@ export class DumpComparison {
     this.fresh = [];
     if (comparison && targets) {
       const { tolerance } = this.state.get();
-      this.change({ dumps, phase: { kind: 'done' }, result: { comparison, targets, character, tolerance } });
-      if (isFresh) this.reveal(comparison);
+      this.change({
+        dumps,
+        phase: { kind: 'done', ...(hasErrors(diagnostics) && { problems: diagnostics }) },
+        result: { comparison, targets, character, tolerance },
+      });
+      if (isFresh && !this.isTrial) this.reveal();
       return;
     }
     const { result: _, ...now } = this.state.get();
@@ -302,9 +323,10 @@ export class DumpComparison {
   }
 
   /** Goes to the first time that differs, if none of the compared ones is shown, and nothing is lost by it. */
-  private reveal({ frames }: Comparison): void {
+  reveal(): void {
+    this.isTrial = false;
     if (this.shown.get() || this.character?.unkeyed) return;
-    const wrong = frames.findIndex(({ agrees }) => !agrees);
+    const wrong = this.state.get().result?.comparison.frames.findIndex(({ agrees }) => !agrees) ?? -1;
     this.goTo(Math.max(0, wrong));
   }
 
@@ -382,6 +404,11 @@ function isUnexplained({ comparison }: CompareOutput): boolean {
   return (
     comparison !== undefined && !comparison.agrees && comparison.causes.length === 0 && comparison.frames.length > 0
   );
+}
+
+function withoutMisfits(dumps: readonly NamedDump[], diagnostics: readonly Diagnostic[]): readonly NamedDump[] {
+  const misfits = new Set(diagnostics.filter((d) => hasErrors([d])).map(({ file }) => file));
+  return dumps.filter(({ fileName }) => !misfits.has(fileName));
 }
 
 /** Whether all numbers of a dump have a time, or are of channels. */

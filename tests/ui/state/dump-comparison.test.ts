@@ -57,9 +57,11 @@ function comparisonOf(character: Character, dumps: readonly NamedDump[], timeSec
     signal.throwIfAborted();
     return compareDumps(structuredClone(input), () => undefined);
   };
-  const comparing = new DumpComparison({ store, transport }, character.id, dumps, run, (work) => {
-    waiting.add(work);
-    return () => void waiting.delete(work);
+  const comparing = new DumpComparison({ store, transport }, character.id, dumps, run, {
+    later: (work) => {
+      waiting.add(work);
+      return () => void waiting.delete(work);
+    },
   });
   const settled = () =>
     new Promise<void>((resolve) => {

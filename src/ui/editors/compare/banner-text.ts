@@ -30,9 +30,11 @@ export interface BannerSubject {
   readonly frame: number;
   /** Time of the clip; undefined: the file pose. */
   readonly time: number | undefined;
+  /** Whether the character is one of several, and is named. */
+  readonly isNamed?: boolean;
 }
 
-export function bannerText({ state, character, frame, time }: BannerSubject): BannerText {
+export function bannerText({ state, character, frame, time, isNamed = false }: BannerSubject): BannerText {
   const { phase, result } = state;
   if (!character) return { tone: 'trouble', text: 'The compared character was removed. Undo restores it.' };
   switch (phase.kind) {
@@ -55,7 +57,8 @@ export function bannerText({ state, character, frame, time }: BannerSubject): Ba
   }
   const share = phase.kind === 'working' ? { share: phase.share } : {};
   if (!result) return { tone: 'working', text: `Comparing with ${character.name}`, ...share };
-  return { ...resultText(result.comparison, result.tolerance, character, frame, time), ...share };
+  const told = resultText(result.comparison, result.tolerance, character, frame, time);
+  return { ...told, ...(isNamed && { text: `${character.name}: ${told.text}` }), ...share };
 }
 
 function resultText(

@@ -48,6 +48,7 @@ export function fillBanner(wb: Parts, banner: HTMLElement): void {
       character,
       frame: comparing.shown.get()?.index ?? -1,
       time: clipTimeShown(wb, character),
+      isNamed: wb.store.document.characters.length > 1,
     });
     banner.dataset.tone = now.tone;
     setText(text, now.text);

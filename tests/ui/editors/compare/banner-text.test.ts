@@ -14,6 +14,7 @@ describeShared('the banner of a comparison', () => {
       tone: 'differs',
       text: 'First wrong: hip_03_r. You multiply Rx·Ry·Rz; it should be Rz·Ry·Rx. Explains all 23 joints.',
     });
+    expect(bannerText({ ...wrong, isNamed: true }).text).toMatch(/^wasp: First wrong: hip_03_r\./);
   });
 
   it('the banner offers to go to the compared time when another is shown', () => {
