@@ -1,8 +1,10 @@
 /** Names that are cut before their last letters, since takes of one series begin alike: `boxing-ext…cmu-01_01`. */
 import { element, setText } from './dom.ts';
 
-/** Letters that are never cut. */
-const TAIL = 9;
+/** Letters at the end that are kept. */
+const TAIL = 8;
+/** Letters before them that there is always room for. */
+const SHORT = 4;
 
 export interface MiddleCut {
   readonly element: HTMLElement;
@@ -16,7 +18,7 @@ export function middleCut(className: string): MiddleCut {
     element: element('span', { class: `middle-cut ${className}` }, head, tail),
     show(name) {
       const letters = [...name];
-      const end = letters.length > 2 * TAIL ? TAIL : 0;
+      const end = letters.length > TAIL + SHORT ? TAIL : 0;
       setText(head, letters.slice(0, letters.length - end).join(''));
       setText(tail, end ? letters.slice(-end).join('') : '');
     },

@@ -110,8 +110,12 @@ export function playedTake(character: Character): TakeRef | undefined {
 const plays = (character: Character) => playedTake(character) !== undefined;
 
 /** Name of the take that a character plays: `walk`, `walk on wasp` if it is retargeted. */
-export function playedName({ driver, clips, shownClip, name }: Character): string {
-  if (driver) return `${driver.source.clip.name || driver.source.name} on ${name}`;
+export function playedName(character: Character): string {
+  return character.driver ? `${takeName(character)} on ${character.name}` : takeName(character);
+}
+
+function takeName({ driver, clips, shownClip, name }: Character): string {
+  if (driver) return driver.source.clip.name || driver.source.name;
   return clips[shownClip]?.name ?? name;
 }
 
@@ -136,11 +140,11 @@ export function drawnDocument(document: Document, comparison: Comparison | undef
   const [a, b] = compared;
   if (a.character.id !== b.character.id) return document;
   const { isHidden } = a.character;
-  const named = { ...a.character, name: playedName(a.character) };
+  const named = { ...a.character, name: takeName(a.character) };
   const twin: Character = {
     ...b.character,
     id: b.drawnAs,
-    name: playedName(b.character),
+    name: takeName(b.character),
     ...(isHidden && { isHidden }),
   };
   const characters = document.characters.map((c) => (c.id === named.id ? named : c));
