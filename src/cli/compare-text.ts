@@ -1,11 +1,27 @@
 /** What `marrow compare` prints. */
+import { isExplained, statesNoTime } from '../lesson/assumed-times.ts';
 import type { Compared, Comparison, FirstWrong, FrameComparison } from '../lesson/compare.ts';
 import { areEqual, comparedText, explainedNoun, subjectText } from '../lesson/compared-text.ts';
+import type { NamedDump } from '../lesson/fit-dump.ts';
 import type { Cause } from '../lesson/search.ts';
-import type { Character } from '../model/document.ts';
+import type { Targets } from '../lesson/targets.ts';
+import { type Character, shownClip } from '../model/document.ts';
+
+/** A comparison, and what was compared. */
+export interface ToldComparison {
+  readonly comparison: Comparison;
+  readonly character: Character;
+  readonly targets: Targets;
+  /** With the times that are assumed. */
+  readonly dumps: readonly NamedDump[];
+  /** By `--time` or `--times`. */
+  readonly asked: readonly number[];
+}
 
 /** What `--json` prints. */
-export function comparisonJson({ agrees, compared, layout, worst, first, frames, own, inherited, causes }: Comparison) {
+export function comparisonJson(told: ToldComparison) {
+  const { agrees, compared, layout, worst, first, frames, own, inherited, causes } = told.comparison;
+  const hints = hintsOf(told);
   const shown = frames.find((frame) => !frame.agrees) ?? frames[0];
   return {
     agrees,
@@ -27,6 +43,7 @@ export function comparisonJson({ agrees, compared, layout, worst, first, frames,
       sentence: sentences.join(' '),
       formula: formulas.join('; '),
     })),
+    ...(hints.length > 0 && { hints }),
     ...(frames.length > 1 && {
       times: frames.map((frame) => ({
         ...(frame.time !== undefined && { time: frame.time }),
@@ -41,10 +58,13 @@ export function comparisonJson({ agrees, compared, layout, worst, first, frames,
 }
 
 /** What is printed without `--json`. */
-export function comparisonText(comparison: Comparison, character: Character, isOfSeveral: boolean): string {
+export function comparisonText(told: ToldComparison): string {
+  const { comparison, character, dumps } = told;
+  const isOfSeveral = dumps.length > 1;
   const { agrees, compared, layout, worst, first, frames, largest, own, inherited, causes, unexplained } = comparison;
   const lines = [`Compared: ${comparedText(compared, frames.length)}.`];
   if (layout) lines.push(`Matrices of ${layout.numbers} numbers, ${layout.order}.`);
+  lines.push(...dumpTimeLines(told));
   if (frames.length > 1) lines.push(`Times: ${frames.map(timeText).join(', ')}.`);
   if (agrees || !first) lines.push(`All agree. The largest error is ${short(worst)}.`);
   else {
@@ -68,6 +88,8 @@ export function comparisonText(comparison: Comparison, character: Character, isO
     }
     if (causes.length === 0) lines.push('', 'No known mistake, nor two together, explains these numbers.');
   }
+  const hints = hintsOf(told);
+  if (hints.length > 0) lines.push('', ...hints);
   return `${lines.join('\n')}\n`;
 }
 
@@ -91,6 +113,44 @@ function placeJson({ length: _length, ...place }: FirstWrong) {
 
 function isSamePlace(a: FirstWrong, b: FirstWrong): boolean {
   return a.what === b.what && a.index === b.index && a.time === b.time;
+}
+
+/** At which time each dump was compared, and why, where it isn't plain. */
+function dumpTimeLines({ character, targets, dumps, asked }: ToldComparison): readonly string[] {
+  const { origins, frames } = targets;
+  return dumps.flatMap((named, d) => {
+    const times = frames.flatMap(({ time }, f) => (Object.values(origins?.frames[f] ?? {}).includes(d) ? [time] : []));
+    if (times.length === 0) return [];
+    const isStated = !statesNoTime(named);
+    const [time] = times;
+    if (!isStated && time === undefined && !shownClip(character)) return [];
+    const at = times.length > 1 ? `at ${times.length} times` : time === undefined ? 'in the file pose' : `at ${time} s`;
+    const others = asked.filter((each) => !times.includes(each));
+    const isAsked = !isStated && asked.length > 0;
+    const why = isStated
+      ? `, as it states${others.length > 0 ? `; --time${asked.length > 1 ? 's' : ''} ${asked.join(',')} is for dumps that state none` : ''}`
+      : isAsked
+        ? ', as asked'
+        : time === undefined
+          ? ', since it states no time'
+          : ', as the others state';
+    return [`${dumps.length > 1 ? named.fileName : 'The dump'} is compared ${at}${why}.`];
+  });
+}
+
+/** What may help where nothing explains the numbers. */
+function hintsOf({ comparison, character, dumps }: ToldComparison): readonly string[] {
+  if (isExplained(comparison)) return [];
+  const { frames } = comparison;
+  const timed = frames.filter(({ agrees, time }) => !agrees && time !== undefined);
+  if (!shownClip(character) && timed.length > 0) {
+    return [`The dump is of ${timed[0].time} s; give the .anim too, without which all times have the file pose.`];
+  }
+  const isOfPose = frames.some(({ agrees, time }) => !agrees && time === undefined);
+  if (shownClip(character) && isOfPose && dumps.some(statesNoTime)) {
+    return ['The dump states no time; if it is not of the file pose, give its time with --time T.'];
+  }
+  return [];
 }
 
 /** As text; JSON has all. */

@@ -43,7 +43,7 @@ function timed({ fileName, dump }: NamedDump, times: readonly number[]): NamedDu
 }
 
 /** Channels have times of their own. */
-function isUntimed({ time, times, channel, holds, columns }: DumpBlock): boolean {
+export function isUntimed({ time, times, channel, holds, columns }: DumpBlock): boolean {
   const isOfTimes = columns?.some((name) => /^(time|t|seconds)$/.test(name)) ?? false;
   return time === undefined && times === undefined && channel === undefined && holds !== 'channels' && !isOfTimes;
 }

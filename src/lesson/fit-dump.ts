@@ -36,8 +36,8 @@ export function fitDumps(character: Character, dumps: readonly NamedDump[], time
   return fit.result();
 }
 
-/** The time that dumps state, if it is one. */
-function onlyTime(dumps: readonly NamedDump[]): FrameTime {
+/** The only time that dumps state; undefined if none or several are. */
+export function onlyTime(dumps: readonly NamedDump[]): FrameTime {
   const stated = new Set(dumps.flatMap(({ dump }) => [dump.time, ...dump.blocks.map((block) => block.time)]));
   stated.delete(undefined);
   return stated.size === 1 ? [...stated][0] : undefined;

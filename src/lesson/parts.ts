@@ -16,6 +16,8 @@ export interface Part {
   /** What a cause's numbers count: joints, if there are any. */
   readonly counted: CellGroup;
   readonly isAll: boolean;
+  /** Whether it has all that its dumps have: as good as compared alone. */
+  readonly isEntire: boolean;
 }
 
 /** What a program does to a part. */
@@ -42,12 +44,9 @@ export function partsOf(cells: readonly Cell[]): readonly Part[] {
     if (known.has(own.join())) return;
     known.add(own.join());
     const counts = (isAll ? own : of).map((c) => cells[c].group);
-    parts.push({
-      cells: own,
-      wrong: of,
-      counted: CELL_GROUPS.find((group) => counts.includes(group)) ?? 'joints',
-      isAll,
-    });
+    const counted = CELL_GROUPS.find((group) => counts.includes(group)) ?? 'joints';
+    const isEntire = all.every((c) => own.includes(c) || !dumps.has(cells[c].dump));
+    parts.push({ cells: own, wrong: of, counted, isAll, isEntire });
   };
   add(wrong, true);
   for (const dump of new Set(wrong.map((c) => cells[c].dump))) add(wrong.filter((c) => cells[c].dump === dump));

@@ -184,7 +184,8 @@ class Finder {
   addSingle(candidate: Candidate, outcomes: readonly CellOutcome[]): void {
     for (const { part, singles, partial } of this.parts) {
       const outcome = outcomeOf(part, this.cells, outcomes);
-      if (outcome.isWhole && (part.isAll || outcome.evidence >= MIN_EVIDENCE)) this.keep(singles, [candidate], outcome);
+      if (outcome.isWhole && (part.isEntire || outcome.evidence >= MIN_EVIDENCE))
+        this.keep(singles, [candidate], outcome);
       else if (outcome.isPartial && outcome.evidence >= MIN_EVIDENCE) this.keep(partial, [candidate], outcome);
     }
   }

@@ -1,5 +1,5 @@
 /** `marrow compare` on the command line. */
-import { mkdtempSync, rmSync, writeFileSync } from 'node:fs';
+import { mkdirSync, mkdtempSync, rmSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { afterAll, beforeAll, describe, expect, it } from 'vitest';
@@ -292,6 +292,54 @@ describe('marrow compare', () => {
     expect(out).toContain('j18, j19 and 10 more.');
     const { own } = await commandJson<CompareJson>(['compare', 'chain.skel', 'zeros.txt'], folder, 1);
     expect(own).toHaveLength(30);
+  });
+
+  it('takes a dump that states no time to be of the file pose where that explains it, and says so', async () => {
+    const anim = (c: number) =>
+      `channel { extrapolate cycle cycle keys 2 { 0 ${0.1 * c} linear linear 1 -0.3 linear linear } }`;
+    write('b.skel', SKEL);
+    write('b.anim', `animation { range 0 1 numchannels 12 ${[...'0'.repeat(12)].map((_, c) => anim(c)).join(' ')} }`);
+    const dumped = async (...args: readonly string[]) => {
+      const { out } = await command(['pose', 'b.skel', 'b.anim', ...args, '--json'], folder);
+      const joints: readonly { world: number[]; local: number[] }[] = JSON.parse(out).characters[0].joints;
+      return joints;
+    };
+    const timed = (await dumped('--time', '0.5')).map(({ world }) => world.join(' ')).join('\n');
+    write('timed.txt', `time 0.5\n${timed}`);
+    write('untimed.txt', (await dumped()).map(({ local }) => local.slice(12, 15).join(' ')).join('\n'));
+    const { out } = await command(['compare', 'b.skel', 'b.anim', 'timed.txt', 'untimed.txt'], folder);
+    expect(out).toContain('timed.txt is compared at 0.5 s, as it states.');
+    expect(out).toContain('untimed.txt is compared in the file pose, since it states no time.');
+    expect(out).toContain('no-parent (W = L), in the joint positions of untimed.txt');
+    const late = await command(['compare', 'b.skel', 'b.anim', 'timed.txt', '--time', '0'], folder);
+    expect(late.out).toContain('The dump is compared at 0.5 s, as it states; --time 0 is for dumps that state none.');
+    expect(late.code).toBe(0);
+    const bare = await command(['compare', 'b.skel', 'timed.txt'], folder);
+    expect(bare.out).toContain('The dump is of 0.5 s; give the .anim too');
+    const { hints } = await commandJson<{ hints: readonly string[] }>(['compare', 'b.skel', 'timed.txt'], folder, 1);
+    expect(hints).toEqual([expect.stringContaining('give the .anim too')]);
+    write('silent.txt', timed);
+    const silent = await command(['compare', 'b.skel', 'b.anim', 'silent.txt'], folder);
+    expect(silent.out).toContain('give its time with --time T');
+    const asked = await command(['compare', 'b.skel', 'b.anim', 'silent.txt', '--time', '0.5'], folder);
+    expect([asked.code, asked.out]).toEqual([0, expect.stringContaining('is compared at 0.5 s, as asked.')]);
+  });
+
+  it('compares with the character whose joints the dump names, although its rows are as wide as channels', async () => {
+    const channel = 'channel { extrapolate cycle cycle keys 2 { 0 0.1 linear linear 1 -0.3 linear linear } }';
+    mkdirSync(join(folder, 'many/a'), { recursive: true });
+    mkdirSync(join(folder, 'many/b'), { recursive: true });
+    write('many/a/three.anim', `animation { range 0 1 numchannels 3 ${channel.repeat(3)} }`);
+    write('many/b/b.skel', SKEL);
+    const rows = (m: readonly number[]) =>
+      [0, 1, 2, 3].map((r) => [0, 4, 8, 12].map((c) => m[r + c]).join(' ')).join('\n');
+    const matrices = (await ownMatrices()).map((m) => m.map((v, i) => (i === 0 ? v + 50 : v)));
+    write(
+      'mine.txt',
+      ['root', 'arm', 'hand'].map((name, j) => `joint ${j} (${name}):\n${rows(matrices[j])}`).join('\n'),
+    );
+    const found = await commandJson<CompareJson>(['compare', 'many', 'mine.txt'], folder, 1);
+    expect(found).toMatchObject({ compared: { world: 3, channels: 0 }, first: { name: 'root' } });
   });
 
   it('takes files of any name as dumps, and the tolerance as given', async () => {

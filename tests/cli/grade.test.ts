@@ -181,7 +181,7 @@ describe('marrow grade', () => {
     expect(out).not.toMatch(/(?:src|href)="(?!#)/);
     expect(out).toContain('class/cid/test.skel:2:');
     expect(out).toContain('<dd>3 world matrices, 4 vertices, 4 normals at 7 times; 12 channels</dd>');
-    expect(out).toContain('<dd>3 world matrices</dd>');
+    expect(out).toContain('<dd>3 world matrices at 0.7 s</dd>');
   });
 
   it('says which files of the class belong to nobody, on all ways', async () => {
@@ -193,6 +193,71 @@ describe('marrow grade', () => {
     expect((await command([...GRADE, '--html'], folder)).out).toContain(
       '<code>class/kim.txt</code> is neither a folder nor a zip, and was skipped.',
     );
+  });
+
+  it('takes a dump without a time to be of the time asked for or of the file pose, as it fits, and says which', async () => {
+    const dumped = async (...args: readonly string[]) => {
+      const { out } = await command(
+        ['pose', 'ref/test.skel', 'ref/test.skin', 'ref/test.anim', ...args, '--json'],
+        folder,
+      );
+      return (JSON.parse(out) as PoseJson).characters[0].joints;
+    };
+    const text = (joints: PoseJson['characters'][0]['joints'], key: 'world' | 'local') =>
+      joints.map((joint) => joint[key]?.join(' ')).join('\n');
+    write('untimed/pose/joints.txt', text(await dumped(), 'world'));
+    write('untimed/asked/joints.txt', text(await dumped('--time', '0.7'), 'world'));
+    // Local matrices as world matrices.
+    write('untimed/wrong/all.txt', text(await dumped(), 'local'));
+    write('untimed/noise/all.txt', text(await dumped(), 'world').replaceAll('0.', '1.'));
+    for (const [times, at] of [
+      ['0.7', 0.7],
+      ['0.2,0.7', 0.7],
+    ] as const) {
+      const args = ['grade', 'untimed', '--reference', 'ref', '--times', times];
+      const { submissions } = await commandJson<{ submissions: readonly Grade[] }>(args, folder);
+      expect(submissions.map(({ name, verdict, parts }) => [name, verdict, parts[0].frameTimes])).toEqual([
+        ['asked', 'right', [at]],
+        ['noise', 'wrong', [Number(times.split(',')[0])]],
+        ['pose', 'right', [null]],
+        ['wrong', 'wrong', [null]],
+      ]);
+      expect(submissions[3].parts[0].causes).toMatchObject([{ code: 'no-parent' }]);
+      const { out } = await command(args, folder);
+      expect(out).toMatch(/wrong .*joint 1 "arm" in the file pose +no-parent/);
+    }
+  });
+
+  it('judges a dump by the character whose joints it names, although others fit it', async () => {
+    const { out } = await command(['pose', 'ref/test.skel', '--json'], folder);
+    const { joints } = (JSON.parse(out) as PoseJson).characters[0];
+    const rows = joints.map(({ name, world = [] }) =>
+      [`joint (${name}):`, ...[0, 4, 8, 12].map((o) => world.slice(o, o + 4).join(' '))].join('\n'),
+    );
+    write('several/class/a/mine.txt', rows.join('\n'));
+    write('several/ref/one/arms.skel', SKEL);
+    write(
+      'several/ref/two/legs.skel',
+      SKEL.replaceAll(/root|arm|hand/g, (name) => `${name}_2`),
+    );
+    write(
+      'several/ref/three/three.anim',
+      anim(1)
+        .replace('numchannels 12', 'numchannels 3')
+        .replace(/(\n.*){9} \}$/, ' }'),
+    );
+    const args = ['grade', 'several/class', '--reference', 'several/ref'];
+    const { submissions } = await commandJson<{ submissions: readonly Grade[] }>(args, folder);
+    expect(submissions[0].parts[0]).toMatchObject({ agrees: true, compared: { world: 3, channels: 0 } });
+  });
+
+  it('names the broken files of a reference before their problems', async () => {
+    write('cracked/a/one.skel', 'balljoint {');
+    write('cracked/b/two.skel', SKEL.replace('0 2 0', '0 two 0'));
+    write('cracked/c/good.skel', SKEL);
+    const { err } = await command(['grade', 'class', '--reference', 'cracked'], folder);
+    expect(err.split('\n')[0]).toBe('Broken in cracked: cracked/a/one.skel, cracked/b/two.skel.');
+    expect(err).toContain('marrow: The reference cracked has errors in 2 files; nothing can be judged by it.');
   });
 
   it('says that wrong usage is wrong', async () => {

@@ -3,10 +3,12 @@
  * joint, vertex or channel is wrong first, and which mistake explains all of it.
  */
 import { runToEnd } from '../../evaluate/steps.ts';
-import { compare, worstError } from '../../lesson/compare.ts';
+import { assumeTime, statesNoTime } from '../../lesson/assumed-times.ts';
+import { bestFit } from '../../lesson/best-fit.ts';
+import { compare } from '../../lesson/compare.ts';
 import { fitDumpsAt } from '../../lesson/dump-times.ts';
 import { DEFAULT_TOLERANCE } from '../../lesson/errors.ts';
-import type { Fitted, NamedDump } from '../../lesson/fit-dump.ts';
+import { type Fitted, fitDumps, type NamedDump, onlyTime } from '../../lesson/fit-dump.ts';
 import { joinedFigures } from '../../lesson/joined-figures.ts';
 import { type Diagnostic, hasErrors, withoutPlace } from '../../model/diagnostic.ts';
 import type { Character } from '../../model/document.ts';
@@ -31,7 +33,7 @@ export const compareCommand: CliCommand = {
     const { document, dumps, diagnostics: opened } = openLoaded(loadFiles(given.files, io.folder, dumpFormat()));
     const diagnostics = [...opened];
     const named = dumps.map(({ dump, source }): NamedDump => ({ fileName: source.path, dump }));
-    const { fitted, character } = fitFirst(document.characters, named, times);
+    const { fitted, character, dumps: fittedDumps } = fitBest(document.characters, named, times, tolerance);
     if (!hasErrors(diagnostics)) diagnostics.push(...missing(document.characters, named), ...fitted.diagnostics);
     report(diagnostics, io);
     if (hasErrors(diagnostics) || !fitted.targets || !character) {
@@ -39,8 +41,9 @@ export const compareCommand: CliCommand = {
       return 2;
     }
     const comparison = runToEnd(compare(character, fitted.targets, tolerance));
-    if (given.flag('json')) await printJson({ ...comparisonJson(comparison), diagnostics }, io);
-    else await io.out(comparisonText(comparison, character, named.length > 1));
+    const told = { comparison, character, targets: fitted.targets, dumps: fittedDumps, asked: times };
+    if (given.flag('json')) await printJson({ ...comparisonJson(told), diagnostics }, io);
+    else await io.out(comparisonText(told));
     return comparison.agrees ? 0 : 1;
   },
 };
@@ -58,18 +61,26 @@ function timesOf(given: Arguments): readonly number[] {
 }
 
 /** The character that the dumps fit best, or all roots of a file; else the first one, with what is wrong. */
-function fitFirst(characters: readonly Character[], dumps: readonly NamedDump[], times: readonly number[]) {
-  const none: Fitted = { diagnostics: [] };
-  const tried = [...characters, ...joinedFigures(characters)].map((character) => ({
-    character,
-    fitted: fitDumpsAt(character, dumps, times),
-  }));
-  const fits = tried.flatMap(({ character, fitted }) => {
-    const { targets } = fitted;
-    return targets ? [{ character, fitted, worst: tried.length > 1 ? worstError(character, targets) : 0 }] : [];
-  });
-  fits.sort((a, b) => (a.worst === b.worst ? 0 : a.worst - b.worst));
-  return fits[0] ?? tried[0] ?? { fitted: none, character: undefined };
+function fitBest(
+  characters: readonly Character[],
+  dumps: readonly NamedDump[],
+  times: readonly number[],
+  tolerance: number,
+) {
+  const all = [...characters, ...joinedFigures(characters)];
+  const best = bestFit(all, dumps, times);
+  if (!best) {
+    const none: Fitted = { diagnostics: [] };
+    const [first] = all;
+    return { character: first, fitted: first ? fitDumpsAt(first, dumps, times) : none, dumps };
+  }
+  const { character } = best;
+  const time = onlyTime(dumps);
+  // Asked for, or with nothing to choose from.
+  if (times.length > 0 || time === undefined || !dumps.some(statesNoTime)) return { ...best, dumps };
+  const timed = dumps.map((dump) => runToEnd(assumeTime(character, dump, [time, undefined], tolerance)));
+  const fitted = fitDumps(character, timed, undefined);
+  return fitted.targets ? { character, fitted, dumps: timed } : { ...best, dumps };
 }
 
 function missing(characters: readonly Character[], dumps: readonly NamedDump[]): Diagnostic[] {

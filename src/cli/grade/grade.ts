@@ -39,6 +39,8 @@ export interface PartGrade {
   readonly numbers?: number;
   /** How many, of joints and vertices. */
   readonly times: number;
+  /** Of joints and vertices; null is the file pose. */
+  readonly frameTimes: readonly (number | null)[];
   /** Of the character, if joints were compared. */
   readonly joints: number;
   /** Largest error of all kinds; null if it is no number, or if nothing could be compared. */
@@ -60,6 +62,10 @@ export interface PartGrade {
 export interface GradedCause {
   readonly code: string;
   readonly detail: string;
+  /** Other ways to make the mistake that explain the same. */
+  readonly alternatives?: readonly string[];
+  /** What it explains, if not all: `world matrices`. */
+  readonly about?: string;
   readonly sentence: string;
   readonly formula: string;
   readonly explains: number;
@@ -75,13 +81,20 @@ export function wrongPart({ parts }: Grade): PartGrade | undefined {
 export function firstWrongText({ first, time, mismatches }: PartGrade): string {
   if (mismatches.length > 0) return mismatches.join('; ');
   if (!first) return '';
-  const at = first.time ?? time;
-  return `${first.what} ${first.index}${first.name ? ` "${first.name}"` : ''}${at === undefined ? '' : ` at ${at} s`}`;
+  const place = `${first.what} ${first.index}${first.name ? ` "${first.name}"` : ''}`;
+  if (first.what === 'channel') return `${place}${first.time === undefined ? '' : ` at ${first.time} s`}`;
+  return `${place} ${timeText(time)}`;
 }
 
-/** `23 world matrices at 11 times; 72 channels`; `276 numbers, one by one`. */
-export function gradedText({ compared, times, numbers }: PartGrade): string {
-  return numbers === undefined ? comparedText(compared, times) : `${numbers} numbers, one by one`;
+/** `23 world matrices at 11 times; 72 channels`, `694 vertices in the file pose`; `276 numbers, one by one`. */
+export function gradedText({ compared, times, numbers, frameTimes }: PartGrade): string {
+  if (numbers !== undefined) return `${numbers} numbers, one by one`;
+  const text = comparedText(compared, times);
+  return frameTimes.length === 1 ? `${text} ${timeText(frameTimes[0])}` : text;
+}
+
+function timeText(time: number | null | undefined): string {
+  return time === undefined || time === null ? 'in the file pose' : `at ${time} s`;
 }
 
 /** Of errors: three digits, enough to see how large they are. */

@@ -94,11 +94,16 @@ function partOf(part: PartGrade): string {
     .filter(([, value]) => value !== '')
     .map(([name, value]) => `<dt>${name}</dt><dd>${escaped(value)}</dd>`);
   const explained = causes.map(
-    ({ code, detail, sentence, formula, explains, of }) => `<div class="cause">
+    ({ code, detail, alternatives = [], about, sentence, formula, explains, of }) => `<div class="cause">
 <p><code>${escaped(code)}</code>${detail && ` <span class="faint">${escaped(detail)}</span>`}</p>
-<p>${escaped(sentence)}</p>
+<p>${escaped(sentence)}</p>${alternatives
+      .map(
+        (other) => `
+<p class="faint">Equally: ${escaped(other)}.</p>`,
+      )
+      .join('')}
 <p class="formula">${escaped(formula)}</p>
-<p class="faint">Explains ${explains} of ${of}.</p>
+<p class="faint">Explains ${explains} of ${of}${about ? ` ${escaped(about)}` : ''}.</p>
 </div>`,
   );
   const none =

@@ -3,22 +3,25 @@
  *
  * Files are compared by what they evaluate to. Each takes the place of the reference's file of the same name, first of
  * the same path, else of the same base name; where the submission has none, the reference's own stays. Dumps are
- * compared with the reference's dump of the same name, else with the reference's character whose name theirs begins
- * with, else with the first that they fit.
+ * compared with the reference's dump of the same name, else with the reference's character that they fit best.
  */
 import { relative, sep } from 'node:path';
 import { runToEnd } from '../../evaluate/steps.ts';
+import { assumeTime, statesNoTime } from '../../lesson/assumed-times.ts';
+import { bestFit } from '../../lesson/best-fit.ts';
 import { type Compared, type Comparison, compare } from '../../lesson/compare.ts';
 import { compareDumps } from '../../lesson/compare-dumps.ts';
+import { subjectText } from '../../lesson/compared-text.ts';
 import { fitDumpsAt } from '../../lesson/dump-times.ts';
 import { Evaluator } from '../../lesson/evaluator.ts';
+import { fitDumps, type NamedDump } from '../../lesson/fit-dump.ts';
 import { ownValues } from '../../lesson/own-values.ts';
 import { RIGHT_PROGRAM } from '../../lesson/program.ts';
 import type { ChannelTarget, FrameTarget, Targets } from '../../lesson/targets.ts';
 import { type Diagnostic, hasErrors, withoutPlace } from '../../model/diagnostic.ts';
 import { type Character, EMPTY_DOCUMENT, shownClip, shownSkin } from '../../model/document.ts';
 import { isEmptyDump } from '../../model/dump.ts';
-import { type BrokenFile, baseName, type ParsedFile, type SourceFile, stemOf } from '../../model/files.ts';
+import { type BrokenFile, baseName, type ParsedFile, type SourceFile } from '../../model/files.ts';
 import { vertexCount } from '../../model/skin.ts';
 import { type DumpFile, openFiles } from '../../project/open/open-files.ts';
 import { formatOf } from '../../project/readers.ts';
@@ -217,32 +220,37 @@ class Judging {
   }
 
   private judgeFitted(file: DumpFile, right: RightDump | undefined): void {
-    const { times } = this.options;
-    const named = [{ fileName: file.source.path, dump: file.dump }];
-    const stem = stemOf(file.source).toLowerCase();
-    const shared = (character: Character) =>
-      Math.max(0, ...character.sources.map((s) => (stem.startsWith(stemOf(s).toLowerCase()) ? stemOf(s).length : 0)));
-    const characters = right?.of
-      ? [right.of.character]
-      : [...this.reference.characters, ...this.reference.joined].sort((a, b) => shared(b) - shared(a));
-    const [first, ...others] = characters.map((character) => ({
-      character,
-      fitted: fitDumpsAt(character, named, times ?? []),
-    }));
-    const found = [first, ...others].find((one) => one?.fitted.targets);
-    if (!found?.fitted.targets) {
+    const named = { fileName: file.source.path, dump: file.dump };
+    const characters = right?.of ? [right.of.character] : [...this.reference.characters, ...this.reference.joined];
+    const found = this.fitted(named, characters, right);
+    if (!found) {
       // A note with some numbers in it is no dump.
       const count = file.dump.blocks.reduce((sum, { values }) => sum + values.length, 0);
       const severity = !right && count < LEAST_NUMBERS ? 'info' : 'warning';
       const assumed = 'not compared';
-      const diagnostics = first?.fitted.diagnostics ?? [];
+      const [first] = characters;
+      const diagnostics = first ? fitDumpsAt(first, [named], this.options.times ?? []).diagnostics : [];
       this.problems.push(...diagnostics.map((d): Diagnostic => ({ ...d, severity, assumed })));
       if (right) this.parts.push(uncompared(file.source.path, ['other numbers than the reference has'], null));
       return;
     }
-    const { targets } = found.fitted;
+    const { character, targets } = found;
     const mismatches = right?.of ? lacking(targets, right.of.targets) : [];
-    this.parts.push(this.part([file.source.path], found.character, targets, mismatches));
+    this.parts.push(this.part([file.source.path], character, targets, mismatches));
+  }
+
+  /** A dump of one time that states none is of the reference's, or of one of those asked for or the file pose. */
+  private fitted(named: NamedDump, characters: readonly Character[], right: RightDump | undefined) {
+    const { times = [], tolerance } = this.options;
+    const best = bestFit(characters, [named], times) ?? bestFit(characters, [named], []);
+    const targets = best?.fitted.targets;
+    if (!best || !targets) return undefined;
+    const { character } = best;
+    const asked = right?.of ? right.of.targets.frames.map(({ time }) => time) : [...times, undefined];
+    if (targets.frames.length !== 1 || !statesNoTime(named) || asked.length < (right ? 1 : 2))
+      return { character, targets };
+    const timed = runToEnd(assumeTime(character, named, asked, tolerance));
+    return { character, targets: fitDumps(character, [timed], undefined).targets ?? targets };
   }
 
   /** Number by number, since they are of no character at hand. */
@@ -274,6 +282,7 @@ function uncompared(path: string, mismatches: readonly string[], worst: number |
     vertexError: null,
     channels: null,
     mismatches,
+    frameTimes: [],
     own: [],
     inherited: [],
     causes: [],
@@ -305,11 +314,14 @@ function gradeOf(
     mismatches,
     ...(first && { first }),
     ...(wrong?.time !== undefined && { time: wrong.time }),
+    frameTimes: frames.map(({ time }) => time ?? null),
     own: named(own),
     inherited: named(inherited),
-    causes: causes.map(({ code, detail, sentences, formulas, explains, of }) => ({
+    causes: causes.map(({ code, detail, alternatives, sentences, formulas, explains, of, about }) => ({
       code,
       detail,
+      ...(alternatives.length > 0 && { alternatives }),
+      ...(about && { about: subjectText(about, false) }),
       sentence: sentences.join(' '),
       formula: [...new Set(formulas)].join('; '),
       explains,

@@ -1,6 +1,6 @@
 /** The teacher's files: what is right. */
 import { joinedFigures } from '../../lesson/joined-figures.ts';
-import { type Diagnostic, hasErrors } from '../../model/diagnostic.ts';
+import type { Diagnostic } from '../../model/diagnostic.ts';
 import { type Character, shownClip } from '../../model/document.ts';
 import type { ParsedFile } from '../../model/files.ts';
 import { UsageError } from '../arguments.ts';
@@ -17,6 +17,9 @@ export interface Reference {
   readonly dumps: readonly RightDump[];
 }
 
+/** Broken files; all are told in full behind them. */
+const MAX_NAMED = 10;
+
 /**
  * @param folder of the reference, absolute
  * @param path as given, for messages
@@ -31,8 +34,17 @@ export function loadReference(folder: string, path: string, tolerance: number, e
       found.map((diagnostic) => ({ ...diagnostic, file: `${path}/${diagnostic.file}` })),
       { err },
     );
-  told(diagnostics.filter(({ severity }) => severity === 'error'));
-  if (hasErrors(diagnostics)) throw new UsageError(`The reference ${path} has errors; nothing can be judged by it.`);
+  const errors = diagnostics.filter(({ severity }) => severity === 'error');
+  if (errors.length > 0) {
+    const broken = [...new Set(errors.map(({ file }) => `${path}/${file}`))];
+    const more = broken.length - MAX_NAMED;
+    err(`Broken in ${path}: ${broken.slice(0, MAX_NAMED).join(', ')}${more > 0 ? ` and ${more} more` : ''}.\n`);
+    told(errors);
+    const files = broken.length === 1 ? '1 file' : `${broken.length} files`;
+    throw new UsageError(
+      `The reference ${path} has errors in ${files}; nothing can be judged by it. Mend or remove them.`,
+    );
+  }
   const { characters } = document;
   const contradicting: Diagnostic[] = [];
   const joined = joinedFigures(characters);
