@@ -341,7 +341,7 @@ it('forced colours tell what is pressed, checked and selected', () =>
 const smallTargets = (page: Page) =>
   page.evaluate(() => {
     const controls = document.querySelectorAll<HTMLElement>(
-      'button,select,input:not([type=range]),[role=menuitem],[role=menuitemcheckbox],[role=tab],[role=treeitem]',
+      'button,select,input:not([type=range]),[role=menuitem],[role=menuitemcheckbox],[role=tab],[role=treeitem],.steps .number',
     );
     const isHit = (one: HTMLElement) => {
       const { left, right, top, bottom } = one.getBoundingClientRect();
@@ -380,6 +380,11 @@ it('a phone has all menus, the timeline and targets of 44 pixels; nothing in the
         await page.locator(`[aria-labelledby=timeline-tab-${name}] > :not(.empty)`).first().waitFor();
         small.push(...(await smallTargets(page)));
       }
+      await page.locator('canvas').first().focus();
+      await page.keyboard.press('ArrowDown');
+      await tab(page, 'steps');
+      await page.locator('.steps .symbol').first().waitFor();
+      small.push(...(await smallTargets(page)));
       await open(page, 'inspector');
       await page.getByRole('textbox', { name: 'tx' }).first().waitFor();
       small.push(...(await smallTargets(page)));
