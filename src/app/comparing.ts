@@ -90,5 +90,7 @@ function reportProblems({ messages }: Uses<'messages'>, comparing: DumpCompariso
     const problems = phase.kind === 'misfit' ? phase.diagnostics : (phase.problems ?? []);
     const names = dumps.map(({ fileName }) => fileName);
     messages.report(problems, names, () => 'not compared');
+    // The banner says the same.
+    if (phase.kind === 'misfit') messages.markAllRead();
   });
 }

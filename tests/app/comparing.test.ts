@@ -82,7 +82,7 @@ describe('dropped dumps', () => {
     const wb = open(crawler);
     await drop(wb, dumpFile('mine.txt', '\n1 2 3\n'));
     expect(wb.messages.list.get()).toMatchObject([
-      { severity: 'error', fate: 'not compared', diagnostics: [{ file: 'mine.txt', line: 2 }] },
+      { severity: 'error', fate: 'not compared', unread: false, diagnostics: [{ file: 'mine.txt', line: 2 }] },
     ]);
     await drop(wb, dumpFile('mine.txt', right(0)));
     expect(wb.messages.list.get()).toEqual([]);

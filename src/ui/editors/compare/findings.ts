@@ -29,6 +29,8 @@ export class Findings {
   private readonly tolerance: NumberField;
   private of: DumpComparison | undefined;
   private state: CompareState | undefined;
+  /** Whether a take moves the character: else there is no other time than that of the file pose. */
+  private isMoved = false;
 
   constructor(private readonly wb: Uses<'comparing' | 'transport' | 'messages'>) {
     const refuse = (reason: string) => wb.messages.note(reason, 'warning');
@@ -59,7 +61,9 @@ export class Findings {
     const state = comparing.state.get();
     this.of = comparing;
     if (state.result !== this.state?.result) this.showResult(state.result);
-    if (state.dumps !== this.state?.dumps) this.showDumps(state);
+    const isMoved = clipTimeShown(this.wb, comparing.character) !== undefined;
+    if (state.dumps !== this.state?.dumps || isMoved !== this.isMoved) this.showDumps(state, isMoved);
+    this.isMoved = isMoved;
     this.state = state;
     this.tolerance.show(state.tolerance);
     for (const [i, made] of [...this.times.children].entries()) setAttribute(made, 'aria-pressed', String(i === told));
@@ -98,14 +102,14 @@ export class Findings {
     return made;
   }
 
-  private showDumps({ dumps }: CompareState): void {
-    this.files.replaceChildren(...dumps.map((dump) => this.fileRow(dump, dumps.length > 1)));
+  private showDumps({ dumps }: CompareState, isMoved: boolean): void {
+    this.files.replaceChildren(...dumps.map((dump) => this.fileRow(dump, dumps.length > 1, isMoved)));
   }
 
-  private fileRow(dump: NamedDump, canRemove: boolean): HTMLElement {
+  private fileRow(dump: NamedDump, canRemove: boolean, isMoved: boolean): HTMLElement {
     const { fileName } = dump;
     const row = element('div', { class: 'compare-file' }, fileName);
-    if (!statesTime(dump)) row.append(...this.timeOf(dump));
+    if (isMoved && !statesTime(dump)) row.append(...this.timeOf(dump));
     if (canRemove) {
       const remove = () => this.of?.remove(fileName);
       row.append(button(`Remove ${fileName}`, { class: 'tool small' }, icon('close'), remove));

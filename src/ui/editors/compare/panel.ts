@@ -146,13 +146,17 @@ class ComparePanel implements TimelineTab {
     if (!this.visible) return;
     const comparing = this.wb.comparing.get();
     const character = comparing?.character;
-    const isAsking = comparing === undefined || this.asksForNumbers;
+    const state = comparing?.state.get();
+    // Beside numbers that don't fit it helps to see what would.
+    const isMisfit = state?.phase.kind === 'misfit' && !state.result;
+    const isAsking = !state || isMisfit || this.asksForNumbers;
     this.start.hidden = !isAsking;
     this.body.hidden = isAsking;
     this.tools.hidden = comparing === undefined;
+    this.paste.hidden = isMisfit;
     setAttribute(this.paste, 'aria-pressed', String(this.asksForNumbers));
-    if (!comparing) return;
-    const { result } = comparing.state.get();
+    if (!comparing || !state) return;
+    const { result } = state;
     const told = result ? toldFrame(comparing, result) : -1;
     this.findings.show(comparing, told);
     const hasRows = result !== undefined && character !== undefined;

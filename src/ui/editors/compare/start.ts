@@ -3,30 +3,7 @@ import { copyText } from '../../kit/clipboard.ts';
 import { button, element, uniqueId } from '../../kit/dom.ts';
 import { icon } from '../../kit/icons.ts';
 import type { Uses } from '../../state/workbench.ts';
-
-export const SNIPPETS: readonly (readonly [language: string, code: string])[] = [
-  [
-    'C++',
-    `std::ofstream out("mine.txt");
-out << "time " << time << "\\n";
-for (const Joint* joint : jointsDepthFirst)
-  out << joint->name << ": " << glm::to_string(joint->world) << "\\n";`,
-  ],
-  [
-    'Python',
-    `with open("mine.txt", "w") as out:
-    print("time", time, file=out)
-    for joint in joints_depth_first:
-        print(joint.name + ":", *joint.world.flatten(), file=out)`,
-  ],
-  [
-    'JavaScript',
-    `let text = \`time \${time}\\n\`;
-for (const joint of jointsDepthFirst)
-  text += \`\${joint.name}: \${[...joint.world].join(' ')}\\n\`;
-console.log(text);`,
-  ],
-];
+import { SNIPPETS } from './snippets.ts';
 
 /** The name of numbers that were pasted: those of the next paste take their place. */
 const PASTED = 'pasted.txt';
