@@ -11,6 +11,8 @@ import { type Character, shownClip } from '../model/document.ts';
 export interface ToldComparison {
   readonly comparison: Comparison;
   readonly character: Character;
+  /** Whether there are others. */
+  readonly isNamed: boolean;
   readonly targets: Targets;
   /** With the times that are assumed. */
   readonly dumps: readonly NamedDump[];
@@ -59,10 +61,10 @@ export function comparisonJson(told: ToldComparison) {
 
 /** What is printed without `--json`. */
 export function comparisonText(told: ToldComparison): string {
-  const { comparison, character, dumps } = told;
+  const { comparison, character, dumps, isNamed } = told;
   const isOfSeveral = dumps.length > 1;
   const { agrees, compared, layout, worst, first, frames, largest, own, inherited, causes, unexplained } = comparison;
-  const lines = [`Compared: ${comparedText(compared, frames.length)}.`];
+  const lines = [`Compared${isNamed ? ` with ${character.name}` : ''}: ${comparedText(compared, frames.length)}.`];
   if (layout) lines.push(`Matrices of ${layout.numbers} numbers, ${layout.order}.`);
   lines.push(...dumpTimeLines(told));
   if (frames.length > 1) lines.push(`Times: ${frames.map(timeText).join(', ')}.`);
@@ -145,6 +147,11 @@ function hintsOf({ comparison, character, dumps }: ToldComparison): readonly str
   const timed = frames.filter(({ agrees, time }) => !agrees && time !== undefined);
   if (!shownClip(character) && timed.length > 0) {
     return [`The dump is of ${timed[0].time} s; give the .anim too, without which all times have the file pose.`];
+  }
+  const joints = character.skeleton?.joints.length ?? 0;
+  const isAllWrong = frames.some(({ own, inherited }) => joints > 0 && own.length + inherited.length === joints);
+  if (!shownClip(character) && isAllWrong) {
+    return ['All joints differ. If the dump is of an animation, give the .anim too, and its time with --time T.'];
   }
   const isOfPose = frames.some(({ agrees, time }) => !agrees && time === undefined);
   if (shownClip(character) && isOfPose && dumps.some(statesNoTime)) {

@@ -180,7 +180,9 @@ class Fit {
     }
     if (ofPoints(joints)) return 'joints';
     if (ofMatrices) return 'matrices';
-    if (channels > 0 && width === channels + 1) return 'channels';
+    // Several rows below a label are a matrix.
+    const isByTime = entries.every(({ label, numbers }) => label === null || numbers.length <= width);
+    if (channels > 0 && width === channels + 1 && isByTime) return 'channels';
     if (channels > 0 && joints === 0 && vertices === 0) return 'channels';
     throw this.misfit(block);
   }

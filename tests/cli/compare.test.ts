@@ -319,6 +319,8 @@ describe('marrow compare', () => {
     const { hints } = await commandJson<{ hints: readonly string[] }>(['compare', 'b.skel', 'timed.txt'], folder, 1);
     expect(hints).toEqual([expect.stringContaining('give the .anim too')]);
     write('silent.txt', timed);
+    const still = await command(['compare', 'b.skel', 'silent.txt'], folder);
+    expect(still.out).toContain('All joints differ. If the dump is of an animation, give the .anim too');
     const silent = await command(['compare', 'b.skel', 'b.anim', 'silent.txt'], folder);
     expect(silent.out).toContain('give its time with --time T');
     const asked = await command(['compare', 'b.skel', 'b.anim', 'silent.txt', '--time', '0.5'], folder);
@@ -329,6 +331,7 @@ describe('marrow compare', () => {
     const channel = 'channel { extrapolate cycle cycle keys 2 { 0 0.1 linear linear 1 -0.3 linear linear } }';
     mkdirSync(join(folder, 'many/a'), { recursive: true });
     mkdirSync(join(folder, 'many/b'), { recursive: true });
+    write('many/a/three.skel', 'balljoint lone { }');
     write('many/a/three.anim', `animation { range 0 1 numchannels 3 ${channel.repeat(3)} }`);
     write('many/b/b.skel', SKEL);
     const rows = (m: readonly number[]) =>
@@ -340,6 +343,11 @@ describe('marrow compare', () => {
     );
     const found = await commandJson<CompareJson>(['compare', 'many', 'mine.txt'], folder, 1);
     expect(found).toMatchObject({ compared: { world: 3, channels: 0 }, first: { name: 'root' } });
+    const { out } = await command(['compare', 'many', 'mine.txt'], folder);
+    expect(out).toContain('Compared with b: 3 world matrices.');
+    write('many.csv', '0,0.1,0.1,0.1\n1,-0.3,-0.3,-0.3\n');
+    const { code, err } = await command(['compare', 'many', 'mine.txt', 'many.csv'], folder);
+    expect([code, err]).toEqual([2, expect.stringContaining('found many.csv of three; mine.txt of b. Compare')]);
   });
 
   it('takes files of any name as dumps, and the tolerance as given', async () => {

@@ -240,6 +240,7 @@ describe('marrow grade', () => {
       'several/ref/two/legs.skel',
       SKEL.replaceAll(/root|arm|hand/g, (name) => `${name}_2`),
     );
+    write('several/ref/three/three.skel', 'balljoint lone { }');
     write(
       'several/ref/three/three.anim',
       anim(1)
@@ -249,6 +250,21 @@ describe('marrow grade', () => {
     const args = ['grade', 'several/class', '--reference', 'several/ref'];
     const { submissions } = await commandJson<{ submissions: readonly Grade[] }>(args, folder);
     expect(submissions[0].parts[0]).toMatchObject({ agrees: true, compared: { world: 3, channels: 0 } });
+  });
+
+  it('names all mistakes that explain a dump equally', async () => {
+    const twice = anim(1).replaceAll('cycle bounce', 'cycle constant');
+    write('equal/ref/test.skel', SKEL);
+    write('equal/ref/test.anim', twice);
+    // The value of the first key before it, and those of the keys.
+    const rows = [-3.3, -1.2, 0, 1, 2].map((time) =>
+      [time, ...Array.from({ length: 12 }, (_, c) => (time <= 0 ? 0.1 * c : time < 2 ? 0.5 : 0.2))].join(' '),
+    );
+    write('equal/class/a/mine.csv', rows.join('\n'));
+    const table = await command(['grade', 'equal/class', '--reference', 'equal/ref'], folder);
+    expect(table.out).toContain(
+      'extrapolation-ignored (before the first and after the last key) or modulo-negative (the value of the first key is held)',
+    );
   });
 
   it('names the broken files of a reference before their problems', async () => {

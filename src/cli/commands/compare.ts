@@ -34,14 +34,20 @@ export const compareCommand: CliCommand = {
     const diagnostics = [...opened];
     const named = dumps.map(({ dump, source }): NamedDump => ({ fileName: source.path, dump }));
     const { fitted, character, dumps: fittedDumps } = fitBest(document.characters, named, times, tolerance);
-    if (!hasErrors(diagnostics)) diagnostics.push(...missing(document.characters, named), ...fitted.diagnostics);
+    if (!hasErrors(diagnostics)) {
+      const found = fitted.targets
+        ? fitted.diagnostics
+        : (ofSeveral(document.characters, named, times) ?? fitted.diagnostics);
+      diagnostics.push(...missing(document.characters, named), ...found);
+    }
     report(diagnostics, io);
     if (hasErrors(diagnostics) || !fitted.targets || !character) {
       if (given.flag('json')) await printJson({ diagnostics }, io);
       return 2;
     }
     const comparison = runToEnd(compare(character, fitted.targets, tolerance));
-    const told = { comparison, character, targets: fitted.targets, dumps: fittedDumps, asked: times };
+    const isNamed = document.characters.length > 1;
+    const told = { comparison, character, isNamed, targets: fitted.targets, dumps: fittedDumps, asked: times };
     if (given.flag('json')) await printJson({ ...comparisonJson(told), diagnostics }, io);
     else await io.out(comparisonText(told));
     return comparison.agrees ? 0 : 1;
@@ -81,6 +87,23 @@ function fitBest(
   const timed = dumps.map((dump) => runToEnd(assumeTime(character, dump, [time, undefined], tolerance)));
   const fitted = fitDumps(character, timed, undefined);
   return fitted.targets ? { character, fitted, dumps: timed } : { ...best, dumps };
+}
+
+/** Dumps that fit no character together, though each fits one; undefined if that isn't so. */
+function ofSeveral(
+  characters: readonly Character[],
+  dumps: readonly NamedDump[],
+  times: readonly number[],
+): readonly Diagnostic[] | undefined {
+  if (characters.length < 2 || dumps.length < 2) return undefined;
+  const each = dumps.map((dump) => ({ dump, character: bestFit(characters, [dump], times)?.character }));
+  const fitting = characters.flatMap((character) => {
+    const files = each.filter((one) => one.character === character).map(({ dump }) => dump.fileName);
+    return files.length > 0 ? [`${files.join(', ')} of ${character.name}`] : [];
+  });
+  if (fitting.length < 2 || each.some(({ character }) => !character)) return undefined;
+  const message = `Expected dumps of one character, found ${fitting.join('; ')}. Compare those of one at a time.`;
+  return [withoutPlace('error', 'dumps-of-several', message, '')];
 }
 
 function missing(characters: readonly Character[], dumps: readonly NamedDump[]): Diagnostic[] {

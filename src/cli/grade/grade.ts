@@ -97,6 +97,15 @@ function timeText(time: number | null | undefined): string {
   return time === undefined || time === null ? 'in the file pose' : `at ${time} s`;
 }
 
+/** Of the first causes: all that explain the same numbers as well; empty if none are known. */
+export function causesText({ causes }: PartGrade): string {
+  const [best] = causes;
+  const equal = causes.filter(
+    ({ about, explains, of }) => about === best.about && explains === best.explains && of === best.of,
+  );
+  return equal.map(({ code, detail }) => `${code}${detail && ` (${detail})`}`).join(' or ');
+}
+
 /** Of errors: three digits, enough to see how large they are. */
 export function errorText(error: number | null): string {
   if (error === null) return '';

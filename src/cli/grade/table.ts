@@ -1,5 +1,5 @@
 /** Grades as lines: a table for people, and CSV for spreadsheets. */
-import { errorText, firstWrongText, type Grade, placeOf, wrongPart } from './grade.ts';
+import { causesText, errorText, firstWrongText, type Grade, placeOf, wrongPart } from './grade.ts';
 
 const COLUMNS = [
   'submission',
@@ -17,8 +17,6 @@ const COLUMNS = [
 function cellsOf(grade: Grade): readonly string[] {
   const { name, verdict, loads, joints, jointError, vertexError, channels, problems } = grade;
   const wrong = wrongPart(grade);
-  const [cause] = wrong?.causes ?? [];
-  const causeText = cause ? `${cause.code}${cause.detail && ` (${cause.detail})`}` : wrong ? 'none known' : '';
   return [
     name,
     verdict,
@@ -28,7 +26,7 @@ function cellsOf(grade: Grade): readonly string[] {
     errorText(vertexError),
     channels ? `${channels.right} of ${channels.of}` : '',
     wrong ? firstWrongText(wrong) : '',
-    causeText,
+    wrong ? causesText(wrong) || 'none known' : '',
     problems
       .filter(({ severity }) => severity !== 'info')
       .map((problem) => `${placeOf(problem)} ${problem.code}`)

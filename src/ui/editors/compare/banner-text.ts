@@ -1,6 +1,6 @@
 /** What the banner says: whether all agrees, what is wrong first, and which mistake explains it. */
 import type { Comparison, FirstWrong } from '../../../lesson/compare.ts';
-import { comparedText, explainedNoun } from '../../../lesson/compared-text.ts';
+import { comparedText, explainedNoun, subjectText } from '../../../lesson/compared-text.ts';
 import type { Cause } from '../../../lesson/search.ts';
 import { type Diagnostic, hasErrors } from '../../../model/diagnostic.ts';
 import type { Character } from '../../../model/document.ts';
@@ -126,7 +126,12 @@ function placeText({ what, index, name, time }: FirstWrong, { skeleton }: Charac
 function causeText(comparison: Comparison): string {
   const { causes, own, inherited } = comparison;
   const [best] = causes;
-  if (best) return `${best.sentences.join(' ')} ${explainsText(best, comparison)}`;
+  if (best) {
+    const others = comparison.causes.filter(({ about }) => JSON.stringify(about) !== JSON.stringify(best.about)).length;
+    const about = best.about ? `In the ${subjectText(best.about, best.about.files.length > 0)}: ` : '';
+    const more = others > 0 ? ` ${plural(others, 'more cause')} in Compare.` : '';
+    return `${about}${best.sentences.join(' ')} ${explainsText(best, comparison)}${more}`;
+  }
   const isTold = own.length + inherited.length > 1;
   const of = isTold ? ` Wrong by themselves: ${plural(own.length, 'joint')}; only inherited: ${inherited.length}.` : '';
   return `No known mistake, nor two together, explains it.${of}`;
