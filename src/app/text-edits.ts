@@ -17,7 +17,7 @@ import type { CheckOutput, SourceInput } from '../worker/protocol.ts';
 import { showingTheSame } from './opening.ts';
 import type { Unsaved } from './unsaved.ts';
 
-/** Longer files aren't compared: one of this size takes about 2 s, and several times its size in memory. */
+/** Longer files aren’t compared: one of this size takes 1 to 2 s. */
 export const MAX_COMPARED_BYTES = 5_000_000;
 
 export interface FileEditsParts {

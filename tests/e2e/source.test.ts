@@ -72,7 +72,7 @@ describe('the text of files', () => {
       // The text is edited: errors have their lines, leaving asks, what fits is one step.
       await page.getByRole('button', { name: 'Edit', exact: true }).click();
       const field = page.getByRole('textbox', { name: 'Text of figure.skel' });
-      await page.keyboard.press('Control+Enter');
+      await field.press('Control+Enter');
       await page.getByText('Nothing was edited, so nothing was applied.').waitFor();
       await field.fill(SKEL.replace('0 1 0', '0 x 0'));
       await page.locator('.source-gutter-line[data-severity="error"]', { hasText: '6' }).waitFor();
