@@ -8,8 +8,9 @@
  * Each joint has at most one partner, and the order of the two characters doesn't matter: of a trunk with four joints
  * and one with two, only the pairs that both directions find are used.
  */
-import type { Character, Space } from '../model/document.ts';
+import type { Character } from '../model/document.ts';
 import type { Skeleton } from '../model/skeleton.ts';
+import type { Space } from '../model/space.ts';
 import { isSameSkeleton, type JointMatch, matchJoints } from './joint-match.ts';
 import { automaticPairs } from './retarget/match.ts';
 

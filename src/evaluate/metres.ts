@@ -1,5 +1,5 @@
 /** Lengths of file units. */
-import type { LengthUnit, Space } from '../model/document.ts';
+import type { LengthUnit, Space } from '../model/space.ts';
 
 const INCH = 0.0254;
 

@@ -6,7 +6,8 @@
  * In brackets: the character's space (`evaluate/space.ts`), omitted if it has none. The last factor is only used "in
  * place": it cancels the travel over the ground (`evaluate/travel.ts`) without changing pose or document.
  */
-import { DEFAULT_SPACE, type Placement, type Space } from '../model/document.ts';
+import type { Placement } from '../model/document.ts';
+import { DEFAULT_SPACE, type Space } from '../model/space.ts';
 import { metresPerUnit } from './metres.ts';
 
 /** For placements that cancel no travel. */

@@ -1,5 +1,6 @@
 /** How far a character has moved over the ground, for display "in place". */
-import { type Character, type Space, shownClip } from '../model/document.ts';
+import { type Character, shownClip } from '../model/document.ts';
+import type { Space } from '../model/space.ts';
 import { carrierIn, retargetCarrier } from './carrier.ts';
 import type { CompiledSkeleton } from './kinematics.ts';
 import { upAxis } from './space.ts';

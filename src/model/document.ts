@@ -13,6 +13,7 @@ import type { NamedPose } from './poses.ts';
 import type { JointPair, RetargetOptions } from './retarget.ts';
 import type { Skeleton } from './skeleton.ts';
 import type { Skin } from './skin.ts';
+import type { Space } from './space.ts';
 
 export interface Document {
   readonly characters: readonly Character[];
@@ -106,34 +107,6 @@ export interface Placement {
   readonly turn: Vec3;
   readonly scale: number;
 }
-
-/** Maps a character's own space to y up and metres, before its placement. */
-export interface Space {
-  readonly up: 'y' | 'z';
-  readonly unit: LengthUnit;
-  /** Metres per unit if the unit is `own`; greater than 0. */
-  readonly metres?: number;
-  /** Offset that lifts the character onto the ground; in metres, or in file units for `asIs`. */
-  readonly lift: number;
-}
-
-/**
- * The length of one unit in a file. `asIs`: taken as a metre, whatever it is. `cmu`: 1/0.45 inch, as in the motion
- * capture of Carnegie Mellon University. `own`: any other, given in `metres`.
- */
-export const LENGTH_UNITS = [
-  'asIs',
-  'metres',
-  'decimetres',
-  'centimetres',
-  'millimetres',
-  'inches',
-  'cmu',
-  'own',
-] as const;
-export type LengthUnit = (typeof LENGTH_UNITS)[number];
-
-export const DEFAULT_SPACE: Space = { up: 'y', unit: 'asIs', lift: 0 };
 
 /** Kept with its content: a file opened later may be the one it needs. */
 export interface UnusedFile {

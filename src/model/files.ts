@@ -4,9 +4,11 @@ import type { Dump } from './dump.ts';
 import type { Morph } from './morph.ts';
 import type { PoseByNames } from './pose-by-names.ts';
 import type { PoseLibrary } from './poses.ts';
+import type { Positions } from './position-channels.ts';
 import type { Rig } from './rig.ts';
 import type { Skeleton } from './skeleton.ts';
 import type { Skin } from './skin.ts';
+import type { GuessedSpace } from './space.ts';
 
 /** A file as provided: dropped, picked, fetched or read from disk. */
 export interface SourceFile {
@@ -40,7 +42,10 @@ interface Contents {
   readonly morph: { readonly file: { readonly morph: Morph }; readonly part: Morph };
   readonly anim: { readonly file: { readonly clip: ChannelClip }; readonly part: ChannelClip };
   readonly rig: { readonly file: { readonly rig: Rig } };
-  readonly bvh: { readonly file: { readonly figures: readonly CapturedFigure[] }; readonly part: CapturedFigure };
+  readonly bvh: {
+    readonly file: { readonly figures: readonly CapturedFigure[]; readonly guessed?: GuessedCapture };
+    readonly part: CapturedFigure;
+  };
   readonly pose: { readonly file: { readonly poses: readonly PoseByNames[] }; readonly part: PoseLibrary };
   /** Whole characters, with everything they need inside the file. */
   readonly character: { readonly file: { readonly characters: readonly WholeCharacter[] } };
@@ -61,6 +66,12 @@ export type PartKind = { [K in FileKind]: Contents[K] extends { readonly part: u
 /** The content of each kind of part. */
 export type PartContents = { readonly [K in PartKind]: Contents[K]['part'] };
 
+/** What a motion capture file doesn't state, the same for all of its figures. */
+export interface GuessedCapture extends GuessedSpace {
+  /** The meaning of position channels; the figures still have that of the format. */
+  readonly positions: Positions;
+}
+
 /** One `ROOT` of a motion capture file: a skeleton and its motion; no clip if the file has no frames. */
 export interface CapturedFigure {
   readonly skeleton: Skeleton;
@@ -76,6 +87,8 @@ export interface WholeCharacter {
   /** Takes: the first is shown. */
   readonly clips: readonly ChannelClip[];
   readonly textures: readonly Texture[];
+  /** Of motion capture. */
+  readonly space?: GuessedSpace;
 }
 
 /** A file that was read without an error. */

@@ -12,6 +12,7 @@ import { type ChannelClip, keysOf } from '../model/clip.ts';
 import { type Character, isBvh, shownClip, shownSkin } from '../model/document.ts';
 import { jointDofCount } from '../model/dofs.ts';
 import type { ContentOf, FileContent, FileKind, WholeCharacter } from '../model/files.ts';
+import { withPositions } from '../model/position-channels.ts';
 import { rangeOfSamples } from '../model/samples.ts';
 import type { Skeleton } from '../model/skeleton.ts';
 import { bindingCount, type Skin, vertexCount } from '../model/skin.ts';
@@ -225,7 +226,10 @@ const OPENINGS: { readonly [K in FileKind]: Opening<ContentOf<K>> } = {
   // Motion capture is complete in itself; skins are not made for it.
   bvh: {
     as: 'characters',
-    characters: ({ figures }) => figures.map(({ skeleton, clip }) => bare(skeleton, clip)),
+    characters: ({ figures, guessed }) =>
+      figures.map(({ skeleton, clip }) =>
+        guessed ? { ...bare(withPositions(skeleton, guessed.positions), clip), space: guessed } : bare(skeleton, clip),
+      ),
     takesParts: false,
   },
   pose: { as: 'poses' },

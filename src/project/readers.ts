@@ -13,6 +13,7 @@ import { skinReader } from '../formats/skin/read.ts';
 import { textureReader } from '../formats/texture/read.ts';
 import type { Diagnostic } from '../model/diagnostic.ts';
 import type { ContentOf, FileContent, FileKind } from '../model/files.ts';
+import { capturedContent } from './captured.ts';
 import { type FormatKind, formatKindOf, type HeldBy, KINDS } from './kinds.ts';
 
 /** @param byteLength the file's size, if known; only a hint */
@@ -28,7 +29,7 @@ const READERS: { readonly [K in FormatKind]: MakeReader<HeldBy<K>> } = {
   morph: (name) => mapped(morphReader(name), (morph) => ({ kind: 'morph', morph })),
   anim: (name) => mapped(animReader(name), (clip) => ({ kind: 'anim', clip })),
   rig: (name) => mapped(rigReader(name), (rig) => ({ kind: 'rig', rig })),
-  bvh: (name, byteLength) => mapped(bvhReader(name, byteLength), (figures) => ({ kind: 'bvh', figures })),
+  bvh: captured,
   pose: (name) => mapped(poseReader(name), (poses) => ({ kind: 'pose', poses })),
   texture: (name) => mapped(textureReader(name), (texture) => ({ kind: 'texture', texture })),
   dump: (name) => mapped(dumpReader(name), (dump) => ({ kind: 'dump', dump })),
@@ -72,6 +73,19 @@ export function formatOf(fileName: string): Format | undefined {
  */
 export function dumpFormat(): Format {
   return { format: 'dump', kind: 'dump', label: KINDS.dump.label, reader: READERS.dump };
+}
+
+function captured(name: string, byteLength?: number): Reader<ContentOf<'bvh'>> {
+  const reader = bvhReader(name, byteLength);
+  return {
+    feed: (chunk) => reader.feed(chunk),
+    end: () => {
+      const { value, diagnostics } = reader.end();
+      if (value === undefined) return { diagnostics };
+      const content = capturedContent(value, name);
+      return { value: content.value, diagnostics: [...diagnostics, ...content.diagnostics] };
+    },
+  };
 }
 
 function mapped<A, B>(reader: Reader<A>, map: (value: A) => B): Reader<B> {

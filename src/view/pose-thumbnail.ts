@@ -2,7 +2,8 @@
 import { frontOf, look } from '../evaluate/shapes/look.ts';
 import { type Rgb, rasterise } from '../evaluate/shapes/rasterise.ts';
 import { type Posed, solidOf } from '../evaluate/shapes/solids.ts';
-import { type Character, DEFAULT_SPACE } from '../model/document.ts';
+import type { Character } from '../model/document.ts';
+import { DEFAULT_SPACE } from '../model/space.ts';
 
 export interface ThumbnailColours {
   readonly dark: Rgb;

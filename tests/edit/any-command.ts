@@ -348,6 +348,7 @@ const ARGUMENTS: Readonly<Record<string, (s: Situation) => object | undefined>> 
   'character.setSpace': ({ dice, character }) => ({
     characterId: character.id,
     space: { up: dice.pick(['y', 'z']), unit: dice.pick(['asIs', 'inches']), lift: dice.below(2) },
+    ofSkeleton: dice.is(0.5),
   }),
   'character.setHidden': ({ dice, character, others }) => ({
     ids: dice.some([character, ...others].map(({ id }) => id)),

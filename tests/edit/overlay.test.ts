@@ -12,8 +12,9 @@ import {
   type Document,
   EMPTY_DOCUMENT,
   findCharacter,
-  type Space,
 } from '../../src/model/document.ts';
+import type { Space } from '../../src/model/space.ts';
+import { capturedContent } from '../../src/project/captured.ts';
 import { openFiles } from '../../src/project/open/open-files.ts';
 import { character, clip, documentOf, joint } from '../helpers/builders.ts';
 import { sharedFigures } from '../helpers/bvh-files.ts';
@@ -50,11 +51,8 @@ const captured: Document = openFiles(
   [170, 180].map((height, i) => {
     const skeleton = { ...figure({ height }), name: `actor${i}` };
     const source = { name: `actor${i}.bvh`, path: `actor${i}.bvh`, bytes: 1 };
-    return {
-      kind: 'bvh',
-      source,
-      figures: [{ skeleton, clip: { ...take(skeleton, [[0, 85, 0]]), name: `walk${i}` } }],
-    };
+    const figures = [{ skeleton, clip: { ...take(skeleton, [[0, 85, 0]]), name: `walk${i}` } }];
+    return { ...capturedContent(figures, source.name).value, source };
   }),
 ).document;
 
@@ -143,9 +141,8 @@ function run(store: Store, id: string, dice: Dice): void {
 describeShared('real takes that are overlaid', () => {
   it('real captures of two actors, in other units, are both as tall as a person while overlaid', () => {
     const files = ['boxing-extra-line', 'cmu-01_01'].map((name) => ({
-      kind: 'bvh' as const,
+      ...capturedContent(sharedFigures(`${name}.bvh`), name).value,
       source: { name: `${name}.bvh`, path: `${name}.bvh`, bytes: 1 },
-      figures: sharedFigures(`${name}.bvh`),
     }));
     const { document } = openFiles(EMPTY_DOCUMENT, files);
     for (const [first, second] of [

@@ -2,6 +2,7 @@ import { describe, expect, it } from 'vitest';
 import { extentOf } from '../../src/edit/place-beside.ts';
 import { type Document, EMPTY_DOCUMENT } from '../../src/model/document.ts';
 import type { ParsedFile } from '../../src/model/files.ts';
+import { capturedContent } from '../../src/project/captured.ts';
 import { openFiles } from '../../src/project/open/open-files.ts';
 import { figure, take } from '../helpers/mocap.ts';
 
@@ -13,7 +14,8 @@ function bvh(name: string, ...roots: readonly Point[]): ParsedFile {
     const skeleton = { ...figure(), name: i ? `${name}${i}` : name };
     return { skeleton, clip: { ...take(skeleton, [root]), name: skeleton.name } };
   });
-  return { kind: 'bvh', source: { name: `${name}.bvh`, path: `${name}.bvh`, bytes: 1 }, figures };
+  const source = { name: `${name}.bvh`, path: `${name}.bvh`, bytes: 1 };
+  return { ...capturedContent(figures, source.name).value, source };
 }
 
 const open = (files: readonly ParsedFile[], document: Document = EMPTY_DOCUMENT) => openFiles(document, files).document;

@@ -4,6 +4,7 @@ import { ownHeights, sameHeight } from '../../src/edit/commands/heights.ts';
 import { extentOf } from '../../src/edit/place-beside.ts';
 import { spreadOfHeights } from '../../src/edit/same-height.ts';
 import { type Character, DEFAULT_PLACEMENT, type Document, EMPTY_DOCUMENT } from '../../src/model/document.ts';
+import { capturedContent } from '../../src/project/captured.ts';
 import { openFiles } from '../../src/project/open/open-files.ts';
 import { character, documentOf, joint, skelFile } from '../helpers/builders.ts';
 import { expectEdit } from '../helpers/expect-edit.ts';
@@ -129,11 +130,8 @@ describe('same height', () => {
       const skeleton = { name: `figure${i}`, joints: scaled };
       return { skeleton, clip: { ...take(skeleton, [[0, 85 * scale, 0]]), name: skeleton.name } };
     });
-    const capture = {
-      kind: 'bvh',
-      source: { name: 'pair.bvh', path: 'pair.bvh', bytes: 1 },
-      figures: [tall, small],
-    } as const;
+    const source = { name: 'pair.bvh', path: 'pair.bvh', bytes: 1 };
+    const capture = { ...capturedContent([tall, small], source.name).value, source };
     const { skeleton } = post('post', 40);
     const files = [capture, skelFile('post.skel', ...(skeleton ? [skeleton] : []))];
     const { document } = openFiles(EMPTY_DOCUMENT, files);

@@ -2,9 +2,14 @@ import { describe, expect, it } from 'vitest';
 import { setInterpolation } from '../../src/edit/commands/clips.ts';
 import { setHidden, setPositionChannels, setSpace } from '../../src/edit/commands/spaces.ts';
 import { CommandError, Store } from '../../src/edit/store.ts';
-import { EMPTY_DOCUMENT, type Space } from '../../src/model/document.ts';
+import { EMPTY_DOCUMENT } from '../../src/model/document.ts';
+import { jointDofCount } from '../../src/model/dofs.ts';
 import type { ParsedFile } from '../../src/model/files.ts';
+import { positionsTaken } from '../../src/model/position-channels.ts';
+import type { Space } from '../../src/model/space.ts';
+import { capturedContent } from '../../src/project/captured.ts';
 import { openFiles } from '../../src/project/open/open-files.ts';
+import { BVH_ROOT, take as frames, person } from '../evaluate/retarget/people.ts';
 import { character, clip, documentOf } from '../helpers/builders.ts';
 import { captured, figure, take } from '../helpers/mocap.ts';
 
@@ -16,7 +21,8 @@ function bvh(name: string, ...roots: readonly (readonly [number, number, number]
     skeleton: { ...skeleton, name: i ? `${name}${i}` : name },
     clip: { ...take(skeleton, [root]), name: i ? `${name}${i}` : name },
   }));
-  return { kind: 'bvh', source: { name: `${name}.bvh`, path: `${name}.bvh`, bytes: 1 }, figures };
+  const source = { name: `${name}.bvh`, path: `${name}.bvh`, bytes: 1 };
+  return { ...capturedContent(figures, source.name).value, source };
 }
 
 describe('a figure of motion capture that is opened', () => {
@@ -54,12 +60,61 @@ describe('a figure of motion capture that is opened', () => {
     expect(characters[1].space).toEqual(characters[0].space);
   });
 
-  it('says so where its position channels look as if they were meant to be added to the offsets', () => {
+  it('adds its position channels to the offsets where they look meant so, and says so', () => {
     const skeleton = figure({ positionsEverywhere: true });
-    const source = { name: 'made.bvh', path: 'made.bvh', bytes: 1 };
     const figures = [{ skeleton, clip: take(skeleton, [[0, 85, 0]], 0) }];
-    const { diagnostics } = openFiles(EMPTY_DOCUMENT, [{ kind: 'bvh', source, figures }]);
-    expect(diagnostics.map((d) => d.code)).toContain('positions-near-zero');
+    const { value, diagnostics } = capturedContent(figures, 'made.bvh');
+    expect(diagnostics.map((d) => d.code)).toEqual(['positions-near-zero']);
+    const [opened] = openFiles(EMPTY_DOCUMENT, [{ ...value, source: { name: 'made.bvh', path: 'made.bvh', bytes: 1 } }])
+      .document.characters;
+    expect(opened.skeleton && positionsTaken(opened.skeleton)).toBe('add');
+    // Measured as it is meant: not collapsed.
+    const plain = capturedContent([{ skeleton, clip: take(skeleton, [[0, 85, 0]]) }], '').value;
+    expect(opened.space).toEqual(plain.guessed?.space);
+  });
+});
+
+/** A person in centimetres whose hips are that high: standing, or lying on the back. */
+function session(name: string, hips: number, lies: boolean): ParsedFile {
+  const body = person({ size: 100, motion: (part) => (part === 'hips' ? BVH_ROOT : { kind: 'ball', order: 'xyz' }) });
+  const skeleton = { ...body, name };
+  const row = new Array<number>(jointDofCount(skeleton)).fill(0);
+  row.splice(0, 6, 0, hips, 0, 0, lies ? -Math.PI / 2 : 0, 0);
+  const source = { name: `${name}.bvh`, path: `${name}.bvh`, bytes: 1 };
+  return { ...capturedContent([{ skeleton, clip: frames(skeleton, [row, row]) }], source.name).value, source };
+}
+
+describe('takes of one skeleton', () => {
+  it('takes of one skeleton that are opened together share the space of the one that stands', () => {
+    const files = [session('lies', 30, true), session('walks', 87, false), session('falls', 200, true)];
+    const { characters } = openFiles(EMPTY_DOCUMENT, files).document;
+    expect(characters.map((c) => c.name)).toEqual(['lies', 'walks', 'falls']);
+    for (const { space } of characters) expect(space).toEqual({ up: 'y', unit: 'centimetres', lift: 0 });
+  });
+
+  it('takes of one skeleton that are opened later have the space that was set by hand', () => {
+    const store = new Store(openFiles(EMPTY_DOCUMENT, [session('walks', 87, false)]).document);
+    store.apply(setSpace, { characterId: 'c1', space: SPACE });
+    const { characters } = openFiles(store.document, [session('lies', 12, true), bvh('other', [0, 85, 0])]).document;
+    expect(characters[1].space).toEqual(SPACE);
+    expect(characters[2].space).not.toEqual(SPACE);
+  });
+
+  it('takes of one skeleton get another space all at once, in one step, and others don’t', () => {
+    const files = [session('lies', 30, true), session('walks', 87, false), bvh('other', [0, 85, 0])];
+    const store = new Store(openFiles(EMPTY_DOCUMENT, files).document);
+    const before = store.document;
+    store.apply(setSpace, { characterId: 'c2', space: SPACE, ofSkeleton: true });
+    expect(store.undoLabel).toBe('Set space of walks and 1 more');
+    const spaces = store.document.characters.map((c) => c.space);
+    expect(spaces).toEqual([SPACE, SPACE, before.characters[2].space]);
+    const { document } = store;
+    store.apply(setSpace, { characterId: 'c1', space: SPACE, ofSkeleton: true });
+    expect(store.document).toBe(document);
+    store.undo();
+    expect(store.document).toBe(before);
+    store.apply(setSpace, { characterId: 'c2', space: SPACE });
+    expect(store.document.characters[0]).toBe(before.characters[0]);
   });
 });
 

@@ -2,10 +2,11 @@
 import { expect, it } from 'vitest';
 import { forFrames } from '../../src/evaluate/figure-frames.ts';
 import { compileSkeleton, worldMatrices } from '../../src/evaluate/kinematics.ts';
-import { applySpace, guessSpace } from '../../src/evaluate/space.ts';
+import { applySpace } from '../../src/evaluate/space.ts';
+import { guessSpace } from '../../src/evaluate/space-guess.ts';
 import { readBvh } from '../../src/formats/bvh/read.ts';
-import type { LengthUnit } from '../../src/model/document.ts';
 import { positionsMeant, withPositions } from '../../src/model/position-channels.ts';
+import type { LengthUnit } from '../../src/model/space.ts';
 import { describeShared, sharedBytes } from '../helpers/shared.ts';
 
 const FILES: readonly (readonly [string, LengthUnit, 'y' | 'z'])[] = [

@@ -1,8 +1,9 @@
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
 import { metresPerUnit } from '../../src/evaluate/metres.ts';
-import { applySpace, guessSpace, liftOntoGround, metresForPerson } from '../../src/evaluate/space.ts';
-import type { LengthUnit } from '../../src/model/document.ts';
+import { applySpace, liftOntoGround } from '../../src/evaluate/space.ts';
+import { guessSpace, metresForPerson } from '../../src/evaluate/space-guess.ts';
+import type { LengthUnit } from '../../src/model/space.ts';
 import { type FigureOptions, figure, take } from '../helpers/mocap.ts';
 
 /** Standing with its soles `over` the ground of its file. */

@@ -1,8 +1,10 @@
 /** How a character's own space maps to the scene, the meaning of its position channels, and whether it is visible. */
 import { metresPerUnit } from '../../evaluate/metres.ts';
 import { liftOntoGround } from '../../evaluate/space.ts';
-import { type Character, LENGTH_UNITS, type Space, shownClip } from '../../model/document.ts';
+import { type Character, type Document, shownClip } from '../../model/document.ts';
 import { poseForPositions, positionsTaken, withPositions } from '../../model/position-channels.ts';
+import { skeletonKey } from '../../model/skeleton-key.ts';
+import { LENGTH_UNITS, type Space } from '../../model/space.ts';
 import { finiteNumber, listOf, oneOf } from '../arguments.ts';
 import { changeCharacter } from '../characters.ts';
 import { characterIn } from '../step-names.ts';
@@ -13,15 +15,35 @@ interface OfCharacter {
   readonly characterId: string;
 }
 
-export const setSpace: Command<OfCharacter & { readonly space: Space }> = {
+export interface SetSpace extends OfCharacter {
+  readonly space: Space;
+  /** Also of the other characters with the same skeleton: takes of one session. Default false. */
+  readonly ofSkeleton?: boolean | undefined;
+}
+
+export const setSpace: Command<SetSpace> = {
   id: 'character.setSpace',
-  label: (document, { characterId }) => `Set space of ${characterIn(document, characterId)}`,
-  run: (document, { characterId, space }) =>
-    changeCharacter(document, characterId, (c) => {
-      const next = checked(space);
-      return c.space && sameSpace(c.space, next) ? c : { ...c, space: next };
-    }),
+  label(document, args) {
+    const others = args.ofSkeleton ? alike(document, args.characterId).length : 0;
+    const name = characterIn(document, args.characterId);
+    return `Set space of ${name}${others ? ` and ${others} more` : ''}`;
+  },
+  run(document, { characterId, space, ofSkeleton = false }) {
+    const next = checked(space);
+    const ids = oneOf(ofSkeleton, [true, false], '"ofSkeleton"') ? alike(document, characterId) : [];
+    const set = (c: Character) => (c.space && sameSpace(c.space, next) ? c : { ...c, space: next });
+    return ids.reduce((all, id) => changeCharacter(all, id, set), changeCharacter(document, characterId, set));
+  },
 };
+
+/** Ids of the other characters with the same skeleton. */
+export function alike({ characters }: Document, characterId: string): readonly string[] {
+  const own = characters.find(({ id }) => id === characterId)?.skeleton;
+  const key = own && skeletonKey(own);
+  return characters.flatMap(({ id, skeleton }) =>
+    id !== characterId && skeleton && skeletonKey(skeleton) === key ? [id] : [],
+  );
+}
 
 function checked(space: Space | undefined): Space {
   const { up, unit, lift, metres } = space ?? {};

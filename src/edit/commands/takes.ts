@@ -4,8 +4,9 @@
  */
 import { isSameSize, matchJoints } from '../../evaluate/joint-match.ts';
 import type { Vec3 } from '../../math/vec3.ts';
-import { type Character, type Document, type Space, shownClip } from '../../model/document.ts';
+import { type Character, type Document, shownClip } from '../../model/document.ts';
 import { NO_MARKS, type PartMark } from '../../model/part.ts';
+import type { Space } from '../../model/space.ts';
 import { finiteNumber, indexIn, listOf } from '../arguments.ts';
 import { requireCharacter } from '../characters.ts';
 import { driverSource, RETARGETED, withoutDriver } from '../drivers.ts';

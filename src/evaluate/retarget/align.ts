@@ -19,9 +19,9 @@
  * the same pose does not mean bending one spine to the anatomy of the other.
  */
 import { backMultiply3, copy3, multiply3, setIdentity3, swing, turnVector } from '../../math/mat3.ts';
-import type { Space } from '../../model/document.ts';
 import type { JointPair } from '../../model/retarget.ts';
 import type { Skeleton } from '../../model/skeleton.ts';
+import type { Space } from '../../model/space.ts';
 import { figureOf, type RetargetFigure } from './figure.ts';
 import { type BodySide, LIMB_SIDES, type Role, type Roles, rolesOf } from './roles.ts';
 

@@ -3,9 +3,9 @@
  * axis. Matching, aligning and measuring work on these, so that only this file deals with spaces.
  */
 import { multiply3, setIdentity3, writeRotationPart } from '../../math/mat3.ts';
-import type { Space } from '../../model/document.ts';
 import { filePose } from '../../model/dofs.ts';
 import type { Skeleton } from '../../model/skeleton.ts';
+import type { Space } from '../../model/space.ts';
 import { compileSkeleton, worldMatrices } from '../kinematics.ts';
 import { metresPerUnit } from '../metres.ts';
 

@@ -5,8 +5,9 @@
  * ground. So both are measured while the take plays, on the poses that rotations alone give. A sole is the lowest of the
  * foot's joints and End Sites. The ground is the scene's on both sides: a take that its space puts too high stays so.
  */
-import type { Space } from '../../model/document.ts';
+
 import type { Skeleton } from '../../model/skeleton.ts';
+import type { Space } from '../../model/space.ts';
 import type { Bodies } from './align.ts';
 import type { RetargetFigure } from './figure.ts';
 import type { RetargetPlan, SpaceRule } from './plan.ts';

@@ -1,11 +1,12 @@
 /** Makes a plan (`plan.ts`) for each driver. */
 import { backMultiply3 } from '../../math/mat3.ts';
 import type { ChannelClip } from '../../model/clip.ts';
-import { type Character, type Driver, type Space, shownClip } from '../../model/document.ts';
+import { type Character, type Driver, shownClip } from '../../model/document.ts';
 import { filePose } from '../../model/dofs.ts';
 import { dofsOf, factorsOf } from '../../model/joint-types.ts';
 import type { JointPair } from '../../model/retarget.ts';
 import type { Motion, Skeleton } from '../../model/skeleton.ts';
+import type { Space } from '../../model/space.ts';
 import { retargetCarrier } from '../carrier.ts';
 import { type CompiledSkeleton, compileSkeleton, localMatrices } from '../kinematics.ts';
 import { metresPerUnit } from '../metres.ts';
@@ -185,7 +186,7 @@ function slidesFirst(motion: Motion): boolean {
   return factors.findLastIndex(isSlide) < factors.filter(isSlide).length;
 }
 
-/** Of pairs whose joints are of one type: what neither rotates them nor slides. */
+/** Of pairs whose joints have the same DOFs: what neither rotates them nor slides. */
 function copiedDofs(
   { source, target, sourceOf }: Bodies,
   compiled: CompiledSkeleton,
@@ -194,13 +195,13 @@ function copiedDofs(
 ): CopiedDof[] {
   return target.joints.flatMap(({ motion }, j) => {
     const s = sourceOf[j];
-    if (s < 0 || source.joints[s].motion.kind !== motion.kind) return [];
-    const others = dofsOf(source.joints[s].motion);
-    return dofsOf(motion).flatMap(({ name, unit }, d): CopiedDof[] => {
-      const other = others.findIndex((dof) => dof.name === name);
-      if (other < 0 || /^[rq]/.test(name) || (/^t[xyz]/.test(name) && slidesFirst(motion))) return [];
+    const others = s < 0 ? [] : dofsOf(source.joints[s].motion);
+    const own = dofsOf(motion);
+    if (own.length !== others.length || own.some(({ name }, d) => name !== others[d].name)) return [];
+    return own.flatMap(({ name, unit }, d): CopiedDof[] => {
+      if (/^[rq]/.test(name) || (/^t[xyz]/.test(name) && slidesFirst(motion))) return [];
       const factor = unit === 'length' ? lengths : 1;
-      return [{ target: compiled.firstDof[j] + d, source: compiledSource.firstDof[s] + other, factor }];
+      return [{ target: compiled.firstDof[j] + d, source: compiledSource.firstDof[s] + d, factor }];
     });
   });
 }

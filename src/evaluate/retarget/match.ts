@@ -3,9 +3,10 @@
  * (`roles.ts`); trunks with different numbers of joints in proportion; otherwise joints with the same name. In a copy
  * of one skeleton every joint drives itself.
  */
-import type { Space } from '../../model/document.ts';
+
 import type { JointPair } from '../../model/retarget.ts';
 import type { Skeleton } from '../../model/skeleton.ts';
+import type { Space } from '../../model/space.ts';
 import type { NameParts } from './names.ts';
 import { type Roles, rolesOf } from './roles.ts';
 

@@ -5,8 +5,9 @@
  *           │           └─ collar ─ arm ─ forearm ─ hand      (left and right)
  *           └─ thigh ─ shin ─ foot ─ toe                      (left and right)
  */
-import type { Space } from '../../model/document.ts';
+
 import type { Skeleton } from '../../model/skeleton.ts';
+import type { Space } from '../../model/space.ts';
 import { figureOf, type RetargetFigure } from './figure.ts';
 import { type NameParts, readName, type Word } from './names.ts';
 import { rolesByShape } from './shape.ts';

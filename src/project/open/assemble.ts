@@ -3,14 +3,12 @@ import { lostOver } from '../../edit/carried-over.ts';
 import { withSkeleton } from '../../edit/new-character.ts';
 import { withoutUnkeyed } from '../../edit/unkeyed.ts';
 import { checkClip, checkMorph, checkSkin } from '../../evaluate/binding.ts';
-import { guessSharedSpace } from '../../evaluate/space.ts';
 import type { ChannelClip } from '../../model/clip.ts';
 import { type Diagnostic, withoutPlace } from '../../model/diagnostic.ts';
-import { type Character, isBvh, shownClip, shownSkin } from '../../model/document.ts';
+import { type Character, shownClip, shownSkin } from '../../model/document.ts';
 import { jointDofCount } from '../../model/dofs.ts';
 import {
   baseName,
-  type CapturedFigure,
   type FileNaming,
   folderOf,
   type ParsedFile,
@@ -21,8 +19,8 @@ import {
 } from '../../model/files.ts';
 import type { Morph } from '../../model/morph.ts';
 import { NO_MARKS, type PartFile, type PartMark, type PartMarks, readAs, UNMARKED } from '../../model/part.ts';
-import { positionsMeant, positionsTaken, withPositions } from '../../model/position-channels.ts';
 import type { Skin } from '../../model/skin.ts';
+import type { Space } from '../../model/space.ts';
 
 /** Where a part comes from. */
 export interface PartOrigin extends Omit<PartFile, 'holds'> {
@@ -113,22 +111,19 @@ export function withTextures(character: Character, given: readonly ParsedFile[])
 }
 
 /**
- * Uses a character of a file: its skeleton with all that comes with it. The first skin and clip are shown. Motion
- * capture does not say how its space is oriented or scaled, so that is guessed and can be changed. An existing setting is
- * kept when the file is opened again.
- * @param together all characters of the file; they share one space
+ * Uses a character of a file: its skeleton with all that comes with it. The first skin and clip are shown.
+ * @param space of motion capture
  */
 export function withWhole(
   character: Character,
   whole: WholeCharacter,
   from: PartOrigin,
-  together: readonly WholeCharacter[] = [whole],
+  space: Space | undefined,
 ): Character {
   const { skeleton, skins, morphs, clips, textures } = whole;
   const { parts = NO_MARKS } = character;
-  const { kind, source, before } = from;
+  const { kind, source } = from;
   const mark = readAs(parts.skeleton, { kind, source, holds: skeleton.name });
-  const space = isBvh({ skeleton }) ? (before?.space ?? guessSharedSpace(together.map(asMeant))) : undefined;
   let next: Character = {
     ...withSkeleton(character, skeleton),
     parts: { ...parts, skeleton: mark },
@@ -145,12 +140,6 @@ export function withWhole(
   };
 }
 
-/** With the position channels as the file's writer meant them: the size of a collapsed figure can't be measured. */
-function asMeant({ skeleton, clips: [clip] }: WholeCharacter): CapturedFigure {
-  const meant = withPositions(skeleton, positionsMeant(skeleton, clip));
-  return clip ? { skeleton: meant, clip } : { skeleton: meant };
-}
-
 /** Reports parts of a character that don't fit; only pairs of which at least one is new. */
 export function checkParts(before: Character | undefined, after: Character, naming: FileNaming): Diagnostic[] {
   const problems: Diagnostic[] = [];
@@ -159,15 +148,6 @@ export function checkParts(before: Character | undefined, after: Character, nami
   const called = (mark: PartMark | undefined, otherwise: string) => (mark?.file ? naming(mark.file.source) : otherwise);
   if (before && newSkeleton && after.skeleton) {
     problems.push(...lostOver(before, after, called(parts.skeleton, `${after.skeleton.name}.skel`)));
-  }
-  if (newSkeleton && after.skeleton && positionsTaken(after.skeleton) === 'replace') {
-    if (positionsMeant(after.skeleton, shownClip(after)) === 'add') {
-      const message =
-        'Position channels stay near 0 where OFFSETs do not, as if meant to be added to OFFSET. ' +
-        'If the figure looks collapsed, change "Positions" in the Character section.';
-      const file = called(parts.skeleton, `${after.skeleton.name}.bvh`);
-      problems.push(withoutPlace('info', 'positions-near-zero', message, file, 'positions replace offsets'));
-    }
   }
   after.skins.forEach((skin, i) => {
     const isNew = !before?.skins.includes(skin);

@@ -26,6 +26,8 @@ import {
   stemOf,
   type WholeCharacter,
 } from '../../model/files.ts';
+import { skeletonKey } from '../../model/skeleton-key.ts';
+import type { GuessedSpace, Space } from '../../model/space.ts';
 import { openingOf, type PartOpening } from '../kinds.ts';
 import { checkParts, withSource, withTextures, withWhole } from './assemble.ts';
 import { type FileGroup, groupFiles, isBroken, isRead, type LooseRole, namesFile, prefixFit } from './grouping.ts';
@@ -79,6 +81,8 @@ class Opening {
   private readonly used = new Set<ParsedFile>();
   private readonly unused: UnusedFile[] = [];
   private readonly dumps: DumpFile[] = [];
+  /** Of all captured figures in these files, by skeleton. */
+  private readonly surest = new Map<string, GuessedSpace>();
 
   constructor(
     private readonly document: Document,
@@ -98,6 +102,12 @@ class Opening {
     const wanted = this.waiting.map((w) => w.file).filter((file) => this.isCalledFor(file));
     const grouping = groupFiles([...files, ...broken.map((b) => ({ ...b, broken: true as const })), ...wanted], called);
     this.diagnostics.push(...grouping.diagnostics);
+    for (const file of files) {
+      for (const { skeleton, space } of charactersIn(file)) {
+        const key = skeletonKey(skeleton);
+        if (space && !(space.standing <= (this.surest.get(key)?.standing ?? -1))) this.surest.set(key, space);
+      }
+    }
     for (const group of grouping.groups) this.openGroup(group);
     const openLoose: { readonly [R in LooseRole]: (loose: readonly ParsedFile[]) => void } = {
       part: (loose) => {
@@ -171,7 +181,7 @@ class Opening {
       if (whole && skeletonFile) {
         // A character without a skeleton was named after its clip or skin.
         const name = next.skeleton ? next.name : (group.name ?? whole.skeleton.name);
-        next = withWhole({ ...next, name }, whole, { ...skeletonFile, before }, wholes);
+        next = withWhole({ ...next, name }, whole, { ...skeletonFile, before }, before?.space ?? this.spaceOf(whole));
       }
       for (const part of own) next = withFile(next, part, before);
       // Of several new alternatives, show the first.
@@ -181,6 +191,17 @@ class Opening {
     // The file has fewer roots than before.
     const gone = new Set(earlier.slice(wholes.length));
     if (gone.size) this.characters = this.characters.filter((c) => !gone.has(c));
+  }
+
+  /**
+   * Motion capture does not say how its space is oriented, scaled and grounded. Takes of one skeleton share what was
+   * set or guessed for one that is open already, or else the guess for the one that stands most.
+   */
+  private spaceOf({ skeleton, space }: WholeCharacter): Space | undefined {
+    if (!space) return undefined;
+    const key = skeletonKey(skeleton);
+    const open = this.base.characters.find((c) => c.space && c.skeleton && skeletonKey(c.skeleton) === key);
+    return open?.space ?? (this.surest.get(key) ?? space).space;
   }
 
   /** A skin, morph or anim without a skeleton among the files. */

@@ -1,5 +1,6 @@
 /** Names of length units. */
-import type { Character, LengthUnit } from '../../model/document.ts';
+import type { Character } from '../../model/document.ts';
+import type { LengthUnit } from '../../model/space.ts';
 
 const NAMES: Readonly<Record<LengthUnit, string>> = {
   asIs: 'units',

@@ -2,7 +2,8 @@
 import { setRetarget } from '../../../src/edit/commands/retarget.ts';
 import { compileSkeleton, worldMatrices } from '../../../src/evaluate/kinematics.ts';
 import { type PoseSource, poseFrom, poseSource } from '../../../src/evaluate/pose.ts';
-import { applySpace, guessSpace } from '../../../src/evaluate/space.ts';
+import { applySpace } from '../../../src/evaluate/space.ts';
+import { guessSpace } from '../../../src/evaluate/space-guess.ts';
 import { type Character, findCharacter, shownClip } from '../../../src/model/document.ts';
 import { filePose } from '../../../src/model/dofs.ts';
 import { positionsMeant, withPositions } from '../../../src/model/position-channels.ts';

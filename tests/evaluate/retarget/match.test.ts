@@ -2,7 +2,7 @@ import { readdirSync } from 'node:fs';
 import { describe, expect, it } from 'vitest';
 import { automaticPairs } from '../../../src/evaluate/retarget/match.ts';
 import { readName } from '../../../src/evaluate/retarget/names.ts';
-import { guessSpace } from '../../../src/evaluate/space.ts';
+import { guessSpace } from '../../../src/evaluate/space-guess.ts';
 import { readBvh } from '../../../src/formats/bvh/read.ts';
 import type { Skeleton } from '../../../src/model/skeleton.ts';
 import { WALKER_SKELETON } from '../../../src/samples/walker/skeleton.ts';

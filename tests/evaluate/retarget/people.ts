@@ -2,12 +2,13 @@
 import '../../../src/evaluate/retarget/driving.ts';
 import type { Vec3 } from '../../../src/math/vec3.ts';
 import { type ChannelClip, restChannel, SAMPLED } from '../../../src/model/clip.ts';
-import type { Driver, Space } from '../../../src/model/document.ts';
+import type { Driver } from '../../../src/model/document.ts';
 import { filePose, jointDofCount, rootDofCount } from '../../../src/model/dofs.ts';
 import { dofsOf } from '../../../src/model/joint-types.ts';
 import { DEFAULT_RETARGET, type JointPair, type RetargetOptions } from '../../../src/model/retarget.ts';
 import type { Samples } from '../../../src/model/samples.ts';
 import { type BvhMotion, type Motion, type Skeleton, UNLIMITED } from '../../../src/model/skeleton.ts';
+import type { Space } from '../../../src/model/space.ts';
 
 export const PARTS = [
   'hips',

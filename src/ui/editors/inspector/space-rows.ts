@@ -5,18 +5,14 @@
  * Another unit or up axis puts the character back on the ground: after a correction it should be grounded.
  */
 import type { GUI } from 'lil-gui';
-import { setPositionChannels, setSpace } from '../../../edit/commands/spaces.ts';
-import { guessSpace, liftOntoGround, metresForPerson } from '../../../evaluate/space.ts';
-import {
-  type Character,
-  DEFAULT_SPACE,
-  findCharacter,
-  type LengthUnit,
-  type Space,
-  shownClip,
-} from '../../../model/document.ts';
+import { alike, setPositionChannels, setSpace } from '../../../edit/commands/spaces.ts';
+import { liftOntoGround } from '../../../evaluate/space.ts';
+import { guessSpace, metresForPerson } from '../../../evaluate/space-guess.ts';
+import { type Character, findCharacter, shownClip } from '../../../model/document.ts';
 import { type Positions, positionsTaken } from '../../../model/position-channels.ts';
+import { DEFAULT_SPACE, type LengthUnit, type Space } from '../../../model/space.ts';
 import { Slider } from '../../kit/slider.ts';
+import { setTooltip } from '../../kit/tooltip.ts';
 import { withoutNoise } from '../../state/angles.ts';
 import { attempt } from '../../state/attempt.ts';
 import type { HandEdit } from '../../state/hand-edit.ts';
@@ -46,15 +42,17 @@ export function addSpaceRows(
   const now = () => findCharacter(wb.store.document, id);
   const spaceNow = () => now()?.space ?? DEFAULT_SPACE;
   const put = (space: Space) => {
-    if (now()) attempt(wb.messages, () => wb.store.apply(setSpace, { characterId: id, space }));
+    const args = { characterId: id, space, ofSkeleton: binding.all };
+    if (now()) attempt(wb.messages, () => wb.store.apply(setSpace, args));
     update();
     // A hundred times larger it is out of view, a hundred times smaller a speck.
     wb.viewport.reveal(id);
   };
-  const binding: { up: Space['up']; unit: LengthUnit | 'automatic'; positions: Positions } = {
+  const binding: { up: Space['up']; unit: LengthUnit | 'automatic'; positions: Positions; all: boolean } = {
     up: spaceNow().up,
     unit: spaceNow().unit,
     positions: 'replace',
+    all: true,
   };
   const up = section.add(binding, 'up', UPS).name('Up axis');
   up.onChange((axis: Space['up']) => put(grounded(now(), { ...spaceNow(), up: axis })));
@@ -75,7 +73,9 @@ export function addSpaceRows(
     if (!edit.cancelled) wb.messages.note(reason, 'warning');
   };
   const lift = new Slider(section, 'Lift', spaceNow().lift, { step: 0.001, decimals: 3, suffix: ' m' }, refuse);
-  lift.onChange((value: number) => edit.preview(setSpace, { characterId: id, space: { ...spaceNow(), lift: value } }));
+  lift.onChange((value: number) =>
+    edit.preview(setSpace, { characterId: id, space: { ...spaceNow(), lift: value }, ofSkeleton: binding.all }),
+  );
   lift.onTakenBack(() => edit.cancel());
   lift.onFinishChange(() => {
     edit.commit();
@@ -93,10 +93,15 @@ export function addSpaceRows(
     attempt(wb.messages, () => wb.store.apply(setPositionChannels, { characterId: id, positions: meaning }));
   });
 
+  // Below what it is about.
+  const all = section.add(binding, 'all').name('For all its takes');
+  setTooltip(all.domElement, 'Up axis, unit and lift are set for all characters with this skeleton');
+
   const update = () => {
     const character = now();
     if (!character) return;
     const space = spaceNow();
+    all.show(alike(wb.store.document, id).length > 0);
     binding.up = space.up;
     binding.unit = space.unit;
     binding.positions = (character.skeleton && positionsTaken(character.skeleton)) ?? 'replace';

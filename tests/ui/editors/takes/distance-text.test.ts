@@ -1,5 +1,5 @@
 import { expect, it } from 'vitest';
-import type { Space } from '../../../../src/model/document.ts';
+import type { Space } from '../../../../src/model/space.ts';
 import {
   columnText,
   distanceNumber,

@@ -1,7 +1,7 @@
 /** Messages of the sample tools, and their units. */
 import { describe, expect, it } from 'vitest';
 import { cropped, split } from '../../../../src/edit/samples/frames.ts';
-import { DEFAULT_SPACE } from '../../../../src/model/document.ts';
+import { DEFAULT_SPACE } from '../../../../src/model/space.ts';
 import { shownRate } from '../../../../src/ui/editors/curves/dialogs/sample-dialogs.ts';
 import { cutText, splitText } from '../../../../src/ui/editors/timeline/sample-tools.ts';
 import { lengthUnit } from '../../../../src/ui/state/length-unit.ts';

@@ -1,0 +1,271 @@
+/**
+ * Motion capture files state neither unit, up axis nor ground level: they are guessed here, from the skeleton's
+ * proportions, the shape of its file pose, and statistics over the take, which may be one of lying or crawling.
+ */
+import type { ChannelClip } from '../model/clip.ts';
+import type { CapturedFigure } from '../model/files.ts';
+import type { Skeleton } from '../model/skeleton.ts';
+import { DEFAULT_SPACE, type GuessedSpace, type Space } from '../model/space.ts';
+import { type FrameShape, frameShapes, percentile } from './frame-shapes.ts';
+import { METRES, metresPerUnit } from './metres.ts';
+import { LIMB_SIDES, rolesOf } from './retarget/roles.ts';
+import { GROUND_PERCENTILE } from './space.ts';
+
+/** Assumed height of a person, metres; figures get the unit that brings them closest. */
+const PERSON = 1.7;
+/** A figure that no unit brings within this factor of a person's height is scaled to that height. */
+const MAX_DEVIATION = 2;
+/** Candidate units, most common first, for ties. */
+const GUESSED_UNITS = ['centimetres', 'metres', 'inches', 'millimetres', 'cmu', 'decimetres'] as const;
+/** Percentile of the frames' heights: a figure that stands in one of ten frames is measured standing. */
+const STANDING = 0.9;
+/** A ground level off by less than this fraction of the height is kept. */
+const BELIEVED = 0.006;
+
+/**
+ * Guesses up axis, unit and lift of a figure.
+ *
+ * - Up: see `upOf`.
+ * - Unit: the one that brings the figure closest to 1.7 m, as a ratio: the sum of its bones from sole to head, or the
+ *   height of its frames if its parts are not recognised. If none is within a factor of 2, the figure is made 1.7 m tall
+ *   (`own`): its true size is unknown, but it can be seen beside others.
+ * - Lift: puts the lowest joint or End Site on the ground, at the 15th percentile of the frames.
+ */
+export function guessSpace(skeleton: Skeleton, clip: ChannelClip | undefined): Space {
+  return guessed(skeleton, clip).space;
+}
+
+/** For figures in one file, which share a space: that of the tallest. */
+export function guessSharedSpace(figures: readonly CapturedFigure[]): GuessedSpace {
+  const all = figures.map(({ skeleton, clip }) => guessed(skeleton, clip));
+  const none = { space: DEFAULT_SPACE, standing: 0, height: 0 };
+  const { space, standing } = all.reduce((a, b) => (b.height > a.height ? b : a), all[0] ?? none);
+  return { space, standing };
+}
+
+/** Metres per unit that make a figure as tall as a person. */
+export function metresForPerson(skeleton: Skeleton, clip: ChannelClip | undefined, up: Space['up']): number {
+  const body = bodyOf(skeleton);
+  const frames = frameShapes(skeleton, clip);
+  const height = heightOf(body, frames, clip !== undefined, up === 'z' ? 2 : 1);
+  return height > 0 && Number.isFinite(height) ? Number((PERSON / height).toPrecision(3)) : 1;
+}
+
+function guessed(skeleton: Skeleton, clip: ChannelClip | undefined): GuessedSpace & { readonly height: number } {
+  const body = bodyOf(skeleton);
+  const frames = frameShapes(skeleton, clip);
+  const { up, standing } = upOf(skeleton, body, frames, clip !== undefined);
+  const axis = up === 'z' ? 2 : 1;
+  const height = heightOf(body, frames, clip !== undefined, axis);
+  if (!(height > 0) || !Number.isFinite(height)) return { space: { ...DEFAULT_SPACE, up }, standing: 0, height: 0 };
+  const sized = unitFor(height);
+  const metres = metresPerUnit({ ...sized, up, lift: 0 });
+  const lows = frames.map(({ min }) => min[axis]);
+  const low = metres * percentile(lows, GROUND_PERCENTILE);
+  const lift = Math.abs(low) < BELIEVED * metres * height ? 0 : -Number(low.toFixed(3));
+  return { space: { up, ...sized, lift: lift || 0 }, standing, height };
+}
+
+/** Joints of a person. */
+interface Body {
+  readonly hips: number;
+  readonly head: number;
+  /** Thigh, shin and foot of both legs. */
+  readonly legs: readonly (readonly [number, number, number])[];
+  /** From the head down to the hips. */
+  readonly trunk: readonly number[];
+  /** All joints below the feet, and below the head. */
+  readonly soles: readonly number[];
+  readonly crown: readonly number[];
+}
+
+function bodyOf(skeleton: Skeleton): Body | undefined {
+  // By shape, figures are recognised upright.
+  return bodyIn(skeleton, 'y') ?? bodyIn(skeleton, 'z');
+}
+
+function bodyIn(skeleton: Skeleton, up: Space['up']): Body | undefined {
+  const { joints } = skeleton;
+  const { single } = rolesOf(skeleton, { ...DEFAULT_SPACE, up });
+  const [hips, head] = [single.get('hips'), single.get('head')];
+  const legs = LIMB_SIDES.flatMap((side) => {
+    const [thigh, shin, foot] = (['thigh', 'shin', 'foot'] as const).map((part) => single.get(`${side} ${part}`));
+    return thigh === undefined || shin === undefined || foot === undefined ? [] : [[thigh, shin, foot] as const];
+  });
+  if (hips === undefined || head === undefined || legs.length < 2) return undefined;
+  const trunk = [head];
+  for (let j = joints[head].parent; j >= 0 && j !== hips; j = joints[j].parent) trunk.push(j);
+  const below = (tops: readonly number[]) => {
+    const out = new Set(tops);
+    joints.forEach(({ parent }, j) => {
+      if (out.has(parent)) out.add(j);
+    });
+    return [...out];
+  };
+  return {
+    hips,
+    head,
+    legs,
+    trunk: [...trunk, hips],
+    soles: below(legs.map(([, , foot]) => foot)),
+    crown: below([head]),
+  };
+}
+
+type Point = readonly [number, number, number];
+
+function pointOf({ points }: FrameShape, joint: number): Point {
+  return [points[3 * joint], points[3 * joint + 1], points[3 * joint + 2]];
+}
+
+function distance(frame: FrameShape, a: number, b: number): number {
+  const [p, q] = [pointOf(frame, a), pointOf(frame, b)];
+  return Math.hypot(p[0] - q[0], p[1] - q[1], p[2] - q[2]);
+}
+
+/** Thigh and shin, the average of both. */
+function legLength(frame: FrameShape, { legs }: Body): number {
+  return (
+    legs.reduce((sum, [thigh, shin, foot]) => sum + distance(frame, thigh, shin) + distance(frame, shin, foot), 0) /
+    legs.length
+  );
+}
+
+/** Heights of the ankle, and of the head above its joint, as fractions of the leg: their bones are seldom in files. */
+const ANKLE = 0.1;
+const CROWN = 0.2;
+
+/** Sum of the bones from the sole to the top of the head, whatever the posture. */
+function stature(frame: FrameShape, body: Body): number {
+  const leg = legLength(frame, body);
+  let trunk = 0;
+  for (let i = 1; i < body.trunk.length; i++) trunk += distance(frame, body.trunk[i - 1], body.trunk[i]);
+  return leg * (1 + ANKLE + CROWN) + trunk;
+}
+
+function heightOf(body: Body | undefined, frames: readonly FrameShape[], moving: boolean, axis: 1 | 2): number {
+  if (body)
+    return percentile(
+      frames.map((frame) => stature(frame, body)),
+      0.5,
+    );
+  const extent = ({ min, max }: FrameShape, k: number) => max[k] - min[k];
+  if (moving)
+    return percentile(
+      frames.map((frame) => extent(frame, axis)),
+      STANDING,
+    );
+  // A rest pose without a clip may lie on its side.
+  return Math.max(...[0, 1, 2].map((k) => extent(frames[0], k)));
+}
+
+function unitFor(height: number): Pick<Space, 'unit' | 'metres'> {
+  let best: (typeof GUESSED_UNITS)[number] = GUESSED_UNITS[0];
+  let least = Infinity;
+  for (const unit of GUESSED_UNITS) {
+    const off = Math.abs(Math.log((METRES[unit] * height) / PERSON));
+    if (off >= least) continue;
+    least = off;
+    best = unit;
+  }
+  if (least <= Math.log(MAX_DEVIATION)) return { unit: best };
+  return { unit: 'own', metres: Number((PERSON / height).toPrecision(3)) };
+}
+
+/** Cosine of the largest slant of one who stands: 37°. */
+const ALONG = 0.8;
+/** Of a leg's length: one who stands has nearly straight legs. */
+const STRETCHED = 0.85;
+/** Fraction of the frames in which a figure stands that make it a take with standing. */
+const OFTEN = 0.1;
+/** How much better the ground along an axis must be than along y, or than along the file pose's axis. */
+const CLEARLY = 0.05;
+
+/**
+ * The up axis.
+ *
+ * - Along which axis does the figure stand: legs stretched, trunk in line with them, head up? In its file pose, and in
+ *   each frame of the take.
+ * - Along which axis is there a ground: the figure's lowest point is always at one level, near 0?
+ *
+ * The axis along which the file pose stands is believed, unless the take stands along the other one, and on a better
+ * ground: one who lies does so too, but on a worse ground. Without a standing file pose (in LAFAN1 its bones lie along
+ * x) the ground decides between axes along which the take stands, or between both. Most files are y up.
+ *
+ * Of figures whose parts are not recognised, up is from the feet (or else the hips) to the head by their names; without
+ * names the axis along which the figure extends most, frame by frame.
+ */
+function upOf(skeleton: Skeleton, body: Body | undefined, frames: readonly FrameShape[], moving: boolean) {
+  if (!body) return { up: upByNames(skeleton, frames), standing: 0 };
+  const share = (axis: 1 | 2) => frames.filter((frame) => stands(frame, body, axis)).length / frames.length;
+  const [y, z] = [share(1), share(2)];
+  const size = percentile(
+    frames.map((frame) => stature(frame, body)),
+    0.5,
+  );
+  const [ground, groundZ] = ([1, 2] as const).map((axis) => unevenness(frames, axis, size));
+  const [rest] = frameShapes(skeleton, undefined);
+  const restZ = stands(rest, body, 2);
+  const found = (up: Space['up']) => ({ up, standing: up === 'z' ? z : y });
+  if (!moving) return found(restZ ? 'z' : 'y');
+  if (restZ || stands(rest, body, 1)) {
+    const [own, other] = restZ ? [z, y] : [y, z];
+    const [ownGround, otherGround] = restZ ? [groundZ, ground] : [ground, groundZ];
+    const isOther = own < OFTEN && other >= OFTEN && otherGround + CLEARLY < ownGround;
+    return found(isOther === restZ ? 'y' : 'z');
+  }
+  const mayBeZ = z >= OFTEN || y < OFTEN;
+  return found(mayBeZ && groundZ + CLEARLY < ground ? 'z' : 'y');
+}
+
+function stands(frame: FrameShape, body: Body, axis: 1 | 2): boolean {
+  const along = (a: number, b: number) => {
+    const [p, q] = [pointOf(frame, a), pointOf(frame, b)];
+    return (q[axis] - p[axis]) / (distance(frame, a, b) || 1);
+  };
+  const { hips, head, legs } = body;
+  return (
+    along(hips, head) > ALONG &&
+    legs.every(([thigh, shin, foot]) => {
+      const length = distance(frame, thigh, shin) + distance(frame, shin, foot);
+      return along(foot, thigh) > ALONG && distance(frame, foot, thigh) > STRETCHED * length;
+    })
+  );
+}
+
+/** How little an axis has a ground: distance of the usual lowest point from 0, and its variation; in figure heights. */
+function unevenness(frames: readonly FrameShape[], axis: 1 | 2, size: number): number {
+  const lows = frames.map(({ min }) => min[axis]);
+  const [low, high] = [percentile(lows, 0.15), percentile(lows, 0.85)];
+  return Math.min(1, Math.abs(low) / size) + 2 * Math.min(1, (high - low) / size);
+}
+
+const HEAD = /head/i;
+const FOOT = /foot|ankle|toe/i;
+const HIPS = /hip|pelvis/i;
+
+function upByNames({ joints }: Skeleton, frames: readonly FrameShape[]): Space['up'] {
+  const named = (pattern: RegExp) => joints.flatMap(({ name }, j) => (pattern.test(name) ? [j] : []));
+  const [head] = named(HEAD);
+  const feet = named(FOOT);
+  const low = feet.length ? feet : named(HIPS).slice(0, 1);
+  let y = 0;
+  let z = 0;
+  if (head !== undefined && low.length) {
+    for (const frame of frames) {
+      for (const j of low) {
+        y += frame.points[3 * head + 1] - frame.points[3 * j + 1];
+        z += frame.points[3 * head + 2] - frame.points[3 * j + 2];
+      }
+    }
+  }
+  if (y === 0 && z === 0 && joints.length > 0) {
+    for (const { min, max } of frames) {
+      y += max[1] - min[1];
+      z += max[2] - min[2];
+    }
+    // Most files are y up, so z must be clearly larger.
+    return z > 1.2 * y ? 'z' : 'y';
+  }
+  return Math.abs(z) > Math.abs(y) ? 'z' : 'y';
+}

@@ -1,0 +1,36 @@
+/** The unit, up axis and ground of a character. */
+
+/** Maps a character's own space to y up and metres, before its placement. */
+export interface Space {
+  readonly up: 'y' | 'z';
+  readonly unit: LengthUnit;
+  /** Metres per unit if the unit is `own`; greater than 0. */
+  readonly metres?: number;
+  /** Offset that lifts the character onto the ground; in metres, or in file units for `asIs`. */
+  readonly lift: number;
+}
+
+/**
+ * The length of one unit in a file. `asIs`: taken as a metre, whatever it is. `cmu`: 1/0.45 inch, as in the motion
+ * capture of Carnegie Mellon University. `own`: any other, given in `metres`.
+ */
+export const LENGTH_UNITS = [
+  'asIs',
+  'metres',
+  'decimetres',
+  'centimetres',
+  'millimetres',
+  'inches',
+  'cmu',
+  'own',
+] as const;
+export type LengthUnit = (typeof LENGTH_UNITS)[number];
+
+export const DEFAULT_SPACE: Space = { up: 'y', unit: 'asIs', lift: 0 };
+
+/** The space of figures whose file states none, as guessed from their posture. */
+export interface GuessedSpace {
+  readonly space: Space;
+  /** Fraction of the frames in which the figure stands: takes of one skeleton share the space of the surest. */
+  readonly standing: number;
+}

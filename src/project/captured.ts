@@ -1,0 +1,29 @@
+/**
+ * What a motion capture file doesn't state, guessed when it is read: the space of its figures, and the meaning of their
+ * position channels.
+ */
+import { guessSharedSpace } from '../evaluate/space-guess.ts';
+import { type Diagnostic, withoutPlace } from '../model/diagnostic.ts';
+import type { CapturedFigure, ContentOf } from '../model/files.ts';
+import { positionsMeant, withPositions } from '../model/position-channels.ts';
+
+export interface CapturedContent {
+  readonly value: ContentOf<'bvh'>;
+  readonly diagnostics: readonly Diagnostic[];
+}
+
+export function capturedContent(figures: readonly CapturedFigure[], fileName: string): CapturedContent {
+  const isAdded = figures.some(({ skeleton, clip }) => positionsMeant(skeleton, clip) === 'add');
+  const positions = isAdded ? 'add' : 'replace';
+  // The size of a collapsed figure can't be measured.
+  const meant = figures.map((figure) => ({ ...figure, skeleton: withPositions(figure.skeleton, positions) }));
+  const message =
+    'Position channels stay near 0 where OFFSETs do not, so they are added to OFFSET. ' +
+    'If the figure comes apart, change "Positions" in the Character section.';
+  return {
+    value: { kind: 'bvh', figures, guessed: { ...guessSharedSpace(meant), positions } },
+    diagnostics: isAdded
+      ? [withoutPlace('info', 'positions-near-zero', message, fileName, 'positions added to offsets')]
+      : [],
+  };
+}
