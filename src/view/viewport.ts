@@ -62,6 +62,9 @@ export interface ViewportEvents {
 export interface FrameStats {
   readonly drawCalls: number;
   readonly triangles: number;
+  /** On the GPU. */
+  readonly geometries: number;
+  readonly textures: number;
 }
 
 const MAX_PIXELS_PER_PIXEL = 2;
@@ -331,8 +334,8 @@ export class Viewport {
   }
 
   stats(): FrameStats {
-    const { calls, triangles } = this.renderer.info.render;
-    return { drawCalls: calls, triangles };
+    const { render, memory } = this.renderer.info;
+    return { drawCalls: render.calls, triangles: render.triangles, ...memory };
   }
 
   /**

@@ -3,6 +3,7 @@ import type { Page } from 'playwright-core';
 import { expect, it } from 'vitest';
 import { Evaluator } from '../../src/lesson/evaluator.ts';
 import { RIGHT_PROGRAM } from '../../src/lesson/program.ts';
+import { COMPARE_COLOURS } from '../../src/view/compare/compare-colours.ts';
 import { dropFiles, withPage } from '../helpers/page.ts';
 import { describeShared, sharedBytes } from '../helpers/shared.ts';
 import { characterOf, SHARED } from '../lesson/lesson-files.ts';
@@ -24,6 +25,70 @@ function printed(times: readonly number[], moved: readonly number[] = []): strin
     })
     .join('\n');
 }
+
+const legend = (page: Page) => page.locator('.compare-legend');
+const choose = (page: Page, name: string) => legend(page).getByRole('radio', { name, exact: true }).click();
+/** The theme of the tests is light. */
+const OWN = COMPARE_COLOURS.light.own;
+
+/** The colour of the page at a place in the character's space. */
+async function colourAt(page: Page, place: ArrayLike<number>): Promise<string> {
+  const at = await page.evaluate((point) => window.marrow.pointOnPage(point), [place[0], place[1], place[2]] as const);
+  if (!at) throw new Error('The place is not in view.');
+  const clip = { x: Math.round(at.x), y: Math.round(at.y), width: 1, height: 1 };
+  const png = (await page.screenshot({ clip })).toString('base64');
+  return page.evaluate(async (data) => {
+    const blob = new Blob([Uint8Array.from(atob(data), (c) => c.charCodeAt(0))]);
+    const g = new OffscreenCanvas(1, 1).getContext('2d');
+    g?.drawImage(await createImageBitmap(blob), 0, 0);
+    const pixel = g?.getImageData(0, 0, 1, 1).data ?? [];
+    return `#${[...pixel]
+      .slice(0, 3)
+      .map((byte) => byte.toString(16).padStart(2, '0'))
+      .join('')}`;
+  }, png);
+}
+
+/** What is drawn is where theirs and ours are, and nothing of it is left on the GPU. */
+async function expectDrawn(page: Page): Promise<void> {
+  await dropFiles(page, [{ name: 'wasp.skin', bytes: sharedBytes('data/cse169/wasp.skin') }]);
+  await page.waitForFunction(() => window.marrow.characters()[0]?.vertexCount === 694);
+  await page.evaluate(() => window.marrow.seek(0.8));
+  await page.locator('#timeline-tab-curves').click();
+  const onGpu = async () => {
+    await page.evaluate(() => new Promise((resolve) => requestAnimationFrame(() => setTimeout(resolve))));
+    const { geometries, textures } = await page.evaluate(() => window.marrow.stats());
+    return { geometries, textures };
+  };
+  const before = await onGpu();
+
+  const moved = 6;
+  await dropFiles(page, [{ name: 'moved.txt', bytes: printed([0.8], [moved]) }]);
+  await legend(page).getByText('own error').waitFor();
+  await choose(page, 'Ours');
+  const ours = (await page.evaluate(() => window.marrow.worldMatrices()))[moved];
+  const theirs = [ours[12] + 1, ours[13], ours[14]];
+  const drawn = bytesOf(await colourAt(page, ours.slice(12)));
+  // Slightly shaded.
+  bytesOf(OWN).forEach((byte, i) => void expect(Math.abs(byte - drawn[i])).toBeLessThan(12));
+  const alone = await colourAt(page, theirs);
+  await choose(page, 'Theirs');
+  const ghost = await colourAt(page, theirs);
+  expect(ghost).not.toBe(alone);
+  expect(bytesOf(ghost)[2]).toBeGreaterThan(bytesOf(ghost)[0] + 40);
+
+  await page.evaluate(() => window.marrow.run('compare.stop'));
+  await legend(page).waitFor({ state: 'detached' });
+  expect(await onGpu()).toEqual(before);
+
+  await dropFiles(page, [{ name: 'skin.txt', bytes: sharedBytes('conformance/compare/d009.txt') }]);
+  await legend(page)
+    .getByRole('button', { name: /^Worst: vertex 332/ })
+    .click();
+  await page.locator('.facts-head .label', { hasText: 'Vertex 332' }).waitFor();
+}
+
+const bytesOf = (colour: string) => [1, 3, 5].map((at) => Number.parseInt(colour.slice(at, at + 2), 16));
 
 const banner = (page: Page) => page.locator('.compare-banner');
 const says = (page: Page, text: string | RegExp) => banner(page).getByText(text).waitFor();
@@ -98,5 +163,8 @@ describeShared('another program’s numbers', () => {
       await line.getByText(/^short\.txt:2: not compared\. Expected 12 or 16 numbers for each of 23 joints/).waitFor();
       await line.getByRole('button', { name: 'Show line 2 of short.txt in Source' }).click();
       await page.locator('.source-lines').getByText('1 2 3').waitFor();
+      await page.evaluate(() => window.marrow.run('compare.stop'));
+
+      await expectDrawn(page);
     }));
 });

@@ -24,6 +24,7 @@ import {
   tellsOwn,
   theirJoints,
 } from './drawn.ts';
+import { type Places, sphereAround, viewOf } from './frame-both.ts';
 import { CompareLegend, type ScaleText } from './legend.ts';
 
 type Parts = Uses<'store' | 'viewport' | 'transport' | 'settings' | 'comparing'>;
@@ -72,6 +73,7 @@ class ComparisonDrawing {
         this.draw();
       },
       worst: () => this.selectWorst(),
+      frame: () => this.frameBoth(),
     });
     this.stops = [
       onShown(wb, (shown, comparing) => {
@@ -226,6 +228,29 @@ class ComparisonDrawing {
     world: this.placements,
     placements: this.placements,
   };
+
+  private frameBoth(): void {
+    const { shown, character, wb } = this;
+    const placements = this.poseNow()?.placements;
+    if (!shown || !character || !placements) return;
+    const { theirs, frame } = shown;
+    const points = (numbers: Float64Array): Places => ({ numbers, stride: 3, first: 0 });
+    const origins = (numbers: Float64Array): Places => ({ numbers, stride: 16, first: 12 });
+    const joints = character.skeleton && theirJoints(character.skeleton, shown);
+    const places = [
+      origins(frame.ours.world),
+      points(frame.ours.vertices),
+      ...(theirs.vertices ? [points(theirs.vertices)] : []),
+      ...(joints ? [joints === theirs.positions ? points(joints) : origins(joints)] : []),
+    ];
+    const sphere = sphereAround(places, placements);
+    if (!sphere) return;
+    const { viewport } = wb;
+    const { clientWidth, clientHeight } = viewport.canvas;
+    const view = viewport.cameraView;
+    const across = viewport.eye.unitsPerPixel(view.target) * Math.min(clientWidth, clientHeight);
+    viewport.cameraView = viewOf(sphere, view, across);
+  }
 
   private selectWorst(): void {
     const { character, worst, wb } = this;

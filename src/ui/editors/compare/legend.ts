@@ -6,6 +6,7 @@
 import { MARK_TEXTS } from '../../../lesson/joint-marks.ts';
 import type { ComparedSide } from '../../../view/compare/compared-skeleton.ts';
 import { button, element, keepsFocusElsewhere, setAttribute, setText } from '../../kit/dom.ts';
+import { icon } from '../../kit/icons.ts';
 import { setTooltip } from '../../kit/tooltip.ts';
 import { heatLegend } from '../../state/heat-legend.ts';
 import type { ComparedPart } from './drawn.ts';
@@ -47,6 +48,8 @@ export interface LegendEvents {
   part(part: ComparedPart): void;
   /** Selects the worst vertex. */
   worst(): void;
+  /** Moves the camera so that both are in view. */
+  frame(): void;
 }
 
 export class CompareLegend {
@@ -79,7 +82,13 @@ export class CompareLegend {
     this.element = element(
       'section',
       { class: 'compare-legend', 'aria-label': 'Comparison' },
-      element('div', { class: 'compare-choices' }, this.sides.element, this.parts.element),
+      element(
+        'div',
+        { class: 'compare-choices' },
+        this.sides.element,
+        this.parts.element,
+        keepsFocusElsewhere(button('Frame both', { class: 'tool' }, icon('frame'), () => events.frame())),
+      ),
       this.joints,
       this.scale,
     );
