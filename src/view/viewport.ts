@@ -98,7 +98,6 @@ export class Viewport {
   private selection: Selection = NOTHING_SELECTED;
   private tints: Tints = NO_TINTS;
   private look: Look | undefined;
-  private shownLook: Look | undefined;
   private themeName: ThemeName = 'dark';
   private timeSeconds = 0;
   private playedRange: readonly [number, number] = [0, 0];
@@ -168,14 +167,13 @@ export class Viewport {
     const { characters } = this;
     const heatChanged =
       selection.joint !== this.selection.joint || selection.characterId !== this.selection.characterId;
-    const everything = display !== this.display || this.look !== this.shownLook || heatChanged;
+    const everything = display !== this.display || heatChanged;
     const stay = new Set(document.characters.map((c) => c.id));
     const known = before?.characters.some((c) => stay.has(c.id)) ?? false;
     this.document = document;
     this.selection = selection;
     this.picked.follow(selection);
     this.display = display;
-    this.shownLook = this.look;
     characters.show(document, display, selection, this.timeSeconds, everything, this.look);
     this.tints = tints;
     for (const { view, character } of characters.all) view.setTint(tints.get(character.id));
@@ -195,6 +193,8 @@ export class Viewport {
   setLook(look: Look | undefined): void {
     const { document, selection, display, tints } = this;
     this.look = look;
+    // Another object, so that all characters are shown anew.
+    this.display = { ...display };
     if (document) this.show(document, selection, display, tints);
   }
 
