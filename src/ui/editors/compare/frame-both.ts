@@ -3,7 +3,7 @@ import type { Vec3 } from '../../../math/vec3.ts';
 import type { CameraView } from '../../../view/camera.ts';
 
 /** Room around it. */
-const MARGIN = 1.3;
+const MARGIN = 1.1;
 
 /** Places of a character: x y z every `stride` numbers, from `first`. */
 export interface Places {
