@@ -7,7 +7,7 @@
  * fourth in the file instead. What is kept are the rules that `first-four-attachments` tries.
  */
 import { blendMorphs, type CompiledSkin, compileSkin, skinMatrices } from '../evaluate/deform.ts';
-import type { Steps } from '../evaluate/steps.ts';
+import { type Steps, within } from '../evaluate/steps.ts';
 import type { Morph } from '../model/morph.ts';
 import { type Attachments, type Skin, vertexCount } from '../model/skin.ts';
 import { diagonalOf } from './errors.ts';
@@ -48,7 +48,8 @@ export class FourAttachments {
   /** Per vertex, in the character's units, of the last pose. */
   readonly displacements: Float64Array;
   private readonly compiled: CompiledSkin;
-  private readonly kept: Attachments | undefined;
+  /** Made with the first pose, since it takes as long as measuring a few. */
+  private kept: Attachments | undefined;
   private readonly matrices: Float64Array;
   private readonly blended: Float64Array;
   private readonly blendedNormals: Float64Array;
@@ -58,14 +59,12 @@ export class FourAttachments {
   constructor(
     private readonly skin: Skin,
     private readonly morphs: readonly Morph[],
-    kept: KeptFour,
+    private readonly rule: KeptFour,
   ) {
     this.compiled = compileSkin(skin);
     const { matrixCount } = this.compiled;
     const count = vertexCount(skin);
     const { attachments } = skin;
-    const rules: SkinRules = { ...RIGHT_PROGRAM.skin, attachments: kept };
-    this.kept = attachments && attachmentsUsed(attachments, rules, matrixCount);
     this.matrices = new Float64Array(16 * matrixCount);
     this.displacements = new Float64Array(count);
     this.moved = new Float64Array(3 * count);
@@ -80,7 +79,7 @@ export class FourAttachments {
       const to = attachments.start[v + 1];
       mostAttachments = Math.max(mostAttachments, to - from);
       if (to - from > FOUR) beyondFour++;
-      else if (to > from && kept.endsWith('normalised') && !sumsToOne(attachments.weights, from, to)) unevenSums++;
+      else if (to > from && rule.endsWith('normalised') && !sumsToOne(attachments.weights, from, to)) unevenSums++;
     }
     this.beyondFour = beyondFour;
     this.mostAttachments = mostAttachments;
@@ -93,15 +92,20 @@ export class FourAttachments {
    * @param world 16 per joint; undefined without a skeleton
    */
   *follow(dofs: Float64Array, world: Float64Array | undefined): Steps<FourFacts> {
-    const { compiled, matrices, morphs, blended, blendedNormals, kept, moved, movedByFour, displacements } = this;
+    const { compiled, matrices, morphs, blended, blendedNormals, moved, movedByFour, displacements } = this;
     const { attachments } = this.skin;
     if (morphs.length > 0) blendMorphs(compiled, morphs, dofs, dofs.length - morphs.length, blended, blendedNormals);
     if (world) skinMatrices(compiled, world, matrices);
+    if (attachments && world) {
+      const rules: SkinRules = { ...RIGHT_PROGRAM.skin, attachments: this.rule };
+      this.kept ??= yield* within(attachmentsUsed(attachments, rules, compiled.matrixCount), 0, 0.5);
+    }
+    const { kept } = this;
     const isPosed = world !== undefined && attachments !== undefined && kept !== undefined;
     let largest = 0;
     let vertex: number | undefined;
     for (let v = 0; v < displacements.length; v++) {
-      if (v % STRIDE === STRIDE - 1) yield v / displacements.length;
+      if (v % STRIDE === STRIDE - 1) yield 0.5 + (0.5 * v) / displacements.length;
       const o = 3 * v;
       const from = isPosed ? attachments.start[v] : 0;
       const to = isPosed ? attachments.start[v + 1] : 0;

@@ -1,5 +1,6 @@
 /** Morphs and skinning by any rules (`SkinRules`), in doubles. */
 import { blendMorphs, type CompiledSkin, compileSkin } from '../evaluate/deform.ts';
+import { runToEnd, type Steps } from '../evaluate/steps.ts';
 import { inverseTranspose3, invertAffine, isSingular, multiplyAffine, setIdentity } from '../math/mat4.ts';
 import { normalizeAt } from '../math/vec3.ts';
 import type { Character } from '../model/document.ts';
@@ -9,6 +10,8 @@ import type { Attachments } from '../model/skin.ts';
 import type { SkinRules, Wanted } from './program.ts';
 
 const NONE = new Float64Array(0);
+/** Vertices between two yields: about a millisecond of work. */
+const STRIDE = 4096;
 /** Attachments of a skin without any: every vertex to the root, with weight 1. */
 const NO_RULES_FOR_ROOT: Attachments = {
   start: new Uint32Array(0),
@@ -168,7 +171,7 @@ export class SkinRun {
     const key = `${attachments} ${weights} ${joint.shift} ${joint.beyond}`;
     let made = this.attachments.get(key);
     if (!made) {
-      made = attachmentsUsed(given, rules, this.skin.matrixCount);
+      made = runToEnd(attachmentsUsed(given, rules, this.skin.matrixCount));
       this.attachments.set(key, made);
     }
     return made;
@@ -264,11 +267,12 @@ function writeNormalMatrix({ normals }: SkinRules, m: Float64Array, mo: number, 
 }
 
 /** The attachments that a program uses. */
-export function attachmentsUsed(given: Attachments, rules: SkinRules, jointCount: number): Attachments {
+export function* attachmentsUsed(given: Attachments, rules: SkinRules, jointCount: number): Steps<Attachments> {
   const start = new Uint32Array(given.start.length);
   const joints: number[] = [];
   const weights: number[] = [];
   for (let v = 0; v + 1 < start.length; v++) {
+    if (v % STRIDE === STRIDE - 1) yield v / start.length;
     let own: number[] = [];
     for (let a = given.start[v]; a < given.start[v + 1]; a++) own.push(a);
     if (rules.attachments.startsWith('largest')) own.sort((a, b) => given.weights[b] - given.weights[a]);

@@ -148,6 +148,8 @@ export class ShownSkin {
 
   /** Sets what the style `four` shows: see `Viewport.heatSkin`. */
   heat(values: Float32Array): void {
+    // Measured before an edit that has replaced the skin.
+    if (values.length !== vertexCount(this.skin)) return;
     this.heatValues = values;
     if (this.influenceShown instanceof Float32Array) this.influenceShown = undefined;
     this.refresh();

@@ -353,6 +353,9 @@ describe('a heat map of values from outside', () => {
     view.heatSkin(values);
     expect(heated(view).values).toEqual([0.5, 1, 0.75]);
     expect(heated(view).version).toBeGreaterThan(version);
+    // Of another skin.
+    view.heatSkin(Float32Array.of(1, 1, 1, 1));
+    expect(heated(view).values).toEqual([0.5, 1, 0.75]);
   });
 
   it('a heat map of values from outside and the one of joint weights replace each other', () => {
