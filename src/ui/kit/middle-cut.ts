@@ -2,7 +2,7 @@
 import { element, setText } from './dom.ts';
 
 /** Letters at the end that are kept. */
-const TAIL = 8;
+const TAIL = 6;
 /** Letters before them that there is always room for. */
 const SHORT = 4;
 
