@@ -14,7 +14,7 @@ const PAIRS_NAMED = 0.95;
 /** Characters and kinds of numbers that each way to make a mistake is tried on. */
 const TRIES = 4;
 const PAIRS = 200;
-const DUMPS = 120;
+const DUMPS = 60;
 
 const FILES: Readonly<Record<string, readonly string[]>> = { ...OWN, ...(hasShared && SHARED) };
 const PLACES = Object.entries(FILES).flatMap(([name, files]) => {

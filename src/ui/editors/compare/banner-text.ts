@@ -142,7 +142,8 @@ export function explainsText(cause: Cause, { compared, frames }: Comparison): st
   const { explains, of } = cause;
   const noun = explainedNoun(cause, compared);
   const many = noun === 'vertex' ? 'vertices' : `${noun}s`;
-  const times = noun === 'channel' ? 1 : frames.length;
+  // A part may be of one of the times.
+  const times = noun === 'channel' || cause.about ? 1 : frames.length;
   // Items of all times are counted; whole ones are told as there are in the character.
   const isEven = times > 1 && of % times === 0;
   const at = times > 1 ? ` at ${isEven && explains === of ? 'all ' : ''}${times} times` : '';

@@ -17,6 +17,23 @@ describeShared('the banner of a comparison', () => {
     expect(bannerText({ ...wrong, isNamed: true }).text).toMatch(/^wasp: First wrong: hip_03_r\./);
   });
 
+  it('the banner says which numbers a mistake explains, and that others have other causes', () => {
+    const wrong = comparedCase(WASP, 'd008.txt', 1.5);
+    const { result } = wrong;
+    if (!result) throw new Error('Expected a result.');
+    const { comparison } = result;
+    const [cause] = comparison.causes;
+    const causes = [
+      { ...cause, about: { kinds: ['world' as const], files: ['anna.txt'] } },
+      { ...cause, about: { kinds: ['channels' as const], files: ['dan.csv'] } },
+    ];
+    const frames = [...comparison.frames, ...comparison.frames];
+    const partly = { ...wrong.state, result: { ...result, comparison: { ...comparison, causes, frames } } };
+    expect(bannerText({ ...wrong, state: partly }).text).toContain(
+      'In the world matrices of anna.txt: You multiply Rx·Ry·Rz; it should be Rz·Ry·Rx. Explains all 23 joints. 1 more cause',
+    );
+  });
+
   it('the banner offers to go to the compared time when another is shown', () => {
     const wrong = comparedCase(WASP, 'd008.txt', 1.5);
     const { text, goTo } = bannerText({ ...wrong, frame: -1, time: 0.2 });
