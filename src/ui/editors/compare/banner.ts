@@ -36,7 +36,8 @@ export function fillBanner(wb: Parts, banner: HTMLElement): void {
     wb.timeline.change({ tab: 'compare' });
   });
   const close = button('Stop comparing', { class: 'tool small' }, icon('close'), () => endComparison(wb));
-  banner.append(mark, text, progress, goTo, line, details, again, cancel, close);
+  const acts = element('span', { class: 'compare-acts' }, progress, goTo, line, details, again, cancel);
+  banner.append(mark, text, acts, close);
 
   const show = () => {
     const comparing = wb.comparing.get();
