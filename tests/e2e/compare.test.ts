@@ -125,6 +125,7 @@ describeShared('another program’s numbers', () => {
       // Another time: nothing is marked, and the banner leads back.
       await page.evaluate(() => window.marrow.seek(0.4));
       await page.locator('.row-joint .compare-swatch').first().waitFor({ state: 'detached' });
+      await legend(page).waitFor({ state: 'detached' });
       await banner(page).getByRole('button', { name: 'Go to 1.5 s' }).click();
       await marked(page, 'hip_03_r', 'own error');
 

@@ -2,7 +2,7 @@
 import { Group } from 'three';
 import type { Overlay } from '../overlay.ts';
 import type { StageTheme } from '../theme.ts';
-import { type ComparedJoints, type ComparedSide, ComparedSkeleton } from './compared-skeleton.ts';
+import { type ComparedJoints, type ComparedSide, ComparedSkeleton, type JointAt } from './compared-skeleton.ts';
 import { ComparedSkin, type ComparedVertices } from './compared-skin.ts';
 
 /** Where the character is in the next frame; undefined if it isn't shown. The arrays are read at once. */
@@ -35,6 +35,11 @@ export class CompareOverlay implements Overlay {
     const { side = 'both', placementCount = 0 } = drawing ?? {};
     this.skeleton.show(drawing?.joints, side, placementCount);
     this.skin.show(drawing?.vertices, side, placementCount);
+  }
+
+  /** Lights up a joint of the character. */
+  hover(joint: JointAt | undefined): void {
+    this.skeleton.hover(joint);
   }
 
   update(): void {

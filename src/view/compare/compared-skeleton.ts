@@ -9,8 +9,7 @@ import { type Nodes, nodesFor, sizesFor } from '../drawn-skeletons.ts';
 import { NODE_STRIDE } from '../node-buffer.ts';
 import { fillNodes, placementScale, placePositions } from '../node-matrices.ts';
 import type { StageTheme } from '../theme.ts';
-import { compareColours } from './compare-colours.ts';
-import { AGREES, INHERITED, NO_LOOK, NodeLooks, OWN, THEIRS } from './node-looks.ts';
+import { AGREES, INHERITED, LIT, NO_LOOK, NodeLooks, OWN, THEIRS } from './node-looks.ts';
 
 /** Over bones behind a skin, under the markers of selected joints. */
 const OURS_ORDER = 16;
@@ -22,6 +21,12 @@ const THICKNESS: Readonly<Record<number, number>> = { [AGREES]: 1.1, [OWN]: 1.7,
 /** How a joint compares: it agrees, is wrong by itself or only because a parent is, or which of both isn't known. */
 export type JointVerdict = 'agrees' | 'own' | 'inherited' | 'differs';
 const LOOKS: Readonly<Record<JointVerdict, number>> = { agrees: AGREES, own: OWN, inherited: INHERITED, differs: OWN };
+
+/** One joint at one placement. */
+export interface JointAt {
+  readonly joint: number;
+  readonly placement: number;
+}
 
 /** What is drawn of a comparison. */
 export type ComparedSide = 'ours' | 'theirs' | 'both';
@@ -50,6 +55,7 @@ export class ComparedSkeleton {
   private ballLooks = new Uint8Array(0);
   private boneLooks = new Uint8Array(0);
   private positions = new Float64Array(0);
+  private hovered: JointAt | undefined;
 
   constructor() {
     this.object.add(this.ours.object, this.ghost.object);
@@ -57,7 +63,7 @@ export class ComparedSkeleton {
   }
 
   setTheme(theme: StageTheme): void {
-    for (const part of [this.ours, this.ghost]) part.setColours(compareColours(theme), theme.comparedFirst);
+    for (const part of [this.ours, this.ghost]) part.setTheme(theme);
   }
 
   /** @param compared undefined: nothing is drawn */
@@ -76,7 +82,7 @@ export class ComparedSkeleton {
     const lookOf = (joint: number) => LOOKS[verdicts[joint]];
     this.ballLooks = perNode(nodes, placementCount, (n) => lookOf(jointOf(nodes, n)));
     this.boneLooks = perNode(nodes, placementCount, (n) => (nodes.parents[n] < 0 ? NO_LOOK : lookOf(nodes.parents[n])));
-    this.ours.setLooks(this.ballLooks, this.boneLooks);
+    this.paint(nodes);
 
     const hasEnds = theirs.length === 16 * nodes.jointCount;
     this.theirWorld = hasEnds ? theirs : worldOf(theirs);
@@ -91,6 +97,12 @@ export class ComparedSkeleton {
         return isSeen(n) || isSeen(parent) ? THEIRS : NO_LOOK;
       }),
     );
+  }
+
+  /** Lights up a joint of ours, with the bones that start there. */
+  hover(joint: JointAt | undefined): void {
+    this.hovered = joint;
+    if (this.skeleton) this.paint(nodesFor(this.skeleton));
   }
 
   /**
@@ -115,6 +127,19 @@ export class ComparedSkeleton {
   dispose(): void {
     this.ours.dispose();
     this.ghost.dispose();
+  }
+
+  private paint(nodes: Nodes): void {
+    const { hovered, ballLooks, boneLooks } = this;
+    const isLit = (i: number, joint: number) =>
+      joint === hovered?.joint && Math.floor(i / nodes.count) === hovered.placement;
+    const lit = (looks: Uint8Array, jointOfNode: (node: number) => number) =>
+      looks.map((look, i) => (look !== NO_LOOK && isLit(i, jointOfNode(i % nodes.count)) ? look + LIT : look));
+    this.ours.setLooks(
+      // The ball of an End Site is coloured like its bone.
+      lit(ballLooks, (n) => jointOf(nodes, n)),
+      lit(boneLooks, (n) => nodes.parents[n]),
+    );
   }
 
   private fillNodes(part: NodeLooks, skeleton: Skeleton, world: Float64Array, placements: Float64Array): void {

@@ -7,6 +7,7 @@
  *             OWN      red
  *             INHERITED  light and dark stripes, on the screen, so that they are seen on the thinnest bone
  *             THEIRS   the colour of the other program's
+ *             + LIT    under the pointer
  */
 import {
   type BufferGeometry,
@@ -19,14 +20,16 @@ import {
   type WebGLRenderer,
 } from 'three';
 import { drawnByNodes, NodeBuffer, NodeMesh, type NodeShape } from '../node-buffer.ts';
+import type { StageTheme } from '../theme.ts';
 import { rawColor } from '../thick-lines.ts';
-import type { CompareColours } from './compare-colours.ts';
+import { compareColours } from './compare-colours.ts';
 
 export const NO_LOOK = 0;
 export const AGREES = 1;
 export const OWN = 2;
 export const INHERITED = 3;
 export const THEIRS = 4;
+export const LIT = 8;
 
 /** CSS pixels from stripe to stripe. */
 const STRIPE_PIXELS = 7;
@@ -43,6 +46,7 @@ export class NodeLooks {
     inherited: { value: new Color() },
     stripe: { value: new Color() },
     theirs: { value: new Color() },
+    lit: { value: new Color() },
     opacity: { value: 1 },
     period: { value: STRIPE_PIXELS },
   };
@@ -66,12 +70,14 @@ export class NodeLooks {
     };
   }
 
-  setColours(colours: CompareColours, theirs: string): void {
+  setTheme(theme: StageTheme): void {
     const { uniforms } = this;
+    const colours = compareColours(theme);
     for (const name of ['agrees', 'own', 'inherited', 'stripe'] as const) {
       uniforms[name].value.copy(rawColor(colours[name]));
     }
-    uniforms.theirs.value.copy(rawColor(theirs));
+    uniforms.theirs.value.copy(rawColor(theme.comparedFirst));
+    uniforms.lit.value.copy(rawColor(theme.hovered));
   }
 
   /** Makes room for `count` nodes, and gives them their looks: of the ball, and of the bone to it. */
@@ -157,15 +163,19 @@ function lookMaterial(uniforms: ShaderMaterial['uniforms']): ShaderMaterial {
       uniform vec3 inherited;
       uniform vec3 stripe;
       uniform vec3 theirs;
+      uniform vec3 lit;
       uniform float opacity;
       uniform float period;
       flat varying float vLook;
       varying vec3 vNormal;
       void main() {
         vec3 color = agrees;
-        if (vLook > 3.5) color = theirs;
-        else if (vLook > 2.5) color = fract((gl_FragCoord.x + gl_FragCoord.y) * 0.70711 / period) < 0.5 ? inherited : stripe;
-        else if (vLook > 1.5) color = own;
+        bool isLit = vLook > 7.5;
+        float look = isLit ? vLook - 8.0 : vLook;
+        if (look > 3.5) color = theirs;
+        else if (look > 2.5) color = fract((gl_FragCoord.x + gl_FragCoord.y) * 0.70711 / period) < 0.5 ? inherited : stripe;
+        else if (look > 1.5) color = own;
+        if (isLit) color = mix(color, lit, 0.6);
         float facing = abs(normalize(vNormal).z);
         gl_FragColor = vec4(color * mix(0.62, 1.0, facing), opacity);
       }

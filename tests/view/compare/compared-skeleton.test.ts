@@ -3,7 +3,7 @@ import { describe, expect, it } from 'vitest';
 import { compileSkeleton, worldMatrices } from '../../../src/evaluate/kinematics.ts';
 import { filePose } from '../../../src/model/dofs.ts';
 import { type ComparedSide, ComparedSkeleton, type JointVerdict } from '../../../src/view/compare/compared-skeleton.ts';
-import { AGREES, INHERITED, NO_LOOK, OWN, THEIRS } from '../../../src/view/compare/node-looks.ts';
+import { AGREES, INHERITED, LIT, NO_LOOK, OWN, THEIRS } from '../../../src/view/compare/node-looks.ts';
 import { nodesFor, sizesFor } from '../../../src/view/drawn-skeletons.ts';
 import { NodeMesh } from '../../../src/view/node-buffer.ts';
 import { figure } from '../../helpers/mocap.ts';
@@ -73,6 +73,17 @@ describe('a compared skeleton', () => {
     expect(balls.slice(6).map(({ look }) => look)).toEqual([AGREES, INHERITED, AGREES]);
     expect(bones.slice(6).map(({ look }) => look)).toEqual([AGREES, INHERITED, AGREES]);
     expect(balls[LEG].at.distanceTo(originOf(ours, LEG))).toBeLessThan(SAME);
+  });
+
+  it('the joint under the pointer is lit, with the bones that start there, at its placement', () => {
+    const { compared, own } = drawn('ours', moved(), 2);
+    compared.hover({ joint: LEG, placement: 1 });
+    const lit = (shape: 'ball' | 'bone') =>
+      instancesOf(own, shape).flatMap(({ look }, i) => (look >= LIT ? [[i, look - LIT]] : []));
+    expect(lit('ball')).toEqual([[nodes.count + LEG, OWN]]);
+    expect(lit('bone')).toEqual([[nodes.count + FOOT, OWN]]);
+    compared.hover(undefined);
+    expect([...lit('ball'), ...lit('bone')]).toEqual([]);
   });
 
   it('wrong joints are thicker, so that they are told apart without colours', () => {

@@ -87,6 +87,7 @@ class ComparisonDrawing {
       wb.settings.subscribe((now, before) => {
         if (now.display.skin !== before.display.skin) this.draw();
       }),
+      wb.viewport.onHover(() => this.overlay?.hover(this.hovered())),
       wb.transport.subscribe((now, before) => {
         if (now.playing !== before.playing) this.draw();
       }),
@@ -228,6 +229,11 @@ class ComparisonDrawing {
     world: this.placements,
     placements: this.placements,
   };
+
+  private hovered() {
+    const { hovered } = this.wb.viewport;
+    return hovered?.characterId === this.character?.id ? hovered : undefined;
+  }
 
   private frameBoth(): void {
     const { shown, character, wb } = this;
