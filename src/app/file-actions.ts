@@ -29,8 +29,6 @@ interface Parts extends Pick<ReloadParts, 'store' | 'messages'> {
   readonly editWorker: FileEditsParts['worker'];
 }
 
-const forever = new AbortController().signal;
-
 export function fileActions(parts: Parts): FileActions {
   const { opener, samples, unsaved } = parts;
   let listed: readonly SampleEntry[] = [];
@@ -43,7 +41,7 @@ export function fileActions(parts: Parts): FileActions {
     readAgain: (file, signal) => readAgain(file, document.baseURI, signal),
     async edits(texts) {
       const { FileEdits } = await import('./text-edits.ts');
-      return new FileEdits({ ...parts, worker: parts.editWorker, find: (path) => texts.find(path, forever) });
+      return new FileEdits({ ...parts, worker: parts.editWorker, texts });
     },
   });
   opener.onGiven((given) => source.note(given));
@@ -53,7 +51,10 @@ export function fileActions(parts: Parts): FileActions {
   const saving = async (save: (saver: Saver) => Promise<void>) => {
     const module = await onDemand(parts.messages, 'File saving', () => import('./saver.ts'));
     if (!module) return;
-    saver ??= new module.Saver(parts);
+    saver ??= new module.Saver({
+      ...parts,
+      onWritten: (path, content) => source.noteWritten(path, content, parts.store.document),
+    });
     await save(saver);
   };
   const reloading: ReloadParts = {

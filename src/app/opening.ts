@@ -145,7 +145,8 @@ export class Opener {
     }
   }
 
-  private put(document: Document, opened: readonly string[], label: string, options: OpenOptions): void {
+  /** Adds what was opened as one step, selected and framed if it is new. */
+  put(document: Document, opened: readonly string[], label: string, options: OpenOptions = {}): void {
     const { store, transport, viewport } = this.parts;
     const before = store.document;
     if (document === before) return;

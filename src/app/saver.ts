@@ -42,6 +42,8 @@ export interface SaverParts {
   readonly framesPerSecond?: () => number;
   readonly messages: Pick<Messages, 'note' | 'report'>;
   readonly disk: Disk;
+  /** A file was written, in place of what was read from it. */
+  onWritten?(path: string, content: Blob): void;
 }
 
 /** Milliseconds of writing between two yields. */
@@ -166,7 +168,7 @@ export class Saver {
     target: DiskFile | undefined,
     wantsDialog: boolean,
   ): Promise<string | undefined> {
-    const { disk, handles, unsaved, store } = this.parts;
+    const { disk, handles, unsaved, store, onWritten } = this.parts;
     let savedAs = job.name;
     let content: Blob;
     let file: Omit<DiskFile, 'path'> | undefined;
@@ -190,7 +192,9 @@ export class Saver {
       const own = part.file ?? this.newFile(character.id, part, savedAs, content.size);
       if (!part.file) unsaved.setFile(character.id, part, own);
       else if (own.name === savedAs) unsaved.setBytes(character.id, part, content.size);
-      if (file) handles.set(own.path, { ...file, path: own.path });
+      if (!file) continue;
+      handles.set(own.path, { ...file, path: own.path });
+      onWritten?.(own.path, content);
     }
     return savedAs;
   }

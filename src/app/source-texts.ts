@@ -2,7 +2,6 @@
  * The text of files as they were given, for the tab *Source*. Blobs are kept, which refer to bytes on disk or in the
  * browser's own storage: nothing is copied until lines are shown. After a restored session the file is read from disk.
  */
-import type { DiskFile } from '../io/disk-files.ts';
 import type { GivenFile } from '../io/given.ts';
 import type { Character, Document } from '../model/document.ts';
 import { baseName, type SourceFile } from '../model/files.ts';
@@ -10,24 +9,16 @@ import { mapMarks } from '../model/part.ts';
 import type { SourceMap } from '../model/source-map.ts';
 import { formatKindOf } from '../project/kinds.ts';
 import type { AsOpened, SourceFiles, TextEdits } from '../ui/state/source.ts';
-import type { Runs } from '../worker/client.ts';
 import type { SourceInput } from '../worker/protocol.ts';
-import type { DiskHandles } from './disk-handles.ts';
+import type { FoundText, TextParts } from './read-text.ts';
 
-export interface SourceTextsParts {
-  readonly worker: Runs<'source'>;
-  readonly handles: Pick<DiskHandles, 'at'>;
-  /** `readAgain` of `io/disk-files.ts`. */
-  readAgain(file: DiskFile, signal: AbortSignal): Promise<GivenFile>;
+export interface SourceTextsParts extends TextParts {
   /** Loads what compares and changes texts. */
   edits(texts: SourceTexts): Promise<TextEdits>;
 }
 
-interface Found {
-  readonly blob: Blob;
-  /** Its path in the blob, which is a zip then. */
-  readonly inside?: string;
-}
+/** Needed only once a text is shown. */
+const reading = () => import('./read-text.ts');
 
 export class SourceTexts implements SourceFiles {
   /** By path, in the order in which they were given. */
@@ -46,20 +37,17 @@ export class SourceTexts implements SourceFiles {
     }
   }
 
+  /** Notes a file that was written in place: what it had before can't be read any more. */
+  noteWritten(path: string, blob: Blob, { characters }: Document): void {
+    this.note([{ path, blob }]);
+    for (const { source, characters: own } of sourcesOf(characters)) {
+      if (source.path === path) this.asOpened.set(source, { characters: own, given: blob });
+    }
+  }
+
   /** Notes what files gave, right after they were opened: those that were known before are as they were then. */
   noteOpened({ characters }: Document): void {
-    const found = new Map<SourceFile, Character[]>();
-    for (const character of characters) {
-      const sources = new Set<SourceFile>();
-      if (character.parts) {
-        mapMarks(character.parts, (mark) => {
-          if (mark.file) sources.add(mark.file.source);
-          return mark;
-        });
-      }
-      for (const source of sources) found.set(source, [...(found.get(source) ?? []), character]);
-    }
-    for (const [source, own] of found) {
+    for (const { source, characters: own } of sourcesOf(characters)) {
       if (!this.asOpened.has(source)) this.asOpened.set(source, { characters: own, given: this.given(source.path) });
     }
   }
@@ -78,7 +66,7 @@ export class SourceTexts implements SourceFiles {
   }
 
   given(path: string): Blob | undefined {
-    return this.foundIn(path)?.blob;
+    return this.found(path)?.blob;
   }
 
   async read(
@@ -87,15 +75,8 @@ export class SourceTexts implements SourceFiles {
     onText: (text: Blob) => void,
     onProgress: (share: number) => void,
   ): Promise<SourceMap> {
-    const file = await this.find(path, signal);
-    signal.throwIfAborted();
-    if (file.inside === undefined) onText(file.blob);
-    const { map, text } = await this.parts.worker.run('source', file, {
-      signal,
-      onProgress: ({ done, of }) => onProgress(of > 0 ? done / of : 0),
-    });
-    if (text) onText(text);
-    return map;
+    const { readText } = await reading();
+    return readText(this.parts, await this.find(path, signal), signal, onText, onProgress);
   }
 
   edits(): Promise<TextEdits> {
@@ -104,22 +85,34 @@ export class SourceTexts implements SourceFiles {
 
   /** Where the text of a file is. Rejects as `read` does. */
   async find(path: string, signal: AbortSignal): Promise<SourceInput> {
-    const found = this.foundIn(path);
-    if (found) return { path, ...found };
-    const file = this.parts.handles.at(path);
-    if (!file) throw new Error('Its text is no longer at hand. Open the file again.');
-    const { blob } = await this.parts.readAgain(file, signal);
-    const inside = zipAndInside(path)?.[1];
-    return { path, blob, ...(file.path !== path && inside !== undefined && { inside }) };
+    const { findText } = await reading();
+    return findText(this.parts, path, this.found(path), zipAndInside(path)?.[1], signal);
   }
 
-  private foundIn(path: string): Found | undefined {
+  /** Where the text of a file is, if it was given in this session. */
+  found(path: string): FoundText | undefined {
     const own = this.blobs.get(path);
     if (own) return { blob: own };
     const [zip, inside] = zipAndInside(path) ?? [];
     const blob = zip === undefined ? undefined : this.blobs.get(zip);
     return blob && inside !== undefined ? { blob, inside } : undefined;
   }
+}
+
+/** The files that characters have parts of, with these characters. */
+function sourcesOf(characters: readonly Character[]) {
+  const found = new Map<SourceFile, Character[]>();
+  for (const character of characters) {
+    const sources = new Set<SourceFile>();
+    if (character.parts) {
+      mapMarks(character.parts, (mark) => {
+        if (mark.file) sources.add(mark.file.source);
+        return mark;
+      });
+    }
+    for (const source of sources) found.set(source, [...(found.get(source) ?? []), character]);
+  }
+  return [...found].map(([source, own]) => ({ source, characters: own }));
 }
 
 /** `heroes.zip/hero/hero.skel` is `hero/hero.skel` in `heroes.zip`. */

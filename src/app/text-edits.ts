@@ -6,15 +6,17 @@ import type { Store } from '../edit/store.ts';
 import { adoptSkinFacts } from '../evaluate/bounds.ts';
 import { hasErrors } from '../model/diagnostic.ts';
 import type { Character, Document } from '../model/document.ts';
-import type { SourceFile } from '../model/files.ts';
+import { baseName, type SourceFile } from '../model/files.ts';
 import { openFiles } from '../project/open/open-files.ts';
 import { type Owned, ownedIn } from '../project/save/owned.ts';
 import { poseToSave } from '../project/save/saved-poses.ts';
 import { bytes as inWords } from '../ui/kit/number-text.ts';
+import type { Messages } from '../ui/state/messages.ts';
 import type { CheckedText, FileChanges, TextEdits } from '../ui/state/source.ts';
 import type { Runs } from '../worker/client.ts';
-import type { CheckOutput, SourceInput } from '../worker/protocol.ts';
-import { showingTheSame } from './opening.ts';
+import type { CheckOutput } from '../worker/protocol.ts';
+import { type Opener, showingTheSame } from './opening.ts';
+import type { SourceTexts } from './source-texts.ts';
 import type { Unsaved } from './unsaved.ts';
 
 /** Longer files aren’t compared: one of this size takes 1 to 2 s. */
@@ -22,10 +24,11 @@ export const MAX_COMPARED_BYTES = 5_000_000;
 
 export interface FileEditsParts {
   readonly store: Store;
+  readonly messages: Pick<Messages, 'report'>;
+  readonly opener: Pick<Opener, 'put'>;
   readonly unsaved: Pick<Unsaved, 'poseInFile'>;
   readonly worker: Runs<'changes'> & Runs<'check'>;
-  /** Where the text of a path is. */
-  find(path: string): Promise<SourceInput>;
+  readonly texts: Pick<SourceTexts, 'find' | 'given' | 'opened' | 'noteWritten'>;
 }
 
 export class FileEdits implements TextEdits {
@@ -37,7 +40,7 @@ export class FileEdits implements TextEdits {
     const source = owned[0]?.part.file;
     // Nothing is saved there.
     if (!source) return { hunks: [] };
-    const file = await this.parts.find(path);
+    const file = await this.parts.texts.find(path, forever);
     // A file in a zip is unpacked by the worker.
     const bytes = file.inside === undefined ? file.blob.size : source.bytes;
     if (bytes > MAX_COMPARED_BYTES) {
@@ -49,36 +52,55 @@ export class FileEdits implements TextEdits {
   }
 
   async check(path: string, edited: string, base: string): Promise<CheckedText> {
-    const { store, worker } = this.parts;
+    const { store, worker, texts } = this.parts;
     const owned = this.owned(store.document, path);
-    const source = owned[0]?.part.file;
-    if (!source) throw new Error('Nothing in the page is saved in this file any more.');
+    const own = owned[0]?.part.file;
+    // The very source: what was opened from it is known by it. A text with errors wasn't opened.
+    const isOpen = own !== undefined && texts.opened(own)?.given === texts.given(path);
+    const source = isOpen ? own : { name: baseName(path), path, bytes: edited.length };
     const output = await worker.run('check', { source, edited, base, owned: owned.map(alone) });
     const fitted = hasErrors(output.diagnostics) ? [] : this.open(path, source, output).diagnostics;
     const diagnostics = [...output.diagnostics, ...fitted];
     const { isSame } = output;
     if (hasErrors(diagnostics)) return { diagnostics, isSame };
-    return { diagnostics, isSame, apply: () => this.apply(path, source, output) };
+    return {
+      diagnostics,
+      isSame,
+      apply: () => (isOpen ? this.replace(path, source, output) : this.add(source, output, edited)),
+    };
   }
 
-  /** In place of the parts from the path, as when a file is opened again; false if the document has changed too much. */
-  private apply(path: string, source: SourceFile, output: CheckOutput): boolean {
+  /** In place of the parts from the path, as when a file is opened again; false if that doesn't fit any more. */
+  private replace(path: string, source: SourceFile, output: CheckOutput): boolean {
     const { store } = this.parts;
     store.settle();
     const { document, diagnostics, opened } = this.open(path, source, output);
     if (hasErrors(diagnostics) || opened.length === 0) return false;
-    for (const { skin, facts, morphs } of output.facts) adoptSkinFacts(skin, facts, morphs);
-    store.replace(`Edit text of ${source.name}`, { document: showingTheSame(store.document, document) });
+    adoptFacts(output);
+    store.replace(labelOf(source), { document: showingTheSame(store.document, document) });
+    return true;
+  }
+
+  /** Opens a text that had errors before, and so is nowhere else. */
+  private add(source: SourceFile, output: CheckOutput, edited: string): boolean {
+    const { store, opener, texts, messages } = this.parts;
+    store.settle();
+    const { document, diagnostics, opened } = this.open(source.path, source, output);
+    if (hasErrors(diagnostics) || opened.length === 0) return false;
+    adoptFacts(output);
+    opener.put(document, opened, labelOf(source));
+    texts.noteWritten(source.path, new Blob([edited]), store.document);
+    messages.report([], [source.name]);
     return true;
   }
 
   private open(path: string, source: SourceFile, { files }: CheckOutput) {
     const { document, selection } = this.parts.store;
     const [first] = this.owned(document, path);
-    // The very source: what was opened from it is known by it.
     const read = files.map((file) => ({ ...file, source }));
     // The example is edited, not replaced.
-    return openFiles({ ...document, isOpeningSample: false }, read, [], first?.character.id ?? selection.characterId);
+    const base = first ? { ...document, isOpeningSample: false } : document;
+    return openFiles(base, read, [], first?.character.id ?? selection.characterId);
   }
 
   private owned(document: Document, path: string): readonly Owned[] {
@@ -86,6 +108,16 @@ export class FileEdits implements TextEdits {
     return ownedIn(document, path, (character) => poseToSave(character, unsaved.poseInFile(character)));
   }
 }
+
+function labelOf({ name }: SourceFile): string {
+  return `Edit text of ${name}`;
+}
+
+function adoptFacts({ facts }: CheckOutput): void {
+  for (const { skin, facts: own, morphs } of facts) adoptSkinFacts(skin, own, morphs);
+}
+
+const forever = new AbortController().signal;
 
 /** Without all that writing the part needs nothing of, to be sent to the worker. */
 function alone({ character, part, pose }: Owned): Owned {

@@ -82,7 +82,9 @@ export async function pageWith(texts: Readonly<Record<string, string>>, onDisk =
         characters: store.document.characters.map((c, i) => (i === index ? edit(c) : c)),
       },
     });
-  const saver = new Saver({ store, messages, unsaved, handles, disk });
+  const written: { readonly path: string; readonly content: Blob }[] = [];
+  const onWritten = (path: string, content: Blob) => void written.push({ path, content });
+  const saver = new Saver({ store, messages, unsaved, handles, disk, onWritten });
   return {
     disk,
     store,
@@ -90,6 +92,7 @@ export async function pageWith(texts: Readonly<Record<string, string>>, onDisk =
     unsaved,
     handles,
     saver,
+    written,
     open,
     change,
     names: () => unsaved.current().map(({ name }) => name),

@@ -31,6 +31,14 @@ describe('saving what changed', () => {
     expect(said(page)).toBe('Saved hero_walk.anim.');
   });
 
+  it('tells which files were written, with what they hold now', async () => {
+    const page = await pageWith(HERO);
+    page.change(longer);
+    await page.saver.saveChanged();
+    expect(page.written.map(({ path }) => path)).toEqual(['hero_walk.anim']);
+    expect(await page.written[0].content.text()).toBe(page.text('hero_walk.anim'));
+  });
+
   it('reports that there is nothing to save', async () => {
     const page = await pageWith(HERO);
     await page.saver.saveChanged();

@@ -72,6 +72,21 @@ describe('the text of a file as it was opened', () => {
     expect(texts.opened(source)?.given).toBe(given);
   });
 
+  it('is what was saved in place since, and the characters are those that were saved', () => {
+    const texts = textsOf();
+    const source = { name: 'a.skel', path: 'x/a.skel', bytes: 1 };
+    const file = { kind: 'skel', source, holds: 'a' } as const;
+    const then = character({ parts: { skeleton: { id: 1, revision: 1, file }, skins: [], morphs: [], clips: [] } });
+    texts.note([{ path: source.path, blob: new Blob([SKEL]) }]);
+    texts.noteOpened(documentOf(then));
+    const [saved, now] = [new Blob(['saved']), { ...then, name: 'edited' }];
+    texts.noteWritten('x/b.skel', new Blob(['other']), documentOf(now));
+    expect(texts.opened(source)?.characters).toEqual([then]);
+    texts.noteWritten(source.path, saved, documentOf(now));
+    expect(texts.opened(source)).toEqual({ characters: [now], given: saved });
+    expect(texts.given(source.path)).toBe(saved);
+  });
+
   it('is offered for all kinds but images', () => {
     const texts = textsOf();
     expect(['a.skel', 'a.bvh', 'a.txt', 'a.png', 'a.unknown'].map((name) => texts.isText(name))).toEqual([

@@ -1,6 +1,9 @@
 import { describe, expect, it } from 'vitest';
+import { Opener } from '../../src/app/opening.ts';
+import { SourceTexts } from '../../src/app/source-texts.ts';
 import { FileEdits, MAX_COMPARED_BYTES } from '../../src/app/text-edits.ts';
 import { Unsaved } from '../../src/app/unsaved.ts';
+import { DEFAULT_PLAYBACK } from '../../src/edit/playback.ts';
 import { Store } from '../../src/edit/store.ts';
 import { readWhole } from '../../src/formats/reader.ts';
 import { EMPTY_DOCUMENT } from '../../src/model/document.ts';
@@ -11,6 +14,9 @@ import { savedFileOf } from '../../src/project/save/output.ts';
 import { ownedIn } from '../../src/project/save/owned.ts';
 import { jointPose } from '../../src/project/save/saved-poses.ts';
 import { writeParts } from '../../src/project/save/saving.ts';
+import { observable } from '../../src/ui/kit/observable.ts';
+import { Messages } from '../../src/ui/state/messages.ts';
+import type { Loading } from '../../src/ui/state/workbench.ts';
 import { realFiles } from '../formats/real-files.ts';
 import { describeShared, sharedBytes } from '../helpers/shared.ts';
 import { InThisThread } from './in-this-thread.ts';
@@ -30,7 +36,15 @@ function unreadable(path: string): never {
 class Opened {
   readonly store = new Store();
   readonly unsaved = new Unsaved(this.store);
+  readonly messages = new Messages();
+  readonly texts = new SourceTexts({
+    worker: new InThisThread(),
+    handles: { at: () => undefined },
+    readAgain: () => Promise.reject(new Error('Nothing is on disk.')),
+    edits: () => Promise.reject(new Error('They are here.')),
+  });
   readonly edits: FileEdits;
+  framed = 0;
 
   constructor(
     readonly path: string,
@@ -40,12 +54,15 @@ class Opened {
     const files = [...beside, parsed(path, text)];
     this.store.replace('Open', { document: openFiles(EMPTY_DOCUMENT, files).document });
     this.unsaved.opened(files);
-    this.edits = new FileEdits({
-      store: this.store,
-      unsaved: this.unsaved,
-      worker: new InThisThread(),
-      find: async () => ({ path, blob: new Blob([text]) }),
+    this.texts.note([{ path, blob: new Blob([text]) }]);
+    this.texts.noteOpened(this.store.document);
+    const { store, unsaved, texts, messages } = this;
+    const opener = new Opener({
+      ...{ store, messages, worker: new InThisThread(), transport: observable(DEFAULT_PLAYBACK) },
+      ...{ loading: observable<Loading | undefined>(undefined), reducesMotion: () => true },
+      viewport: { frameAll: () => void this.framed++ },
     });
+    this.edits = new FileEdits({ store, unsaved, texts, messages, opener, worker: new InThisThread() });
   }
 
   saved(): string {
@@ -111,17 +128,33 @@ describe('a text that is edited', () => {
     expect(store.document.characters.map(({ name }) => name)).toEqual(['b', 'a']);
   });
 
-  it('isn’t checked for a file that nothing is saved in', async () => {
-    await expect(new Opened('a.skel', SKEL).edits.check('b.skel', SKEL, SKEL)).rejects.toThrow('Nothing in the page');
+  it('that had errors is opened once it has none, framed, unsaved, and without their messages', async () => {
+    const opened = new Opened('a.skel', SKEL);
+    const { store, edits, texts, messages, unsaved } = opened;
+    const broken = SKEL.replace('0 1 0', '0 x 0');
+    for (const name of ['a.skel', 'b.skel']) {
+      texts.note([{ path: name, blob: new Blob([broken]) }]);
+      const wrong = await edits.check(name, `${broken}\n`, broken);
+      expect(wrong.apply).toBeUndefined();
+      messages.report(wrong.diagnostics);
+      const { apply } = await edits.check(name, SKEL.replace('0 1 0', '0 3 0'), broken);
+      expect(apply?.()).toBe(true);
+      expect(messages.list.get().flatMap(({ diagnostics }) => diagnostics)).toEqual([]);
+      expect(await (await edits.changes(name)).hunks).toEqual([]);
+    }
+    expect(store.document.characters.map(({ skeleton }) => skeleton?.joints[1].offset[1])).toEqual([3, 3]);
+    expect(unsaved.current().map(({ name }) => name)).toEqual(['a.skel', 'b.skel']);
+    expect(opened.framed).toBe(1);
+    expect(await texts.given('b.skel')?.text()).toContain('0 3 0');
+  });
+
+  it('shows no changes of a file that nothing is saved in', async () => {
     expect(await new Opened('a.skel', SKEL).edits.changes('b.skel')).toEqual({ hunks: [] });
   });
 
   it('is compared up to a size, and says which', async () => {
-    const opened = new Opened('a.skel', SKEL);
-    const edits = new FileEdits({
-      ...{ store: opened.store, unsaved: opened.unsaved, worker: new InThisThread() },
-      find: async (path) => ({ path, blob: new Blob([new Uint8Array(MAX_COMPARED_BYTES + 1)]) }),
-    });
+    const { texts, edits } = new Opened('a.skel', SKEL);
+    texts.note([{ path: 'a.skel', blob: new Blob([new Uint8Array(MAX_COMPARED_BYTES + 1)]) }]);
     await expect(edits.changes('a.skel')).rejects.toThrow(
       'Changes are shown in files up to 5.0 MB; this one has 5.0 MB.',
     );

@@ -95,6 +95,13 @@ describe('the text of files', () => {
       await page.getByRole('button', { name: 'Show line 3 of broken.skel in Source' }).first().click();
       await page.locator('.source-line.is-current[data-line="3"][data-severity="error"]').waitFor();
       expect(await shownFile()).toBe('broken.skel');
+      // It is corrected where it is shown.
+      await page.getByRole('button', { name: 'Edit', exact: true }).click();
+      await page.getByRole('textbox', { name: 'Text of broken.skel' }).fill(BROKEN.replace(' x', ' 2'));
+      await page.keyboard.press('Control+Enter');
+      await page.getByText('Applied to broken.skel as one step').waitFor();
+      await page.keyboard.press('Escape');
+      await page.locator('.source-line[data-line="3"]:not([data-severity])', { hasText: '-1 2' }).waitFor();
       await dropFiles(page, [{ name: 'broken.skel', bytes: BROKEN.replace(' x', ' 1') }]);
       await page.locator('.source-line[data-line="3"]:not([data-severity])', { hasText: '-1 1' }).waitFor();
 

@@ -5,7 +5,7 @@ import { bytes, count } from '../../kit/number-text.ts';
 import { onDemand } from '../../state/on-demand.ts';
 import type { TextEdits } from '../../state/source.ts';
 import type { Uses } from '../../state/workbench.ts';
-import { contentKey } from './as-opened.ts';
+import { contentKey, type TextState } from './as-opened.ts';
 import type { OpenedSource } from './opened-source.ts';
 import type { Draft, TextEditor } from './text-editor.ts';
 
@@ -34,15 +34,22 @@ export class Editing {
   constructor(
     private readonly wb: Parts,
     private readonly calls: Calls,
-  ) {}
+  ) {
+    window.addEventListener('beforeunload', (event) => {
+      if (this.editor?.hasEdits || this.drafts.size > 0) event.preventDefault();
+    });
+  }
 
   /** Why a file can't be edited, as a sentence; undefined if it can. */
-  whyNot(opened: OpenedSource | undefined, isOther: boolean): string | undefined {
+  whyNot(opened: OpenedSource | undefined, state: TextState, hasErrors: boolean): string | undefined {
     if (!opened) return 'There is no file to edit.';
     const { path, map } = opened;
     const name = baseName(path);
-    if (isOther) return `This text of ${name} is not what is open. Correct the file, and open it again.`;
-    if (contentKey(this.wb.store.document, path) === '') return `Nothing that is open is saved in ${name}.`;
+    const isOpen = contentKey(this.wb.store.document, path) !== '';
+    if (state === 'other' && !hasErrors)
+      return `This text of ${name} is not what is open. Open the file again to edit it.`;
+    // A text with errors is corrected, and opened by that.
+    if (!isOpen && !hasErrors) return `Nothing that is open is saved in ${name}.`;
     if (!map) return `${name} is being read.`;
     const { bytes: size, count: lines } = map.index;
     if (size <= MAX_EDITED.bytes && lines <= MAX_EDITED.lines) return undefined;
@@ -55,14 +62,15 @@ export class Editing {
     return this.drafts.has(path);
   }
 
-  async begin(opened: OpenedSource): Promise<void> {
+  /** @param isOpened whether the text is what was opened */
+  async begin(opened: OpenedSource, isOpened: boolean): Promise<void> {
     if (this.isBeginning) return;
     this.isBeginning = true;
     try {
       const { path } = opened;
       const editor = await this.loaded();
       const key = contentKey(this.wb.store.document, path);
-      const base = editor && (await this.textNow(opened));
+      const base = editor && (await (isOpened ? this.textNow(opened) : opened.text?.text()));
       if (!editor || base === undefined) return;
       this.key = key;
       this.path = path;
@@ -98,7 +106,8 @@ export class Editing {
   /** The document may have changed. */
   async follow(opened: OpenedSource | undefined): Promise<void> {
     const { path, editor } = this;
-    if (path === undefined || !editor || opened?.path !== path) return;
+    // A file that was saved in place holds what is shown.
+    if (path === undefined || !editor || opened?.path !== path || opened.isOld) return;
     const key = contentKey(this.wb.store.document, path);
     if (key === this.key) return;
     this.key = key;

@@ -256,14 +256,20 @@ class SourcePanel implements TimelineTab {
       editing.leave();
       return;
     }
-    const why = editing.whyNot(opened, this.isOther);
+    const { state } = this.originsInFile();
+    const why = editing.whyNot(opened, state, this.hasErrors);
     if (why !== undefined || !opened) this.say(why ?? '');
-    else void editing.begin(opened);
+    else void editing.begin(opened, !this.hasErrors);
   }
 
-  private get isOther(): boolean {
+  private get hasErrors(): boolean {
+    return [...this.problems.values()].some(({ severity }) => severity === 'error');
+  }
+
+  /** What was opened from the file, whatever text is shown. */
+  private originsInFile(): Origins {
     const { opened, wb } = this;
-    return opened !== undefined && originsIn(wb.store.document, opened.path, this.known).state === 'other';
+    return opened ? originsIn(wb.store.document, opened.path, this.known) : { state: 'same', origins: [] };
   }
 
   private showEditing(): void {
@@ -271,6 +277,8 @@ class SourcePanel implements TimelineTab {
     this.showState();
     this.showNote();
     this.view.drawSoon();
+    // A text that was corrected is another one now.
+    this.followSoon();
     if (this.editing.path === undefined && this.visible) focusPanel(this.view.element);
   }
 
@@ -348,7 +356,7 @@ class SourcePanel implements TimelineTab {
   /** The lines of what is selected; the file that has it, if this one has nothing of it. */
   private follow(reveals = true): void {
     if (!this.visible) return;
-    if (this.opened?.isOld) {
+    if (this.opened?.isOld && this.editing.path === undefined) {
       this.openFile(this.opened.path, this.view.current);
       return;
     }
@@ -410,25 +418,22 @@ class SourcePanel implements TimelineTab {
 
   private originsHere(): Origins {
     const { opened, wb } = this;
-    if (!opened) return { state: 'same', origins: [] };
-    const { document } = wb.store;
-    if (!this.changedText) return originsIn(document, opened.path, this.known);
+    if (!opened || !this.changedText) return this.originsInFile();
     // The text is what is in the page.
-    return { state: 'edited', origins: partsFrom(document, opened.path).map((now) => ({ now, file: now })) };
+    const parts = partsFrom(wb.store.document, opened.path);
+    return { state: 'edited', origins: parts.map((now) => ({ now, file: now })) };
   }
 
   private showNote(): void {
-    const { opened, changes, showsChanges, bar, wb } = this;
-    const { state, origins } = opened
-      ? originsIn(wb.store.document, opened.path, this.known)
-      : { state: 'same' as const, origins: [] };
+    const { opened, changes, showsChanges, bar } = this;
+    const { state, origins } = this.originsInFile();
     const isFollowed = state === 'edited' && showsChanges;
     changes.follow(
       opened?.path,
       origins.map(({ now }) => now.character),
       isFollowed,
     );
-    this.controls.showEditing(this.editing.path !== undefined, this.editing.whyNot(opened, state === 'other'));
+    this.controls.showEditing(this.editing.path !== undefined, this.editing.whyNot(opened, state, this.hasErrors));
     // The field says itself what is edited.
     if (this.editing.path !== undefined) {
       bar.show('');
@@ -439,8 +444,7 @@ class SourcePanel implements TimelineTab {
       return;
     }
     if (state !== 'edited') {
-      const hasErrors = [...this.problems.values()].some(({ severity }) => severity === 'error');
-      bar.show(state === 'other' ? otherNote(hasErrors) : '');
+      bar.show(state === 'other' ? otherNote(this.hasErrors) : '');
       return;
     }
     const { text, problem, isComparing } = changes;
@@ -568,7 +572,8 @@ const AS_IT_CAME = 'lines are those of the file as it came.';
 
 function otherNote(hasErrors: boolean): string {
   const why = hasErrors ? 'This text has errors and was not opened' : 'This text is not the version that is open';
-  return `${why}. The page has another version, so nothing lights up.`;
+  const how = hasErrors ? ' Edit corrects it here.' : '';
+  return `${why}. The page has another version, so nothing lights up.${how}`;
 }
 
 const capital = (text: string) => text[0].toUpperCase() + text.slice(1);

@@ -100,9 +100,6 @@ export class TextEditor {
     this.field.addEventListener('scroll', () => this.drawSoon());
     this.element.addEventListener('keydown', (event) => this.onKey(event));
     new ResizeObserver(() => this.drawSoon()).observe(this.field);
-    window.addEventListener('beforeunload', (event) => {
-      if (this.hasEdits) event.preventDefault();
-    });
   }
 
   /** Shows a text, or edits of it that were left. */
