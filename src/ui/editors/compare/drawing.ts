@@ -15,17 +15,15 @@ import { lengthUnit } from '../../state/length-unit.ts';
 import { onShown } from '../../state/shown-comparison.ts';
 import type { Uses } from '../../state/workbench.ts';
 import { scaleText as partText } from '../skin/four-text.ts';
-import {
-  type ComparedPart,
-  comparedParts,
-  errorsOfSkin,
-  fillHeat,
-  type HeatScale,
-  tellsOwn,
-  theirJoints,
-} from './drawn.ts';
+import { type ComparedPart, comparedParts, errorsOfSkin, fillHeat, heatTop, tellsOwn, theirJoints } from './drawn.ts';
 import { type Places, sphereAround, viewOf } from './frame-both.ts';
 import { CompareLegend, type ScaleText } from './legend.ts';
+
+/** Error of the brightest colour, and the worst vertex. */
+interface HeatScale {
+  readonly top: number;
+  readonly worst: number | undefined;
+}
 
 type Parts = Uses<'store' | 'viewport' | 'transport' | 'settings' | 'comparing'>;
 
@@ -154,12 +152,13 @@ class ComparisonDrawing {
     return times.length > 1 && span / (times.length - 1) <= MAX_FRAMES_APART / framesPerSecond;
   }
 
-  private fillErrors({ frame, result }: ShownComparison): HeatScale {
-    const all = errorsOfSkin(frame);
+  private fillErrors(shown: ShownComparison): HeatScale {
+    const all = errorsOfSkin(shown.frame);
     const next = this.nextHeat.length === all.length ? this.nextHeat : new Float32Array(all.length);
     this.nextHeat = this.heat;
     this.heat = next;
-    return fillHeat(all, result.tolerance, next);
+    const top = heatTop(shown);
+    return { top, worst: fillHeat(all, shown.result.tolerance, top, next) };
   }
 
   private drawingOf(character: Character, shown: ShownComparison, scale: HeatScale | undefined): ComparedDrawing {

@@ -1,7 +1,8 @@
 /** What is drawn of a comparison: verdicts of joints, theirs in world space, errors as colours. */
 import { multiplyAffine } from '../../../math/mat4.ts';
+import { perObject } from '../../../model/per-object.ts';
 import type { Skeleton } from '../../../model/skeleton.ts';
-import type { ShownComparison } from '../../state/dump-comparison.ts';
+import type { ComparedResult, ShownComparison } from '../../state/dump-comparison.ts';
 import { heatScale } from '../skin/four-text.ts';
 
 /** What a drawing shows: joints and bones, or the skin. */
@@ -39,34 +40,45 @@ export function errorsOfSkin({ vertexErrors, normalErrors }: ShownComparison['fr
   return vertexErrors.length > 0 ? vertexErrors : normalErrors;
 }
 
-export interface HeatScale {
-  /** Error of the brightest colour, a round part of the size; larger ones have it too. */
-  readonly top: number;
-  /** Item with the largest error; undefined if all agree. */
-  readonly worst: number | undefined;
+/**
+ * Error of the brightest colour of a skin, a round part of the size: the same at all times that were compared, so that
+ * colours mean the same while time moves. If all are within the tolerance, that is it.
+ */
+export function heatTop({ result, frame }: ShownComparison): number {
+  const { vertices, normals } = largestErrors(result);
+  const largest = frame.vertexErrors.length > 0 ? vertices : normals;
+  return largest > result.tolerance ? heatScale(largest) || largest : result.tolerance;
+}
+
+/** At all times; infinite ones don't count. Cached. */
+const largestErrors = perObject(({ comparison: { frames } }: ComparedResult) => ({
+  vertices: frames.reduce((most, { vertexErrors }) => largestOf(vertexErrors, most), 0),
+  normals: frames.reduce((most, { normalErrors }) => largestOf(normalErrors, most), 0),
+}));
+
+function largestOf(errors: Float64Array, from: number): number {
+  let largest = from;
+  for (const error of errors) if (error > largest && error < Infinity) largest = error;
+  return largest;
 }
 
 /**
- * Writes errors as parts of the scale, from 0 to 1. If all are within the tolerance, that is its end.
+ * Writes errors as parts of the largest that is shown, from 0 to 1: larger ones, and those that are no numbers, are 1.
  *
  * @param out as many as errors
+ * @returns index of the largest error; undefined if all are within the tolerance
  */
-export function fillHeat(errors: Float64Array, tolerance: number, out: Float32Array): HeatScale {
-  let largest = 0;
+export function fillHeat(errors: Float64Array, tolerance: number, top: number, out: Float32Array): number | undefined {
   let most = tolerance;
   let worst: number | undefined;
   for (let v = 0; v < errors.length; v++) {
     const error = errors[v];
-    if (Number.isFinite(error)) largest = Math.max(largest, error);
+    const part = error / top;
+    out[v] = part <= 1 ? part : 1;
     // Not `>`: NaN is infinitely wrong.
     if (error <= most) continue;
     most = Number.isNaN(error) ? Number.POSITIVE_INFINITY : error;
     worst = v;
   }
-  const top = largest > tolerance ? heatScale(largest) || largest : tolerance;
-  for (let v = 0; v < errors.length; v++) {
-    const part = errors[v] / top;
-    out[v] = part <= 1 ? part : 1;
-  }
-  return { top, worst };
+  return worst;
 }

@@ -81,7 +81,7 @@ export class CompareLegend {
     this.scale.append(this.title, this.ramp.element, this.worst);
     this.element = element(
       'section',
-      { class: 'compare-legend', 'aria-label': 'Comparison' },
+      { class: 'compare-legend', 'aria-label': 'Legend of the comparison' },
       element(
         'div',
         { class: 'compare-choices' },

@@ -6,6 +6,7 @@ import {
   comparedParts,
   errorsOfSkin,
   fillHeat,
+  heatTop,
   tellsOwn,
   theirJoints,
 } from '../../../../src/ui/editors/compare/drawn.ts';
@@ -54,7 +55,8 @@ describeShared('what is drawn of the reference’s dumps', () => {
     const shown = compared(SHARED.nine, dumpOf('d025.txt'));
     const errors = errorsOfSkin(shown.frame);
     const heat = new Float32Array(errors.length);
-    const { top, worst } = fillHeat(errors, 1e-4, heat);
+    const top = heatTop(shown);
+    const worst = fillHeat(errors, 1e-4, top, heat);
     expect(comparedParts(shown)).toEqual(['skin']);
     expect(worst).toBe(errors.indexOf(Math.max(...errors)));
     expect(top).toBeGreaterThanOrEqual(errors[worst ?? -1]);
@@ -84,15 +86,37 @@ describe('what is drawn of a comparison', () => {
 
   it('errors that aren’t finite are as bright as the largest, and worse than it', () => {
     const heat = new Float32Array(5);
-    const scale = fillHeat(Float64Array.of(0, 0.25, Number.POSITIVE_INFINITY, 0.5, Number.NaN), 1e-4, heat);
+    const errors = Float64Array.of(0, 0.25, Number.POSITIVE_INFINITY, 0.5, Number.NaN);
+    expect([2, 4]).toContain(fillHeat(errors, 1e-4, 0.5, heat));
     expect([...heat]).toEqual([0, 0.5, 1, 1, 1]);
-    expect(scale.top).toBe(0.5);
-    expect([2, 4]).toContain(scale.worst);
   });
 
   it('errors within the tolerance have no worst vertex, and stay dark', () => {
     const heat = new Float32Array(3);
-    expect(fillHeat(Float64Array.of(0, 2e-8, 1e-8), 1e-4, heat)).toEqual({ top: 1e-4, worst: undefined });
+    expect(fillHeat(Float64Array.of(0, 2e-8, 1e-8), 1e-4, 1e-4, heat)).toBeUndefined();
     expect(Math.max(...heat)).toBeLessThan(0.001);
+  });
+
+  it('the scale of vertices is the same at all times that were compared, and that of the tolerance if all agree', () => {
+    const frameOf = (...vertexErrors: number[]) => {
+      const frame: Partial<ShownComparison['frame']> = {
+        vertexErrors: Float64Array.from(vertexErrors),
+        normalErrors: new Float64Array(0),
+      };
+      // Only its errors are read.
+      return frame as ShownComparison['frame'];
+    };
+    const shownOf = (...frames: ShownComparison['frame'][]) => {
+      const result = { ...compared(OWN.crawler, 'positions\n'.concat('0 0 0\n'.repeat(joints))).result };
+      const comparison = { ...result.comparison, frames };
+      const all = { ...result, comparison };
+      return frames.map(
+        (frame, index): ShownComparison => ({ result: all, index, theirs: all.targets.frames[0], frame }),
+      );
+    };
+    const joints = characterOf(...OWN.crawler).skeleton?.joints.length ?? 0;
+    const [first, second] = shownOf(frameOf(0, 0.015), frameOf(0.3, Number.POSITIVE_INFINITY));
+    expect([heatTop(first), heatTop(second)]).toEqual([0.5, 0.5]);
+    expect(shownOf(frameOf(0, 1e-9)).map(heatTop)).toEqual([1e-4]);
   });
 });
