@@ -5,8 +5,8 @@
  */
 import type { Steps } from '../evaluate/steps.ts';
 import type { Character } from '../model/document.ts';
+import { isUntimed } from '../model/dump.ts';
 import { type Comparison, compare } from './compare.ts';
-import { isUntimed } from './dump-times.ts';
 import type { FrameTime } from './evaluator.ts';
 import { fitDumps, type NamedDump } from './fit-dump.ts';
 

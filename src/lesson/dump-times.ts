@@ -3,7 +3,7 @@
  * each, or one list for all; or there is a file for each.
  */
 import type { Character } from '../model/document.ts';
-import type { DumpBlock } from '../model/dump.ts';
+import { type DumpBlock, isUntimed } from '../model/dump.ts';
 import { type Fitted, fitDumps, type NamedDump } from './fit-dump.ts';
 
 /** @param times of dumps that state none; empty: the only time that others state, else the file pose */
@@ -40,12 +40,6 @@ function timed({ fileName, dump }: NamedDump, times: readonly number[]): NamedDu
     return parts(block, times.length).map((part, i) => ({ ...part, time: times[i] }));
   });
   return { fileName, dump: { ...dump, blocks } };
-}
-
-/** Channels have times of their own. */
-export function isUntimed({ time, times, channel, holds, columns }: DumpBlock): boolean {
-  const isOfTimes = columns?.some((name) => /^(time|t|seconds)$/.test(name)) ?? false;
-  return time === undefined && times === undefined && channel === undefined && holds !== 'channels' && !isOfTimes;
 }
 
 /** A list as `count` lists of as many rows, or, of one row, as many numbers; as it is if it doesn't divide. */

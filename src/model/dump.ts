@@ -50,3 +50,9 @@ export interface DumpLabel {
   readonly index?: number;
   readonly name?: string;
 }
+
+/** Whether nothing states when its numbers are. Channels have times of their own. */
+export function isUntimed({ time, times, channel, holds, columns }: DumpBlock): boolean {
+  const isOfTimes = columns?.some((name) => /^(time|t|seconds)$/.test(name)) ?? false;
+  return time === undefined && times === undefined && channel === undefined && holds !== 'channels' && !isOfTimes;
+}

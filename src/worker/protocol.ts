@@ -57,6 +57,8 @@ export interface KnownSkin {
 export interface CompareInput {
   readonly character: Character;
   readonly dumps: readonly NamedDump[];
+  /** Names of dumps that may also be of the file pose instead of their assumed time: the numbers decide. */
+  readonly undecided?: readonly string[];
   /** Default `DEFAULT_TOLERANCE`. */
   readonly tolerance?: number;
 }
@@ -66,6 +68,8 @@ export interface CompareOutput {
   readonly comparison?: Comparison;
   /** What was compared with it: theirs, each in the place of ours. */
   readonly targets?: Targets;
+  /** Names of undecided dumps that are of the file pose. */
+  readonly inFilePose: readonly string[];
   readonly diagnostics: readonly Diagnostic[];
 }
 

@@ -29,6 +29,7 @@ import type { NamedDump } from '../../lesson/fit-dump.ts';
 import type { FrameTarget, Targets } from '../../lesson/targets.ts';
 import { type Diagnostic, hasErrors } from '../../model/diagnostic.ts';
 import { type Character, type Document, findCharacter, shownClip, shownSkin } from '../../model/document.ts';
+import { isUntimed } from '../../model/dump.ts';
 import { vertexCount } from '../../model/skin.ts';
 import { type Observable, observable } from '../kit/observable.ts';
 
@@ -36,6 +37,8 @@ import { type Observable, observable } from '../kit/observable.ts';
 export interface CompareInput {
   readonly character: Character;
   readonly dumps: readonly NamedDump[];
+  /** Names of dumps that may also be of the file pose instead of their assumed time. */
+  readonly undecided: readonly string[];
   readonly tolerance: number;
 }
 
@@ -43,6 +46,8 @@ export interface CompareOutput {
   /** Absent, like `targets`, if the dumps don't fit the character. */
   readonly comparison?: Comparison;
   readonly targets?: Targets;
+  /** Names of undecided dumps that are. */
+  readonly inFilePose: readonly string[];
   readonly diagnostics: readonly Diagnostic[];
 }
 
@@ -253,8 +258,10 @@ export class DumpComparison {
     this.running = running;
     this.change({ phase: { kind: 'working', share: 0 } });
     const { tolerance, dumps: all } = this.state.get();
+    // Programs begin with the file pose, and say nothing of a time then.
+    const undecided = this.fresh.map(({ fileName }) => fileName);
     const compare = (dumps: readonly NamedDump[]) =>
-      this.run({ character: lean(character), dumps, tolerance }, running.signal, (share) => {
+      this.run({ character: lean(character), dumps, undecided, tolerance }, running.signal, (share) => {
         if (this.running === running) this.change({ phase: { kind: 'working', share } });
       });
     let dumps = all;
@@ -272,12 +279,6 @@ export class DumpComparison {
         dumps = rest;
         output = await compare(rest);
       }
-      const inFilePose = dumps.map((dump) => (this.fresh.includes(dump) ? asFilePose(dump) : dump));
-      if (isUnexplained(output) && inFilePose.some((dump, i) => dump !== dumps[i])) {
-        // Programs begin with the file pose, and say nothing of a time then.
-        const other = await compare(inFilePose);
-        if (other.comparison && !isUnexplained(other)) [dumps, output] = [inFilePose, other];
-      }
       if (this.running !== running) return;
       this.running = undefined;
       this.finish(character, dumps, { ...output, diagnostics: [...problems, ...output.diagnostics] });
@@ -292,14 +293,16 @@ export class DumpComparison {
   private finish(
     character: Character,
     dumps: readonly NamedDump[],
-    { comparison, targets, diagnostics }: CompareOutput,
+    { comparison, targets, inFilePose, diagnostics }: CompareOutput,
   ): void {
     const isFresh = this.fresh.length > 0;
     this.fresh = [];
     if (comparison && targets) {
       const { tolerance } = this.state.get();
       this.change({
-        dumps,
+        dumps: dumps.map((dump) =>
+          inFilePose.includes(dump.fileName) ? { ...dump, assumed: { time: undefined } } : dump,
+        ),
         phase: { kind: 'done', ...(hasErrors(diagnostics) && { problems: diagnostics }) },
         result: { comparison, targets, character, tolerance },
       });
@@ -399,13 +402,6 @@ function statedTimes(dumps: readonly NamedDump[]): readonly number[] {
   return [...times].sort((a, b) => a - b);
 }
 
-/** Whether frames differ, and nothing says why. */
-function isUnexplained({ comparison }: CompareOutput): boolean {
-  return (
-    comparison !== undefined && !comparison.agrees && comparison.causes.length === 0 && comparison.frames.length > 0
-  );
-}
-
 function withoutMisfits(dumps: readonly NamedDump[], diagnostics: readonly Diagnostic[]): readonly NamedDump[] {
   const misfits = new Set(diagnostics.filter((d) => hasErrors([d])).map(({ file }) => file));
   return dumps.filter(({ fileName }) => !misfits.has(fileName));
@@ -413,12 +409,7 @@ function withoutMisfits(dumps: readonly NamedDump[], diagnostics: readonly Diagn
 
 /** Whether all numbers of a dump have a time, or are of channels. */
 export function statesTime({ dump }: NamedDump): boolean {
-  return dump.blocks.every((block) => block.holds === 'channels' || (block.time ?? dump.time) !== undefined);
-}
-
-/** The same object if it isn't of a time that was assumed. */
-function asFilePose(dump: NamedDump): NamedDump {
-  return dump.assumed?.time === undefined ? dump : { ...dump, assumed: { time: undefined } };
+  return dump.time !== undefined || !dump.blocks.some(isUntimed);
 }
 
 /** What is compared of a character: the rest needn't be copied to the worker. Its times are those of the clip. */

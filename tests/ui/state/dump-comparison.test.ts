@@ -165,18 +165,27 @@ describe('a comparison with dumps', () => {
     expect(fresh.transport.get().timeSeconds).toBe(0.1);
   });
 
-  it('takes numbers without a time for those of the file pose where that explains them', async () => {
-    const rest = { ...crawler, shownClip: -1 };
-    const text = dump('rest.txt', [undefined], NO_PARENT);
-    const { comparing, settled, inputs } = comparisonOf(crawler, [text], 0.4);
-    await settled();
-    expect(inputs.map(timesOf)).toEqual([[0.4], [undefined]]);
-    expect(comparing.state.get().dumps).toMatchObject([{ assumed: { time: undefined } }]);
-    expect(comparing.state.get().result?.comparison.causes[0]?.code).toBe('no-parent');
-    const wrong = comparisonOf(rest, [text]);
-    await wrong.settled();
-    expect(wrong.inputs).toHaveLength(1);
-  });
+  it.each([
+    ['mistakes', NO_PARENT, ['no-parent']],
+    // Also the numbers of a program that ignores the take.
+    ['nothing', {}, []],
+  ] as const)(
+    'takes numbers without a time for those of the file pose where %s explains them',
+    async (_, rules, codes) => {
+      const { comparing, settled, inputs } = comparisonOf(crawler, [dump('rest.txt', [undefined], rules)], 0.4);
+      await settled();
+      expect(inputs.map(timesOf)).toEqual([[0.4]]);
+      const { dumps, result } = comparing.state.get();
+      expect(dumps).toMatchObject([{ assumed: { time: undefined } }]);
+      expect(result?.comparison.causes.map(({ code }) => code)).toEqual(codes);
+      expect(result?.comparison.agrees).toBe(codes.length === 0);
+      // It stays so, until another time is given.
+      comparing.setTime('rest.txt', 0.4);
+      await settled();
+      expect(comparing.state.get().result?.comparison.agrees).toBe(false);
+      expect(inputs.at(-1)?.undecided).toEqual([]);
+    },
+  );
 
   it('each dump keeps the time that was shown when it was dropped, until it is given another', async () => {
     const { comparing, settled, at, inputs } = comparisonOf(crawler, [dump('a.txt', [undefined])], 0.3);

@@ -49,7 +49,7 @@ export function outliner(wb: Workbench): HTMLElement {
   const search = searchBox();
   const empty = element('p', { class: 'empty' });
   let renaming: string | undefined;
-  let marks: MarkOfRow = () => undefined;
+  let marks = NO_MARKS;
   let firstMatch: OutlineRow | undefined;
 
   const tree = new Tree('Characters and joints', {
@@ -67,7 +67,7 @@ export function outliner(wb: Workbench): HTMLElement {
     // The key that opens the panel also closes it.
     isShortcut: (event) =>
       actionFor(shortcutsOf(event, isMac), actionsOf(wb), 'outliner', wb.settings.get())?.id === 'page.outliner',
-    draw: (row) => (row.key === renaming ? [renameField(row)] : drawRow(wb, row, marks(row))),
+    draw: (row) => (row.key === renaming ? [renameField(row)] : drawRow(wb, row, markOf(row, marks))),
   });
   tree.element.dataset.panel = 'outliner';
   tree.element.addEventListener('keydown', (event) => {
@@ -180,8 +180,11 @@ export function outliner(wb: Workbench): HTMLElement {
     (await import('./tree-drag.ts')).letJointsBeDragged(wb, tree);
   });
   onShown(wb, (shown, comparing) => {
-    marks = marksOf(shown, comparing);
-    if (renaming === undefined) tree.drawAnew();
+    const now = marksOf(shown, comparing);
+    const isSame = now.characterId === marks.characterId && now.marks.join() === marks.marks.join();
+    marks = now;
+    // Many times may be compared, and play.
+    if (!isSame && renaming === undefined) tree.drawAnew();
   });
   wb.files.unsaved.subscribe(() => {
     // Doesn't interrupt renaming.
@@ -248,14 +251,20 @@ function drawRow(wb: Uses<'store' | 'files'>, row: OutlineRow, mark: JointMark |
   return nodes;
 }
 
-type MarkOfRow = (row: OutlineRow) => JointMark | undefined;
+/** How the joints of a character compare with those of another program. */
+interface Marks {
+  readonly characterId: string | undefined;
+  readonly marks: readonly JointMark[];
+}
+const NO_MARKS: Marks = { characterId: undefined, marks: [] };
 
-/** How the joints compare with those of another program. */
-function marksOf(shown: ShownComparison | undefined, comparing: DumpComparison | undefined): MarkOfRow {
-  if (!shown || !comparing) return () => undefined;
-  const { characterId } = comparing;
-  const marks = jointMarks(shown.frame, shown.result.tolerance);
-  return (row) => (row.kind === 'joint' && row.characterId === characterId ? marks[row.index] : undefined);
+function marksOf(shown: ShownComparison | undefined, comparing: DumpComparison | undefined): Marks {
+  if (!shown || !comparing) return NO_MARKS;
+  return { characterId: comparing.characterId, marks: jointMarks(shown.frame, shown.result.tolerance) };
+}
+
+function markOf(row: OutlineRow, { characterId, marks }: Marks): JointMark | undefined {
+  return row.kind === 'joint' && row.characterId === characterId ? marks[row.index] : undefined;
 }
 
 function markElement(mark: JointMark): HTMLElement {

@@ -32,7 +32,7 @@ const still = character({ skeleton: skeleton(['hips', -1]), clips: [clip([0, 1],
 /** A page on which this is compared with its character. */
 async function pageWith(result: ComparedResult) {
   const { wb } = workbench(documentOf(result.character));
-  const run = async () => ({ comparison: result.comparison, targets: result.targets, diagnostics: [] });
+  const run = async () => ({ comparison: result.comparison, targets: result.targets, inFilePose: [], diagnostics: [] });
   const comparing = new DumpComparison(wb, result.character.id, [], run);
   await Promise.resolve();
   await Promise.resolve();
