@@ -39,6 +39,8 @@ export class Trial {
   private readonly own: readonly Own[];
   /** Of the channels of each cell. */
   private readonly ownChannels: readonly Float64Array[];
+  /** For each wrong cell it, and the right ones of its dump. */
+  private readonly beside: readonly (readonly number[])[];
   private readonly wanted: readonly Wanted[];
   /** Per frame. */
   private readonly pieces: readonly (readonly { readonly cell: number; readonly target: FrameTarget }[])[];
@@ -68,6 +70,10 @@ export class Trial {
       };
     });
     this.ownChannels = cells.map(({ channels }) => ownValues(character, channels));
+    this.beside = cells.flatMap(({ isWrong, dump }, c) => {
+      const right = cells.flatMap((cell, r) => (cell.dump === dump && !cell.isWrong ? [r] : []));
+      return isWrong ? [[c, ...right]] : [];
+    });
     this.pieces = frames.map((_, f) =>
       cells.flatMap(({ pieces }, cell) =>
         pieces.flatMap(({ frame, target }) => (frame === f ? [{ cell, target }] : [])),
@@ -76,13 +82,14 @@ export class Trial {
   }
 
   /**
-   * Per cell. Stops early if no wrong cell can be explained; then one of its `agrees` and `isPartial` is false.
+   * Per cell. Stops early if no wrong cell can be explained; then `agrees` and `isPartial`, or one of them, are false for
+   * it, or for a right one of its dump, which a cause must leave right.
    *
    * @param forPart whether cells may be explained in part
    */
   run(program: Program, forPart: boolean): readonly CellOutcome[] {
     const states = this.cells.map(() => new State(this.tolerance, forPart));
-    const isHopeless = () => this.cells.every(({ isWrong }, c) => !isWrong || states[c].isHopeless);
+    const isHopeless = () => this.beside.every((cells) => cells.some((c) => states[c].isHopeless));
     this.cells.forEach(({ channels }, c) => {
       if (channels.channels.length === 0) return;
       if (program.curves !== RIGHT_CURVES) this.tryChannels(program, channels, this.ownChannels[c], states[c]);
