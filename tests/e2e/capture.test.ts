@@ -12,6 +12,8 @@ interface Reference {
   /** Name, parent, channels; null for an End Site. */
   readonly nodes: readonly (readonly [string, number, string | null])[];
   readonly positions: Readonly<Record<string, readonly (readonly number[])[]>>;
+  /** Where the file's writer meant OFFSET + channel, which is recognised. */
+  readonly positions_add?: Readonly<Record<string, readonly (readonly number[])[]>>;
   readonly tolerance: number;
 }
 
@@ -36,12 +38,12 @@ function framesByTime(files: Readonly<Record<string, Reference>>): Map<number, {
 }
 
 function expectAtFrame(figures: readonly Shown[], reference: Reference, frame: string, what: string): void {
-  const { nodes, positions, tolerance } = reference;
+  const { nodes, positions, positions_add, tolerance } = reference;
   const isJoint = ([, , channels]: Reference['nodes'][number]) => channels !== null;
   const joints = figures.flatMap((figure) => figure.joints);
   expect(joints.map(({ name }) => name)).toEqual(nodes.filter(isJoint).map(([name]) => name));
   const size = Math.max(1, tolerance / 1e-5);
-  const expected = positions[frame];
+  const expected = (positions_add ?? positions)[frame];
   const expectNear = (got: readonly (readonly number[])[], wanted: readonly (readonly number[])[]) =>
     expectClose(
       got.flat().map((v) => v / size),
