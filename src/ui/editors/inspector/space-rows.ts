@@ -87,15 +87,13 @@ export function addSpaceRows(
     const ground = () => put(onGround(now(), spaceNow()));
     section.add({ ground }, 'ground').name('Feet on the ground');
   }
+  const all = section.add(binding, 'all').name('All its takes');
+  setTooltip(all.domElement, 'Up axis, unit and lift are set for all characters with this skeleton');
   const taken = character?.skeleton && positionsTaken(character.skeleton);
   const positions = taken && section.add(binding, 'positions', POSITIONS).name('Positions');
   positions?.onChange((meaning: Positions) => {
     attempt(wb.messages, () => wb.store.apply(setPositionChannels, { characterId: id, positions: meaning }));
   });
-
-  // Below what it is about.
-  const all = section.add(binding, 'all').name('For all its takes');
-  setTooltip(all.domElement, 'Up axis, unit and lift are set for all characters with this skeleton');
 
   const update = () => {
     const character = now();
