@@ -30,8 +30,11 @@ export function changedText(source: SourceFile, original: string, owned: readonl
   const before = rewritten(source, original, owned);
   if (before === undefined) throw new Error(`${source.name} has errors, so it can’t be compared with what is open.`);
   if (before === after) return { text: original, hunks: [] };
-  const merged = mergeChanges(original, before, after);
-  if (rewritten(source, merged.text, owned) === after) return merged;
+  // Defaults may not suit a joint of another type.
+  for (const keepsDefaults of [true, false]) {
+    const merged = mergeChanges(original, before, after, keepsDefaults);
+    if (rewritten(source, merged.text, owned) === after) return merged;
+  }
   return byValue(original, after);
 }
 

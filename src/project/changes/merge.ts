@@ -38,9 +38,11 @@ const REACH = 64;
 /**
  * The original with the changes. It is right if it reads as `after`, which the caller checks: a text with another order
  * of lines in other blocks is more than this follows.
+ *
+ * @param keepsDefaults whether a block whose first line changed keeps what only the original has in it; default true
  */
-export function mergeChanges(original: string, before: string, after: string): MergedText {
-  return new Merge(original, before, after).result();
+export function mergeChanges(original: string, before: string, after: string, keepsDefaults = true): MergedText {
+  return new Merge(original, before, after, keepsDefaults).result();
 }
 
 class Merge {
@@ -64,7 +66,12 @@ class Merge {
   /** Before a line; behind the last one, its count. */
   private readonly inserted = new Map<number, string[]>();
 
-  constructor(original: string, before: string, after: string) {
+  constructor(
+    original: string,
+    before: string,
+    after: string,
+    private readonly keepsDefaults: boolean,
+  ) {
     this.original = splitLines(original);
     this.before = writtenLines(before);
     this.after = writtenLines(after);
@@ -204,7 +211,9 @@ class Merge {
   private replaceLines({ from, to, newFrom, newTo }: Change): void {
     const { before, after, own, gone, original } = this;
     const ids = new LineIds();
-    const heads = (lines: readonly string[]) => ids.of(lines.map((line) => headOf(lineMeaning(line))));
+    // A block may have got another name or type.
+    const heads = (lines: readonly string[]) =>
+      ids.of(lines.map((line) => (line.endsWith('{') ? '{' : headOf(lineMeaning(line)))));
     const pairs = commonLines(heads(before.slice(from, to)), heads(after.slice(newFrom, newTo)));
     let place = this.placeAfter(from - 1);
     let done = newFrom;
@@ -215,6 +224,7 @@ class Merge {
         this.insertLines(place, done, pair, from);
         done = pair + 1;
         this.replaced.set(at, inPlace(original.lines[at], after[pair], before[i]));
+        if (!this.keepsDefaults && before[i].endsWith('{')) this.dropDefaults(at);
       } else {
         gone[at] = 1;
         const next = i + 1 < to && pairs[i + 1 - from] < 0 ? own[i + 1] : at;
@@ -223,6 +233,11 @@ class Merge {
       place = at + 1;
     }
     this.insertLines(place, done, newTo, to > from ? to - 1 : from);
+  }
+
+  /** @param block of the original */
+  private dropDefaults(block: number): void {
+    for (const at of this.defaults.values()) if (this.blocks[at] === block && !this.replaced.has(at)) this.gone[at] = 1;
   }
 
   /** Behind a line, and behind what the original alone has there in its block. */
@@ -245,7 +260,7 @@ class Merge {
       const block = newBlocks[k] < 0 ? -1 : was[newBlocks[k]];
       const key = `${block < 0 ? block : own[block]} ${headOf(lineMeaning(after[k]))}`;
       const at = newBlocks[k] >= 0 && block < 0 ? undefined : defaults.get(key);
-      if (at === undefined) rest.push(after[k]);
+      if (at === undefined || this.gone[at]) rest.push(after[k]);
       else this.replaced.set(at, inPlace(original.lines[at], after[k]));
     }
     if (rest.length > 0) this.insert(place, rest, near);

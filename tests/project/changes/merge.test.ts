@@ -39,6 +39,15 @@ describe('changes carried over to a file’s own text', () => {
     expect(hunksOf(original, merged)).toEqual(['6-7 > 6-7']);
   });
 
+  it('drop defaults of a block whose first line changed, if they are not to be kept', () => {
+    const original = before.replace('\t\toffset 0 1 0', '\t\toffset 0 1 0\n\t\tpose 0.0 0 0');
+    const after = before.replace('joint b {', 'hinge b {');
+    expect(mergeChanges(original, before, after).text).toBe(original.replace('joint b {', 'hinge b {'));
+    const merged = mergeChanges(original, before, after, false);
+    expect(merged.text).toBe(after);
+    expect(hunksOf(original, merged)).toEqual(['4-5 > 4-5', '6-7 > 6-6']);
+  });
+
   it('remove a block with what only the file has in it, and leave what is around it', () => {
     const original = text(
       '# mine',
