@@ -70,9 +70,9 @@ export function comparisonText(told: ToldComparison): string {
   if (frames.length > 1) lines.push(`Times: ${frames.map(timeText).join(', ')}.`);
   if (agrees || !first) lines.push(`All agree. The largest error is ${short(worst)}.`);
   else {
-    lines.push(`First wrong: ${placeOf(first)}, by ${errorText(first)}.`);
+    lines.push(`First wrong: ${placeOf(first)}, ${errorText(first)}.`);
     if (largest && !isSamePlace(largest, first))
-      lines.push(`Largest error: ${placeOf(largest)}, by ${errorText(largest)}.`);
+      lines.push(`Largest error: ${placeOf(largest)}, ${errorText(largest)}.`);
     const list = (joints: readonly number[]) => {
       const named = joints.slice(0, MAX_NAMED).map((j) => nameOf(character, j));
       const more = joints.length - named.length;
@@ -169,11 +169,12 @@ function timeText({ time, agrees, worst }: FrameComparison): string {
   return `${at} ${agrees ? 'agrees' : `differs by ${short(worst)}`}`;
 }
 
-/** `1.9 (0.476 of the size 4)` of lengths; other errors have no unit. */
+/** `by 1.9 (0.476 of the size 4)` of lengths; other errors have no unit. */
 function errorText({ what, error, length }: FirstWrong): string {
+  if (!Number.isFinite(error)) return 'which is no finite number';
   if (length !== undefined && length > 0)
-    return `${short(length)} (${short(error)} of the size ${short(length / error)})`;
-  return what === 'joint' ? `${short(error)} in its rotation` : short(error);
+    return `by ${short(length)} (${short(error)} of the size ${short(length / error)})`;
+  return `by ${short(error)}${what === 'joint' ? ' in its rotation' : ''}`;
 }
 
 function placeOf({ what, index, name, time }: FirstWrong): string {

@@ -8,7 +8,7 @@ import { isWorthDiagnosing } from '../formats/diagnose/diagnose.ts';
 import { foldUnreadable } from '../formats/diagnose/fold.ts';
 import { type Diagnostic, withoutPlace } from '../model/diagnostic.ts';
 import { type Character, EMPTY_DOCUMENT } from '../model/document.ts';
-import { isEmptyDump } from '../model/dump.ts';
+import { emptyDumpMessage, isEmptyDump } from '../model/dump.ts';
 import {
   type BrokenFile,
   byPath,
@@ -84,7 +84,7 @@ export function loadGiven(given: readonly GivenPath[], otherwise?: Format): Load
     diagnostics.push(...found.map((diagnostic) => ({ ...diagnostic, file: path.path })));
     all.push({ name, path: path.path, kind, ...(content && { content }) });
     const source: SourceFile = { name, path: path.path, bytes };
-    if (content && isEmptyDump(content)) diagnostics.push(unknownFormat(path.path));
+    if (content && isEmptyDump(content)) diagnostics.push(withoutNumbers(path.path, bytes));
     else if (content) files.push({ ...content, source });
     else if (kind !== 'unknown') broken.push({ kind, source });
   }
@@ -158,6 +158,11 @@ export function withoutSkeleton(characters: readonly Character[]): Diagnostic[] 
 
 function kindOf(name: string): FileKind | 'unknown' {
   return formatOf(name)?.kind ?? 'unknown';
+}
+
+/** A file that could be a dump by its name. */
+function withoutNumbers(name: string, bytes: number): Diagnostic {
+  return withoutPlace('warning', 'format-unknown', emptyDumpMessage(bytes), name, 'skipped');
 }
 
 function unknownFormat(name: string): Diagnostic {

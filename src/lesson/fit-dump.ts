@@ -11,6 +11,7 @@ import { type Character, shownClip, shownSkin } from '../model/document.ts';
 import type { Dump, DumpBlock, DumpKind, DumpLabel } from '../model/dump.ts';
 import { vertexCount } from '../model/skin.ts';
 import { Evaluator, type FrameTime } from './evaluator.ts';
+import { joinedBlocks } from './joined-blocks.ts';
 import { matricesOf } from './matrix-layout.ts';
 import { RIGHT_PROGRAM } from './program.ts';
 import type { FrameKind, FrameTarget, MatrixLayout, Origins, Targets } from './targets.ts';
@@ -50,6 +51,9 @@ interface Entry {
   readonly label: DumpLabel | null;
 }
 
+/** Of rows: if they have the same length, another length is a mistake. */
+const NEARLY_ALL = 0.75;
+
 /** Thrown when a block fits nothing; caught for each block. */
 class Misfit extends Error {
   constructor(
@@ -88,7 +92,7 @@ class Fit {
   add({ dump, fileName, assumed }: NamedDump): void {
     const time = assumed ? assumed.time : this.time;
     this.fileNames.push(fileName);
-    for (const block of dump.blocks) {
+    for (const block of joinedBlocks(dump.blocks, this.names.length)) {
       try {
         this.block(block, dump, block.time ?? dump.time ?? time);
       } catch (error) {
@@ -223,7 +227,8 @@ class Fit {
     return parts.length > 0 ? parts.join(', or ') : 'a character to compare with';
   }
 
-  private misfit({ values, lines, holds }: DumpBlock): Misfit {
+  private misfit(block: DumpBlock): Misfit {
+    const { values, lines, holds } = block;
     const rows = lines.length === 1 ? '1 row' : `${lines.length} rows`;
     const what = holds ? ` for ${holds}` : '';
     const found = `found ${values.length} numbers${what} in ${rows}`;
@@ -234,7 +239,9 @@ class Fit {
         lines[0] ?? 0,
       );
     }
-    return new Misfit('dump-length', `Expected ${this.wouldDo()}; ${found}.`, lines[0] ?? 0);
+    const odd = oddRow(block);
+    const odds = odd ? `, of which this one has ${odd.found} where others have ${odd.others}` : '';
+    return new Misfit('dump-length', `Expected ${this.wouldDo()}; ${found}${odds}.`, odd?.line ?? lines[0] ?? 0);
   }
 
   // ——— putting it in place ———
@@ -479,6 +486,19 @@ function widthOf({ starts }: DumpBlock): number {
   const width = starts[1] - starts[0];
   for (let r = 1; r + 1 < starts.length; r++) if (starts[r + 1] - starts[r] !== width) return 0;
   return width;
+}
+
+/** The first row of another length than nearly all; undefined if there is none. */
+function oddRow({ starts, lines }: DumpBlock): { line: number; found: number; others: number } | undefined {
+  const counts = new Map<number, number>();
+  const widthAt = (r: number) => starts[r + 1] - starts[r];
+  for (let r = 0; r < lines.length; r++) counts.set(widthAt(r), (counts.get(widthAt(r)) ?? 0) + 1);
+  for (const [others, count] of counts) {
+    if (count === lines.length || count < NEARLY_ALL * lines.length) continue;
+    const row = lines.findIndex((_, r) => widthAt(r) !== others);
+    return { line: lines[row], found: widthAt(row), others };
+  }
+  return undefined;
 }
 
 /** Whether they are 0 … n − 1 or 1 … n, each once, in any order. */

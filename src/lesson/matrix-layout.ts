@@ -37,8 +37,9 @@ function orderOf16(numbers: Float64Array, nesting: 'flat' | 'rows' | undefined, 
   return nearest(numbers, 16, ours);
 }
 
+/** Or not a number, which tells nothing: the other matrices decide. */
 function isZero(value: number): boolean {
-  return Math.abs(value) < 1e-6;
+  return !(Math.abs(value) >= 1e-6);
 }
 
 function orderOf12(numbers: Float64Array, ours: Float64Array): Order {
@@ -68,7 +69,10 @@ function nearest(numbers: Float64Array, each: 12 | 16, ours: Float64Array): Orde
   const distance = (order: Order) => {
     const matrices = inColumns(numbers, joints, { order, numbers: each });
     let sum = 0;
-    for (let i = 0; i < matrices.length; i++) sum += Math.min(1e6, Math.abs(matrices[i] - ours[i]));
+    for (let i = 0; i < matrices.length; i++) {
+      const difference = Math.abs(matrices[i] - ours[i]);
+      sum += difference < 1e6 ? difference : 1e6;
+    }
     return sum;
   };
   return distance('column-major') < distance('row-major') ? 'column-major' : 'row-major';

@@ -21,6 +21,12 @@ export function isEmptyDump(content: { readonly kind: string; readonly dump?: Du
   return content.kind === 'dump' && content.dump?.blocks.length === 0;
 }
 
+/** What is said of an empty dump. */
+export function emptyDumpMessage(bytes: number): string {
+  const found = bytes === 0 ? 'an empty file' : 'a file without them';
+  return `Expected numbers of joints, vertices or channels, found ${found}.`;
+}
+
 /** Consecutive numbers of one kind, at one time. */
 export interface DumpBlock {
   /** As stated by a heading, a key or the format; absent: to be told from the numbers. */

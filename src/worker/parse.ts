@@ -9,7 +9,7 @@ import { isWorthDiagnosing } from '../formats/diagnose/diagnose.ts';
 import { foldUnreadable } from '../formats/diagnose/fold.ts';
 import { unzip } from '../formats/unzip.ts';
 import { type Diagnostic, withoutPlace } from '../model/diagnostic.ts';
-import { isEmptyDump } from '../model/dump.ts';
+import { emptyDumpMessage, isEmptyDump } from '../model/dump.ts';
 import { type BrokenFile, folderOf, type ParsedFile, type SourceFile } from '../model/files.ts';
 import type { Morph } from '../model/morph.ts';
 import type { Skin } from '../model/skin.ts';
@@ -26,6 +26,7 @@ export async function parse(input: ParseInput, onProgress: (progress: Progress) 
   const files: ParsedFile[] = [];
   const broken: BrokenFile[] = [];
   const { given, passedOver } = await unpacked(input.files, diagnostics);
+  const withoutNumbers: SourceFile[] = [];
   const bytesTotal = given.reduce((sum, { blob }) => sum + blob.size, 0);
   let bytesDone = 0;
   let told = 0;
@@ -57,14 +58,15 @@ export async function parse(input: ParseInput, onProgress: (progress: Progress) 
       if (tooLarge) {
         diagnostics.push(tooLarge);
         broken.push({ kind: format.kind, source });
-      } else if (result.value && isEmptyDump(result.value)) passedOver.push(source);
+      } else if (result.value && isEmptyDump(result.value)) withoutNumbers.push(source);
       else if (result.value) files.push({ ...result.value, source });
       else broken.push({ kind: format.kind, source });
     } else passedOver.push(source);
   }
   // A readme beside a character is only worth an info.
   const severity = files.length || broken.length ? 'info' : 'warning';
-  for (const source of passedOver) diagnostics.push(unknownFormat(source, severity));
+  for (const source of passedOver) diagnostics.push(skipped(source, unknownFormatMessage(), severity));
+  for (const source of withoutNumbers) diagnostics.push(skipped(source, emptyDumpMessage(source.bytes), severity));
 
   return { files, broken, diagnostics, facts: factsOf(files) };
 }
@@ -168,8 +170,11 @@ function unreadable(source: SourceFile, error: unknown): Diagnostic {
   return withoutPlace('error', 'file-unreadable', message, source.name);
 }
 
-function unknownFormat(source: SourceFile, severity: 'info' | 'warning'): Diagnostic {
+function skipped({ name }: SourceFile, message: string, severity: 'info' | 'warning'): Diagnostic {
+  return withoutPlace(severity, 'format-unknown', message, name, 'skipped');
+}
+
+function unknownFormatMessage(): string {
   const known = [...READABLE_EXTENSIONS, 'zip'].map((e) => `.${e}`).join(' ');
-  const message = `Marrow does not read this kind of file; it reads ${known}.`;
-  return withoutPlace(severity, 'format-unknown', message, source.name, 'skipped');
+  return `Marrow does not read this kind of file; it reads ${known}.`;
 }

@@ -366,12 +366,70 @@ describe('marrow compare', () => {
       'dump-name',
       2,
     ],
+    [
+      'a row that lacks a number',
+      `${'0 '.repeat(16)}\n${'0 '.repeat(15)}\n` + `${'0 '.repeat(16)}\n`.repeat(2),
+      'dump-length',
+      2,
+    ],
     ['an index twice', `0: ${'0 '.repeat(16)}\n0: ${'0 '.repeat(16)}\n2: ${'0 '.repeat(16)}\n`, 'dump-index', 2],
   ])('refuses %s with its line', async (_, text, code, line) => {
     write('wrong.txt', text);
     const found = await command(['compare', 'a.skel', 'wrong.txt'], folder);
     expect(found.code).toBe(2);
     expect(found.err).toContain(`wrong.txt:${line}:1 error ${code}: Expected`);
+  });
+
+  it('says of a file without numbers that it has none, rather than that its kind is unknown', async () => {
+    write('empty.txt', '');
+    write('words.txt', 'No numbers today.\n');
+    expect((await command(['compare', 'a.skel', 'empty.txt'], folder)).err).toContain('found an empty file');
+    expect((await command(['compare', 'a.skel', 'words.txt'], folder)).err).toContain('found a file without them');
+  });
+
+  it('reads local and world matrices that are printed in turn for each joint, by the names before them', async () => {
+    const { out } = await command(['pose', 'a.skel', '--json'], folder);
+    const joints: readonly { name: string; world: number[]; local: number[] }[] = JSON.parse(out).characters[0].joints;
+    const both = (at: readonly number[]) =>
+      at
+        .map((j) => joints[j])
+        .map(({ name, local, world }) => `${name}\nlocal\n${local.join(' ')}\nworld\n${world.join(' ')}\n`)
+        .join('');
+    for (const order of [
+      [0, 1, 2],
+      [2, 0, 1],
+    ]) {
+      write('turns.txt', both(order));
+      expect(await commandJson<CompareJson>(['compare', 'a.skel', 'turns.txt'], folder)).toMatchObject({
+        agrees: true,
+        compared: { world: 3, local: 3 },
+      });
+    }
+    write('turns.txt', both([0, 1, 2]).replaceAll('hand', 'foot'));
+    expect((await command(['compare', 'a.skel', 'turns.txt'], folder)).err).toContain('found "foot"');
+  });
+
+  it('tells the layout of matrices by the others if some are not numbers', async () => {
+    const columns = await ownMatrices();
+    const rows = columns.map((m) => [...m].map((_, i) => m[4 * (i % 4) + Math.floor(i / 4)]));
+    for (const [order, matrices] of [
+      ['column-major', columns],
+      ['row-major', rows],
+    ] as const) {
+      for (const numbers of [12, 16] as const) {
+        const cut = matrices.map((m) =>
+          numbers === 16 ? m : m.filter((_, i) => (order === 'row-major' ? i < 12 : i % 4 < 3)),
+        );
+        write('lost.txt', cut.map((m, j) => m.map((v) => (j === 2 ? 'nan' : v)).join(' ')).join('\n'));
+        expect(await commandJson<CompareJson>(['compare', 'a.skel', 'lost.txt'], folder, 1)).toMatchObject({
+          layout: { order, numbers },
+          first: { index: 2 },
+          own: [2],
+        });
+      }
+    }
+    const { out } = await command(['compare', 'a.skel', 'lost.txt'], folder);
+    expect(out).toContain('First wrong: joint 2 "hand", which is no finite number.');
   });
 
   it('refuses a file without numbers, a missing dump, a missing character, and wrong options', async () => {

@@ -23,6 +23,9 @@ const MATRICES: Readonly<Record<string, string>> = {
   'System.Numerics':
     '{ {M11:1 M12:0 M13:0 M14:4} {M21:0 M22:1 M23:0 M24:5} {M31:0 M32:0 M33:1 M34:6} {M41:0 M42:0 M43:0 M44:1} }\n' +
     '{ {M11:1 M12:0 M13:0 M14:7} {M21:0 M22:1 M23:0 M24:8} {M31:0 M32:0 M33:1 M34:9} {M41:0 M42:0 M43:0 M44:1} }\n',
+  'numpy 2, scalars in lists':
+    '[np.float64(1.0), np.float64(0.0), 0, np.float32(4.0), 0, 1, 0, 5, 0, 0, 1, 6, 0, 0, 0, 1]\n' +
+    '[np.float64(1.0), np.float64(0.0), 0, np.int64(7), 0, 1, 0, 8, 0, 0, 1, 9, 0, 0, 0, 1]\n',
   'JSON lists': '[[1,0,0,4,0,1,0,5,0,0,1,6,0,0,0,1],[1,0,0,7,0,1,0,8,0,0,1,9,0,0,0,1]]',
   'JSON, a list a line': '[1,0,0,4,0,1,0,5,0,0,1,6,0,0,0,1]\r\n[1,0,0,7,0,1,0,8,0,0,1,9,0,0,0,1]\r\n',
   'a label a line': 'root:\n1 0 0 4\n0 1 0 5\n0 0 1 6\n0 0 0 1\nhead:\n1 0 0 7\n0 1 0 8\n0 0 1 9\n0 0 0 1\n',
@@ -164,6 +167,12 @@ describe('a dump as JSON', () => {
       [0, 0],
       [0.5, 0.5],
     ]);
+  });
+
+  it('may be a dict of Python, with single quotes', () => {
+    const [block] = blocksOf("{'root': [0.5, 0.0, nan], 'arm': [1e-05, 2.0, None]}", 'x.txt');
+    expect(block.labels).toEqual([{ name: 'root' }, { name: 'arm' }]);
+    expect(block.values).toEqual(Float64Array.of(0.5, 0, Number.NaN, 1e-5, 2, Number.NaN));
   });
 
   it('has NaN as other programs print it', () => {

@@ -42,6 +42,7 @@ describe('the parse job', () => {
     const { files, diagnostics } = await parse({ files: [given('notes.txt', 'hello')] }, ignore);
     expect(files).toEqual([]);
     expect(diagnostics).toMatchObject([{ severity: 'warning', code: 'format-unknown', file: 'notes.txt' }]);
+    expect(diagnostics[0].message).toContain('found a file without them');
   });
 
   it('skips unknown files, and reports them', async () => {

@@ -1,7 +1,7 @@
 /**
  * Dumps as JSON: what `marrow pose --json` and `marrow channels --json` print, or any object with `time`, `world`,
  * `local`, `positions`, `vertices`, `normals`, `channels`, however deep; or lists of numbers alone. One text, or one per
- * line.
+ * line. Python's dicts, with single quotes, are read too.
  *
  *     matrices    16 numbers, or rows of numbers, or { elements }; in a list, by name, or of the items of a list
  *     points      [x, y, z], { x, y, z }, or all numbers in one list
@@ -32,8 +32,12 @@ interface Parsed {
 }
 
 function parse(text: string, line = 1): Parsed | undefined {
-  const value = parsed(text) ?? parsed(text.replace(/([[,:\s])[-+]?(?:NaN|nan|Infinity|inf)(?=[\],}\s])/g, '$1null'));
+  const value = parsed(text) ?? parsed(withoutNaN(text)) ?? parsed(withoutNaN(text.replaceAll("'", '"')));
   return value && { ...value, line };
+}
+
+function withoutNaN(text: string): string {
+  return text.replace(/([[,:\s])[-+]?(?:NaN|nan|Infinity|inf|None)(?=[\],}\s])/g, '$1null');
 }
 
 function parsed(text: string): { value: unknown } | undefined {

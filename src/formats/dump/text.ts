@@ -55,7 +55,7 @@ class Lines {
   ) {}
 
   read(line: string, number: number): void {
-    const text = withoutSizes(line.trim());
+    const text = withoutSizes(line.trim().replace(NUMPY_SCALAR, '$1'));
     if (text === '') return;
     if (isShortened(text)) {
       const message = 'Expected all numbers, found "...": the program left some out. Print the whole list.';
@@ -253,6 +253,9 @@ function tokensOf(text: string): Token[] {
 /** A number, a word such as `mixamorig:Hips` or `Spine.001`, or any other character. */
 const TOKEN =
   /([-+\u2212]?(?:\d{1,40}\.?\d{0,40}|\.\d{1,40})(?:[eEdD][-+]?\d{1,4})?[fFdDlL]?(?![\w.])|[-+]?(?:nan(?:\([a-z]*\))?|inf|infinity)(?!\w)|[-+]?\d\.#\w+)|([\w\u0080-\uffff][\w.\-\u0080-\uffff]*(?::[A-Za-z_][\w.-]*)*)|(\S)/gi;
+
+/** `np.float64(1.5)`, as numpy 2 prints its numbers in lists. */
+const NUMPY_SCALAR = /\bnp\.(?:float|int)\d{1,3}\(([^()\s]{1,64})\)/g;
 
 /** Sizes that JavaScript prints before lists, and numpy's shapes. */
 function withoutSizes(text: string): string {
