@@ -175,6 +175,11 @@ it('moves the walker as the take moves, is changed by keyboard, baked, saved and
     await page.keyboard.press('Enter');
     await dialog.waitFor({ state: 'detached' });
     expect(await page.evaluate(() => window.marrow.steps().undo)).toBe('Retarget step to walker');
+    // What was made is selected.
+    await page
+      .getByRole('treeitem', { name: /^walker/, selected: true })
+      .first()
+      .waitFor();
 
     // Arms and legs point like the take's. Legs with planted feet may differ slightly.
     const own = BONES.map(([, way]) => way);
