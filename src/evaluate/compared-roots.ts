@@ -1,21 +1,35 @@
 /**
- * The rotation between the axes of two compared roots. Roots of different skeletons point elsewhere in the same pose,
- * which is no difference between two motions. So the second one's rotation is multiplied by K, the constant by which
- * the retargeter aligns the same two joints (`retarget/align.ts`).
+ * What two takes are compared from: the joints that carry the two characters, and the rotation between their axes.
+ *
+ * Roots of different skeletons point elsewhere in the same pose, which is no difference between two motions. So the
+ * second one's rotation is multiplied by K, the constant by which the retargeter aligns the same two joints
+ * (`retarget/align.ts`).
  */
 import type { Character } from '../model/document.ts';
 import { shownClip } from '../model/document.ts';
 import type { Skeleton } from '../model/skeleton.ts';
 import type { ComparedJoints } from './compared-joints.ts';
+import type { JointMatch } from './joint-match.ts';
 import { alignment, type Bodies, bodiesOf, sourceFigure } from './retarget/align.ts';
 import type { RetargetFigure } from './retarget/figure.ts';
 import { sourceReference, stands } from './retarget/reference.ts';
 import { playedSource } from './retarget/source-pose.ts';
+import { carrierOf } from './travel.ts';
+
+/**
+ * Index of the pair that counts as the root: the joints that carry the two characters (`carrier.ts`), since a root that
+ * stays at the studio's origin while the hips walk says nothing about place and heading. If each take is carried by
+ * another pair, the lower one, which both move. The topmost pair if no carrier has a partner.
+ */
+export function rootPair(a: Character, b: Character, { first, second }: JointMatch): number {
+  return Math.max(0, first.indexOf(carrierOf(a)), second.indexOf(carrierOf(b)));
+}
 
 /** Nine numbers for `measureDistances`; undefined if both have the same skeleton, and so the same axes. */
 export function rootTurn(a: Character, b: Character, joints: ComparedJoints): Float64Array | undefined {
   if (joints.isSame || !joints.first.length || !a.skeleton || !b.skeleton) return undefined;
-  const [i, j] = [joints.first[0], joints.second[0]];
+  const root = rootPair(a, b, joints);
+  const [i, j] = [joints.first[root], joints.second[root]];
   const ontoSecond = bodiesFrom(a, a.skeleton, joints.first, b, b.skeleton, joints.second);
   const ontoFirst = bodiesFrom(b, b.skeleton, joints.second, a, a.skeleton, joints.first);
   // The target's rest pose must be a standing one; of the source, a frame of its take can be used.

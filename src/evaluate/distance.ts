@@ -8,8 +8,8 @@
  *     root       p − root                         ignores placement and path
  *     turned     R⁻¹ (p − root)                   also ignores heading: R is the rotation of the root
  *
- * The root is the topmost joint that has a partner. Roots of different skeletons have different axes at rest, so there
- * the second one's are turned to the first one's (`compared-roots.ts`).
+ * The root is the joint that carries the character, often the topmost one. Those of different skeletons have different
+ * axes at rest, so there the second one's are turned to the first one's (`compared-roots.ts`).
  *
  * Positions are in the scene (with each character's placement and space), so distances are in metres if both characters
  * specify their unit. "In place" only affects display and is ignored.
@@ -20,6 +20,7 @@
 
 import type { Character } from '../model/document.ts';
 import { playedClip } from './bake.ts';
+import { rootPair } from './compared-roots.ts';
 import type { JointMatch } from './joint-match.ts';
 import { compileSkeleton, worldMatrices } from './kinematics.ts';
 import { NO_TRAVEL, placementMatrix } from './placements.ts';
@@ -111,8 +112,9 @@ export function* measureDistances(
   alignment: Alignment,
   turn?: Float64Array,
 ): Steps<Distances> {
-  const one = new PosedJoints(a, match.first, alignment);
-  const two = new PosedJoints(b, match.second, alignment, turn);
+  const root = rootPair(a, b, match);
+  const one = new PosedJoints(a, match.first, root, alignment);
+  const two = new PosedJoints(b, match.second, root, alignment, turn);
   const { frameCount, startSeconds, frameSeconds } = times;
   const joints = match.first.length;
   const values = new Float32Array(joints * frameCount);
@@ -165,9 +167,11 @@ class PosedJoints {
   private readonly toScene = new Float64Array(16);
   private readonly root = new Float64Array(16);
 
+  /** @param rootAt index of the root in `joints` */
   constructor(
     private readonly character: Character,
     private readonly joints: readonly number[],
+    private readonly rootAt: number,
     private readonly alignment: Alignment,
     private readonly turn?: Float64Array,
   ) {
@@ -186,7 +190,7 @@ class PosedJoints {
     poseAt(character, timeSeconds, dofs);
     worldMatrices(compiled, dofs, world);
     const fromRoot = this.alignment !== 'world' && joints.length > 0;
-    if (fromRoot) rootInScene(m, world, 16 * joints[0], root);
+    if (fromRoot) rootInScene(m, world, 16 * joints[this.rootAt], root);
     if (fromRoot && this.turn) turnAxes(root, this.turn);
     for (let k = 0; k < joints.length; k++) {
       const o = 16 * joints[k] + 12;

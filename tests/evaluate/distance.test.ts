@@ -1,12 +1,17 @@
 import { describe, expect, it } from 'vitest';
 import { type Alignment, commonFrames, type Distances, measureDistances } from '../../src/evaluate/distance.ts';
+import { zxyAngles } from '../../src/evaluate/euler-angles.ts';
 import { matchJoints } from '../../src/evaluate/joint-match.ts';
+import { compileSkeleton, worldMatrices } from '../../src/evaluate/kinematics.ts';
 import { readBvh } from '../../src/formats/bvh/read.ts';
 import { type ChannelClip, SAMPLED } from '../../src/model/clip.ts';
 import { type Character, DEFAULT_PLACEMENT } from '../../src/model/document.ts';
 import { filePose } from '../../src/model/dofs.ts';
 import type { Samples } from '../../src/model/samples.ts';
 import { character, clip, skeleton } from '../helpers/builders.ts';
+import { bvhFigure, bvhJoint } from '../helpers/bvh.ts';
+import { sharedFigures } from '../helpers/bvh-files.ts';
+import { captured } from '../helpers/mocap.ts';
 import { describeShared, sharedBytes } from '../helpers/shared.ts';
 
 /** Moved along x by the value of its first channel; joints one above the other. */
@@ -58,6 +63,36 @@ describe('the distance of two takes', () => {
     const [c, d] = [moving([]), moving([3, 0, 1, 0.7, 0, 0])];
     expect(measured(c, d, 'root').jointMost[2]).toBeGreaterThan(0.5);
     expect(measured(c, d, 'turned').jointMost[2]).toBeCloseTo(0, 6);
+  });
+
+  it('the distance of a take and itself, moved and turned as a whole, is 0 relative to a root that stays at the origin', () => {
+    const own = {
+      name: 'studio',
+      joints: [
+        bvhJoint(-1, ['tx', 'ty', 'tz']),
+        bvhJoint(0, ['tx', 'ty', 'tz', 'ry', 'rx']),
+        bvhJoint(1, ['rx'], { offset: [1, -8, 0] }),
+        bvhJoint(1, ['rx'], { offset: [-1, -8, 0] }),
+      ],
+    };
+    /** Walks 50 to where it turns `heading` degrees from z, from x on. */
+    const walk = (x: number, heading: number, id: string) => {
+      const [sin, cos] = [Math.sin((heading * Math.PI) / 180), Math.cos((heading * Math.PI) / 180)];
+      const rows = Array.from({ length: 11 }, (_, f) => {
+        const swing = 30 * Math.sin(f);
+        return [0, 0, 0, x + 5 * f * sin, 9, 5 * f * cos, heading, f, swing, -swing];
+      });
+      const { skeleton: made, clip: take } = bvhFigure(own, rows);
+      if (!take) throw new Error('no take was made');
+      return captured(made, take, { id });
+    };
+    const [a, b] = [walk(0, 0, 'a'), walk(30, 110, 'b')];
+    expect(Math.max(...measured(a, b, 'world', 25).jointMost.subarray(1))).toBeGreaterThan(30);
+    // The static root is the only joint that the walk leaves behind.
+    expect(Math.max(...measured(a, b, 'root', 25).jointMost.subarray(2))).toBeGreaterThan(1);
+    expect(Math.max(...measured(a, b, 'turned', 25).jointMost.subarray(1))).toBeLessThan(1e-5);
+    const beside = walk(30, 0, 'beside');
+    expect(Math.max(...measured(a, beside, 'root', 25).jointMost.subarray(1))).toBeLessThan(1e-5);
   });
 
   it('the distance of two takes is taken where both takes are, at the finer rate, each with its offset', () => {
@@ -117,5 +152,36 @@ describeShared('the distance of a real take and itself', () => {
     const later = measured(character(base), character({ ...base, id: 'c2', timeOffsetSeconds: 0.25 }));
     expect(Math.max(...later.jointMost)).toBeGreaterThan(1);
     expect(later.match.first).toHaveLength(own.joints.length);
+  });
+  it('a real take whose root stays at the origin is at distance 0 from itself, moved and turned as a whole', () => {
+    const [{ skeleton: own, clip: take }] = sharedFigures('bandai-namco-bow-normal.bvh');
+    if (!take?.samples) throw new Error('the file has no motion');
+    const { samples } = take;
+    const compiled = compileSkeleton(own);
+    const world = new Float64Array(16 * own.joints.length);
+    const values = samples.values.slice();
+    const count = samples.scales.length;
+    const [sin, cos] = [Math.sin(2), Math.cos(2)];
+    const matrix = new Float64Array(16);
+    // The channels of the hips, 6 to 11: position, then angles of z, x and y in degrees.
+    for (let row = 0; row < values.length; row += count) {
+      worldMatrices(
+        compiled,
+        samples.values.subarray(row, row + count).map((v, c) => v * samples.scales[c]),
+        world,
+      );
+      for (let column = 0; column < 3; column++) {
+        const [x, y, z] = world.subarray(16 + 4 * column, 19 + 4 * column);
+        matrix.set([cos * x + sin * z, y, cos * z - sin * x], 4 * column);
+      }
+      zxyAngles(matrix, 0, values, row + 9);
+      for (let c = 9; c < 12; c++) values[row + c] /= samples.scales[c];
+      const [x, y, z] = samples.values.subarray(row + 6, row + 9);
+      values.set([cos * x + sin * z + 120, y, cos * z - sin * x - 40], row + 6);
+    }
+    const a = captured(own, take, { id: 'a' });
+    const b = captured(own, { ...take, samples: { ...samples, values } }, { id: 'b' });
+    expect(Math.min(...measured(a, b, 'world').jointMost.subarray(1))).toBeGreaterThan(100);
+    expect(Math.max(...measured(a, b, 'turned').jointMost.subarray(1))).toBeLessThan(1e-3);
   });
 });
