@@ -248,7 +248,8 @@ export class CameraRig {
       shown.updateProjectionMatrix();
     }
     controls.minDistance = shown === perspective ? sphere.radius * 1e-3 : 0;
-    controls.maxDistance = shown === perspective ? content * 60 : Infinity;
+    // Not nearer than it is: a long path is framed from far away, and input would jump.
+    controls.maxDistance = shown === perspective ? Math.max(content * 60, distance) : Infinity;
     controls.minZoom = (orthographic.top / (content * 30)) * 1e-1;
     controls.maxZoom = (orthographic.top / sphere.radius) * 1e3;
     shown.updateMatrixWorld();

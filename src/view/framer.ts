@@ -52,8 +52,15 @@ export class Framer {
     this.everything = 'no';
   }
 
-  /** Frames the vertex or the joints of the picked instance, or the character; everything if that isn't visible. */
-  frameSelection({ characterId, joint, others = [], vertex }: Selection): void {
+  /**
+   * Frames the vertex or the joints of the picked instance, or the character with its motion; everything if that isn't
+   * visible.
+   */
+  frameSelection(
+    { characterId, joint, others = [], vertex }: Selection,
+    playedRange: readonly [number, number],
+    timeSeconds: number,
+  ): void {
     const { rig, box, point } = this;
     const entry = this.characters.seen(characterId);
     if (!entry) {
@@ -74,7 +81,7 @@ export class Framer {
       }
       const radius = others.length ? 0.5 * box.getSize(this.size).length() : jointRadius(entry, copy, joint);
       rig.frameSphere(box.getCenter(point), radius, true);
-    } else rig.frame([box], this.coveredTop(), true);
+    } else rig.frame(this.characters.boundsOfMotion(playedRange, timeSeconds, [entry]), this.coveredTop(), true);
   }
 
   /** Each frame, before the camera is updated: starts the requested move. */

@@ -22,10 +22,12 @@ export interface ShownCharacter {
   placedFor: Character | undefined;
 }
 
-/** Times of the playback range that framing everything considers. */
-const FRAMED_MOMENTS = 16;
-/** Motion enlarges the framed box to at most this multiple of its current size. */
-const MAX_ROOM = 3;
+/** Times of the playback range that framing considers: of one character, and of all of them together. */
+const MOMENTS = 160;
+const ALL_MOMENTS = 640;
+const FEWEST_MOMENTS = 16;
+/** Motion enlarges the framed box to at most this multiple of its current size: farther away, no one sees it. */
+const MAX_ROOM = 50;
 
 export class ShownCharacters {
   private readonly byId = new Map<string, ShownCharacter>();
@@ -148,12 +150,14 @@ export class ShownCharacters {
   }
 
   /**
-   * Bounds of everything, or of `these`, at a few times of the playback range, so that walking characters stay in frame.
-   * One that walks far away would shrink everything: it counts where it is now.
+   * Bounds of everything, or of `these`, at times of the playback range, so that the whole path of a walk is in frame.
+   * One that leaves for kilometres, or jumps there by a broken frame, would be too small to see: it counts where it is
+   * now.
    */
   boundsOfMotion([start, end]: readonly [number, number], timeSeconds: number, these = this.visible): Box3[] {
     const { own, size } = this;
     const all: Box3[] = [];
+    const steps = Math.max(FEWEST_MOMENTS, Math.min(MOMENTS, Math.floor(ALL_MOMENTS / these.length)));
     for (const { view } of these) {
       const now = view.bounds(new Box3());
       if (!(end > start)) {
@@ -162,8 +166,8 @@ export class ShownCharacters {
       }
       const moments: Box3[] = [];
       own.copy(now);
-      for (let i = 0; i <= FRAMED_MOMENTS; i++) {
-        view.seek(start + ((end - start) * i) / FRAMED_MOMENTS);
+      for (let i = 0; i <= steps; i++) {
+        view.seek(start + ((end - start) * i) / steps);
         const moment = view.bounds(new Box3());
         moments.push(moment);
         own.union(moment);

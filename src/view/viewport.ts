@@ -265,10 +265,10 @@ export class Viewport {
     this.requestRender();
   }
 
-  /** Frames the selected vertex or joint of the picked instance, or the character; else everything. */
+  /** Frames the selected vertex or joint of the picked instance, or the character with its motion; else everything. */
   frameSelection(selection: Selection): void {
     this.update();
-    this.framer.frameSelection(selection);
+    this.framer.frameSelection(selection, this.playedRange, this.timeSeconds);
     this.requestRender();
   }
 

@@ -45,7 +45,7 @@ function framing() {
   framer.coveredTop = () => COVERED;
   const select = (selection: Selection) => {
     picked.follow(selection);
-    framer.frameSelection(selection);
+    framer.frameSelection(selection, STILL, 0);
   };
   return { framer, told, spheres, select, id: shown.id };
 }

@@ -1,10 +1,14 @@
-import { Group } from 'three';
+import { Box3, Euler, Group, Matrix4, PerspectiveCamera, Vector3 } from 'three';
 import { describe, expect, it } from 'vitest';
+import { fitEye, lookingFrom } from '../../src/math/framing.ts';
 import { DEFAULT_DISPLAY } from '../../src/model/session.ts';
 import { CharacterView } from '../../src/view/character-view.ts';
+import { Grid } from '../../src/view/grid.ts';
 import { ShownCharacters } from '../../src/view/shown-characters.ts';
 import { character, documentOf, joint, skin } from '../helpers/builders.ts';
+import { sharedFigures } from '../helpers/bvh-files.ts';
 import { captured, figure, take } from '../helpers/mocap.ts';
+import { describeShared } from '../helpers/shared.ts';
 
 const skeleton = figure();
 const space = { up: 'y', unit: 'centimetres', lift: 0 } as const;
@@ -28,6 +32,35 @@ describe('the characters in the picture', () => {
     expect(content.max.y).toBeCloseTo(1.7, 6);
     expect(content.min.y).toBeCloseTo(0, 6);
     expect(content.max.x).toBeCloseTo(10.102, 6);
+  });
+
+  it('the whole path of a walk is framed, back and forth, however many frames it has', () => {
+    // 30 m away and back within a tenth of the take, and 12 m to the side.
+    const walk = Array.from({ length: 5001 }, (_, f): [number, number, number] => {
+      const away = Math.max(0, 1 - Math.abs(f - 3000) / 250);
+      return [3000 * away, 85, 1200 * Math.sin(f / 300)];
+    });
+    const clip = take(skeleton, walk);
+    const all = shown(captured(skeleton, clip, { id: 'walker', space }));
+    const framed = new Box3();
+    for (const box of all.boundsOfMotion([0, 500], 0)) framed.union(box);
+    expect(framed.max.x).toBeGreaterThan(29);
+    expect(framed.min.z).toBeLessThan(-11.9);
+    expect(framed.max.z).toBeGreaterThan(11.9);
+    // The pose is the same as before.
+    expect(all.get('walker')?.view.dofs[0]).toBe(0);
+  });
+
+  it('a character that a broken frame throws kilometres away is framed where it is', () => {
+    const thrown = captured(
+      skeleton,
+      take(skeleton, [
+        [0, 85, 0],
+        [1e6, 85, 0],
+      ]),
+      { id: 'thrown', space },
+    );
+    for (const box of shown(thrown).boundsOfMotion([0, 0.1], 0)) expect(box.max.x).toBeLessThan(1);
   });
 
   it('hidden characters are neither drawn nor framed, and posed all the same', () => {
@@ -88,5 +121,48 @@ describe('the characters in the picture', () => {
     expect(['near', 'far'].map((id) => meshOf(id)?.material.name)).toEqual(['skin heat', 'skin heat']);
     expect(values()).toBe(0);
     expect(all.posedSkeletons(new Map()).some(({ withBones }) => withBones)).toBe(false);
+  });
+});
+
+/** Where a point of the scene is in the picture, −1 to 1 from edge to edge, and how far its grid reaches. */
+function framedBy(all: ShownCharacters, range: readonly [number, number], aspect: number) {
+  const boxes = all.boundsOfMotion(range, range[0]).flatMap((b) => [...b.min.toArray(), ...b.max.toArray()]);
+  const axes = new Float64Array(12);
+  lookingFrom(0.6, 1.32, axes);
+  const tan = Math.tan((16 * Math.PI) / 180);
+  const { x, y, z, middle } = fitEye(boxes, axes, tan, aspect, 1.08);
+  const camera = new PerspectiveCamera(32, aspect, 0.01, 1e4);
+  camera.position.set(
+    axes[0] * x + axes[4] * y + axes[8] * z,
+    axes[1] * x + axes[5] * y + axes[9] * z,
+    axes[2] * x + axes[6] * y + axes[10] * z,
+  );
+  camera.quaternion.setFromEuler(new Euler(1.32 - Math.PI / 2, 0.6, 0, 'YXZ'));
+  camera.updateMatrixWorld();
+  return { camera, gridReach: Grid.reach(z - middle) };
+}
+
+describeShared('captures of the reference, framed', () => {
+  const files = ['bandai-namco-bow-normal', 'cmu-01_01', 'cmu-daz-pirouette', 'rokoko-dance', 'poser-sl-walk'];
+  it.each(files)('every joint of %s is in the picture at every frame, wide or tall', (name) => {
+    const [{ skeleton: own, clip }] = sharedFigures(`${name}.bvh`);
+    if (!clip?.samples) throw new Error('the file has no motion');
+    const all = shown(captured(own, clip, { id: name, space }));
+    const { view, placements } = all.visible[0];
+    const matrix = new Matrix4().fromArray(placements);
+    for (const aspect of [1.6, 0.5]) {
+      const { camera, gridReach } = framedBy(all, clip.range, aspect);
+      const point = new Vector3();
+      for (let f = 0; f < clip.samples.frameCount; f++) {
+        view.seek(clip.range[0] + f * clip.samples.frameSeconds);
+        for (let j = 0; j < own.joints.length; j++) {
+          point.fromArray(view.worldMatrices, 16 * j + 12).applyMatrix4(matrix);
+          expect(Math.hypot(point.x, point.z) < gridReach).toBe(true);
+          point.project(camera);
+          if (Math.abs(point.x) > 1 || Math.abs(point.y) > 1)
+            throw new Error(`${own.joints[j].name} leaves at frame ${f}`);
+        }
+      }
+    }
   });
 });
