@@ -169,25 +169,4 @@ it('plays one take after the other by key, and compares two by the distance of t
     await page.getByRole('button', { name: 'Stop comparing' }).first().waitFor();
     // They are the same.
     await expect.poll(() => joints.first().textContent()).toMatch(/00$/);
-
-    // Names of a series begin alike: where one doesn't fit, its end is shown.
-    await dropFiles(page, [{ name: 'a-long-series-of-captures-in-a-studio-take-0017.bvh', bytes: TAKE }]);
-    for (const [list, end] of [
-      ['.row-character', 'e-0017'],
-      ['.file-row', '17.bvh'],
-    ]) {
-      const name = page.locator(`${list} .middle-cut[role="img"]`).first();
-      await name.waitFor();
-      const shown = await name.evaluate((cut) => {
-        const [head, tail] = [...cut.children];
-        return {
-          tail: tail.textContent,
-          isWhole:
-            tail.scrollWidth <= tail.clientWidth &&
-            tail.getBoundingClientRect().right <= cut.getBoundingClientRect().right,
-          isCut: head.scrollWidth > head.clientWidth,
-        };
-      });
-      expect(shown).toEqual({ tail: end, isWhole: true, isCut: true });
-    }
   }));

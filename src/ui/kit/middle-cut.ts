@@ -1,6 +1,5 @@
 /** Names that are cut before their last letters, since takes of one series begin alike: `boxing-ext…cmu-01_01`. */
-import { element, setAttribute, setText } from './dom.ts';
-import { setTooltip } from './tooltip.ts';
+import { element, setText } from './dom.ts';
 
 /** Letters at the end that are kept. */
 const TAIL = 6;
@@ -12,29 +11,16 @@ export interface MiddleCut {
   show(name: string): void;
 }
 
-/** The full name belongs in a tooltip. */
 export function middleCut(className: string): MiddleCut {
   const head = element('span', { class: 'cut-head' });
   const tail = element('span', { class: 'cut-tail' });
-  const whole = element('span', { class: `middle-cut ${className}` }, head, tail);
   return {
-    element: whole,
+    element: element('span', { class: `middle-cut ${className}` }, head, tail),
     show(name) {
       const letters = [...name];
       const end = letters.length > TAIL + SHORT ? TAIL : 0;
       setText(head, letters.slice(0, letters.length - end).join(''));
       setText(tail, end ? letters.slice(-end).join('') : '');
-      // Read as one word.
-      setAttribute(whole, 'role', end ? 'img' : undefined);
-      setAttribute(whole, 'aria-label', end ? name : undefined);
     },
   };
-}
-
-/** A row's label, with the whole name as its tooltip. */
-export function cutLabel(name: string): HTMLElement {
-  const { element: label, show } = middleCut('label');
-  show(name);
-  setTooltip(label, name);
-  return label;
 }

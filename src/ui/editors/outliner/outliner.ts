@@ -11,7 +11,7 @@ import { element } from '../../kit/dom.ts';
 import { icon } from '../../kit/icons.ts';
 import { isMac } from '../../kit/keyboard.ts';
 import { type MenuEntry, type MenuPlace, openMenu } from '../../kit/menu.ts';
-import { cutLabel } from '../../kit/middle-cut.ts';
+import { setTooltip } from '../../kit/tooltip.ts';
 import { actionsOf, currentCharacter, runAction } from '../../state/action.ts';
 import { attempt } from '../../state/attempt.ts';
 import type { DumpComparison, ShownComparison } from '../../state/dump-comparison.ts';
@@ -221,7 +221,20 @@ function searchBox() {
 function drawRow(wb: Uses<'store' | 'files'>, row: OutlineRow, mark: JointMark | undefined): Node[] {
   const unsaved = isUnsaved(wb, row);
   const unnamed = row.kind === 'joint' ? `joint ${row.detail}` : 'unnamed';
-  const label = row.label === '' ? element('i', { class: 'label' }, unnamed) : cutLabel(row.label);
+  const label = row.label === '' ? element('i', { class: 'label' }, unnamed) : element('span', { class: 'label' });
+  if (row.label) {
+    if (row.label.length <= 2 * TAIL) label.textContent = row.label;
+    else {
+      // Read as one word.
+      label.setAttribute('role', 'img');
+      label.setAttribute('aria-label', row.label);
+      label.append(
+        element('span', { class: 'label-head' }, row.label.slice(0, -TAIL)),
+        element('span', {}, row.label.slice(-TAIL)),
+      );
+    }
+    setTooltip(label, row.label);
+  }
   const isTold = row.kind === 'joint' && row.label === '';
   const detail = isTold ? '' : row.detail;
   const nodes: Node[] = [label, element('span', { class: 'detail', tooltip: detail }, detail)];
@@ -264,6 +277,9 @@ function markElement(mark: JointMark): HTMLElement {
     tooltip: text,
   });
 }
+
+/** Of a long name both ends stay readable: what it is on the left, and its side or number on the right. */
+const TAIL = 7;
 
 /** For the mouse; by keyboard the row's menu does the same. Children of rows are no tab stops. */
 function eyeOf(wb: Uses<'store'>, { characterId, label, hidden = false }: OutlineRow): HTMLElement {
