@@ -99,8 +99,10 @@ export default defineConfig(({ mode }) => {
         // threads: some measure their CPU time.
         tests('deep', DEEP, 1, { pool: 'forks', isolate: false, testTimeout: 60_000 }),
         // Two browsers at most, since they draw in software. On a busy machine, polled conditions need longer than
-        // vitest's default of a second. Processes, so that their browsers end with them.
+        // vitest's default of a second. Processes, so that their browsers end with them. A browser under load may lose
+        // an event to a frame: a second try decides, and the run names each test that needed it.
         tests('browser', BROWSER, 2, {
+          retry: 1,
           pool: 'forks',
           isolate: false,
           maxWorkers: 2,

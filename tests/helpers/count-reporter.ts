@@ -1,4 +1,4 @@
-/** The last line of a test run: `123 passed, 0 failed`. */
+/** The last line of a test run: `123 passed, 0 failed`. Before it, the tests that passed at a second try only. */
 import type { Reporter, TestModule } from 'vitest/node';
 
 export default class CountReporter implements Reporter {
@@ -14,6 +14,8 @@ export default class CountReporter implements Reporter {
         if (state === 'passed') passed++;
         else if (state === 'failed') inside++;
         else skipped++;
+        if (test.diagnostic()?.flaky)
+          console.log(`Passed at the second try only: ${test.fullName} (${module.relativeModuleId})`);
       }
       // A file that failed to load has no tests that could fail.
       failed += inside || (module.state() === 'failed' ? 1 : 0);
