@@ -19,8 +19,10 @@ const MAY_IMPORT: Readonly<Record<string, readonly string[]>> = {
   // Comparing with other programs, and naming their mistakes; it never learns which file numbers came from.
   lesson: ['evaluate', ...BASE],
   edit: ['evaluate', ...BASE],
+  // Whole characters of other programs: glTF, FBX.
+  exchange: ['formats', 'evaluate', ...BASE],
   // Opening and saving, the same for page and command.
-  project: ['formats', 'evaluate', 'edit', ...BASE],
+  project: ['exchange', 'formats', 'evaluate', 'edit', ...BASE],
   worker: ['kit', 'project', 'lesson', 'formats', 'evaluate', ...BASE],
   io: ['worker', 'formats', ...BASE],
   view: ['evaluate', ...BASE],
@@ -63,7 +65,7 @@ const PACKAGES: Readonly<Record<string, readonly string[]>> = {
   three: ['view', 'io'],
   'idb-keyval': ['io'],
   'lil-gui': ['ui/kit', 'ui/editors'],
-  fflate: ['formats', 'io', 'app', 'samples'],
+  fflate: ['formats', 'exchange', 'io', 'app', 'samples'],
   'node:': ['cli', 'samples'],
   vite: ['cli'],
 };
