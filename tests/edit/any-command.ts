@@ -17,6 +17,10 @@ import type { ChannelKeys } from '../../src/model/session.ts';
 import type { Dice } from './dice.ts';
 import { RIG_COMMANDS, rigArguments } from './rig/random-rig.ts';
 
+/** One or more of the character's takes. */
+const someTakes = (dice: Dice, { id, clips }: Character) =>
+  [dice.below(clips.length), ...dice.some([...clips.keys()], 0.3)].map((clip) => ({ characterId: id, clip }));
+
 interface Situation {
   readonly dice: Dice;
   readonly character: Character;
@@ -187,6 +191,7 @@ const ARGUMENTS: Readonly<Record<string, (s: Situation) => object | undefined>> 
     atSeconds: dice.is(0.5) ? seconds(dice) : undefined,
   }),
   'takes.setTimeOffsets': ({ dice, character }) => ({ characterIds: [character.id], seconds: seconds(dice) }),
+  'takes.mirror': ({ dice, character }) => (character.clips.length ? { takes: someTakes(dice, character) } : undefined),
   'takes.remove': ({ character }) =>
     character.clips.length > 1 ? { takes: [{ characterId: character.id, clip: 0 }] } : undefined,
   'retarget.set': ({ dice, character, others }) =>

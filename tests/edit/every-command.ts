@@ -209,6 +209,7 @@ export const CASES: Readonly<Record<string, EditCase>> = {
     idle: { before: OVERLAID, overlaid: OVERLAID },
   },
   'takes.remove': alone({ takes: [{ ...WHO, clip: 0 }] }, { takes: [] }),
+  'takes.mirror': alone({ takes: [{ ...WHO, clip: 0 }] }, { takes: [] }),
   'channels.simplify': alone({ ...WHO, channels: [6], tolerance: 0.01 }, { ...WHO, channels: [3], tolerance: 1e-9 }),
   'channels.resample': alone(
     { ...WHO, channels: [3], framesPerSecond: 4, from: 0, to: 2, tangents: 'smooth' },

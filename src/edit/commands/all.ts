@@ -33,6 +33,7 @@ import {
   trimSamples,
 } from './samples.ts';
 import { autoWeights } from './skin-weights.ts';
+import { mirrorTakes } from './take-edits.ts';
 import { alignStarts, arrange, endOverlay, overlayTakes, removeTakes, setTimeOffsets, showTakes } from './takes.ts';
 import { breakTangents, setSlopes, setTangents, unifyTangents } from './tangents.ts';
 
@@ -58,6 +59,7 @@ const FETCHED: readonly Command<never, Document | Edit>[] = [
   endOverlay,
   overlayTakes,
   removeTakes,
+  mirrorTakes,
   simplify,
   resample,
   eulerFilter,

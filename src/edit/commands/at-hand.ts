@@ -77,6 +77,7 @@ export const FETCHED_IDS: ReadonlySet<string> = new Set([
   'takes.endOverlay',
   'takes.overlay',
   'takes.remove',
+  'takes.mirror',
   'channels.simplify',
   'channels.resample',
   'channels.eulerFilter',

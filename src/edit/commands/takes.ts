@@ -27,7 +27,7 @@ export interface TakeRef {
 export const showTakes: Command<{ readonly takes: readonly TakeRef[]; readonly alone?: boolean | undefined }> = {
   id: 'takes.show',
   label(document, { takes, alone }) {
-    const one = takes.length === 1 ? nameOf(document, takes[0]) : `${takes.length} takes`;
+    const one = takes.length === 1 ? nameOfTake(document, takes[0]) : `${takes.length} takes`;
     if (!alone) return `Show ${one}`;
     return takes.length === 1 ? `Play ${one} alone` : `Play ${one} together`;
   },
@@ -111,7 +111,7 @@ export const arrange: Command<{ readonly characterIds: readonly string[]; readon
 export const overlayTakes: Command<{ readonly first: TakeRef; readonly second: TakeRef }> = {
   id: 'takes.overlay',
   label: (document, { first, second }) =>
-    `Compare ${nameOf(document, first, SHORT_NAME)} with ${nameOf(document, second, SHORT_NAME)}`,
+    `Compare ${nameOfTake(document, first, SHORT_NAME)} with ${nameOfTake(document, second, SHORT_NAME)}`,
   run(document, { first, second }) {
     if (!first || !second) throw new CommandError('Comparing needs two takes.');
     if (first.characterId === second.characterId) {
@@ -215,7 +215,7 @@ function liesAlike(a: Space, b: Space): boolean {
 export const removeTakes: Command<{ readonly takes: readonly TakeRef[] }> = {
   id: 'takes.remove',
   label: (document, { takes }) =>
-    takes.length === 1 ? `Remove ${nameOf(document, takes[0])}` : `Remove ${takes.length} takes`,
+    takes.length === 1 ? `Remove ${nameOfTake(document, takes[0])}` : `Remove ${takes.length} takes`,
   run(document, { takes }) {
     const gone = new Map<string, Set<number>>();
     for (const { characterId, clip } of checkedRefs(document, takes, 0)) {
@@ -347,7 +347,7 @@ function idsIn(document: Document, ids: readonly string[]): string[] {
 }
 
 /** A retargeted take of the character is valid too. @param least the smallest valid index: -1 if no take is valid */
-function checkedRefs(document: Document, takes: readonly TakeRef[], least: number): TakeRef[] {
+export function checkedRefs(document: Document, takes: readonly TakeRef[], least: number): TakeRef[] {
   return listOf(takes, 'The takes').map((given) => {
     // Only these two fields are read, and both are checked.
     const { characterId, clip } = (given ?? {}) as Partial<TakeRef>;
@@ -370,7 +370,7 @@ function takesIn(document: Document, takes: readonly TakeRef[]): ReadonlyMap<str
   return found;
 }
 
-function nameOf(document: Document, { characterId, clip }: TakeRef, length?: number): string {
+export function nameOfTake(document: Document, { characterId, clip }: TakeRef, length?: number): string {
   const character = requireCharacter(document, characterId);
   const named = clip === RETARGETED ? character.driver?.source.clip : character.clips[clip];
   return cutName(named?.name ?? character.name, length);

@@ -66,8 +66,7 @@ export function mirroredPose(
   const out = from.slice();
   const isWhole = scope.joint === undefined || scope.joint === 0;
   const { up = 'y' } = scope;
-  const asFaced = isWhole && isBvh({ skeleton }) ? facing(skeleton, from, up) : undefined;
-  const reflection = asFaced ?? reflectionOf(skeleton);
+  const reflection = isWhole ? wholeReflection(skeleton, from, up) : reflectionOf(skeleton);
   const { joints, alone } = jointsMeant(compiled, reflection, scope);
   const isCarried = isWhole && scope.way === 'swap';
   const stand =
@@ -81,9 +80,30 @@ export function mirroredPose(
 }
 
 /**
- * Motion capture may face anywhere, and its joints have axes of their own: the whole figure is mirrored across the
- * vertical plane of the character's space nearest to its own plane of symmetry, so that it keeps its facing direction.
+ * How the whole figure is mirrored.
+ *
+ * Motion capture may face anywhere, and its joints have axes of their own: it is mirrored across the vertical plane of
+ * the character's space nearest to its own plane of symmetry, so that it keeps its facing direction.
+ *
+ * @param dofs of the pose that faces
  */
+export function wholeReflection(skeleton: Skeleton, dofs: Float64Array, up: 'y' | 'z'): Reflection {
+  return (isBvh({ skeleton }) ? facing(skeleton, dofs, up) : undefined) ?? reflectionOf(skeleton);
+}
+
+/**
+ * The whole figure across a given plane, its sides exchanged, without limits: a frame of a take (`take-mirror.ts`).
+ * @param dofs of the joints, without morphs
+ */
+export function swappedPose(skeleton: Skeleton, reflection: Reflection, dofs: Float64Array): Float64Array {
+  const compiled = compileSkeleton(skeleton);
+  const out = dofs.slice();
+  if (compiled.hasRootTranslation) mirrorTravel(reflection, dofs, out);
+  const { joints } = jointsMeant(compiled, reflection, { way: 'swap' });
+  new Mirroring(skeleton, compiled, reflection, dofs, out, false, undefined).run(new Set(joints));
+  return out;
+}
+
 function facing(skeleton: Skeleton, dofs: Float64Array, up: 'y' | 'z'): Reflection | undefined {
   const reflection = reflectionOf(skeleton);
   const { lateral } = reflection;
