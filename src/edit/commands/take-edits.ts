@@ -26,14 +26,14 @@ export const mirrorTakes: Command<OfTakes> = {
 };
 
 /** The same in steps, yielding progress every few milliseconds. */
-export function mirrorTakesSteps(document: Document, { takes }: OfTakes): Steps<Document> {
+function mirrorTakesSteps(document: Document, { takes }: OfTakes): Steps<Document> {
   return changingTakes(document, takes, (character, clip) =>
     mirroringTake({ ...character, skeleton: skeletonOf(character) }, clip, character.space?.up),
   );
 }
 
 /** `walk`, or `3 takes`. */
-export function namesOfTakes(document: Document, { takes }: OfTakes): string {
+function namesOfTakes(document: Document, { takes }: OfTakes): string {
   return takes.length === 1 ? nameOfTake(document, takes[0]) : `${takes.length} takes`;
 }
 
@@ -44,7 +44,7 @@ export function skeletonOf({ name, skeleton }: Character): Skeleton {
 }
 
 /** The document with each of these takes changed; the same object if none is. */
-export function* changingTakes(
+function* changingTakes(
   document: Document,
   takes: readonly TakeRef[],
   change: (character: Character, clip: ChannelClip) => Steps<ChannelClip>,
@@ -64,7 +64,7 @@ export function* changingTakes(
 }
 
 /** Each take once; refuses those that are hidden by retargeting. */
-export function takesToChange(document: Document, takes: readonly TakeRef[]): readonly TakeRef[] {
+function takesToChange(document: Document, takes: readonly TakeRef[]): readonly TakeRef[] {
   const found = new Map<string, TakeRef>();
   for (const ref of checkedRefs(document, takes, 0)) {
     const character = requireCharacter(document, ref.characterId);
