@@ -19,11 +19,13 @@ const MAY_IMPORT: Readonly<Record<string, readonly string[]>> = {
   // Comparing with other programs, and naming their mistakes; it never learns which file numbers came from.
   lesson: ['evaluate', ...BASE],
   edit: ['evaluate', ...BASE],
+  // Takes by the hundred: what looks wrong in them, and the list of what a person found.
+  review: ['evaluate', ...BASE],
   // Whole characters of other programs: glTF, FBX.
   exchange: ['formats', 'evaluate', ...BASE],
   // Opening and saving, the same for page and command.
   project: ['exchange', 'formats', 'evaluate', 'edit', ...BASE],
-  worker: ['kit', 'project', 'lesson', 'formats', 'evaluate', ...BASE],
+  worker: ['kit', 'project', 'review', 'lesson', 'formats', 'evaluate', ...BASE],
   io: ['worker', 'formats', ...BASE],
   view: ['evaluate', ...BASE],
   // The service worker.
@@ -38,7 +40,7 @@ const MAY_IMPORT: Readonly<Record<string, readonly string[]>> = {
   'ui/shell': ['ui/styles', 'ui/editors', 'ui/state', 'ui/kit', 'view', 'project', 'edit', 'evaluate', ...BASE],
   // Files that tell mistakes apart, with their answers.
   kit: ['project', 'lesson', 'formats', 'evaluate', ...BASE],
-  cli: ['kit', 'project', 'lesson', 'formats', 'evaluate', 'edit', ...BASE],
+  cli: ['kit', 'project', 'review', 'lesson', 'formats', 'evaluate', 'edit', ...BASE],
   samples: ['formats', 'evaluate', ...BASE],
   // What `main.ts` wires together, where it takes more than a line.
   app: [

@@ -5,17 +5,9 @@ import { filePose } from '../model/dofs.ts';
 import type { Skeleton } from '../model/skeleton.ts';
 import { dofCountOf, poseAt } from './pose.ts';
 
-/**
- * Calls `visit` with the figure's DOFs (`model/dofs.ts`) at up to `most` times, first and last included; once, with the
- * file pose, if there is no clip. The array is reused.
- */
-export function forFrames(
-  skeleton: Skeleton,
-  clip: ChannelClip | undefined,
-  most: number,
-  visit: (dofs: Float64Array) => void,
-): void {
-  const figure: Character = {
+/** A character with nothing but a skeleton and perhaps a take; its limits are not enforced. */
+export function bareFigure(skeleton: Skeleton, clip: ChannelClip | undefined): Character {
+  return {
     id: '',
     name: '',
     skeleton,
@@ -31,6 +23,19 @@ export function forFrames(
     timeOffsetSeconds: 0,
     sources: [],
   };
+}
+
+/**
+ * Calls `visit` with the figure's DOFs (`model/dofs.ts`) at up to `most` times, first and last included; once, with the
+ * file pose, if there is no clip. The array is reused.
+ */
+export function forFrames(
+  skeleton: Skeleton,
+  clip: ChannelClip | undefined,
+  most: number,
+  visit: (dofs: Float64Array) => void,
+): void {
+  const figure = bareFigure(skeleton, clip);
   const dofs = new Float64Array(dofCountOf(figure));
   const [start, end] = clip?.range ?? [0, 0];
   const count = end > start ? Math.max(2, Math.min(most, clip?.samples?.frameCount ?? most)) : 1;

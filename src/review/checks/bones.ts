@@ -1,0 +1,70 @@
+/**
+ * Bones: one that is longer or shorter than usual in this take by 5 % and 1 cm; and an arm or leg bone whose length
+ * differs from that of the other side by 8 % and 2 cm, flagged at the first frame.
+ */
+import type { Flag } from '../flags.ts';
+import type { TakeFrames } from '../frames.ts';
+import { between, type Survey } from '../survey.ts';
+import { type Check, flagOf, largest, Span } from './check.ts';
+
+const OFF = 0.05;
+const OFF_METRES = 0.01;
+const UNEVEN = 0.08;
+const UNEVEN_METRES = 0.02;
+
+export class Bones implements Check {
+  private readonly spans: readonly { readonly joint: number; readonly length: number; readonly span: Span }[];
+  private readonly flags: Flag[] = [];
+
+  constructor(
+    private readonly frames: TakeFrames,
+    private readonly survey: Survey,
+  ) {
+    const { joints } = frames.skeleton;
+    // Bones of joints that only rotate have one length.
+    this.spans = joints.flatMap(({ parent, motion }, joint) => {
+      const moves =
+        motion.kind === 'bvh' ? motion.channels.some((channel) => channel.startsWith('t')) : movesAlong(motion.kind);
+      return parent >= 0 && moves ? [{ joint, length: survey.lengths[joint], span: new Span(1) }] : [];
+    });
+  }
+
+  frame(frame: number, points: Float64Array): void {
+    const { skeleton } = this.frames;
+    for (const { joint, length, span } of this.spans) {
+      const off = Math.abs(between(points, joint, skeleton.joints[joint].parent) - length);
+      if (off > OFF_METRES && off > OFF * length) span.add(frame, off);
+      else if (span.isOver(frame)) this.close(joint, span);
+    }
+  }
+
+  private close(joint: number, span: Span): void {
+    const { frames } = this;
+    if (span.isOpen) this.flags.push(flagOf(frames, 'bone', span.start, span.end, span.amount, joint));
+    span.clear();
+  }
+
+  end(): readonly Flag[] {
+    for (const { joint, span } of this.spans) this.close(joint, span);
+    return [...this.uneven(), ...largest(this.flags)];
+  }
+
+  private uneven(): Flag[] {
+    const { frames, survey } = this;
+    const { hinges, lengths } = survey;
+    return [false, true].flatMap((isKnee) => {
+      const [left, right] = hinges.filter((hinge) => hinge.isKnee === isKnee);
+      if (!left || !right) return [];
+      return (['middle', 'lower'] as const).flatMap((end) => {
+        const [a, b] = [lengths[left[end]], lengths[right[end]]];
+        const off = Math.abs(a - b);
+        if (off <= UNEVEN_METRES || off <= UNEVEN * Math.max(a, b)) return [];
+        return [flagOf(frames, 'bone', 0, 0, off, a < b ? left[end] : right[end])];
+      });
+    });
+  }
+}
+
+function movesAlong(kind: string): boolean {
+  return kind === 'translational' || kind === 'prismatic' || kind === 'free' || kind === 'screw' || kind === 'compound';
+}

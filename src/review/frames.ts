@@ -1,0 +1,118 @@
+/** A take frame by frame, as points in metres with y up and the ground at 0. */
+import { bareFigure } from '../evaluate/figure-frames.ts';
+import { type CompiledSkeleton, compileSkeleton, worldMatrices } from '../evaluate/kinematics.ts';
+import { metresPerUnit } from '../evaluate/metres.ts';
+import { dofCountOf, type PoseSource, poseFrom, poseSource } from '../evaluate/pose.ts';
+import { PoseRotations } from '../evaluate/pose-rotations.ts';
+import type { ChannelClip } from '../model/clip.ts';
+import type { Skeleton } from '../model/skeleton.ts';
+import { DEFAULT_SPACE, type Space } from '../model/space.ts';
+
+/** Frames per second of takes without samples. */
+const RATE = 60;
+const MOST_KEYED_FRAMES = 100_000;
+
+export interface TakeFrames {
+  readonly skeleton: Skeleton;
+  readonly clip: ChannelClip;
+  readonly count: number;
+  readonly frameSeconds: number;
+  readonly startSeconds: number;
+  /** Joints, then End Sites. */
+  readonly pointCount: number;
+  /** The joint above each point; −1 for the root. */
+  readonly above: Int32Array;
+  /** The name of a joint. */
+  nameOf(joint: number): string;
+  /** Seconds of the clip. */
+  secondsOf(frame: number): number;
+  /** Writes the DOFs, and x y z of each point. Allocates nothing. */
+  write(frame: number, dofs: Float64Array, points: Float64Array): void;
+  readonly dofCount: number;
+}
+
+export function takeFrames(skeleton: Skeleton, clip: ChannelClip, space: Space = DEFAULT_SPACE): TakeFrames {
+  const { samples, range } = clip;
+  const figure = bareFigure(skeleton, clip);
+  const source = poseSource(figure);
+  const frameSeconds = samples?.frameSeconds ?? 1 / RATE;
+  const keyed = Math.min(MOST_KEYED_FRAMES, Math.max(1, Math.round((range[1] - range[0]) / frameSeconds) + 1));
+  const startSeconds = samples?.startSeconds ?? range[0];
+  const compiled = compileSkeleton(skeleton);
+  const ends = skeleton.joints.flatMap(({ endSites = [] }, joint) => endSites.map((at) => ({ joint, at })));
+  const posing: Posing = {
+    source,
+    compiled,
+    rotations: new PoseRotations(skeleton.joints.length),
+    world: new Float64Array(16 * skeleton.joints.length),
+    endJoints: Int32Array.from(ends, ({ joint }) => joint),
+    ends: Float64Array.from(ends.flatMap(({ at }) => [...at])),
+    metres: metresPerUnit(space),
+    isZUp: space.up === 'z',
+    lift: space.lift,
+  };
+  const secondsOf = (frame: number) => startSeconds + frame * frameSeconds;
+  return {
+    skeleton,
+    clip,
+    count: samples?.frameCount ?? keyed,
+    frameSeconds,
+    startSeconds,
+    pointCount: skeleton.joints.length + ends.length,
+    above: Int32Array.from([...skeleton.joints.map(({ parent }) => parent), ...ends.map(({ joint }) => joint)]),
+    nameOf: (joint) => skeleton.joints[joint]?.name ?? '',
+    secondsOf,
+    write: (frame, dofs, points) => writePoints(posing, secondsOf(frame), dofs, points),
+    dofCount: dofCountOf(figure),
+  };
+}
+
+interface Posing {
+  readonly source: PoseSource;
+  readonly compiled: CompiledSkeleton;
+  readonly rotations: PoseRotations;
+  readonly world: Float64Array;
+  readonly endJoints: Int32Array;
+  /** x y z of each End Site in its joint's space. */
+  readonly ends: Float64Array;
+  readonly metres: number;
+  readonly isZUp: boolean;
+  readonly lift: number;
+}
+
+function writePoints(posing: Posing, seconds: number, dofs: Float64Array, points: Float64Array): void {
+  const { source, compiled, rotations, world, endJoints, ends } = posing;
+  poseFrom(source, seconds, dofs, rotations);
+  worldMatrices(compiled, dofs, world, rotations);
+  const joints = compiled.jointCount;
+  for (let j = 0; j < joints; j++) {
+    writePoint(posing, world[16 * j + 12], world[16 * j + 13], world[16 * j + 14], points, 3 * j);
+  }
+  for (let e = 0; e < endJoints.length; e++) {
+    const o = 16 * endJoints[e];
+    const x = ends[3 * e];
+    const y = ends[3 * e + 1];
+    const z = ends[3 * e + 2];
+    writePoint(
+      posing,
+      world[o] * x + world[o + 4] * y + world[o + 8] * z + world[o + 12],
+      world[o + 1] * x + world[o + 5] * y + world[o + 9] * z + world[o + 13],
+      world[o + 2] * x + world[o + 6] * y + world[o + 10] * z + world[o + 14],
+      points,
+      3 * (joints + e),
+    );
+  }
+}
+
+function writePoint(
+  { metres, isZUp, lift }: Posing,
+  x: number,
+  y: number,
+  z: number,
+  points: Float64Array,
+  o: number,
+): void {
+  points[o] = metres * x;
+  points[o + 1] = metres * (isZUp ? z : y) + lift;
+  points[o + 2] = metres * (isZUp ? -y : z);
+}

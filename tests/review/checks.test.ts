@@ -1,0 +1,196 @@
+/** Faults planted in real takes are found at their moment, and takes without faults have no flags. */
+import { describe, expect, it } from 'vitest';
+import { guessSpace } from '../../src/evaluate/space-guess.ts';
+
+import type { ChannelClip } from '../../src/model/clip.ts';
+import { firstDofs } from '../../src/model/dofs.ts';
+import { positionsMeant, withPositions } from '../../src/model/position-channels.ts';
+import type { Samples } from '../../src/model/samples.ts';
+import type { BvhChannel, Skeleton } from '../../src/model/skeleton.ts';
+import type { Space } from '../../src/model/space.ts';
+import { checkTake } from '../../src/review/check-take.ts';
+import { type Flag, type FlagKind, flagText } from '../../src/review/flags.ts';
+import { sharedFigures } from '../helpers/bvh-files.ts';
+import { figure } from '../helpers/mocap.ts';
+import { describeShared } from '../helpers/shared.ts';
+
+interface Take {
+  readonly skeleton: Skeleton;
+  readonly clip: ChannelClip & { readonly samples: Samples };
+  readonly space: Space;
+}
+
+function takeOf(file: string): Take {
+  const [{ skeleton: read, clip }] = sharedFigures(file);
+  if (!clip?.samples) throw new Error(`${file} has no frames.`);
+  const skeleton = withPositions(read, positionsMeant(read, clip));
+  return { skeleton, clip: { ...clip, samples: clip.samples }, space: guessSpace(skeleton, clip) };
+}
+
+/** A value of a frame as the file has it: degrees, file units. */
+type Change = (frame: number, was: number) => number;
+
+/** The take with the values of one channel changed from frame to frame, last one included. */
+function planted(
+  { clip, skeleton }: Take,
+  joint: string,
+  channel: BvhChannel,
+  [first, last]: readonly [number, number],
+  change: Change,
+) {
+  const { samples } = clip;
+  const j = skeleton.joints.findIndex(({ name }) => name === joint);
+  const { motion } = skeleton.joints[j];
+  const c = motion.kind === 'bvh' ? motion.channels.indexOf(channel) : -1;
+  expect(c).toBeGreaterThanOrEqual(0);
+  const column = firstDofs(skeleton)[j] + c - samples.firstChannel;
+  const values = samples.values.slice();
+  for (let f = first; f <= last; f++) {
+    const at = f * samples.scales.length + column;
+    values[at] = change(f, values[at]);
+  }
+  return withValues(clip, values);
+}
+
+function withValues(clip: Take['clip'], values: Float64Array): Take['clip'] {
+  return { ...clip, samples: { ...clip.samples, values } };
+}
+
+function newFlags(take: Take, clip: ChannelClip, kind: FlagKind): readonly Flag[] {
+  const before = checkTake(take.skeleton, take.clip, take.space).map(flagText);
+  return checkTake(take.skeleton, clip, take.space).filter((f) => f.kind === kind && !before.includes(flagText(f)));
+}
+
+describeShared('faults planted in real takes', () => {
+  const bow = takeOf('bandai-namco-bow-normal.bvh');
+  const chair = takeOf('xsens-armchair.bvh');
+  const walk = takeOf('cmu-01_01.bvh');
+  const neuron = takeOf('perception-neuron-course.bvh');
+
+  it.each([
+    ['an elbow', bow, 'LowerArm_R', 'rx', 40],
+    ['hips that turn', chair, 'Hips', 'ry', 25],
+    ['a shoulder', walk, 'LeftArm', 'rz', 30],
+  ] as const)('a spike of %s is found at its frame, at its joint', (_, take, joint, channel, degrees) => {
+    const frame = Math.floor(take.clip.samples.frameCount / 2);
+    const found = newFlags(
+      take,
+      planted(take, joint, channel, [frame, frame], (_f, was) => was + degrees),
+      'spike',
+    );
+    expect(found).toHaveLength(1);
+    expect(found[0].from).toBeCloseTo(frame * take.clip.samples.frameSeconds, 9);
+    expect(found[0].joint).toBe(joint);
+  });
+
+  it('a jump that stays is a spike of the root where it jumps', () => {
+    const clip = planted(bow, 'joint_Root', 'tx', [60, bow.clip.samples.frameCount - 1], (_f, was) => was + 40);
+    const found = newFlags(bow, clip, 'spike');
+    expect(found.map(({ from }) => Math.round(from * 30))).toEqual([60]);
+    expect(found[0].amount).toBeCloseTo(0.4, 1);
+  });
+
+  it('a joint that trembles has jitter for as long as it does', () => {
+    const clip = planted(walk, 'RightForeArm', 'ry', [600, 720], (f, was) => was + (f % 2 === 0 ? 3 : -3));
+    const [flag, ...others] = newFlags(walk, clip, 'jitter');
+    expect(others).toEqual([]);
+    expect(Math.abs(flag.from - 600 / 120)).toBeLessThan(0.05);
+    expect(Math.abs(flag.to - 720 / 120)).toBeLessThan(0.05);
+  });
+
+  it('standing feet that drift sideways by half a metre in a second slide', () => {
+    const { frameCount } = bow.clip.samples;
+    const clip = planted(
+      bow,
+      'joint_Root',
+      'tx',
+      [0, frameCount - 1],
+      (f, was) => was + 50 * Math.min(1, Math.max(0, (f - 40) / 30)),
+    );
+    const found = newFlags(bow, clip, 'slide');
+    expect(found.length).toBeGreaterThan(0);
+    for (const { from, amount } of found) {
+      expect(from).toBeGreaterThan(1.2);
+      expect(from).toBeLessThan(2.4);
+      expect(amount).toBeLessThan(0.51);
+    }
+  });
+
+  it('a figure that sinks 20 cm for half a second is below the floor meanwhile', () => {
+    const { frameSeconds } = chair.clip.samples;
+    const clip = planted(chair, 'Hips', 'ty', [100, 130], (_f, was) => was - 20);
+    const found = newFlags(chair, clip, 'floor');
+    expect(found.map(({ from, to }) => [Math.round(from / frameSeconds), Math.round(to / frameSeconds)])).toEqual([
+      [100, 130],
+    ]);
+    expect(found[0].amount).toBeGreaterThan(0.12);
+  });
+
+  it('frames that repeat the one before are duplicates, and frozen from 0.3 s on', () => {
+    const { samples } = chair.clip;
+    const width = samples.scales.length;
+    const held = (from: number, to: number) => {
+      const values = samples.values.slice();
+      for (let f = from; f <= to; f++) values.copyWithin(f * width, (from - 1) * width, from * width);
+      return withValues(chair.clip, values);
+    };
+    const [duplicate, ...more] = newFlags(chair, held(80, 80), 'duplicate');
+    expect([Math.round(duplicate.from / samples.frameSeconds), duplicate.amount, more]).toEqual([80, 1, []]);
+    const [frozen, ...others] = newFlags(chair, held(80, 110), 'frozen');
+    expect([
+      Math.round(frozen.from / samples.frameSeconds),
+      Math.round(frozen.to / samples.frameSeconds),
+      others,
+    ]).toEqual([79, 110, []]);
+    expect(frozen.amount).toBeCloseTo(31 * samples.frameSeconds, 9);
+  });
+
+  it('an elbow folded flat is beyond what a joint can do', () => {
+    const axes = ['rx', 'ry', 'rz'] as const;
+    const folded = axes.flatMap((axis) => {
+      const clip = axes.reduce<Take['clip']>(
+        (before, each) =>
+          planted({ ...walk, clip: before }, 'RightForeArm', each, [300, 330], () => (each === axis ? 175 : 0)),
+        walk.clip,
+      );
+      return newFlags(walk, clip, 'limit').filter(({ joint }) => joint === 'RightForeArm');
+    });
+    expect(folded.length).toBeGreaterThan(0);
+    for (const { from } of folded) expect(Math.abs(from - 2.5)).toBeLessThan(0.3);
+  });
+
+  it('a bone that is stretched has a flag while it is', () => {
+    const clip = planted(neuron, 'LeftForeArm', 'tx', [100, 110], (_f, was) => was * 1.3);
+    const found = newFlags(neuron, clip, 'bone').filter(({ joint }) => joint === 'LeftForeArm');
+    expect(found.map(({ from, to }) => [Math.round(from * 125), Math.round(to * 125)])).toEqual([[100, 110]]);
+  });
+});
+
+describeShared('real takes as they are', () => {
+  it.each([
+    'bandai-namco-bow-normal.bvh',
+    'xsens-armchair.bvh',
+    'mixamo-names.bvh',
+    'geno-stance.bvh',
+    'lafan1-dance-10frames.bvh',
+    'makehuman-tpose-add.bvh',
+    'dialect-rows.bvh',
+  ])('%s has no flags', (file) => {
+    const { skeleton, clip, space } = takeOf(file);
+    expect(checkTake(skeleton, clip, space).map(flagText)).toEqual([]);
+  });
+
+  it('a Kinect capture trembles, and its left and right shins differ', () => {
+    const { skeleton, clip, space } = takeOf('openni-kinect-hash-names.bvh');
+    const kinds = new Set(checkTake(skeleton, clip, space).map(({ kind }) => kind));
+    expect([...kinds].sort()).toEqual(['bone', 'jitter', 'spike']);
+  });
+});
+
+describe('takes without frames', () => {
+  it('a take of keys is looked at 60 times a second, and its held poses are meant', () => {
+    const held = figure();
+    const clip: ChannelClip = { name: 'held', range: [0, 2], channels: [] };
+    expect(checkTake(held, clip, { up: 'y', unit: 'centimetres', lift: 77 })).toEqual([]);
+  });
+});

@@ -1,0 +1,125 @@
+/** Lists of takes, as CSV and as JSON, there and back; and as spreadsheets and people write them. */
+import fc from 'fast-check';
+import { describe, expect, it } from 'vitest';
+import { type ListedTake, tagsOf, VERDICTS } from '../../src/review/list.ts';
+import { isTakeList, readList } from '../../src/review/read-list.ts';
+import { listAsCsv, listAsJson } from '../../src/review/write-list.ts';
+
+const TEXT = fc.oneof(
+  fc.string({ unit: 'grapheme' }),
+  fc.constantFrom('=1+1', "'=a", '-2', '+x', '@SUM', '"', 'a;b', 'a,b', 'two\nlines', 'a\r\nb', "'", ' =1', '\t'),
+);
+const PATH = TEXT.map((text) => text.replaceAll('\\', '/').trim()).filter((text) => text !== '');
+const TAGS = fc.array(TEXT).map((texts) => tagsOf(texts.join(';')));
+
+const TAKE: fc.Arbitrary<ListedTake> = fc.record(
+  {
+    path: PATH,
+    verdict: fc.constantFrom(...VERDICTS, '' as const),
+    stars: fc.integer({ min: 0, max: 5 }),
+    tags: TAGS,
+    notes: TEXT,
+    frames: fc.nat(),
+    fps: fc.double({ min: 1, max: 1000, noNaN: true }),
+    seconds: fc.double({ min: 0, max: 1000, noNaN: true }).map((s) => s || 0),
+    joints: fc.nat(),
+    flags: fc.array(fc.constantFrom('spike 1.2 LeftHand', 'slide 2-2.5 RightFoot')),
+  },
+  { requiredKeys: ['path', 'verdict', 'stars', 'tags', 'notes'] },
+);
+const TAKES = fc.uniqueArray(TAKE, { selector: ({ path }) => path, minLength: 1, maxLength: 8 });
+
+describe('a list of takes', () => {
+  it('written as CSV and read again is the same list', () => {
+    fc.assert(
+      fc.property(TAKES, (takes) => {
+        const { takes: read, diagnostics } = readList(listAsCsv(takes), 'list.csv');
+        expect(diagnostics).toEqual([]);
+        // A cell without flags is one of a take that was not checked, as far as a table can say.
+        expect(read).toEqual(takes.map((take) => withoutEmptyFlags(take)));
+      }),
+    );
+  });
+
+  it('written as JSON and read again is the same list', () => {
+    fc.assert(
+      fc.property(TAKES, (takes) => {
+        const { takes: read, diagnostics } = readList(listAsJson(takes), 'list.json');
+        expect(diagnostics).toEqual([]);
+        expect(read).toEqual(takes);
+      }),
+    );
+  });
+
+  it('has no cell that a spreadsheet would run', () => {
+    fc.assert(
+      fc.property(TAKES, (takes) => {
+        const cells = takes.flatMap(({ path, notes, tags }) => [path, notes, tags.join('; ')]);
+        const text = listAsCsv(takes);
+        for (const cell of cells) {
+          if (/^\s*[=+\-@]/.test(cell)) expect(text).toContain(`'${cell.replaceAll('"', '""')}`);
+        }
+      }),
+    );
+    expect(listAsCsv([{ path: '=cmd|A1.bvh', verdict: 'bad', stars: 0, tags: [], notes: '@x' }])).toBe(
+      "path,verdict,stars,tags,notes,frames,fps,seconds,joints,flags\r\n'=cmd|A1.bvh,bad,,,'@x,,,,,\r\n",
+    );
+  });
+
+  it('of plain paths, one a line, is read', () => {
+    const { takes } = readList('\ufeffa/walk.bvh\r\n\r\n  b/two words, one comma.bvh\n', 'list.txt');
+    expect(takes.map(({ path }) => path)).toEqual(['a/walk.bvh', 'b/two words, one comma.bvh']);
+  });
+
+  it('saved by a spreadsheet, with semicolons, decimal commas and columns of its own, is read', () => {
+    const text = 'Comment;Stars;Path;FPS;Verdict\r\nok;4;C\\takes\\a.bvh;29,97;GOOD\r\n;;b.bvh;;\r\n';
+    const { takes, diagnostics } = readList(text, 'list.csv');
+    expect(diagnostics).toEqual([]);
+    expect(takes[0]).toEqual({ path: 'C/takes/a.bvh', verdict: 'good', stars: 4, tags: [], notes: '', fps: 29.97 });
+    expect(takes[1].path).toBe('b.bvh');
+  });
+
+  it('says at which line a verdict or the stars are unknown, and goes on', () => {
+    const { takes, diagnostics } = readList('path,verdict,stars\na,"maybe\nnot",9\nb,bad,\n', 'list.csv');
+    expect(takes.map(({ verdict, stars }) => [verdict, stars])).toEqual([
+      ['', 0],
+      ['bad', 0],
+    ]);
+    expect(diagnostics.map(({ code, line, severity }) => [code, line, severity])).toEqual([
+      ['verdict-unknown', 2, 'warning'],
+      ['stars-expected', 2, 'warning'],
+    ]);
+    expect(readList('path,verdict\n\n\nb,no\n', 'x.csv').diagnostics.map(({ line }) => line)).toEqual([4]);
+  });
+
+  it.each([
+    ['nothing', '', 'list-empty'],
+    ['a heading alone', 'path,verdict\n', 'list-empty'],
+    ['a quote that nothing closes', 'path\n"a\nb\n', 'quote-unclosed'],
+    ['broken JSON', '[{"path": ', 'json-expected'],
+    ['a JSON object', '{"path": "a"}', 'list-expected'],
+    ['numbers in JSON', '[1, 2]', 'take-expected'],
+  ])('with %s is an error', (_, text, code) => {
+    const { takes, diagnostics } = readList(text, 'list');
+    expect(takes).toEqual([]);
+    expect(diagnostics.map((d) => [d.code, d.severity])).toContainEqual([code, 'error']);
+  });
+
+  it('that names a take twice says so, and its last row counts', () => {
+    const { takes, diagnostics } = readList('path,verdict\na,good\nb,\na,bad\n', 'list.csv');
+    expect(takes.map(({ path, verdict }) => `${path} ${verdict}`)).toEqual(['b ', 'a bad']);
+    expect(diagnostics.map(({ code }) => code)).toEqual(['path-repeated']);
+  });
+
+  it('is told from other tables and JSON by its columns', () => {
+    expect(isTakeList('path,verdict\n')).toBe(true);
+    expect(isTakeList('Verdict;"Path"\r\n')).toBe(true);
+    expect(isTakeList(listAsJson([{ path: 'a', verdict: '', stars: 0, tags: [], notes: '' }]))).toBe(true);
+    expect(isTakeList('time,x,y\n0,1,2\n')).toBe(false);
+    expect(isTakeList('[[1, 2], [3, 4]]')).toBe(false);
+  });
+});
+
+function withoutEmptyFlags({ flags, ...take }: ListedTake): ListedTake {
+  return flags?.length ? { ...take, flags } : take;
+}
