@@ -67,7 +67,7 @@ export async function convertMany(
 }
 
 /** Files that are complete, as motion capture is, are opened one by one; skeletons and their parts together. */
-function openingOfFile({ absolute }: GivenPath): 'whole' | 'with others' | undefined {
+export function openingOfFile({ absolute }: GivenPath): 'whole' | 'with others' | undefined {
   const format = formatOf(absolute);
   const opening = format && openingOf(format.kind);
   if (!opening || opening.as === 'texture' || opening.as === 'dump') return undefined;

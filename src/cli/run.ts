@@ -8,9 +8,10 @@ import { ik } from './commands/ik.ts';
 import { info } from './commands/info.ts';
 import { kit } from './commands/kit.ts';
 import { pose } from './commands/pose.ts';
+import { review } from './commands/review.ts';
 import type { CliCommand, CommandIo, ExitCode } from './io.ts';
 
-const COMMANDS: readonly CliCommand[] = [info, pose, ik, channels, compareCommand, grade, kit, convert];
+const COMMANDS: readonly CliCommand[] = [info, pose, ik, channels, compareCommand, grade, kit, convert, review];
 
 export async function run(args: readonly string[], io: CommandIo): Promise<ExitCode> {
   const [name, ...rest] = args;

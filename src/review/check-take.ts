@@ -3,7 +3,6 @@
  * with its thresholds; what they find is a hint to look, not a judgement.
  */
 import { metresPerUnit } from '../evaluate/metres.ts';
-import { runToEnd, type Steps } from '../evaluate/steps.ts';
 import type { ChannelClip } from '../model/clip.ts';
 import type { Skeleton } from '../model/skeleton.ts';
 import { DEFAULT_SPACE, type Space } from '../model/space.ts';
@@ -18,20 +17,11 @@ import type { Flag } from './flags.ts';
 import { takeFrames } from './frames.ts';
 import { survey } from './survey.ts';
 
-/** Frames between two steps: about a millisecond of work. */
-const STEP_FRAMES = 64;
-
-/** @param space as guessed or set; lengths are meaningless without */
+/**
+ * In order of time.
+ * @param space as guessed or set; lengths are meaningless without
+ */
 export function checkTake(skeleton: Skeleton, clip: ChannelClip, space: Space = DEFAULT_SPACE): readonly Flag[] {
-  return runToEnd(checkingTake(skeleton, clip, space));
-}
-
-/** `checkTake` in steps; in order of time. */
-export function* checkingTake(
-  skeleton: Skeleton,
-  clip: ChannelClip,
-  space: Space = DEFAULT_SPACE,
-): Steps<readonly Flag[]> {
   if (skeleton.joints.length === 0) return [];
   const frames = takeFrames(skeleton, clip, space);
   const surveyed = survey(frames, space);
@@ -48,7 +38,6 @@ export function* checkingTake(
   for (let f = 0; f < frames.count; f++) {
     frames.write(f, dofs, points);
     for (const check of checks) check.frame(f, points, dofs);
-    if (f % STEP_FRAMES === STEP_FRAMES - 1) yield f / frames.count;
   }
   return [...checks.flatMap((check) => check.end()), ...stillFrames(frames)].sort((a, b) => a.from - b.from);
 }

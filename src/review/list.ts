@@ -74,7 +74,3 @@ export function tagsOf(text: string): readonly string[] {
   const tags = text.split(/[,;\r\n]/).map((tag) => tag.trim());
   return [...new Set(tags)].filter((tag) => tag !== '');
 }
-
-export function isReviewed({ verdict, stars, tags, notes }: Review): boolean {
-  return verdict !== '' || stars > 0 || tags.length > 0 || notes !== '';
-}

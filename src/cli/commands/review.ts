@@ -1,0 +1,117 @@
+/**
+ * `marrow review`: takes as a list, with what looks wrong in them; the same list as the page's *Review* tab saves.
+ * Motion capture is read one file at a time, so that memory is bounded by the largest take.
+ */
+import { readFileSync } from 'node:fs';
+import { resolve } from 'node:path';
+import type { Diagnostic } from '../../model/diagnostic.ts';
+import { hasErrors } from '../../model/diagnostic.ts';
+import { refusal } from '../../project/save/conversion.ts';
+import { type ListedTake, listedTake, NO_REVIEW } from '../../review/list.ts';
+import { matchPaths } from '../../review/match-paths.ts';
+import { readList } from '../../review/read-list.ts';
+import { takeFacts } from '../../review/take-facts.ts';
+import { listAsCsv, listAsJson } from '../../review/write-list.ts';
+import { parseArguments, UsageError } from '../arguments.ts';
+import { openingOfFile } from '../convert-many.ts';
+import type { CliCommand, CommandIo } from '../io.ts';
+import { loadFiles, openLoaded } from '../load.ts';
+import { findGiven } from '../paths.ts';
+import { report } from '../report.ts';
+import { writeOutput } from '../write-output.ts';
+
+export const review: CliCommand = {
+  name: 'review',
+  usage: 'FILE… [--list LIST] [--out LIST.csv|LIST.json] [--json]',
+  summary:
+    'lists takes with what looks wrong in them, as CSV; --list keeps the verdicts, stars, tags and notes of a list',
+  exits: {
+    0: 'all files were read',
+    1: 'a file has errors or is missing',
+    2: 'wrong usage',
+    3: 'the list could not be written',
+  },
+  async run(args, io) {
+    const given = parseArguments(args, { list: 'value', out: 'value', json: 'flag' });
+    if (given.files.length === 0) throw new UsageError('Give at least one file.');
+    const out = given.value('out');
+    if (out !== undefined && !/\.(csv|json)$/i.test(out)) {
+      throw new UsageError(`--out takes a name that ends in .csv or .json; found "${out}".`);
+    }
+    const before = listGiven(given.value('list'), io);
+    const { takes, diagnostics } = takesIn(given.files, io);
+    const known = matchPaths(
+      before,
+      takes.map(({ path }) => path),
+    ).found;
+    const listed = takes.map((take): ListedTake => {
+      const { verdict, stars, tags, notes } = known.get(take.path) ?? NO_REVIEW;
+      return { ...take, verdict, stars, tags, notes };
+    });
+    const asJson = given.flag('json') || out?.toLowerCase().endsWith('.json');
+    const text = asJson ? listAsJson(listed) : listAsCsv(listed);
+    if (out === undefined) await io.out(text);
+    else {
+      const written = writeOutput(resolve(io.folder, out), [text]);
+      if ('failure' in written) {
+        io.err(`marrow: ${out} could not be written: ${written.failure}.\n`);
+        return 3;
+      }
+    }
+    return hasErrors(diagnostics) ? 1 : 0;
+  },
+};
+
+/** @throws UsageError if the list can't be read */
+function listGiven(path: string | undefined, io: CommandIo): readonly ListedTake[] {
+  if (path === undefined) return [];
+  let text: string;
+  try {
+    text = readFileSync(resolve(io.folder, path), 'utf8');
+  } catch (error) {
+    throw new UsageError(`--list could not be read: ${error instanceof Error ? error.message : String(error)}.`);
+  }
+  const { takes, diagnostics } = readList(text, path);
+  report(diagnostics, io);
+  if (hasErrors(diagnostics)) throw new UsageError(`--list takes a list of takes; ${path} has errors.`);
+  return takes;
+}
+
+function takesIn(args: readonly string[], io: CommandIo) {
+  const { files, missing } = findGiven(args, io.folder);
+  const diagnostics: Diagnostic[] = [];
+  const tell = (told: readonly Diagnostic[]) => {
+    report(told, io);
+    diagnostics.push(...told);
+  };
+  if (missing.length > 0) tell(loadFiles(missing, io.folder).diagnostics);
+  const whole = files.filter((file) => openingOfFile(file) === 'whole');
+  const others = files.filter((file) => openingOfFile(file) === 'with others');
+  const groups = [...whole.map(({ path }) => [path]), others.map(({ path }) => path)].filter((g) => g.length > 0);
+  const takes = groups.flatMap((group) => {
+    const loaded = loadFiles(group, io.folder);
+    const opened = openLoaded(loaded);
+    tell(opened.diagnostics);
+    return takesOf(opened.document.characters);
+  });
+  if (takes.length === 0 && missing.length === 0) {
+    tell([refusal('nothing-to-review', 'There is no take here.', args.join(' '))]);
+  }
+  return { takes, diagnostics };
+}
+
+/** A row for each file with takes: figures and takes of one file are one row, as the command takes whole files. */
+function takesOf(characters: ReturnType<typeof openLoaded>['document']['characters']): readonly ListedTake[] {
+  const rows = new Map<string, ListedTake>();
+  for (const { skeleton, clips, parts, space, sources } of characters) {
+    if (!skeleton) continue;
+    clips.forEach((clip, c) => {
+      const path = parts?.clips[c]?.file?.source.path ?? sources[0]?.path;
+      if (path === undefined) return;
+      const row = listedTake(path, NO_REVIEW, takeFacts(skeleton, clip, space));
+      const known = rows.get(path);
+      rows.set(path, known ? { ...known, flags: [...(known.flags ?? []), ...(row.flags ?? [])] } : row);
+    });
+  }
+  return [...rows.values()];
+}
