@@ -3,19 +3,17 @@
  * script does can be undone, and what it reads is what is drawn.
  */
 import { finiteNumber } from '../edit/arguments.ts';
-import { COMMANDS_AT_HAND, FETCHED_IDS } from '../edit/commands/at-hand.ts';
-import { type Playback, play } from '../edit/playback.ts';
-import type { Command, Edit, Store } from '../edit/store.ts';
+import { play } from '../edit/playback.ts';
+import type { Store } from '../edit/store.ts';
 import { type EndSitePosition, endSitePositions } from '../evaluate/end-sites.ts';
 import { resolvedSlopes } from '../evaluate/slopes.ts';
 import { transformPoint } from '../math/vec3.ts';
 import { type Channel, TANGENT_KINDS, type TangentKind } from '../model/clip.ts';
 import type { Diagnostic } from '../model/diagnostic.ts';
-import { type Character, type Document, shownClip } from '../model/document.ts';
+import { type Character, shownClip } from '../model/document.ts';
 import { formatKindOf, isSaved, WRITABLE_EXTENSIONS } from '../project/kinds.ts';
-import type { Observable } from '../ui/kit/observable.ts';
 import type { RestOfPage } from '../ui/shell/rest-of-page.ts';
-import { runAction } from '../ui/state/action.ts';
+import { type CharacterRef, resolveCharacter } from '../ui/state/character-ref.ts';
 import type { Uses } from '../ui/state/workbench.ts';
 import type { FrameStats } from '../view/viewport.ts';
 import type { GivenBlob } from '../worker/protocol.ts';
@@ -25,9 +23,6 @@ import type { Opener } from './opening.ts';
 export type ScriptFile =
   | File
   | { readonly name: string; readonly content: string | ArrayBuffer | Uint8Array<ArrayBuffer> };
-
-/** A character by id, name, index, or any object with an id (as in `characters`). */
-export type CharacterRef = string | number | { readonly id: string };
 
 export interface CharacterInfo {
   readonly id: string;
@@ -84,7 +79,8 @@ export interface MarrowApi {
    * Runs a command (`pose.setDofs`, `character.place` …) or an action of the menus (`view.frameAll` …). `characterId`,
    * `timeSeconds` and `playedRange` default to the selected character, the current time and the playback range.
    * Commands on whole curves, samples, other characters' takes, pins and skeletons (`channels.…`, `samples.…`,
-   * `retarget.…`, `ik.…`, `rig.…`), and actions that use them, are loaded on first use and return a promise.
+   * `retarget.…`, `ik.…`, `rig.…`), and actions that use them, are loaded on first use and return a promise; before
+   * the menus have come, all do.
    */
   run(commandId: string, args?: Readonly<Record<string, unknown>>): Promise<void> | undefined;
   /**
@@ -126,7 +122,7 @@ export function scriptingApi(
 ): MarrowApi {
   const { store, transport, viewport } = workbench;
   const facts = (ref: CharacterRef | undefined) => {
-    const found = viewport.character(resolve(store, ref).id);
+    const found = viewport.character(resolveCharacter(store, ref).id);
     if (!found) throw new Error('The character is not shown yet.');
     return found;
   };
@@ -147,22 +143,25 @@ export function scriptingApi(
       return Array.from({ length: world.length / 16 }, (_, j) => Array.from(world.subarray(16 * j, 16 * j + 16)));
     },
     endSites(character) {
-      const { skeleton } = resolve(store, character);
+      const { skeleton } = resolveCharacter(store, character);
       return skeleton ? endSitePositions(skeleton, facts(character).worldMatrices()) : [];
     },
     pins(character) {
       const world = facts(character).worldMatrices();
-      return (resolve(store, character).ik?.pins ?? []).map((pin) => ({
+      return (resolveCharacter(store, character).ik?.pins ?? []).map((pin) => ({
         ...pin,
         position: transformPoint(world, pin.point, 16 * pin.joint),
       }));
     },
     vertices: (character) => Array.from(facts(character).vertices()),
-    run: (id, args = {}) => run(workbench, rest, id, args),
+    run(id, args = {}) {
+      if (rest.page) return rest.page.run(id, args);
+      return rest.fetch().then((page) => page?.run(id, args));
+    },
     keys: (channel, character) => keysOf(store, character, channel),
     placeOf: (channel, seconds, value) => workbench.timeline.tab?.placeOf?.(channel, seconds, value),
     pointOnPage(point, character) {
-      const placement = viewport.placementOf(resolve(store, character).id, 0);
+      const placement = viewport.placementOf(resolveCharacter(store, character).id, 0);
       if (!placement) return undefined;
       const place = viewport.eye.toScreen(transformPoint(placement, point));
       return { x: place.x, y: place.y };
@@ -184,21 +183,6 @@ function given(file: ScriptFile): GivenBlob {
   return { path: file.name, blob: new Blob([file.content]) };
 }
 
-/** Without a reference: the selected character, else the first. */
-function resolve(store: Store, ref: CharacterRef | undefined): Character {
-  const { characters } = store.document;
-  const id = typeof ref === 'object' ? ref.id : ref;
-  const found =
-    id === undefined
-      ? (characters.find((c) => c.id === store.selection.characterId) ?? characters[0])
-      : typeof id === 'number'
-        ? characters[id]
-        : (characters.find((c) => c.id === id) ?? characters.find((c) => c.name === id));
-  if (found) return found;
-  const there = characters.map((c) => `"${c.name}"`).join(', ') || 'none';
-  throw new Error(`There is no character ${id === undefined ? 'yet' : JSON.stringify(id)}. Characters here: ${there}.`);
-}
-
 function infoOf(character: Character, dofs: Float64Array | undefined): CharacterInfo {
   const joints = character.skeleton?.joints ?? [];
   return {
@@ -214,7 +198,7 @@ function infoOf(character: Character, dofs: Float64Array | undefined): Character
 }
 
 function keysOf(store: Store, ref: CharacterRef | undefined, index: number | undefined): KeyInfo[] {
-  const character = resolve(store, ref);
+  const character = resolveCharacter(store, ref);
   const { selection } = store;
   const channels = shownClip(character)?.channels ?? [];
   if (index === undefined) {
@@ -243,55 +227,6 @@ function keyInfos(found: Channel | undefined, channel: number): KeyInfo[] {
   }));
 }
 
-function run(
-  workbench: Uses<'store' | 'actions' | 'transport'>,
-  rest: RestOfPage,
-  id: string,
-  args: Readonly<Record<string, unknown>>,
-): Promise<void> | undefined {
-  const command = COMMANDS_AT_HAND.get(id);
-  if (command) apply(workbench, command, args);
-  else if (FETCHED_IDS.has(id)) return fetchAndRun(workbench, id, args);
-  else if (rest.isHere) return runAction(workbench, id, args);
-  else return rest.fetch().then(() => runAction(workbench, id, args));
-  return undefined;
-}
-
-async function fetchAndRun(
-  workbench: Uses<'store' | 'transport'>,
-  id: string,
-  args: Readonly<Record<string, unknown>>,
-): Promise<void> {
-  const { COMMANDS_BY_ID } = await import('../edit/commands/all.ts');
-  const command = COMMANDS_BY_ID.get(id);
-  if (!command) throw new Error(`There is no command "${id}".`);
-  apply(workbench, command, args);
-}
-
-function apply(
-  { store, transport }: Uses<'store' | 'transport'>,
-  command: Command<never, Document | Edit>,
-  args: Readonly<Record<string, unknown>>,
-): void {
-  const named = asReference(args.characterId ?? args.character);
-  const given = {
-    timeSeconds: timeOf(transport),
-    playedRange: transport.get().range,
-    ...args,
-    ...(named === undefined && command.makesCharacter ? {} : { characterId: resolve(store, named).id }),
-  };
-  // Console arguments are untyped; each command checks its own.
-  store.apply(command, given as never);
-}
-
-function timeOf(transport: Observable<Playback>): number {
-  return transport.get().timeSeconds;
-}
-
-function asReference(value: unknown): CharacterRef | undefined {
-  return typeof value === 'string' || typeof value === 'number' ? value : undefined;
-}
-
 /**
  * The selected character's file of that name, or another character's; else the selected character's first of that kind.
  */
@@ -301,7 +236,7 @@ async function saveByName(store: Store, name: string): Promise<string> {
     throw new Error(`"${name}" must end in one of ${WRITABLE_EXTENSIONS.map((e) => `.${e}`).join(' ')}.`);
   }
   const { saveCharacter } = await import('../project/save/saving.ts');
-  const preferred = resolve(store, undefined);
+  const preferred = resolveCharacter(store, undefined);
   for (const character of [preferred, ...store.document.characters]) {
     const file = saveCharacter(character, kind).find((f) => f.name.toLowerCase() === name.toLowerCase());
     if (file) return file.text;

@@ -79,7 +79,12 @@ describe('the page', () => {
         await page.keyboard.press('Space');
         await page.getByText('View', { exact: true }).click({ force: true });
         expect(await page.getByRole('menu').count()).toBe(0);
+        const scripted = page.evaluate(async () => {
+          await window.marrow.run('pose.reset', { to: 'zero' });
+          return window.marrow.steps().undo;
+        });
         send?.();
+        expect(await scripted).toMatch(/^Reset walker/);
         await page.getByRole('menu', { name: 'View' }).waitFor();
         await page.getByRole('button', { name: 'Play', exact: true }).waitFor();
       },

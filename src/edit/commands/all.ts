@@ -37,7 +37,7 @@ import { mirrorTakes } from './take-edits.ts';
 import { alignStarts, arrange, endOverlay, overlayTakes, removeTakes, setTimeOffsets, showTakes } from './takes.ts';
 import { breakTangents, setSlopes, setTangents, unifyTangents } from './tangents.ts';
 
-/** Commands that the page loads on demand; it knows them by `FETCHED_IDS`. */
+/** Commands that the page loads on their first use; it knows them by `FETCHED_IDS`. */
 const FETCHED: readonly Command<never, Document | Edit>[] = [
   insertKeys,
   addKey,

@@ -1,5 +1,5 @@
 /**
- * The commands that the page has from the start, by id. Those for keys, whole curves, samples, takes side by side,
+ * The commands that come with the page's menus, by id. Those for keys, whole curves, samples, takes side by side,
  * retargeting, pins and skeletons come with their editors: with the algorithms they need they are larger than all of
  * these (`all.ts`).
  */
@@ -19,8 +19,9 @@ import { createClip, duplicateClip, removeClip, renameClip, setClipRange, setInt
 import { setExtrapolation } from './extrapolation.ts';
 import { keyPose } from './keying.ts';
 import { clearLimit, setLimit } from './limits.ts';
-import { discardUnkeyed, resetPose, setClamping, setDofs } from './pose.ts';
+import { resetPose, setClamping, setDofs } from './pose.ts';
 import { setHidden, setPositionChannels, setSpace } from './spaces.ts';
+import { discardUnkeyed } from './unkeyed.ts';
 
 /** Arguments are not checked here: each command checks its own and throws a `CommandError`. */
 const COMMANDS: readonly Command<never, Document | Edit>[] = [

@@ -22,7 +22,7 @@ import { type KeyOptions, keyDofs } from '../key-dofs.ts';
 import { characterIn, dofsIn, poseLabel } from '../step-names.ts';
 import { type Command, CommandError, type Edit } from '../store.ts';
 import { withTake } from '../takes.ts';
-import { countUnkeyed, documentWithoutUnkeyed, unkeyedAt, withoutUnkeyed, withUnkeyed } from '../unkeyed.ts';
+import { unkeyedAt, withoutUnkeyed, withUnkeyed } from '../unkeyed.ts';
 
 export interface SetDofs {
   readonly characterId: string;
@@ -84,24 +84,6 @@ export const setClamping: Command<{ readonly characterId: string; readonly clamp
     changeCharacter(document, characterId, (c) =>
       c.clampsToLimits === oneOf(clamps, [true, false], '"clamps"') ? c : { ...c, clampsToLimits: clamps },
     ),
-};
-
-export interface DropUnkeyed {
-  /** Transport time whose unkeyed changes are kept; null discards all. */
-  readonly exceptSeconds: number | null;
-}
-
-/** Discards the unkeyed changes of all characters, so that keyed DOFs return to their keys. */
-export const discardUnkeyed: Command<DropUnkeyed> = {
-  id: 'pose.dropUnkeyed',
-  label(document, { exceptSeconds }) {
-    const count = countUnkeyed(document, exceptSeconds);
-    return `Discard ${count} unkeyed ${count === 1 ? 'change' : 'changes'}`;
-  },
-  run(document, { exceptSeconds }) {
-    if (exceptSeconds !== null) finiteNumber(exceptSeconds, '"exceptSeconds"');
-    return documentWithoutUnkeyed(document, exceptSeconds);
-  },
 };
 
 /** The document with these values for a character's DOFs, stored as described above. */

@@ -17,6 +17,7 @@ import { startDialogs } from './dialogs.ts';
 import { inspectorPanel } from './inspector-panel.ts';
 import { layout } from './layout.ts';
 import { menuBar } from './menu-bar.ts';
+import { runById } from './run-by-id.ts';
 import { leaveRefusalsBehind } from './stale-messages.ts';
 import { statusBar } from './status-bar.ts';
 import { timelinePanel } from './timeline-panel.ts';
@@ -31,6 +32,12 @@ export interface Beginnings {
   setActions(all: () => readonly Action[]): void;
 }
 
+/** The page once it is built. */
+export interface MountedPage {
+  /** For `marrow.run`: a command or an action by its id; returns a promise if it is loaded first. */
+  run(id: string, args: Readonly<Record<string, unknown>>): Promise<void> | undefined;
+}
+
 /**
  * Builds the page in `root`, which has the first frame (`first-picture.ts`), and keeps it in sync with the workbench.
  * `signal` removes the listeners on window and document.
@@ -40,7 +47,7 @@ export function mountWorkbench(
   wb: Workbench,
   { theme, setActions }: Beginnings,
   signal: AbortSignal,
-): void {
+): MountedPage {
   // Before anything that shows actions.
   setActions(() => pageActions(wb));
   const scrubber = new Scrubber(wb);
@@ -84,4 +91,5 @@ export function mountWorkbench(
   startDialogs(wb, root);
   startTooltips(signal);
   listenToKeys(wb, signal);
+  return { run: (id, args) => runById(wb, id, args) };
 }

@@ -3,13 +3,15 @@
  * Until then the frame of `index.html` is shown. Input meanwhile isn't lost: it is replayed once the page is built.
  */
 import { element } from '../kit/dom.ts';
+import type { MountedPage } from './mount.ts';
 
 type Rest = typeof import('./mount.ts');
 
 export interface RestOfPage {
-  readonly isHere: boolean;
-  /** Loads it now. Resolves when mounted, or when loading has failed. */
-  fetch(): Promise<void>;
+  /** Undefined until it is mounted. */
+  readonly page: MountedPage | undefined;
+  /** Loads it now. Resolves when mounted; with undefined when loading has failed, which the page says. */
+  fetch(): Promise<MountedPage | undefined>;
 }
 
 /** Maximum delay while a large file is read. */
@@ -19,15 +21,18 @@ const PATIENCE_MS = 2000;
  * @param firstPicture resolves when the document has its initial content
  * @param mount builds the page
  */
-export function restOfPage(root: HTMLElement, firstPicture: Promise<unknown>, mount: (rest: Rest) => void): RestOfPage {
+export function restOfPage(
+  root: HTMLElement,
+  firstPicture: Promise<unknown>,
+  mount: (rest: Rest) => MountedPage,
+): RestOfPage {
   const waiting = new AbortController();
   const early: Event[] = [];
-  let isHere = false;
-  let fetching: Promise<void> | undefined;
+  let page: MountedPage | undefined;
+  let fetching: Promise<MountedPage | undefined> | undefined;
   const fetchAndMount = async () => {
     try {
-      mount(await import('./mount.ts'));
-      isHere = true;
+      page = mount(await import('./mount.ts'));
     } catch (error) {
       const why = error instanceof Error ? error.message : String(error);
       // There is no message line yet.
@@ -35,6 +40,7 @@ export function restOfPage(root: HTMLElement, firstPicture: Promise<unknown>, mo
     }
     waiting.abort();
     for (const event of early) repeat(event);
+    return page;
   };
   const fetch = () => {
     fetching ??= fetchAndMount();
@@ -51,8 +57,8 @@ export function restOfPage(root: HTMLElement, firstPicture: Promise<unknown>, mo
   const drawn = firstPicture.then(nextFrame, nextFrame);
   void Promise.race([drawn, new Promise((resolve) => setTimeout(resolve, PATIENCE_MS))]).then(fetch);
   return {
-    get isHere() {
-      return isHere;
+    get page() {
+      return page;
     },
     fetch,
   };

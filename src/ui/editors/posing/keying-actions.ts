@@ -1,7 +1,7 @@
 /** Actions that key the pose, and that create and remove takes. */
 
 import { createClip, duplicateClip, removeClip, setClipRange } from '../../../edit/commands/clips.ts';
-import { discardUnkeyed } from '../../../edit/commands/pose.ts';
+import { discardUnkeyed } from '../../../edit/commands/unkeyed.ts';
 import { posedDofs } from '../../../edit/posed-dofs.ts';
 import { rangeOfKeys } from '../../../edit/takes.ts';
 import { silentChannels } from '../../../evaluate/retarget/moved-dofs.ts';

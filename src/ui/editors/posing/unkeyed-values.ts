@@ -3,7 +3,7 @@
  * Ctrl+Z restores them to be keyed, and the time with them. While there is something to redo they stay in the document,
  * shown only at their time, since a new step would discard the redo history.
  */
-import { discardUnkeyed } from '../../../edit/commands/pose.ts';
+import { discardUnkeyed } from '../../../edit/commands/unkeyed.ts';
 import { countUnkeyed } from '../../../edit/unkeyed.ts';
 import { findCharacter } from '../../../model/document.ts';
 import { findAction, tryAction } from '../../state/action.ts';
