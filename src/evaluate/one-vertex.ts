@@ -3,7 +3,7 @@
  * up to a million to read one.
  */
 import type { Morph, MorphRows } from '../model/morph.ts';
-import type { Skin } from '../model/skin.ts';
+import { oneSurface, type Skin } from '../model/skin.ts';
 import { blendMorphs, compileSkin, deform } from './deform.ts';
 
 export interface OneVertex {
@@ -52,6 +52,7 @@ function skinOfOne(skin: Skin, vertex: number): Skin {
     // With any normal given, none is computed from the triangles, which are missing here.
     normals: normals ? own(normals) : Float64Array.of(0, 1, 0),
     triangles: new Uint32Array(0),
+    surfaces: oneSurface(new Uint32Array(0)),
     bindings,
     ...(attachments && {
       attachments: {

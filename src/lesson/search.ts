@@ -9,7 +9,7 @@ import type { Character } from '../model/document.ts';
 import { shownSkin } from '../model/document.ts';
 import { DUMP_KINDS, type DumpKind } from '../model/dump.ts';
 import type { Morph, MorphRows } from '../model/morph.ts';
-import type { Skin } from '../model/skin.ts';
+import { oneSurface, type Skin } from '../model/skin.ts';
 import { CATALOGUE } from './catalogue/all.ts';
 import type { Mistake, Variant } from './catalogue/mistake.ts';
 import { type Cell, type CellPiece, type ComparedNumbers, cellsOf } from './cells.ts';
@@ -378,6 +378,7 @@ function skinOf(skin: Skin, few: readonly number[]): Skin {
     positions: rowsOf(positions, few),
     normals: rowsOf(normals ?? normalsOf(skin), few),
     triangles: new Uint32Array(0),
+    surfaces: oneSurface(new Uint32Array(0)),
     bindings,
     ...(attachments && {
       attachments: {

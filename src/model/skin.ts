@@ -1,3 +1,5 @@
+import type { Vec3 } from '../math/vec3.ts';
+
 /**
  * A smooth skin: a triangle mesh whose vertices follow joints.
  *
@@ -13,11 +15,12 @@ export interface Skin {
   readonly normals?: Float64Array;
   /** u v per vertex; v points up, both wrap. */
   readonly texcoords?: Float64Array;
-  readonly material?: Material;
   /** If absent, the whole skin follows the root. */
   readonly attachments?: Attachments;
   /** Three vertex indices per triangle; winding differs between real files and has no meaning. */
   readonly triangles: Uint32Array;
+  /** At least one. They cover all triangles, in order and without gaps. */
+  readonly surfaces: readonly Surface[];
   /** 16 numbers per joint, column-major: the joint's world matrix when the skin was bound. */
   readonly bindings: Float64Array;
 }
@@ -34,10 +37,32 @@ export interface Attachments {
   readonly weights: Float64Array;
 }
 
+/** Successive triangles of one material. */
+export interface Surface {
+  /** Only the first surface may have none: in a file, a material holds until the next one. */
+  readonly material?: Material;
+  /** Index of the first triangle. */
+  readonly triangleStart: number;
+  readonly triangleCount: number;
+}
+
+/** With both a texture and a colour, their product is shown, as in glTF. */
 export interface Material {
   readonly name: string;
   /** File name of the texture, as written. */
   readonly texture?: string;
+  /** Red, green and blue from 0 to 1, linear as glTF's `baseColorFactor`; as written, so possibly out of range. */
+  readonly color?: Vec3;
+}
+
+/** All triangles as one surface. */
+export function oneSurface(triangles: Uint32Array, material?: Material): readonly Surface[] {
+  return [{ ...(material && { material }), triangleStart: 0, triangleCount: Math.floor(triangles.length / 3) }];
+}
+
+/** File names of the textures that its materials name, as written, each once. */
+export function textureNames({ surfaces }: Skin): readonly string[] {
+  return [...new Set(surfaces.flatMap(({ material }) => material?.texture ?? []))];
 }
 
 export function vertexCount(skin: Skin): number {

@@ -53,8 +53,10 @@ export interface SourceRows {
   /** Of keys. */
   readonly channel?: number;
   readonly lines: RowLines;
-  /** The index of each row's part; absent: row i is part i. */
+  /** The index of each row's part; absent: row i is part `first` + i. */
   readonly indices?: Uint32Array;
+  /** Default 0. */
+  readonly first?: number;
 }
 
 /** Lines that hold a part, by themselves or beside others. */
@@ -78,7 +80,7 @@ export function linesOf(map: SourceMap, target: SourceTarget): readonly LineRang
   for (const block of rows) {
     const index = indexIn(block, target);
     if (index === undefined) continue;
-    const row = block.indices ? block.indices.indexOf(index) : index;
+    const row = block.indices ? block.indices.indexOf(index) : index - (block.first ?? 0);
     if (row >= 0 && row < block.lines.count) found.push(linesOfRow(block.lines, row));
   }
   for (const { target: own, from, to, isPose } of marks) {
@@ -94,10 +96,10 @@ export function linesOf(map: SourceMap, target: SourceTarget): readonly LineRang
 /** The part that a line holds: the smallest if there are several. Undefined for a line of none. */
 export function targetAt({ marks, rows }: SourceMap, line: number): SourceTarget | undefined {
   for (const block of rows) {
-    const { lines, indices } = block;
+    const { lines, indices, first = 0 } = block;
     if (lines.count === 0 || line < lines.lines[0] || line > lines.end) continue;
     const row = rowAt(lines, line);
-    return targetOf(block, indices ? indices[row] : row);
+    return targetOf(block, indices ? indices[row] : first + row);
   }
   let best: SourceMark | undefined;
   for (const mark of marks) {

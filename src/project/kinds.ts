@@ -15,7 +15,7 @@ import type { ContentOf, FileContent, FileKind, WholeCharacter } from '../model/
 import { withPositions } from '../model/position-channels.ts';
 import { rangeOfSamples } from '../model/samples.ts';
 import type { Skeleton } from '../model/skeleton.ts';
-import { bindingCount, type Skin, vertexCount } from '../model/skin.ts';
+import { bindingCount, type Skin, textureNames, vertexCount } from '../model/skin.ts';
 import { type PartOrigin, withClip, withMorph, withSkin } from './open/assemble.ts';
 
 export interface Kind {
@@ -250,6 +250,16 @@ export function openingOf(kind: FileKind): Opening<FileContent> {
 /** Names as in JSON; values are numbers, texts or lists of them. */
 export type Facts = Readonly<Record<string, unknown>>;
 
+/** Nothing for a skin without materials. */
+function materialFacts(skin: Skin): Facts {
+  const materials = skin.surfaces.flatMap(({ material }) => material ?? []);
+  const textures = textureNames(skin);
+  return {
+    ...(materials.length > 0 && { materials: materials.map(({ name }) => name) }),
+    ...(textures.length > 0 && { textures }),
+  };
+}
+
 /** What `marrow info` says about the content of a file. */
 const FACTS: { readonly [K in FileKind]: (content: ContentOf<K>) => Facts } = {
   skel: ({ skeletons }) => ({
@@ -264,6 +274,7 @@ const FACTS: { readonly [K in FileKind]: (content: ContentOf<K>) => Facts } = {
     maxAttachments: maxAttachments(skin),
     bindings: bindingCount(skin),
     texcoords: (skin.texcoords?.length ?? 0) / 2,
+    ...materialFacts(skin),
   }),
   morph: ({ morph }) => ({ positions: morph.positions.indices.length, normals: morph.normals.indices.length }),
   anim: ({ clip: { channels, range } }) => ({

@@ -31,7 +31,7 @@ import { type Character, shownSkin } from '../model/document.ts';
 import { baseName, type Texture as Picture, sameName } from '../model/files.ts';
 import type { Morph } from '../model/morph.ts';
 import type { Display } from '../model/session.ts';
-import { type Skin, vertexCount } from '../model/skin.ts';
+import { type Skin, textureNames, vertexCount } from '../model/skin.ts';
 import { Bones } from './bones.ts';
 import { HoveredPart } from './hovered-part.ts';
 import { PosePlayer } from './pose-track.ts';
@@ -357,7 +357,7 @@ export class CharacterView {
 
   /** Decodes the texture of the skin's material, if it has changed. */
   private retexture(character: Character, skin: Skin | undefined): void {
-    const named = skin?.texcoords && skin.material?.texture;
+    const named = skin?.texcoords && textureNames(skin)[0];
     const picture = named ? character.textures.find((t) => sameName(t.name, baseName(named))) : undefined;
     if (picture === this.picture) return;
     this.picture = picture;

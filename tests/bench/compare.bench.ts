@@ -12,7 +12,7 @@ import { type Program, RIGHT_PROGRAM } from '../../src/lesson/program.ts';
 import type { Targets } from '../../src/lesson/targets.ts';
 import { type ChannelClip, SMOOTH } from '../../src/model/clip.ts';
 import type { Character } from '../../src/model/document.ts';
-import type { Skin } from '../../src/model/skin.ts';
+import { oneSurface, type Skin } from '../../src/model/skin.ts';
 import { character, joint } from '../helpers/builders.ts';
 import { random } from '../lesson/planted.ts';
 
@@ -71,6 +71,7 @@ function bigSkin(bindings: Float64Array): Skin {
     normals: Float64Array.from({ length: 3 * VERTICES }, some),
     attachments: { start, joints: Uint32Array.from(joints), weights: Float64Array.from(weights) },
     triangles: new Uint32Array(0),
+    surfaces: oneSurface(new Uint32Array(0)),
     bindings,
   };
 }

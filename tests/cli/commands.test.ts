@@ -111,6 +111,14 @@ describe('marrow info', () => {
     ]);
   });
 
+  it('marrow info names the materials of a skin and their textures', async () => {
+    const block = 'triangles 1 { 0 0 0 }';
+    const text = `positions 1 { 0 0 0 } material fur { texture fur.png } ${block} material eye { color 0 0 1 } ${block}`;
+    writeFileSync(join(folder, 'fox.skin'), text);
+    const { files } = await commandJson<InfoJson>(['info', 'fox.skin'], folder);
+    expect(files).toMatchObject([{ triangles: 2, materials: ['fur', 'eye'], textures: ['fur.png'] }]);
+  });
+
   it('says what dumps hold, in words', async () => {
     writeFileSync(join(folder, 'mine@1.5.txt'), '1 2 3 4\n5 6 7 8\n9 10 11 12\n');
     writeFileSync(join(folder, 'takes.txt'), ['0', '1', '2', '3'].map((t) => `time ${t}\n1 2 3\n4 5 6\n`).join(''));

@@ -8,6 +8,7 @@ import { poseByNames } from '../../src/edit/pose/by-names.ts';
 import { type ChannelClip, restChannel } from '../../src/model/clip.ts';
 import { type Character, DEFAULT_PLACEMENT, type Document } from '../../src/model/document.ts';
 import { DEFAULT_BOX, UNLIMITED } from '../../src/model/skeleton.ts';
+import { oneSurface } from '../../src/model/skin.ts';
 import { DEFAULT_SPACE } from '../../src/model/space.ts';
 import { tube } from '../evaluate/weights/meshes.ts';
 import { character, clip, documentOf, joint, morph, skin } from '../helpers/builders.ts';
@@ -89,15 +90,14 @@ const UNEQUAL = documentOf(HERO, bee('c2', { placements: [{ ...DEFAULT_PLACEMENT
 
 const OVERLAID: readonly Character[] = [BEES.characters[0], { ...BEES.characters[1], placements: [DEFAULT_PLACEMENT] }];
 
+const TUBE = tube({ around: 4, along: 4, radius: 0.5, length: 4 });
 const SLEEVE: Document = documentOf(
   character({
     skeleton: {
       name: 'arm',
       joints: [joint(-1, { offset: [0, 0, 0], length: 2 }), joint(0, { offset: [0, 2, 0], length: 2 })],
     },
-    skins: [
-      { name: 'sleeve', ...tube({ around: 4, along: 4, radius: 0.5, length: 4 }), bindings: new Float64Array(0) },
-    ],
+    skins: [{ name: 'sleeve', ...TUBE, surfaces: oneSurface(TUBE.triangles), bindings: new Float64Array(0) }],
   }),
 );
 

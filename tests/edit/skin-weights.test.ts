@@ -10,7 +10,7 @@ import type { Vec3 } from '../../src/math/vec3.ts';
 import type { Character } from '../../src/model/document.ts';
 import { filePose } from '../../src/model/dofs.ts';
 import type { Skeleton } from '../../src/model/skeleton.ts';
-import type { Skin } from '../../src/model/skin.ts';
+import { oneSurface, type Skin } from '../../src/model/skin.ts';
 import { makeSamples } from '../../src/samples/samples.ts';
 import { finish, tube, weightOf } from '../evaluate/weights/meshes.ts';
 import { character, documentOf, joint } from '../helpers/builders.ts';
@@ -28,7 +28,8 @@ function arm(height: number): Skeleton {
 /** A sleeve from y 0 to 6. */
 function sleeve(more: Partial<Skin> = {}): Skin {
   const mesh = tube({ around: 8, along: 12, radius: 0.5, length: 6 });
-  return { name: 'sleeve', ...mesh, bindings: new Float64Array(0), ...more };
+  const surfaces = oneSurface(mesh.triangles);
+  return { name: 'sleeve', ...mesh, surfaces, bindings: new Float64Array(0), ...more };
 }
 
 function dressed(skeleton: Skeleton, skin: Skin, pose = filePose(skeleton, 0)): Character {

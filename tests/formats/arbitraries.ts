@@ -19,7 +19,7 @@ import {
   type Skeleton,
   UNLIMITED,
 } from '../../src/model/skeleton.ts';
-import type { Attachments, Skin } from '../../src/model/skin.ts';
+import type { Attachments, Material, Skin } from '../../src/model/skin.ts';
 
 /** Any finite double, -0 included. */
 export const finite = fc.oneof(
@@ -176,18 +176,36 @@ export const skin: fc.Arbitrary<Skin> = fc
         positions: doubles(3 * vertices),
         normals: doubles(3 * vertices),
         texcoords: doubles(2 * vertices),
-        material: fc.record({ name: fc.oneof(token, fc.constant('')), texture: fileName }, { requiredKeys: ['name'] }),
         attachments: attachments(vertices, joints),
-        triangles: fc
-          .array(fc.nat(vertices - 1), { maxLength: 12 })
-          .map((a) => Uint32Array.from(a.slice(0, a.length - (a.length % 3)))),
+        painted: painted(vertices),
         bindings: fc
           .array(vec3, { minLength: joints, maxLength: joints })
           .map((all) => Float64Array.from(all.flatMap((d) => [1, 0, 0, 0, 0, 2, -0, 0, 0, 1e-3, 1, 0, ...d, 1]))),
       },
-      { requiredKeys: ['name', 'positions', 'triangles', 'bindings'] },
+      { requiredKeys: ['name', 'positions', 'painted', 'bindings'] },
     ),
-  );
+  )
+  .map(({ painted, ...rest }) => ({ ...rest, ...painted }));
+
+const material: fc.Arbitrary<Material> = fc.record(
+  { name: fc.oneof(token, fc.constant('')), texture: fileName, color: vec3 },
+  { requiredKeys: ['name'] },
+);
+
+/** Triangles in some blocks, all with a material but possibly the first. */
+function painted(vertices: number): fc.Arbitrary<Pick<Skin, 'triangles' | 'surfaces'>> {
+  const triangles = fc.array(fc.nat(vertices - 1), { maxLength: 12 }).map((a) => a.slice(0, a.length - (a.length % 3)));
+  const others = fc.array(fc.tuple(material, triangles), { maxLength: 3 });
+  return fc.tuple(fc.tuple(fc.option(material), triangles), others).map(([first, more]) => {
+    let triangleStart = 0;
+    const surfaces = [first, ...more].map(([material, { length }]) => {
+      const surface = { ...(material && { material }), triangleStart, triangleCount: length / 3 };
+      triangleStart += length / 3;
+      return surface;
+    });
+    return { triangles: Uint32Array.from([first, ...more].flatMap(([, indices]) => indices)), surfaces };
+  });
+}
 
 function attachments(vertices: number, joints: number): fc.Arbitrary<Attachments> {
   const row = fc.array(fc.tuple(fc.nat(joints - 1), finite), { maxLength: 6 });

@@ -14,7 +14,18 @@ const PARSED = NAMES.filter((_, i) => KINDS[FORMAT_KINDS[i]].content !== 'textur
 const VOCABULARY = [
   ...['{', '}', '{{', '}}', ' ', '\n', '\r', '\r\n', '\r\r\n', '\t', '"', '"a b"', 'x', 'ü', '骨', '\uFEFF', '\0'],
   ...['balljoint', 'offset', 'pose', 'limit', 'rx', 'rotxlimit', 'boxmin', 'order', 'xzy', 'foo', 'foo {', 'name{'],
-  ...['positions', 'normals', 'texcoords', 'skinweights', 'triangles', 'bindings', 'matrix', 'material', 'texture'],
+  ...[
+    'positions',
+    'normals',
+    'texcoords',
+    'skinweights',
+    'triangles',
+    'bindings',
+    'matrix',
+    'material',
+    'texture',
+    'color',
+  ],
   ...['animation', 'range', 'numchannels', 'channel', 'extrapolate', 'constant', 'bounce', 'keys', 'flat', 'smooth'],
   ...[
     'HIERARCHY',

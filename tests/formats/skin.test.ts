@@ -22,13 +22,13 @@ describe('reading .skin', () => {
       positions: Float64Array.of(0, 0, 0, 1, 0, 0, 0, 1, 0),
       normals: Float64Array.of(0, 0, 1, 0, 0, 1, 0, 0, 1),
       texcoords: Float64Array.of(0, 0, 1, 0, 0, 1),
-      material: { name: 'face', texture: 'head.bmp' },
       attachments: {
         start: Uint32Array.of(0, 1, 2, 4),
         joints: Uint32Array.of(0, 1, 0, 1),
         weights: Float64Array.of(1, 1, 0.5, 0.5),
       },
       triangles: Uint32Array.of(0, 1, 2),
+      surfaces: [{ material: { name: 'face', texture: 'head.bmp' }, triangleStart: 0, triangleCount: 1 }],
       bindings: Float64Array.of(
         ...[1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1],
         ...[1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 4, 5, 6, 1],
@@ -48,6 +48,7 @@ describe('reading .skin', () => {
       name: 'hero',
       positions: Float64Array.of(0, 0, 0, 1, 0, 0, 0, 1, 0),
       triangles: Uint32Array.of(0, 1, 2),
+      surfaces: [{ triangleStart: 0, triangleCount: 1 }],
       bindings: new Float64Array(0),
     });
     expect(told({ diagnostics })).toEqual(['info normals-computed 0:0']);
@@ -61,7 +62,67 @@ describe('reading .skin', () => {
     ['texture\nhead.bmp', 'head.bmp'],
   ])('takes a FILE as one token, in quotes, or as the rest of the line: %j', (line, texture) => {
     const { value } = skin(`${POSITIONS}material {\n${line}\n}`);
-    expect(value?.material).toEqual({ name: '', texture });
+    expect(value?.surfaces[0].material).toEqual({ name: '', texture });
+  });
+
+  it('reading .skin gives each block of triangles the material named last before it', () => {
+    const { value, diagnostics } = skin(
+      [
+        POSITIONS + NORMALS,
+        'triangles 1 { 0 1 2 }',
+        'material cloth { texture cloth.png }',
+        'triangles 2 { 0 2 1 1 2 0 } triangles 1 { 2 2 2 }',
+        'material { color 1 0.5 0 } triangles 0 { }',
+        'material glass { color 0 0 1 texture "my glass.png" } triangles 1 { 1 1 1 }',
+      ].join('\n'),
+    );
+    expect(diagnostics).toEqual([]);
+    expect(value?.triangles).toEqual(Uint32Array.of(0, 1, 2, 0, 2, 1, 1, 2, 0, 2, 2, 2, 1, 1, 1));
+    expect(value?.surfaces).toEqual([
+      { triangleStart: 0, triangleCount: 1 },
+      { material: { name: 'cloth', texture: 'cloth.png' }, triangleStart: 1, triangleCount: 3 },
+      { material: { name: '', color: [1, 0.5, 0] }, triangleStart: 4, triangleCount: 0 },
+      {
+        material: { name: 'glass', texture: 'my glass.png', color: [0, 0, 1] },
+        triangleStart: 4,
+        triangleCount: 1,
+      },
+    ]);
+  });
+
+  it('reading .skin gives a lone material to the triangles before it, as course files may have it', () => {
+    const { value, diagnostics } = skin(`${POSITIONS}${NORMALS}${TRIANGLES}material face { texture head.bmp }`);
+    expect(diagnostics).toEqual([]);
+    expect(value?.surfaces).toEqual([
+      { material: { name: 'face', texture: 'head.bmp' }, triangleStart: 0, triangleCount: 1 },
+    ]);
+  });
+
+  it.each([
+    [['material a { }', 'material b { }', TRIANGLES], ['b'], ['warning repeated 12:1']],
+    [[TRIANGLES, 'material a { }', 'material b { }'], ['b'], ['warning repeated 15:1']],
+    [['material a { }', TRIANGLES, 'material b { }'], ['a'], ['warning material-unused 15:1']],
+    [[TRIANGLES, 'material a { }', TRIANGLES, 'material b { }'], [undefined, 'a'], ['warning material-unused 18:1']],
+    [[TRIANGLES, TRIANGLES], [undefined], ['warning repeated 14:1']],
+    [[TRIANGLES, TRIANGLES, 'material a { }'], ['a'], ['warning repeated 14:1']],
+    [['material a { color 255 0 0 }', TRIANGLES], ['a'], ['warning color-out-of-range 11:14']],
+    [['material a { color 0 -1 2 }', TRIANGLES], ['a'], ['warning color-out-of-range 11:14']],
+    [['material a { colour 1 0 0 }', TRIANGLES], ['a'], ['warning keyword-unknown 11:14']],
+  ])('reading .skin says which of the blocks %j are used', (blocks, names, expected) => {
+    const result = skin(POSITIONS + NORMALS + blocks.map((block) => block.trim()).join('\n'));
+    expect(result.value?.surfaces.map(({ material }) => material?.name)).toEqual(names);
+    expect(told(result)).toEqual(expected);
+  });
+
+  it('names the first triangle index out of range of each block, and of all if the positions follow', () => {
+    const blocks = 'triangles 1 { 0 9 2 }\nmaterial b { }\ntriangles 2 {\n1 0 0\n0 8 7\n}\n';
+    expect(told(skin(POSITIONS + NORMALS + blocks))).toEqual([
+      'error index-out-of-range 11:17',
+      'error index-out-of-range 15:3',
+    ]);
+    const late = skin(blocks + POSITIONS + NORMALS);
+    expect(told(late)).toEqual(['error index-out-of-range 1:17']);
+    expect(late.diagnostics[0].message).toContain('2 more');
   });
 
   it('uses what is there where a count says otherwise, and tells it at the count', () => {
@@ -180,6 +241,10 @@ describe('reading .skin', () => {
     [`${POSITIONS}bindings 1 {\nmatrix { 0 0 0 0 0 0 0 0 0 0 0 0 }\n}`, ['error binding-singular 7:1']],
     [`${POSITIONS}bindings 1 {\nmatrix 1 0 0 0 1 0 0 0 1 0 0 0 }\n}`, ['error brace-missing 7:8']],
     [`${POSITIONS}material x { texture }`, ['error file-expected 6:22']],
+    [`${POSITIONS}material x { color 1 0 }`, ['error number-expected 6:24']],
+    [`${POSITIONS}material x { color 1 0 nan }`, ['error not-a-number 6:24']],
+    [`${POSITIONS}material x { color red }`, ['error not-a-number 6:20']],
+    [`${POSITIONS}triangles 1 { 0 1 2 }\nmaterial x { }\ntriangles 1 { 0 1 }`, ['error row-incomplete 8:19']],
     [`${POSITIONS}material x {`, ['error brace-missing 6:13']],
   ])('%j is an error where it is wrong', (text, expected) => {
     const result = skin(text);
@@ -213,5 +278,27 @@ describe('writing .skin', () => {
         '\tmatrix {\n\t\t1 0 0\n\t\t0 1 0\n\t\t0 0 1\n\t\t4 5 6\n\t}\n}\n',
       ].join('\n'),
     );
+  });
+
+  it('writing .skin puts each material before its triangles', () => {
+    const text = [
+      'material cloth {\n\ttexture cloth.png\n}',
+      'triangles 1 {\n\t0 1 2\n}',
+      'material red {\n\tcolor 1 0 0.25\n}',
+      'triangles 1 {\n\t2 1 0\n}',
+    ].join('\n');
+    const { value } = skin(`${POSITIONS}${NORMALS}${text}`);
+    expect(value && writeSkin(value).text).toContain(`}\n${text}\nbindings`);
+  });
+
+  it('writing .skin ends a material before triangles without one', () => {
+    const { value } = skin(POSITIONS + NORMALS + TRIANGLES + TRIANGLES);
+    if (!value) throw new Error('not read');
+    const surfaces = [
+      { material: { name: 'a' }, triangleStart: 0, triangleCount: 1 },
+      { triangleStart: 1, triangleCount: 1 },
+    ];
+    const again = skin(writeSkin({ ...value, surfaces }).text).value;
+    expect(again?.surfaces.map(({ material }) => material?.name)).toEqual(['a', '']);
   });
 });

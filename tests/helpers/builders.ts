@@ -6,7 +6,7 @@ import type { FileContent, ParsedFile } from '../../src/model/files.ts';
 import type { Morph } from '../../src/model/morph.ts';
 import { NO_MARKS, type PartMark, type PartMarks, UNMARKED } from '../../src/model/part.ts';
 import { DEFAULT_BOX, DEFAULT_MOTION, type Joint, type Skeleton, UNLIMITED } from '../../src/model/skeleton.ts';
-import type { Skin } from '../../src/model/skin.ts';
+import { type Material, oneSurface, type Skin } from '../../src/model/skin.ts';
 
 export function joint(parent: number, more: Partial<Joint> = {}): Joint {
   return {
@@ -26,6 +26,8 @@ export function skeleton(joints = 2, name = 'hero'): Skeleton {
   return { name, joints: Array.from({ length: joints }, (_, i) => joint(i - 1)) };
 }
 
+const ONE_TRIANGLE = Uint32Array.of(0, 1, 2);
+
 /** One triangle bound to the given joint; bindings for joints 0 up to it. */
 export function skin(name = 'hero', onJoint = 0, more: Partial<Skin> = {}): Skin {
   const bindings = new Float64Array(16 * (onJoint + 1));
@@ -39,10 +41,19 @@ export function skin(name = 'hero', onJoint = 0, more: Partial<Skin> = {}): Skin
       joints: Uint32Array.of(onJoint, onJoint, onJoint),
       weights: Float64Array.of(1, 1, 1),
     },
-    triangles: Uint32Array.of(0, 1, 2),
+    triangles: ONE_TRIANGLE,
+    surfaces: oneSurface(ONE_TRIANGLE),
     bindings,
     ...more,
   };
+}
+
+/** A skin as `skin` makes it, with materials: its one triangle is repeated, once for each. */
+export function paintedSkin(name: string, ...materials: readonly Material[]): Skin {
+  return skin(name, 0, {
+    triangles: Uint32Array.from(materials.flatMap(() => [...ONE_TRIANGLE])),
+    surfaces: materials.map((material, i) => ({ material, triangleStart: i, triangleCount: 1 })),
+  });
 }
 
 export function morph(name: string, vertex = 0): Morph {

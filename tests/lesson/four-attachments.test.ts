@@ -5,7 +5,7 @@ import { Evaluator } from '../../src/lesson/evaluator.ts';
 import { FourAttachments, KEPT_FOUR, type KeptFour } from '../../src/lesson/four-attachments.ts';
 import { RIGHT_PROGRAM } from '../../src/lesson/program.ts';
 import { type Character, shownSkin } from '../../src/model/document.ts';
-import type { Skin } from '../../src/model/skin.ts';
+import { oneSurface, type Skin } from '../../src/model/skin.ts';
 import { conformance, describeShared, sharedPath } from '../helpers/shared.ts';
 import { characterOf, OWN, SHARED } from './lesson-files.ts';
 
@@ -57,6 +57,7 @@ function vertexOf(...weights: readonly number[]): Skin {
     name: 'one',
     positions: new Float64Array(3),
     triangles: new Uint32Array(0),
+    surfaces: oneSurface(new Uint32Array(0)),
     bindings: bindings(weights.length),
     attachments: {
       start: Uint32Array.of(0, weights.length),

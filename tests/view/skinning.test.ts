@@ -3,7 +3,7 @@ import { Matrix4, MeshBasicMaterial, MeshStandardMaterial, ShaderChunk, ShaderLi
 import { describe, expect, it } from 'vitest';
 import { compileSkin, deform } from '../../src/evaluate/deform.ts';
 import { DEFAULT_DISPLAY } from '../../src/model/session.ts';
-import type { Skin } from '../../src/model/skin.ts';
+import { oneSurface, type Skin } from '../../src/model/skin.ts';
 import { CharacterView } from '../../src/view/character-view.ts';
 import { withExactSkinning } from '../../src/view/skinning.ts';
 import { character, joint, skin } from '../helpers/builders.ts';
@@ -21,6 +21,7 @@ function attached(lists: readonly (readonly (readonly [number, number])[])[], bi
       weights: Float64Array.from(lists.flat(), ([, w]) => w),
     },
     triangles: new Uint32Array(0),
+    surfaces: oneSurface(new Uint32Array(0)),
     bindings: Float64Array.from(bindings.flatMap((m) => m.elements)),
   });
 }

@@ -2,6 +2,7 @@
 import type { ParsedFile } from '../../model/files.ts';
 import { type Encoded, isNumbers, NUMBERS_TYPES, type StorableNumbers, type StoredNumbers } from './encode.ts';
 import { formerColumn, inPresentForm } from './former-channels.ts';
+import { formerMaterial, isFormerSkin, skinOf } from './former-skins.ts';
 
 /** A session that can't be restored; the message is a whole sentence. */
 export class RestoreError extends Error {
@@ -52,7 +53,7 @@ export function decode(
   const make = (node: Exclude<Encoded, undefined | null | boolean | number | string | StorableNumbers>): unknown => {
     switch (node.is) {
       case 'object':
-        return inPresentForm(Object.fromEntries(Object.entries(node.of).map(([key, inner]) => [key, valueAt(inner)])));
+        return presentOf(Object.fromEntries(Object.entries(node.of).map(([key, inner]) => [key, valueAt(inner)])));
       case 'list':
         return node.of.map(valueAt);
       case 'plain':
@@ -70,13 +71,20 @@ export function decode(
   return valueAt(tree);
 }
 
+/** In the form of this version. */
+function presentOf(value: Readonly<Record<string, unknown>>): object {
+  return isFormerSkin(value) ? skinOf(value) : inPresentForm(value);
+}
+
 function partOf(file: ParsedFile, path: readonly (string | number)[]): unknown {
   let value: unknown = file;
   for (const key of path) {
     const at: unknown = value;
     if (typeof at !== 'object' || at === null) throw changed(file);
     // Own properties only; the value is checked in the next step.
-    value = Object.hasOwn(at, key) ? (at as Record<string | number, unknown>)[key] : formerColumn(at, key);
+    value = Object.hasOwn(at, key)
+      ? (at as Record<string | number, unknown>)[key]
+      : (formerColumn(at, key) ?? formerMaterial(at, key));
     if (value === undefined) throw changed(file);
   }
   return value;

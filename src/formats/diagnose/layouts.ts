@@ -42,6 +42,7 @@ export const TEXT_LAYOUTS: { readonly [K in TextKind]: TextLayout } = {
       'bindings',
       'material',
       'texture',
+      'color',
     ],
   },
   morph: {

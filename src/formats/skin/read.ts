@@ -3,11 +3,14 @@
  *
  *     skin = { positions N "{" { x y z } "}"  |  normals N "{" { x y z } "}"  |  texcoords N "{" { u v } "}"
  *            | skinweights N "{" { k j0 w0 … } "}"  |  triangles M "{" { a b c } "}"
- *            | bindings J "{" { matrix "{" a b c d "}" } "}"  |  material [NAME] "{" texture FILE "}" }    in any order
+ *            | bindings J "{" { matrix "{" a b c d "}" } "}"
+ *            | material [NAME] "{" { texture FILE | color r g b } "}" }    in any order
  *
- * A matrix lists its columns a b c d, three numbers each. What involves several blocks is checked at the end.
+ * A matrix lists its columns a b c d, three numbers each. What involves several blocks is checked at the end. Several
+ * materials, each followed by its triangles, and colours are an extension: see `surfaces.ts`.
  */
 import { isSingular } from '../../math/mat4.ts';
+import type { Vec3 } from '../../math/vec3.ts';
 import type { Material, Skin } from '../../model/skin.ts';
 import {
   braceTooMany,
@@ -16,6 +19,7 @@ import {
   countAndBrace,
   type GrammarPart,
   NumberList,
+  numbers,
   openBrace,
   rows,
   skipStrange,
@@ -26,6 +30,7 @@ import { NO_PLACE, WHOLE_FILE } from '../places.ts';
 import { grammarReader, type Reader, type ReadResult, readWhole } from '../reader.ts';
 import type { Mark, Tokens } from '../tokens.ts';
 import { AttachmentSink, TriangleSink } from './sinks.ts';
+import { Surfaces } from './surfaces.ts';
 
 /** A reader for a `.skin`. */
 export function skinReader(fileName: string): Reader<Skin> {
@@ -39,6 +44,7 @@ export function readSkin(bytes: Uint8Array | string, fileName: string): ReadResu
 
 const KEYWORDS = new Set([
   ...['positions', 'normals', 'texcoords', 'skinweights', 'triangles', 'bindings', 'material', 'matrix', 'texture'],
+  'color',
 ]);
 
 /** A name with blanks ends with one of these. */
@@ -58,11 +64,11 @@ interface Parts {
   attachmentsAt?: Mark;
   triangles?: TriangleSink;
   bindings?: Float64Array;
-  material?: Material;
+  readonly surfaces: Surfaces;
 }
 
 function* skinFile(t: Tokens): GrammarPart<Skin> {
-  const parts: Parts = {};
+  const parts: Parts = { surfaces: new Surfaces() };
   for (;;) {
     const kind = yield* t.next();
     if (kind === 'end') break;
@@ -89,16 +95,15 @@ function* block(t: Tokens, parts: Parts): GrammarPart<void> {
       parts.attachments = yield* skinweights(t);
       return;
     case 'triangles':
-      if (parts.triangles) warnRepeated(t, word);
-      parts.triangles = yield* triangles(t, parts.positions);
+      yield* triangles(t, parts);
       return;
     case 'bindings':
       if (parts.bindings) warnRepeated(t, word);
       parts.bindings = yield* bindings(t);
       return;
     case 'material':
-      if (parts.material) warnRepeated(t, word);
-      parts.material = yield* material(t);
+      parts.surfaces.beginMaterial(t);
+      parts.surfaces.endMaterial(yield* material(t));
       return;
     default:
       yield* skipStrange(t, 'a .skin file', 'positions, normals, skinweights, triangles, bindings or material');
@@ -118,13 +123,20 @@ function* skinweights(t: Tokens): GrammarPart<AttachmentSink> {
   return sink;
 }
 
-function* triangles(t: Tokens, positions: Block | undefined): GrammarPart<TriangleSink> {
+/** Indices go on through all blocks. */
+function* triangles(t: Tokens, parts: Parts): GrammarPart<void> {
+  const { surfaces, positions } = parts;
+  surfaces.beginTriangles(t);
   const declared = yield* countAndBrace(t, 'triangles', KEYWORDS);
-  const sink = new TriangleSink(t, 3 * (declared.count ?? 0), positions && Math.floor(positions.values.length / 3));
+  parts.triangles ??= new TriangleSink(positions && Math.floor(positions.values.length / 3));
+  const sink = parts.triangles;
+  const before = sink.found;
+  sink.begin(t, 3 * (declared.count ?? 0));
   yield* t.numbers(sink, 'triangles', KEYWORDS);
   sink.tell(t);
-  checkRows(t, 'triangles', 3, declared, sink.found);
-  return sink;
+  const found = sink.found - before;
+  checkRows(t, 'triangles', 3, declared, found);
+  surfaces.endTriangles(Math.floor(found / 3));
 }
 
 /** `J { matrix { a b c d } … }` */
@@ -175,7 +187,7 @@ function* matrix(t: Tokens, joint: number): GrammarPart<Float64Array> {
   return m;
 }
 
-/** `[NAME] { texture FILE }` */
+/** `[NAME] { texture FILE  color r g b }`, either or both. */
 function* material(t: Tokens): GrammarPart<Material> {
   const opened = t.mark();
   let name = '';
@@ -183,6 +195,7 @@ function* material(t: Tokens): GrammarPart<Material> {
   else t.again();
   yield* openBrace(t, 'the name of the material');
   let texture: string | undefined;
+  let color: Vec3 | undefined;
   for (;;) {
     const kind = yield* t.next();
     if (kind === '}') break;
@@ -194,18 +207,32 @@ function* material(t: Tokens): GrammarPart<Material> {
         t.error('file-expected', `Expected a file name after texture, found ${t.found()}.`);
         t.again();
       }
-    } else if (KEYWORDS.has(word)) {
+    } else if (word === 'color') color = yield* colorOf(t);
+    else if (KEYWORDS.has(word)) {
       t.braceMissing('the material');
       break;
-    } else yield* skipStrange(t, 'a material', 'texture');
+    } else yield* skipStrange(t, 'a material', 'texture or color');
   }
-  return texture === undefined ? { name } : { name, texture };
+  return { name, ...(texture !== undefined && { texture }), ...(color && { color }) };
+}
+
+/** `r g b`, kept as written. */
+function* colorOf(t: Tokens): GrammarPart<Vec3> {
+  const place = t.mark();
+  const [r, g, b] = yield* numbers(t, 3, (i) => `the ${['red', 'green', 'blue'][i]} of color, from 0 to 1`, KEYWORDS);
+  const wrong = [r, g, b].find((value) => !(value >= 0 && value <= 1));
+  if (wrong === undefined) t.forget(place);
+  else {
+    const message = `Expected red, green and blue from 0 to 1 after color, found ${wrong}.`;
+    t.report.warn('color-out-of-range', message, t.placeOf(place, 'warning'), 'drawn as the nearest colour');
+  }
+  return [r, g, b];
 }
 
 /** After the file is read: checks that its blocks fit together. */
 function skinOf(t: Tokens, parts: Parts): Skin {
   const { report } = t;
-  const { attachments, triangles, material, bindings = new Float64Array(0) } = parts;
+  const { attachments, triangles, bindings = new Float64Array(0) } = parts;
   const positions = parts.positions?.values ?? new Float64Array(0);
   const vertices = Math.floor(positions.length / 3);
   if (vertices === 0) {
@@ -239,9 +266,9 @@ function skinOf(t: Tokens, parts: Parts): Skin {
     positions,
     ...(normals && { normals }),
     ...(texcoords && { texcoords }),
-    ...(material && { material }),
     ...(attachments && { attachments: attachments.all(vertices) }),
     triangles: triangles?.all() ?? new Uint32Array(0),
+    surfaces: parts.surfaces.end(t),
     bindings,
   };
 }

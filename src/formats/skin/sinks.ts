@@ -15,26 +15,30 @@ const LIMIT = MAX_COUNT - 1;
 /** Tolerance of the sum of a vertex's weights. */
 const SUM_TOLERANCE = 0.01;
 
-/** `triangles M { a b c … }` */
+/** `triangles M { a b c … }`, of all such blocks one after the other. */
 export class TriangleSink implements NumberSink {
   readonly values = new Float64Array(BATCH);
   count = 0;
   readonly usesUp = true;
   found = 0;
-  private indices: Uint32Array;
-  private readonly wrong: WrongIndices;
+  private indices: Uint32Array = new Uint32Array(0);
+  private expected = 0;
+  private wrong: WrongIndices;
   /** Used while the number of vertices is unknown. */
   private readonly stairs: Stairs | undefined;
 
   /** `vertices`: their number, if positions were read already. */
-  constructor(
-    t: Tokens,
-    private readonly expected: number,
-    private readonly vertices: number | undefined,
-  ) {
-    this.indices = new Uint32Array(Math.min(t.numbersAtHand(), Math.max(64, expected)));
+  constructor(private readonly vertices: number | undefined) {
     this.stairs = vertices === undefined ? new Stairs() : undefined;
-    this.wrong = new WrongIndices('the index of a vertex', () => range(vertices));
+    this.wrong = wrongVertices(vertices);
+  }
+
+  /** Before a block that declares `expected` numbers. */
+  begin(t: Tokens, expected: number): void {
+    this.expected = this.found + Math.max(0, expected);
+    this.wrong = wrongVertices(this.vertices);
+    if (this.found > 0) return;
+    this.indices = new Uint32Array(Math.min(t.numbersAtHand(), Math.max(64, expected)));
   }
 
   flush(t: Tokens): void {
@@ -64,7 +68,7 @@ export class TriangleSink implements NumberSink {
   tellOutOfRange(t: Tokens, vertices: number): void {
     const first = this.stairs?.first(vertices);
     if (!first) return;
-    const late = new WrongIndices('the index of a vertex', () => range(vertices));
+    const late = wrongVertices(vertices);
     late.add(first.value, first.place);
     late.tell(t, countAtLeast(this.indices, this.found, vertices) - 1);
   }
@@ -230,6 +234,10 @@ function trimmed<A extends Uint32Array | Float64Array>(array: A, length: number)
   const isSnug = array.length - length <= array.length / 16;
   // Both methods return the type of array they are called on.
   return (isSnug ? array.subarray(0, length) : array.slice(0, length)) as A;
+}
+
+function wrongVertices(count: number | undefined): WrongIndices {
+  return new WrongIndices('the index of a vertex', () => range(count));
 }
 
 function range(count: number | undefined, what = 'vertices'): string {

@@ -1,22 +1,21 @@
-/** Writes `.skin`, its blocks in the order of the course's files. */
-import type { Attachments, Skin } from '../../model/skin.ts';
+/** Writes `.skin`, its blocks in the order of the course's files; each material is followed by its triangles. */
+import type { Attachments, Material, Skin } from '../../model/skin.ts';
 import type { WriteResult } from '../reader.ts';
 import { Text } from '../write-text.ts';
 
 /** `fileName` appears in diagnostics. */
 export function writeSkin(skin: Skin, fileName = ''): WriteResult {
   const text = new Text(fileName);
-  const { positions, normals, texcoords, attachments, material, triangles, bindings } = skin;
+  const { positions, normals, texcoords, attachments, triangles, surfaces, bindings } = skin;
   text.rows('positions', 3, positions);
   if (normals) text.rows('normals', 3, normals);
   if (texcoords) text.rows('texcoords', 2, texcoords);
   if (attachments) writeAttachments(text, attachments);
-  if (material) {
-    text.line(0, `material${text.name(material.name, 'material')} {`);
-    if (material.texture !== undefined) text.line(1, `texture ${text.file(material.texture, 'texture')}`);
-    text.line(0, '}');
-  }
-  text.rows('triangles', 3, triangles);
+  surfaces.forEach(({ material, triangleStart, triangleCount }, i) => {
+    // Without a block of its own it would have the material before it.
+    if (material || i > 0) writeMaterial(text, material ?? { name: '' });
+    text.rows('triangles', 3, triangles.subarray(3 * triangleStart, 3 * (triangleStart + triangleCount)));
+  });
   const joints = Math.floor(bindings.length / 16);
   text.line(0, `bindings ${joints} {`);
   for (let joint = 0; joint < joints; joint++) {
@@ -29,6 +28,13 @@ export function writeSkin(skin: Skin, fileName = ''): WriteResult {
   }
   text.line(0, '}');
   return text.result();
+}
+
+function writeMaterial(text: Text, { name, texture, color }: Material): void {
+  text.line(0, `material${text.name(name, 'material')} {`);
+  if (texture !== undefined) text.line(1, `texture ${text.file(texture, 'texture')}`);
+  if (color) text.line(1, `color ${text.numbers(color)}`);
+  text.line(0, '}');
 }
 
 function writeAttachments(text: Text, { start, joints, weights }: Attachments): void {

@@ -40,6 +40,8 @@ class BlockLocator implements Locator {
   private current: { readonly block: Block; readonly rows: RowsBuilder; readonly indices: number[] } | undefined;
   private inBindings = false;
   private bindings = 0;
+  /** Triangles of all blocks so far. */
+  private triangles = 0;
 
   constructor(
     private readonly found: Located,
@@ -71,7 +73,9 @@ class BlockLocator implements Locator {
     if (current) {
       const { of, isIndexed } = current.block;
       const indices = isIndexed && { indices: Uint32Array.from(current.indices) };
-      this.found.rows.push({ of, lines: current.rows.done(), ...indices });
+      const lines = current.rows.done();
+      this.found.rows.push({ of, lines, ...indices, ...(of === 'triangle' && { first: this.triangles }) });
+      if (of === 'triangle') this.triangles += lines.count;
       this.current = undefined;
       this.inRows = false;
     } else if (this.inBindings && this.depth === 1 && this.head === 'matrix') {

@@ -19,7 +19,7 @@ import {
 } from '../../model/files.ts';
 import type { Morph } from '../../model/morph.ts';
 import { NO_MARKS, type PartFile, type PartMark, type PartMarks, readAs, UNMARKED } from '../../model/part.ts';
-import type { Skin } from '../../model/skin.ts';
+import { type Skin, textureNames } from '../../model/skin.ts';
 import type { Space } from '../../model/space.ts';
 
 /** Where a part comes from. */
@@ -96,9 +96,7 @@ function withTexture(character: Character, texture: Texture): Character {
 export function withTextures(character: Character, given: readonly ParsedFile[]): Character {
   const skinFolders = character.parts?.skins.flatMap(({ file }) => (file ? folderOf(file.source) : [])) ?? [];
   let next = character;
-  for (const skin of character.skins) {
-    const wanted = skin.material?.texture;
-    if (wanted === undefined) continue;
+  for (const wanted of new Set(character.skins.flatMap(textureNames))) {
     const fits = given.filter((f) => f.kind === 'texture' && sameName(f.source.name, baseName(wanted)));
     const file = fits.find((f) => skinFolders.includes(folderOf(f.source))) ?? fits[0];
     if (file?.kind !== 'texture' || next.textures.includes(file.texture)) continue;
@@ -153,8 +151,8 @@ export function checkParts(before: Character | undefined, after: Character, nami
     const isNew = !before?.skins.includes(skin);
     const file = called(parts.skins[i], `${skin.name}.skin`);
     if (after.skeleton && (isNew || newSkeleton)) problems.push(...checkSkin(skin, after.skeleton, file));
-    const texture = skin.material?.texture;
-    if (isNew && texture !== undefined && !after.textures.some((t) => sameName(t.name, baseName(texture)))) {
+    for (const texture of isNew ? textureNames(skin) : []) {
+      if (after.textures.some((t) => sameName(t.name, baseName(texture)))) continue;
       const message = `The texture "${texture}" named by the skin was not among the files.`;
       problems.push(withoutPlace('warning', 'texture-not-given', message, file, 'drawn without texture'));
     }

@@ -11,7 +11,7 @@
  */
 
 import { add, cross, scaled, subtract, type Vec3 } from '../../math/vec3.ts';
-import type { Attachments, Material, Skin } from '../../model/skin.ts';
+import { type Attachments, type Material, oneSurface, type Skin } from '../../model/skin.ts';
 import { normalise, round } from './vectors.ts';
 
 /** Joint indices and weights of one vertex; normalised later. */
@@ -124,16 +124,17 @@ export class MeshBuilder {
    */
   skin(name: string, bindings: Float64Array, material?: Material): Skin {
     const positions = this.positions.map((p) => roundVec(p, 3));
+    const triangles = Uint32Array.from(this.triangles);
     return {
       name,
       positions: Float64Array.from(positions.flat()),
       normals: Float64Array.from(this.normalsOf(this.positions).flatMap((n) => roundVec(n, 2))),
       ...(material && {
         texcoords: Float64Array.from(this.texcoords.flatMap((t) => t.map((x) => round(x, 3)))),
-        material,
       }),
       attachments: packWeights(this.weights),
-      triangles: Uint32Array.from(this.triangles),
+      triangles,
+      surfaces: oneSurface(triangles, material),
       bindings: bindings.map((x) => round(x, 5)),
     };
   }

@@ -6,12 +6,14 @@ import { Origins } from '../../../src/app/autosave/origins.ts';
 import { fill, piecesOf, StoredPieces } from '../../../src/app/autosave/pieces.ts';
 import { keysOf, NO_KEYS, restChannel } from '../../../src/model/clip.ts';
 import type { ParsedFile } from '../../../src/model/files.ts';
+import { oneSurface } from '../../../src/model/skin.ts';
 import {
   animFile,
   character,
   clip,
   documentOf,
   file,
+  paintedSkin,
   skeleton,
   skelFile,
   skin,
@@ -151,6 +153,16 @@ describe('encoding a session', () => {
     const sides = { tangentsIn: part('tangentsIn'), tangentsOut: part('tangentsOut') };
     const former = { rest: 3, extrapolateIn: 'constant', extrapolateOut: 'constant', ...columns, ...sides };
     expect(decode({ is: 'object', of: former }, [read], new Map())).toEqual(restChannel(3));
+  });
+
+  it('gives the one material of skins of earlier versions to all of their triangles', () => {
+    const { surfaces: _, ...rest } = skin();
+    const material = { name: 'face', texture: 'face.png' };
+    expect(thereAndBack({ ...rest, material })).toEqual({ ...rest, surfaces: oneSurface(rest.triangles, material) });
+    expect(thereAndBack(rest)).toEqual(skin());
+    const files = [skinFile('hero.skin', paintedSkin('hero', material))];
+    const part: Encoded = { is: 'part', file: 0, path: ['skin', 'material'] };
+    expect(decode(part, files, new Map())).toBe(material);
   });
 
   it('refuses if a file reads differently than before', () => {

@@ -23,7 +23,7 @@ import {
   type Skeleton,
   UNLIMITED,
 } from '../../../src/model/skeleton.ts';
-import type { Skin } from '../../../src/model/skin.ts';
+import { oneSurface, type Skin } from '../../../src/model/skin.ts';
 import { character, documentOf, morph } from '../../helpers/builders.ts';
 import { Dice } from '../dice.ts';
 import { channelOf } from '../keys/channels.ts';
@@ -150,6 +150,7 @@ function randomSkin(dice: Dice, name: string, joints: number): Skin {
       },
     }),
     triangles: new Uint32Array(0),
+    surfaces: oneSurface(new Uint32Array(0)),
     bindings,
   };
 }

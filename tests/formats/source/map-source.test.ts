@@ -208,6 +208,15 @@ describe('the lines of parts', () => {
     expect(targetAt(found, 4)).toEqual({ kind: 'channel', channel: 0 });
   });
 
+  it('triangles of several materials are numbered through the whole file', () => {
+    const text = 'triangles 2 {\n0 1 2\n2 1 0\n}\nmaterial a { color 1 0 0 }\ntriangles 1 {\n1 1 2\n}';
+    const found = mapSource(bytesOf(text), 'a.skin');
+    const at = (triangle: number) => linesOf(found, { kind: 'triangle', triangle });
+    expect([at(0), at(1), at(2)]).toEqual([2, 3, 7].map((line) => [{ from: line, to: line }]));
+    expect(at(3)).toEqual([]);
+    expect(targetAt(found, 7)).toEqual({ kind: 'triangle', triangle: 2 });
+  });
+
   it('rows on one line, on several, and after blank lines are found', () => {
     const skin = 'positions 4 { 0 0 0 1 1 1\n2\n2 2\n\n3 3 3 }\ntriangles 1 {\n0 1 2\n}';
     const found = mapSource(bytesOf(skin), 'a.skin');

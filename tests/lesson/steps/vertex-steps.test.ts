@@ -6,8 +6,7 @@ import { dofCountOf, poseAt } from '../../../src/evaluate/pose.ts';
 import { vertexStepper } from '../../../src/lesson/steps/vertex-steps.ts';
 import { type Character, shownSkin } from '../../../src/model/document.ts';
 import type { Morph } from '../../../src/model/morph.ts';
-import type { Skin } from '../../../src/model/skin.ts';
-import { vertexCount } from '../../../src/model/skin.ts';
+import { oneSurface, type Skin, vertexCount } from '../../../src/model/skin.ts';
 import { describeShared } from '../../helpers/shared.ts';
 import { characterOf, OWN, SHARED } from '../lesson-files.ts';
 
@@ -63,6 +62,7 @@ describe('the steps of random vertices', () => {
           positions: Float64Array.from(position),
           normals: Float64Array.from(normal),
           triangles: new Uint32Array(0),
+          surfaces: oneSurface(new Uint32Array(0)),
           bindings: Float64Array.from(bindings.flat()),
           ...(attached && {
             attachments: {
@@ -90,6 +90,7 @@ describe('the steps of a vertex', () => {
       positions: Float64Array.of(1, 2, 3),
       normals: Float64Array.of(0, 2, 0),
       triangles: new Uint32Array(0),
+      surfaces: oneSurface(new Uint32Array(0)),
       bindings: new Float64Array(0),
     };
     const morphs = [

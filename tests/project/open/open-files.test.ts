@@ -12,6 +12,7 @@ import {
   file,
   morph,
   morphFile,
+  paintedSkin,
   skeleton,
   skelFile,
   skin,
@@ -138,7 +139,7 @@ describe('files opened together', () => {
   });
 
   it('dress a skin in the texture that it names, without regard to case', () => {
-    const painted = skin('hero', 0, { material: { name: 'face', texture: 'Head.PNG' } });
+    const painted = paintedSkin('hero', { name: 'face', texture: 'Head.PNG' });
     const head = texture('head.png');
     const { document, diagnostics } = open([skelFile('hero.skel', skeleton()), skinFile('hero.skin', painted), head]);
     expect(only(document).textures.map((t) => t.name)).toEqual(['head.png']);
@@ -147,12 +148,27 @@ describe('files opened together', () => {
   });
 
   it('warn of a texture that was not given, and take it when it comes', () => {
-    const painted = skin('hero', 0, { material: { name: 'face', texture: 'head.png' } });
+    const painted = paintedSkin('hero', { name: 'face', texture: 'head.png' });
     const first = open([skelFile('hero.skel', skeleton()), skinFile('hero.skin', painted)]);
     expect(first.diagnostics).toMatchObject([{ severity: 'warning', code: 'texture-not-given', file: 'hero.skin' }]);
     const second = open([texture('head.png')], first.document);
     expect(only(second.document).textures).toHaveLength(1);
     expect(second.opened).toEqual(['c1']);
+  });
+
+  it('dress a skin in the textures of all its materials, and warn of each that was not given', () => {
+    const material = (name: string) => ({ name, texture: `tex/${name}.png` });
+    const painted = paintedSkin('hero', ...['face', 'coat', 'face', 'boots'].map(material), { name: 'bare' });
+    const files = [skelFile('hero.skel', skeleton()), skinFile('hero.skin', painted), texture('Coat.png')];
+    const { document, diagnostics } = open(files);
+    expect(only(document).textures.map((t) => t.name)).toEqual(['Coat.png']);
+    expect(diagnostics.map(({ code, message }) => [code, /"(.*)"/.exec(message)?.[1]])).toEqual([
+      ['texture-not-given', 'tex/face.png'],
+      ['texture-not-given', 'tex/boots.png'],
+    ]);
+    const later = open([texture('boots.png'), texture('face.png')], document);
+    expect(only(later.document).textures.map((t) => t.name)).toEqual(['Coat.png', 'face.png', 'boots.png']);
+    expect(later.document.unused).toEqual([]);
   });
 
   it('files opened together are placed beside existing characters', () => {

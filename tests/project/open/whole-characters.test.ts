@@ -7,12 +7,12 @@ import { type Document, EMPTY_DOCUMENT } from '../../../src/model/document.ts';
 import type { ParsedFile, WholeCharacter } from '../../../src/model/files.ts';
 import { openFiles } from '../../../src/project/open/open-files.ts';
 import { saveCharacter } from '../../../src/project/save/saving.ts';
-import { clip, file, morph, morphFile, skeleton, skelFile, skin } from '../../helpers/builders.ts';
+import { clip, file, morph, morphFile, paintedSkin, skeleton, skelFile, skin } from '../../helpers/builders.ts';
 
 const texture = { name: 'fur.png', mime: 'image/png', bytes: new Uint8Array(1) };
 const fox: WholeCharacter = {
   skeleton: skeleton(2, 'fox'),
-  skins: [skin('fur', 0, { material: { name: 'fur', texture: 'fur.png' } }), skin('winter')],
+  skins: [paintedSkin('fur', { name: 'fur', texture: 'fur.png' }), skin('winter')],
   morphs: [morph('smile')],
   clips: [clip('run', new Array(10).fill(0)), clip('sit', new Array(10).fill(1))],
   textures: [texture],

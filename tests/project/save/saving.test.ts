@@ -5,10 +5,10 @@ import { KINDS, SAVED_KINDS } from '../../../src/project/kinds.ts';
 import { openFiles } from '../../../src/project/open/open-files.ts';
 import { saveCharacter } from '../../../src/project/save/saving.ts';
 import { parse } from '../../../src/worker/parse.ts';
-import { character, clip, morph, skeleton, skin } from '../../helpers/builders.ts';
+import { character, clip, morph, paintedSkin, skeleton } from '../../helpers/builders.ts';
 
 const hero = character({
-  skins: [skin('hero', 1, { material: { name: 'face', texture: 'face.png' } })],
+  skins: [paintedSkin('hero', { name: 'face', texture: 'face.png' })],
   morphs: [morph('hero_smile')],
   clips: [clip('hero_walk', new Array(10).fill(0.5), [0, 2])],
   shownClip: 0,

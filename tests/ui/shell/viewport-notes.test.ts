@@ -1,6 +1,7 @@
 import { describe, expect, it } from 'vitest';
 import { EMPTY_DOCUMENT } from '../../../src/model/document.ts';
 import { DEFAULT_DISPLAY } from '../../../src/model/session.ts';
+import { oneSurface } from '../../../src/model/skin.ts';
 import { whatIsMissing, withoutWeights } from '../../../src/ui/shell/viewport-pane.ts';
 import { character, clip, skeleton } from '../builders.ts';
 
@@ -21,7 +22,8 @@ describe('the note over the viewport', () => {
 });
 
 describe('a skin without weights', () => {
-  const bare = { name: 'sleeve', positions: new Float64Array(9), triangles: new Uint32Array(3) };
+  const triangles = new Uint32Array(3);
+  const bare = { name: 'sleeve', positions: new Float64Array(9), triangles, surfaces: oneSurface(triangles) };
   const skin = { ...bare, bindings: new Float64Array(0) };
   const attachments = { start: new Uint32Array(4), joints: new Uint32Array(0), weights: new Float64Array(0) };
   const bones = skeleton(['hips', -1], ['leg', 0]);

@@ -5,7 +5,7 @@ import { vertexDeformer } from '../../../../src/evaluate/one-vertex.ts';
 import { setIdentity } from '../../../../src/math/mat4.ts';
 import type { Morph } from '../../../../src/model/morph.ts';
 import { movedVertices } from '../../../../src/model/moved-vertices.ts';
-import type { Skin } from '../../../../src/model/skin.ts';
+import { oneSurface, type Skin } from '../../../../src/model/skin.ts';
 import { skeleton } from '../../builders.ts';
 
 const bindings = new Float64Array(32);
@@ -18,6 +18,7 @@ const patch: Skin = {
   positions: Float64Array.of(0, 0, 0, 1, 0, 0, 0, 1, 0, 1, 1, 0.5),
   normals: Float64Array.of(0, 0, 1, 0, 0, 1, 0, 1, 0, 1, 0, 0),
   triangles: Uint32Array.of(0, 1, 2),
+  surfaces: oneSurface(Uint32Array.of(0, 1, 2)),
   bindings,
   attachments: {
     start: Uint32Array.of(0, 1, 3, 3, 6),

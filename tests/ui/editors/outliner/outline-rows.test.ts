@@ -1,6 +1,6 @@
 import { describe, expect, it } from 'vitest';
 import type { Document } from '../../../../src/model/document.ts';
-import type { Skin } from '../../../../src/model/skin.ts';
+import { oneSurface, type Skin } from '../../../../src/model/skin.ts';
 import {
   keysAbove,
   type OutlineRow,
@@ -14,7 +14,9 @@ const text = (rows: readonly OutlineRow[]) => rows.map((r) => `${'  '.repeat(r.d
 const legs = skeleton(['hips', -1], ['leg_l', 0], ['foot_l', 1], ['leg_r', 0]);
 
 function skin(name: string): Skin {
-  return { name, positions: new Float64Array(9), triangles: new Uint32Array(3), bindings: new Float64Array(0) };
+  const triangles = new Uint32Array(3);
+  const surfaces = oneSurface(triangles);
+  return { name, positions: new Float64Array(9), triangles, surfaces, bindings: new Float64Array(0) };
 }
 
 const wasp = character({

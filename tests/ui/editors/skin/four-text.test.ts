@@ -1,11 +1,12 @@
 import { expect, it } from 'vitest';
-import type { Skin } from '../../../../src/model/skin.ts';
+import { oneSurface, type Skin } from '../../../../src/model/skin.ts';
 import { attachmentsText, heatScale, scaleText } from '../../../../src/ui/editors/skin/four-text.ts';
 
 const skin: Skin = {
   name: 'arm',
   positions: new Float64Array(3 * 1200),
   triangles: new Uint32Array(0),
+  surfaces: oneSurface(new Uint32Array(0)),
   bindings: new Float64Array(16),
   attachments: { start: new Uint32Array(1201), joints: new Uint32Array(0), weights: new Float64Array(0) },
 };

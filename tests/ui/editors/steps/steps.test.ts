@@ -3,6 +3,7 @@ import { stepsOfPose } from '../../../../src/lesson/steps/dof-steps.ts';
 import { stepsOfJoint } from '../../../../src/lesson/steps/joint-steps.ts';
 import { vertexStepper } from '../../../../src/lesson/steps/vertex-steps.ts';
 import type { Vec3 } from '../../../../src/math/vec3.ts';
+import { oneSurface } from '../../../../src/model/skin.ts';
 import { meaningText } from '../../../../src/ui/editors/steps/formula-view.ts';
 import { sourcesText } from '../../../../src/ui/editors/steps/joint-view.ts';
 import { paintStage } from '../../../../src/ui/editors/steps/paint-stage.ts';
@@ -31,6 +32,7 @@ describe('the slider of Steps', () => {
       name: 'x',
       positions: Float64Array.of(1, 0, 0),
       triangles: new Uint32Array(0),
+      surfaces: oneSurface(new Uint32Array(0)),
       bindings: new Float64Array(0),
       attachments: { start: Uint32Array.of(0, 1), joints: Uint32Array.of(0), weights: Float64Array.of(1) },
     };
