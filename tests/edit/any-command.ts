@@ -191,6 +191,21 @@ const ARGUMENTS: Readonly<Record<string, (s: Situation) => object | undefined>> 
     atSeconds: dice.is(0.5) ? seconds(dice) : undefined,
   }),
   'takes.setTimeOffsets': ({ dice, character }) => ({ characterIds: [character.id], seconds: seconds(dice) }),
+  'takes.setSpeed': ({ dice, character }) =>
+    character.clips.length ? { takes: someTakes(dice, character), factor: dice.pick([0.5, 0.8, 2]) } : undefined,
+  'takes.join': ({ dice, character }) =>
+    character.clips.length > 1 && character.clips.length < 4
+      ? { takes: [1, 0].map((clip) => ({ characterId: character.id, clip })), overlapSeconds: dice.number() }
+      : undefined,
+  'takes.cutOut': ({ dice, character }) => {
+    const [from, to] = range(dice);
+    const align = dice.pick(['root', 'foot', 'none'] as const);
+    return character.clips.length ? { takes: someTakes(dice, character), from, to, align } : undefined;
+  },
+  'takes.insert': ({ dice, character }) =>
+    character.clips.length
+      ? { into: someTakes(dice, character)[0], atSeconds: time(dice), holdSeconds: dice.number() }
+      : undefined,
   'takes.mirror': ({ dice, character }) => (character.clips.length ? { takes: someTakes(dice, character) } : undefined),
   'takes.remove': ({ character }) =>
     character.clips.length > 1 ? { takes: [{ characterId: character.id, clip: 0 }] } : undefined,

@@ -209,6 +209,19 @@ export const CASES: Readonly<Record<string, EditCase>> = {
     idle: { before: OVERLAID, overlaid: OVERLAID },
   },
   'takes.remove': alone({ takes: [{ ...WHO, clip: 0 }] }, { takes: [] }),
+  'takes.setSpeed': captured({ takes: [{ ...WHO, clip: 0 }], factor: 2 }, { takes: [{ ...WHO, clip: 0 }], factor: 1 }),
+  'takes.join': alone(
+    { takes: [0, 1].map((clip) => ({ ...WHO, clip })), overlapSeconds: 0.1 },
+    { takes: [{ ...WHO, clip: 0 }] },
+  ),
+  'takes.cutOut': captured(
+    { takes: [{ ...WHO, clip: 0 }], from: 0.5, to: 1 },
+    { takes: [{ ...WHO, clip: 0 }], from: 5, to: 6 },
+  ),
+  'takes.insert': captured(
+    { into: { ...WHO, clip: 0 }, atSeconds: 1, holdSeconds: 0.5 },
+    { into: { ...WHO, clip: 0 }, atSeconds: 1, holdSeconds: 0 },
+  ),
   'takes.mirror': alone({ takes: [{ ...WHO, clip: 0 }] }, { takes: [] }),
   'channels.simplify': alone({ ...WHO, channels: [6], tolerance: 0.01 }, { ...WHO, channels: [3], tolerance: 1e-9 }),
   'channels.resample': alone(

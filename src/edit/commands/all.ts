@@ -33,7 +33,8 @@ import {
   trimSamples,
 } from './samples.ts';
 import { autoWeights } from './skin-weights.ts';
-import { mirrorTakes } from './take-edits.ts';
+import { mirrorTakes, setTakeSpeed } from './take-edits.ts';
+import { cutOutOfTakes, insertIntoTake, joinTakes } from './take-joins.ts';
 import { alignStarts, arrange, endOverlay, overlayTakes, removeTakes, setTimeOffsets, showTakes } from './takes.ts';
 import { breakTangents, setSlopes, setTangents, unifyTangents } from './tangents.ts';
 
@@ -60,6 +61,10 @@ const FETCHED: readonly Command<never, Document | Edit>[] = [
   overlayTakes,
   removeTakes,
   mirrorTakes,
+  setTakeSpeed,
+  joinTakes,
+  cutOutOfTakes,
+  insertIntoTake,
   simplify,
   resample,
   eulerFilter,

@@ -6,8 +6,10 @@ import { runToEnd, type Steps, within } from '../../evaluate/steps.ts';
 import type { ChannelClip } from '../../model/clip.ts';
 import type { Character, Document } from '../../model/document.ts';
 import type { Skeleton } from '../../model/skeleton.ts';
+import { finiteNumber } from '../arguments.ts';
 import { changeCharacter, requireCharacter } from '../characters.ts';
 import { refuseMoved } from '../refuse-moved.ts';
+import { retiming } from '../samples/speed.ts';
 import { mirroringTake } from '../samples/take-mirror.ts';
 import { type Command, CommandError } from '../store.ts';
 import { withTake } from '../takes.ts';
@@ -32,8 +34,28 @@ function mirrorTakesSteps(document: Document, { takes }: OfTakes): Steps<Documen
   );
 }
 
+export interface SetSpeed extends OfTakes {
+  /** 2 plays twice as fast; greater than 0. */
+  readonly factor: number;
+}
+
+/** Changes how long takes last; see `samples/speed.ts`. */
+export const setTakeSpeed: Command<SetSpeed> = {
+  id: 'takes.setSpeed',
+  label: (document, args) => `Change speed of ${namesOfTakes(document, args)}`,
+  run: (document, args) => runToEnd(setSpeedSteps(document, args)),
+};
+
+/** The same in steps, yielding progress every few milliseconds. */
+function setSpeedSteps(document: Document, { takes, factor }: SetSpeed): Steps<Document> {
+  if (!(finiteNumber(factor, 'The speed') > 0)) {
+    throw new CommandError(`The speed must be greater than 0, found ${factor}.`);
+  }
+  return changingTakes(document, takes, (character, clip) => retiming(character, clip, factor));
+}
+
 /** `walk`, or `3 takes`. */
-function namesOfTakes(document: Document, { takes }: OfTakes): string {
+export function namesOfTakes(document: Document, { takes }: OfTakes): string {
   return takes.length === 1 ? nameOfTake(document, takes[0]) : `${takes.length} takes`;
 }
 
@@ -44,7 +66,7 @@ export function skeletonOf({ name, skeleton }: Character): Skeleton {
 }
 
 /** The document with each of these takes changed; the same object if none is. */
-function* changingTakes(
+export function* changingTakes(
   document: Document,
   takes: readonly TakeRef[],
   change: (character: Character, clip: ChannelClip) => Steps<ChannelClip>,
@@ -64,7 +86,7 @@ function* changingTakes(
 }
 
 /** Each take once; refuses those that are hidden by retargeting. */
-function takesToChange(document: Document, takes: readonly TakeRef[]): readonly TakeRef[] {
+export function takesToChange(document: Document, takes: readonly TakeRef[]): readonly TakeRef[] {
   const found = new Map<string, TakeRef>();
   for (const ref of checkedRefs(document, takes, 0)) {
     const character = requireCharacter(document, ref.characterId);

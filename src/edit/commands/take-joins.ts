@@ -1,0 +1,211 @@
+/**
+ * Commands that put takes together from frames: join, cut out, insert. What follows is carried on over the ground from
+ * what precedes it (`samples/join.ts`). Joining samples takes that have keys; cutting and inserting are for samples.
+ */
+import { runToEnd, type Steps, within } from '../../evaluate/steps.ts';
+import type { ChannelClip } from '../../model/clip.ts';
+import type { Character, Document } from '../../model/document.ts';
+import type { Samples } from '../../model/samples.ts';
+import { finiteNumber, oneOf } from '../arguments.ts';
+import { changeCharacter, requireCharacter } from '../characters.ts';
+import { firstFrameFrom, framesBetween, lastFrameTo, requireSamples } from '../samples/frames.ts';
+import { JOIN_ALIGNMENTS, type JoinAlignment, joining } from '../samples/join.ts';
+import { refuseTooMany } from '../samples/most-frames.ts';
+import { resampling } from '../samples/resample.ts';
+import { inChannelsOf } from '../samples/same-channels.ts';
+import { clipOfFrames, takeFrames } from '../samples/take-frames.ts';
+import { type Command, CommandError } from '../store.ts';
+import { uniqueTakeName } from '../takes.ts';
+import { withoutUnkeyed } from '../unkeyed.ts';
+import { changingTakes, namesOfTakes, type OfTakes, skeletonOf, takesToChange } from './take-edits.ts';
+import { nameOfTake, type TakeRef } from './takes.ts';
+
+/** How one piece goes on from another. */
+export interface HowJoined {
+  /** Cross-fade; default 0.25. Whole frames, at most those of the shorter piece. */
+  readonly overlapSeconds?: number | undefined;
+  /** Default `root`. */
+  readonly align?: JoinAlignment | undefined;
+}
+
+export interface JoinTakes extends OfTakes, HowJoined {
+  /** Default: the first one's, with `_joined`. */
+  readonly name?: string | undefined;
+}
+
+interface Joined {
+  readonly overlapSeconds: number;
+  readonly align: JoinAlignment;
+}
+
+const OVERLAP_SECONDS = 0.25;
+
+/** Joins takes of the same skeleton in this order: a new take of the first one's character, which is shown. */
+export const joinTakes: Command<JoinTakes> = {
+  id: 'takes.join',
+  label: (document, args) => `Join ${namesOfTakes(document, args)}`,
+  run: (document, args) => runToEnd(joinSteps(document, args)),
+};
+
+/** The same in steps, yielding progress every few milliseconds. */
+function* joinSteps(document: Document, args: JoinTakes): Steps<Document> {
+  const refs = takesToChange(document, args.takes);
+  if (refs.length < 2) throw new CommandError('Joining needs two takes. Select them in the order of the list.');
+  const how = checkedHow(args);
+  const character = requireCharacter(document, refs[0].characterId);
+  const skeleton = skeletonOf(character);
+  const first = character.clips[refs[0].clip];
+  let made = takeFrames(character, first);
+  for (const [i, ref] of refs.slice(1).entries()) {
+    const from = i / (refs.length - 1);
+    const to = (i + 1) / (refs.length - 1);
+    const next = framesLike(character, document, ref, made);
+    const overlap = framesOfOverlap(how, made, next);
+    const joined = { character: { ...character, skeleton }, clip: first, alignment: how.align };
+    made = yield* within(joining(joined, made, next, overlap), from, to);
+  }
+  const name = uniqueTakeName(character, args.name?.trim() || `${first.name}_joined`);
+  const clip = { ...clipOfFrames(first, made), name };
+  return changeCharacter(document, character.id, (c) => ({
+    ...withoutUnkeyed(c),
+    clips: [...c.clips, clip],
+    shownClip: c.clips.length,
+  }));
+}
+
+export interface CutOut extends OfTakes, HowJoined {
+  /** The first second of the clip that is removed, and the last. */
+  readonly from: number;
+  readonly to: number;
+}
+
+/** Removes the frames from one time to another, both included, and closes the gap. */
+export const cutOutOfTakes: Command<CutOut> = {
+  id: 'takes.cutOut',
+  label: (document, args) => `Cut out of ${namesOfTakes(document, args)}`,
+  run: (document, args) => runToEnd(cutOutSteps(document, args)),
+};
+
+/** The same in steps, yielding progress every few milliseconds. */
+function cutOutSteps(document: Document, args: CutOut): Steps<Document> {
+  const how = checkedHow(args);
+  const [from, to] = [finiteNumber(args.from, '"from"'), finiteNumber(args.to, '"to"')];
+  if (from > to) throw new CommandError(`The range ends at ${to} s, before it begins at ${from} s.`);
+  return changingTakes(document, args.takes, function* (character, clip) {
+    const samples = framesOnly(clip);
+    const first = firstFrameFrom(samples, from);
+    const end = lastFrameTo(samples, to) + 1;
+    if (first >= end) return clip;
+    if (first === 0 && end === samples.frameCount) {
+      throw new CommandError(`All frames of ${clip.name} are in that range. Remove the take instead.`);
+    }
+    const before = framesBetween(samples, 0, first);
+    const after = framesBetween(samples, end, samples.frameCount);
+    if (first === 0) return clipOfFrames(clip, { ...after, startSeconds: samples.startSeconds });
+    if (end === samples.frameCount) return clipOfFrames(clip, before);
+    const joined = { character: { ...character, skeleton: skeletonOf(character) }, clip, alignment: how.align };
+    return clipOfFrames(clip, yield* joining(joined, before, after, framesOfOverlap(how, before, after)));
+  });
+}
+
+export interface InsertInto extends HowJoined {
+  readonly into: TakeRef;
+  /** Seconds of the clip; what is there goes on after it. */
+  readonly atSeconds: number;
+  /** The take to insert; absent: the pose at that time is held. */
+  readonly take?: TakeRef | undefined;
+  /** How long the pose is held. */
+  readonly holdSeconds?: number | undefined;
+}
+
+/** Inserts another take, or holds the pose at a time. */
+export const insertIntoTake: Command<InsertInto> = {
+  id: 'takes.insert',
+  label: (document, { into, take }) =>
+    take
+      ? `Insert ${nameOfTake(document, take)} into ${nameOfTake(document, into)}`
+      : `Hold pose in ${nameOfTake(document, into)}`,
+  run: (document, args) => runToEnd(insertSteps(document, args)),
+};
+
+/** The same in steps, yielding progress every few milliseconds. */
+function insertSteps(document: Document, args: InsertInto): Steps<Document> {
+  const how = checkedHow(args);
+  const at = finiteNumber(args.atSeconds, '"atSeconds"');
+  if (!args.into) throw new CommandError('"into" must be a take.');
+  return changingTakes(document, [args.into], (character, clip) =>
+    args.take
+      ? insertingTake(document, character, clip, args.take, at, how)
+      : holding(clip, at, finiteNumber(args.holdSeconds, 'The time to hold')),
+  );
+}
+
+function* insertingTake(
+  document: Document,
+  character: Character,
+  clip: ChannelClip,
+  take: TakeRef,
+  atSeconds: number,
+  how: Joined,
+): Steps<ChannelClip> {
+  const [ref] = takesToChange(document, [take]);
+  const samples = framesOnly(clip);
+  const middle = framesLike(character, document, ref, samples);
+  const at = firstFrameFrom(samples, atSeconds);
+  const joined = { character: { ...character, skeleton: skeletonOf(character) }, clip, alignment: how.align };
+  const parts = [framesBetween(samples, 0, at), middle, framesBetween(samples, at, samples.frameCount)];
+  const [first, ...others] = parts.filter(({ frameCount }) => frameCount > 0);
+  let made = first;
+  for (const [i, part] of others.entries()) {
+    const overlap = framesOfOverlap(how, made, part);
+    made = yield* within(joining(joined, made, part, overlap), i / others.length, (i + 1) / others.length);
+  }
+  return clipOfFrames(clip, { ...made, startSeconds: samples.startSeconds });
+}
+
+/** The frame at or after a time, repeated. */
+function* holding(clip: ChannelClip, atSeconds: number, holdSeconds: number): Steps<ChannelClip> {
+  if (!(holdSeconds >= 0)) throw new CommandError(`The time to hold must not be negative, found ${holdSeconds}.`);
+  const samples = framesOnly(clip);
+  const count = Math.round(holdSeconds / samples.frameSeconds);
+  if (count === 0) return clip;
+  const at = Math.min(samples.frameCount - 1, firstFrameFrom(samples, atSeconds));
+  const width = samples.scales.length;
+  const frameCount = samples.frameCount + count;
+  refuseTooMany(frameCount, width, samples.frameCount);
+  const values = new Float64Array(frameCount * width);
+  const row = samples.values.subarray(at * width, (at + 1) * width);
+  values.set(samples.values.subarray(0, at * width));
+  for (let f = 0; f <= count; f++) values.set(row, (at + f) * width);
+  values.set(samples.values.subarray((at + 1) * width), (at + 1 + count) * width);
+  yield 1;
+  return clipOfFrames(clip, { ...samples, frameCount, values });
+}
+
+/** The frames of another take, at one's own frame rate and in one's own channels. */
+function framesLike(character: Character, document: Document, ref: TakeRef, own: Samples): Samples {
+  const other = requireCharacter(document, ref.characterId);
+  const clip = other.clips[ref.clip];
+  const frames = takeFrames(other, clip, 1 / own.frameSeconds);
+  const rated = runToEnd(resampling(other, clipOfFrames(clip, frames), 1 / own.frameSeconds));
+  return inChannelsOf(character, other, rated.samples ?? frames);
+}
+
+/** The samples of a take whose channels all follow them; refuses keys. */
+function framesOnly(clip: ChannelClip): Samples {
+  const samples = requireSamples(clip);
+  const isAll = samples.firstChannel === 0 && samples.scales.length >= clip.channels.length;
+  if (isAll && clip.channels.every(({ kind }) => kind === 'samples')) return samples;
+  throw new CommandError(`${clip.name} has keys beside its samples, and frames can't be moved without them.`);
+}
+
+function framesOfOverlap({ overlapSeconds }: Joined, a: Samples, b: Samples): number {
+  return Math.min(a.frameCount, b.frameCount, Math.round(overlapSeconds / a.frameSeconds));
+}
+
+function checkedHow({ overlapSeconds = OVERLAP_SECONDS, align = 'root' }: HowJoined): Joined {
+  if (!(finiteNumber(overlapSeconds, 'The cross-fade') >= 0)) {
+    throw new CommandError(`The cross-fade must not be negative, found ${overlapSeconds} s.`);
+  }
+  return { overlapSeconds, align: oneOf<JoinAlignment>(align, JOIN_ALIGNMENTS, '"align"') };
+}

@@ -1,0 +1,58 @@
+/**
+ * Takes as frames that can be joined, cut and blended: every DOF of the character sampled, from the first channel on.
+ */
+import { bakeClip, framesOf, ownFrames } from '../../evaluate/bake.ts';
+import { type ChannelClip, SAMPLED } from '../../model/clip.ts';
+import type { Character } from '../../model/document.ts';
+import { characterDofs } from '../../model/dofs.ts';
+import { rangeOfSamples, type Samples } from '../../model/samples.ts';
+import { firstFrameFrom, framesBetween, lastFrameTo } from './frames.ts';
+import { refuseTooMany } from './most-frames.ts';
+import { takeAlone } from './take-alone.ts';
+
+/** Frames per second of takes that have only keys. */
+export const KEYED_RATE = 60;
+
+/**
+ * The frames of a take's playback range. Those of captures are the same numbers; keys, and takes with both, are sampled
+ * at the take's own frame rate or at the given one.
+ */
+export function takeFrames(character: Character, clip: ChannelClip, framesPerSecond = KEYED_RATE): Samples {
+  const { samples } = clip;
+  const width = characterDofs(character.skeleton, character.morphs).length;
+  const isAll =
+    samples?.firstChannel === 0 &&
+    samples.scales.length >= width &&
+    clip.channels.every(({ kind }, c) => c >= width || kind === 'samples');
+  if (samples && isAll) {
+    const first = firstFrameFrom(samples, clip.range[0]);
+    const end = lastFrameTo(samples, clip.range[1]) + 1;
+    return first < end ? framesBetween(samples, first, end) : samples;
+  }
+  const alone = takeAlone(character, clip);
+  const own = ownFrames(alone);
+  const frames = framesOf(clip.range, own ? 1 / own.frameSeconds : framesPerSecond);
+  refuseTooMany(frames.frameCount, width);
+  return bakeClip(alone, frames);
+}
+
+/** A clip of frames, with their whole time as its range. */
+export function clipOfFrames(clip: ChannelClip, samples: Samples): ChannelClip {
+  const sampled = clip.samples && clip.channels.every(({ kind }) => kind === 'samples');
+  const channels = sampled ? clip.channels : Array.from(samples.scales, () => SAMPLED);
+  return { ...clip, channels, range: rangeOfSamples(samples), samples };
+}
+
+/** Writes the values of a frame in model units. */
+export function readFrame({ values, scales }: Samples, frame: number, out: Float64Array): void {
+  const at = frame * scales.length;
+  for (let k = 0; k < scales.length && k < out.length; k++) out[k] = values[at + k] * scales[k];
+}
+
+/** Replaces the values of a frame; those that are unchanged keep their exact number. */
+export function writeFrame({ values, scales }: Samples, frame: number, dofs: ArrayLike<number>): void {
+  const at = frame * scales.length;
+  for (let k = 0; k < scales.length && k < dofs.length; k++) {
+    if (values[at + k] * scales[k] !== dofs[k]) values[at + k] = dofs[k] / scales[k];
+  }
+}
