@@ -23,6 +23,8 @@ const MAY_IMPORT: Readonly<Record<string, readonly string[]>> = {
   review: ['evaluate', ...BASE],
   // Whole characters of other programs: glTF, FBX.
   exchange: ['formats', 'evaluate', ...BASE],
+  // The numbers of takes, for files that other programs learn from.
+  dataset: ['edit', 'evaluate', ...BASE],
   // Opening and saving, the same for page and command.
   project: ['exchange', 'formats', 'evaluate', 'edit', ...BASE],
   worker: ['kit', 'project', 'review', 'lesson', 'formats', 'evaluate', ...BASE],
@@ -40,7 +42,7 @@ const MAY_IMPORT: Readonly<Record<string, readonly string[]>> = {
   'ui/shell': ['ui/styles', 'ui/editors', 'ui/state', 'ui/kit', 'view', 'project', 'edit', 'evaluate', ...BASE],
   // Files that tell mistakes apart, with their answers.
   kit: ['project', 'lesson', 'formats', 'evaluate', ...BASE],
-  cli: ['kit', 'project', 'review', 'lesson', 'formats', 'evaluate', 'edit', ...BASE],
+  cli: ['dataset', 'kit', 'project', 'review', 'lesson', 'formats', 'evaluate', 'edit', ...BASE],
   samples: ['formats', 'evaluate', ...BASE],
   // What `main.ts` wires together, where it takes more than a line.
   app: [

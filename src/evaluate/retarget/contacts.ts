@@ -1,11 +1,7 @@
 /**
- * Finds when the source's feet are on the ground, and where the target's then belong.
+ * Finds when the source's feet are on the ground (`foot-contacts.ts`), and where the target's then belong.
  *
- * A foot is in contact while its ball (the toe joint, or the ankle if no toe is paired) is slow and low:
- *
- *     speed  < 0.35 leg lengths a second        height above its most frequent minimum  < 0.08 leg lengths
- *
- * for at least 0.08 s. The target's ball then follows the source's, in proportion, with an offset that is constant
+ * The target's ball (the toe joint, or the ankle if no toe is paired) then follows the source's, in proportion, with an offset that is constant
  * during the contact, so that it slides no more than the source's does. Over the ground the offset is the difference
  * that rotations alone give during the contact, so that feet stay as far apart as suits the hips; upwards it makes soles
  * equally high. Between contacts it changes smoothly, while the foot is in the air.
@@ -16,6 +12,7 @@
  * is, drift included.
  */
 import { smoothstep } from '../../math/smoothstep.ts';
+import { contactSpans, type JointPaths, standingHeight } from '../foot-contacts.ts';
 import { worldMatrices } from '../kinematics.ts';
 import { type Bodies, driven, sourceFigure } from './align.ts';
 import type { RetargetFigure } from './figure.ts';
@@ -26,18 +23,11 @@ import { solveFreely } from './solve.ts';
 import { sourcePose } from './source-pose.ts';
 import { toScene } from './travel.ts';
 
-const SLOW = 0.35;
-const LOW = 0.08;
-const SHORTEST = 0.08;
 /** A foot lower than this below its usual contact stands on something lower. */
 const LEVEL = 0.17;
-/** Shorter gaps are noise within a contact. */
-const SHORTEST_GAP = 0.05;
 /** Source samples per second, and the maximum in all. */
 const RATE = 60;
 const MAX_SAMPLES = 20000;
-/** Percentile of all heights that counts as standing. */
-const STANDING = 0.12;
 /** Number of times in a contact at which the offset is measured. */
 const MEASURED = 5;
 
@@ -61,9 +51,8 @@ export function footTracks(plain: RetargetPlan, bodies: Bodies, reference: Retar
   const ways = sampleWays(plain, joints);
   const depths: number[] = [];
   const feet = legs.flatMap((limb, i): FootTrack[] => {
-    const heights = Array.from({ length: ways.count }, (_, f) => ways.points[(f * joints.length + i) * 3 + 1]);
-    const sourceHeight = percentile(heights, STANDING);
-    const contacts = contactsOf(ways, i, joints.length, sourceHeight, length);
+    const sourceHeight = standingHeight(ways, i);
+    const contacts = contactSpans(ways, i, sourceHeight, length);
     if (contacts.length === 0) return [];
     const track = { limb, ball: balls[i], sourceBall: joints[i], sourceHeight, contacts };
     return [{ ...track, ...offsetsOf(plain, track, soles[i], plain.sameBones.lengths ? 0 : LEVEL * length, depths) }];
@@ -71,16 +60,7 @@ export function footTracks(plain: RetargetPlan, bodies: Bodies, reference: Retar
   return { ...plain, feet, shift: feet.length ? median(depths) : depthOfLowest(plain, soles) };
 }
 
-/** Positions of joints over the clip. */
-interface Ways {
-  readonly count: number;
-  readonly start: number;
-  readonly step: number;
-  /** x y z per joint and sample; metres. */
-  readonly points: Float64Array;
-}
-
-function sampleWays(plan: RetargetPlan, joints: readonly number[]): Ways {
+function sampleWays(plan: RetargetPlan, joints: readonly number[]): JointPaths {
   const [start, end] = plan.range;
   const count = Math.max(2, Math.min(MAX_SAMPLES, Math.ceil((end - start) * RATE) + 1));
   const step = (end - start) / (count - 1);
@@ -95,25 +75,7 @@ function sampleWays(plan: RetargetPlan, joints: readonly number[]): Ways {
       points.set(p, 3 * (f * joints.length + i));
     });
   }
-  return { count, start, step, points };
-}
-
-function contactsOf(ways: Ways, column: number, width: number, height: number, leg: number): Float64Array {
-  const { count, start, step, points } = ways;
-  if (!(step > 0)) return new Float64Array(0);
-  const at = (f: number, k: number) => points[3 * (f * width + column) + k];
-  const spans: [number, number][] = [];
-  for (let f = 0; f < count; f++) {
-    const [a, b] = [Math.max(0, f - 1), Math.min(count - 1, f + 1)];
-    const way = Math.hypot(at(b, 0) - at(a, 0), at(b, 1) - at(a, 1), at(b, 2) - at(a, 2));
-    const stands = way < SLOW * leg * step * (b - a) && at(f, 1) < height + LOW * leg;
-    if (!stands) continue;
-    const seconds = start + f * step;
-    const last = spans.at(-1);
-    if (last && seconds - last[1] <= Math.max(SHORTEST_GAP, 1.5 * step)) last[1] = seconds;
-    else spans.push([seconds, seconds]);
-  }
-  return Float64Array.from(spans.filter(([from, to]) => to - from >= SHORTEST).flat());
+  return { count, start, step, width: joints.length, points };
 }
 
 /**
@@ -208,10 +170,4 @@ export function standing({ contacts }: FootTrack, seconds: number): number {
     else low = mid + 1;
   }
   return 1 - smoothstep(0, FADE, nearest);
-}
-
-/** Of the finite numbers; at least one is. */
-function percentile(values: readonly number[], part: number): number {
-  const sorted = values.filter(Number.isFinite).sort((a, b) => a - b);
-  return sorted[Math.round(part * (sorted.length - 1))] ?? 0;
 }

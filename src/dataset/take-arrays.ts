@@ -1,0 +1,284 @@
+/**
+ * The numbers of a take, as arrays. T frames, J joints in depth-first order without End Sites, E End Sites, C feet.
+ *
+ *     names, parents, offsets           J texts; J, −1 for the root; J × 3, the pivot in the parent's space at rest
+ *     end_names, end_parents            E
+ *     positions, end_positions          T × J × 3, T × E × 3, world
+ *     world_quat, local_quat            T × J × 4, x y z w; local: without the offset
+ *     local_6d                          T × J × 6, the first two columns of the local rotation: x0 y0 z0 x1 y1 z1
+ *     root_positions                    T × 3, of the joint that carries the body
+ *     velocities                        T × J × 3, a second: central differences, one-sided at the ends
+ *     contacts, contact_joints          T × C, C: which feet are on the ground
+ *     fps, times                        one; T, in seconds of the take
+ *
+ * The parent of a root is the scene: its rotation is the same locally and in the world.
+ */
+import { CommandError } from '../edit/store.ts';
+import { playedClip } from '../evaluate/bake.ts';
+import { carrierIn, retargetCarrier } from '../evaluate/carrier.ts';
+import { contactSpans, feetOf, standingHeight } from '../evaluate/foot-contacts.ts';
+import { metresPerUnit } from '../evaluate/metres.ts';
+import { dofCountOf, poseFrom, poseSource } from '../evaluate/pose.ts';
+import { applySpace } from '../evaluate/space.ts';
+import type { Skeleton } from '../model/skeleton.ts';
+import type { Space } from '../model/space.ts';
+import type { DataArray, Floats } from './data-array.ts';
+import { JointTransforms } from './joint-transforms.ts';
+import type { Take } from './take.ts';
+
+export const PRECISIONS = ['float32', 'float64'] as const;
+export type Precision = (typeof PRECISIONS)[number];
+
+/** Numbers per joint and frame: positions, two quaternions, 6D, velocities. */
+const PER_JOINT = 3 + 4 + 4 + 6 + 3;
+/** A file of more is refused: it would not fit beside those of the other threads. */
+const MAX_BYTES = 2 ** 31;
+
+export interface TakeArrays {
+  readonly names: readonly string[];
+  readonly parents: Int32Array;
+  readonly offsets: Floats;
+  readonly endNames: readonly string[];
+  /** The joint of each End Site. */
+  readonly endParents: Int32Array;
+  readonly positions: Floats;
+  readonly endPositions: Floats;
+  readonly worldQuat: Floats;
+  readonly localQuat: Floats;
+  readonly local6d: Floats;
+  readonly rootPositions: Floats;
+  readonly velocities: Floats;
+  readonly contacts: Uint8Array;
+  readonly contactJoints: Int32Array;
+  readonly fps: number;
+  readonly times: Float64Array;
+  readonly frameCount: number;
+  /** Index of the joint that carries the body. */
+  readonly carrier: number;
+}
+
+/** @throws CommandError if they would be too large */
+export function takeArrays(take: Take, precision: Precision): TakeArrays {
+  const { character, skeleton, space, frames, first, count, fps } = take;
+  const { joints } = skeleton;
+  const J = joints.length;
+  const ends = joints.flatMap(({ endSites = [] }, joint) => endSites.map((at) => ({ joint, at })));
+  refuseTooLarge(count, PER_JOINT * J + 3 * ends.length + 3, precision);
+  const floats = (size: number): Floats => (precision === 'float64' ? new Float64Array(size) : new Float32Array(size));
+  const positions = floats(3 * J * count);
+  const worldQuat = floats(4 * J * count);
+  const localQuat = floats(4 * J * count);
+  const local6d = floats(6 * J * count);
+  const velocities = floats(3 * J * count);
+  const endPositions = floats(3 * ends.length * count);
+  const rootPositions = floats(3 * count);
+  const offsets = floats(3 * J);
+  offsets.set(offsetsOf(skeleton, space));
+  const carrier = carrierOf(take);
+  const feet = new FootPaths(take);
+  const transforms = new JointTransforms(skeleton, space);
+  const source = poseSource(character);
+  const dofs = new Float64Array(dofCountOf(character));
+  const speeds = new Speeds(velocities, 3 * J, fps);
+  const end = new Float64Array(3);
+  // Contacts are found over the whole take, so that a part of it has the same ones.
+  const [from, to] = feet.balls.length ? [0, frames.frameCount] : [first, first + count];
+  for (let f = from; f < to; f++) {
+    if (f === first) transforms.restart();
+    poseFrom(source, frames.startSeconds + f * frames.frameSeconds, dofs);
+    transforms.pose(dofs);
+    const at = transforms.positions;
+    feet.take(f, at);
+    const row = f - first;
+    if (row < 0 || row >= count) continue;
+    positions.set(at, 3 * J * row);
+    worldQuat.set(transforms.world, 4 * J * row);
+    localQuat.set(transforms.local, 4 * J * row);
+    writeColumns(transforms.local, local6d, 6 * J * row);
+    for (let k = 0; k < 3; k++) rootPositions[3 * row + k] = at[3 * carrier + k];
+    for (let e = 0; e < ends.length; e++) {
+      transforms.pointOf(ends[e].joint, ends[e].at, end);
+      for (let k = 0; k < 3; k++) endPositions[3 * (row * ends.length + e) + k] = end[k];
+    }
+    speeds.take(row, at);
+  }
+  speeds.end(count);
+  return {
+    names: joints.map(({ name }) => name),
+    parents: Int32Array.from(joints, ({ parent }) => parent),
+    offsets,
+    endNames: endNamesOf(skeleton),
+    endParents: Int32Array.from(ends, ({ joint }) => joint),
+    positions,
+    endPositions,
+    worldQuat,
+    localQuat,
+    local6d,
+    rootPositions,
+    velocities,
+    contacts: feet.contacts(),
+    contactJoints: Int32Array.from(feet.balls),
+    fps,
+    times: Float64Array.from({ length: count }, (_, f) => frames.startSeconds + (first + f) / fps),
+    frameCount: count,
+    carrier,
+  };
+}
+
+/** All of them, with the names and shapes of the comment above. */
+export function namedArrays(a: TakeArrays): readonly DataArray[] {
+  const [T, J, E, C] = [a.frameCount, a.names.length, a.endNames.length, a.contactJoints.length];
+  return [
+    { name: 'names', type: 'text', shape: [J], data: a.names },
+    { name: 'parents', type: 'int', shape: [J], data: a.parents },
+    { name: 'offsets', type: 'float', shape: [J, 3], data: a.offsets },
+    { name: 'end_names', type: 'text', shape: [E], data: a.endNames },
+    { name: 'end_parents', type: 'int', shape: [E], data: a.endParents },
+    { name: 'positions', type: 'float', shape: [T, J, 3], data: a.positions },
+    { name: 'end_positions', type: 'float', shape: [T, E, 3], data: a.endPositions },
+    { name: 'world_quat', type: 'float', shape: [T, J, 4], data: a.worldQuat },
+    { name: 'local_quat', type: 'float', shape: [T, J, 4], data: a.localQuat },
+    { name: 'local_6d', type: 'float', shape: [T, J, 6], data: a.local6d },
+    { name: 'root_positions', type: 'float', shape: [T, 3], data: a.rootPositions },
+    { name: 'velocities', type: 'float', shape: [T, J, 3], data: a.velocities },
+    { name: 'contacts', type: 'bool', shape: [T, C], data: a.contacts },
+    { name: 'contact_joints', type: 'int', shape: [C], data: a.contactJoints },
+    { name: 'fps', type: 'float', shape: [], data: Float64Array.of(a.fps) },
+    { name: 'times', type: 'float', shape: [T], data: a.times },
+  ];
+}
+
+function refuseTooLarge(frameCount: number, perFrame: number, precision: Precision): void {
+  const bytes = frameCount * perFrame * (precision === 'float64' ? 8 : 4);
+  if (bytes <= MAX_BYTES) return;
+  throw new CommandError(
+    `Its ${frameCount.toLocaleString('en')} frames would be ${(bytes / 2 ** 30).toFixed(1)} GiB, but the maximum is ` +
+      `${MAX_BYTES / 2 ** 30} GiB. Crop it, or take fewer frames per second.`,
+  );
+}
+
+/** The joint that moves the character over the ground. */
+function carrierOf({ character, skeleton }: Take): number {
+  const { driver } = character;
+  if (driver) return retargetCarrier(driver, skeleton);
+  const clip = playedClip(character);
+  return clip ? carrierIn(skeleton, clip) : 0;
+}
+
+function offsetsOf({ joints }: Skeleton, space: Space | undefined): Float64Array {
+  const out = new Float64Array(3 * joints.length);
+  const metres = space ? metresPerUnit(space) : 1;
+  const root = new Float64Array(3);
+  joints.forEach(({ parent, offset: [x, y, z] }, j) => {
+    if (parent < 0) applySpace(space, x, y, z, root);
+    out.set(parent < 0 ? root : [metres * x, metres * y, metres * z], 3 * j);
+  });
+  return out;
+}
+
+/** `Hand_end`, `Hand_end2`: those of files have no names. */
+function endNamesOf({ joints }: Skeleton): readonly string[] {
+  return joints.flatMap(({ name, endSites = [] }) => endSites.map((_, i) => `${name}_end${i > 0 ? i + 1 : ''}`));
+}
+
+/** The first two columns of the rotation of each quaternion. */
+function writeColumns(quaternions: Float64Array, out: Floats, o: number): void {
+  for (let i = 0; i < quaternions.length; i += 4) {
+    const x = quaternions[i];
+    const y = quaternions[i + 1];
+    const z = quaternions[i + 2];
+    const w = quaternions[i + 3];
+    out[o] = 1 - 2 * (y * y + z * z);
+    out[o + 1] = 2 * (x * y + w * z);
+    out[o + 2] = 2 * (x * z - w * y);
+    out[o + 3] = 2 * (x * y - w * z);
+    out[o + 4] = 1 - 2 * (x * x + z * z);
+    out[o + 5] = 2 * (y * z + w * x);
+    o += 6;
+  }
+}
+
+/** Velocities by central differences of positions in doubles, of which it keeps two frames. */
+class Speeds {
+  private before: Float64Array;
+  private last: Float64Array;
+
+  constructor(
+    private readonly out: Floats,
+    private readonly width: number,
+    private readonly fps: number,
+  ) {
+    this.before = new Float64Array(width);
+    this.last = new Float64Array(width);
+  }
+
+  /** Rows come in order, from 0. */
+  take(row: number, positions: Float64Array): void {
+    const { out, width, before, last, fps } = this;
+    if (row > 0) {
+      // Of the row before: from the one before that, or one-sided.
+      const from = row > 1 ? before : last;
+      const rate = row > 1 ? fps / 2 : fps;
+      const o = (row - 1) * width;
+      for (let i = 0; i < width; i++) out[o + i] = (positions[i] - from[i]) * rate;
+    }
+    before.set(positions);
+    this.before = last;
+    this.last = before;
+  }
+
+  end(count: number): void {
+    const { out, width, before, last, fps } = this;
+    if (count < 2) return;
+    const o = (count - 1) * width;
+    for (let i = 0; i < width; i++) out[o + i] = (last[i] - before[i]) * fps;
+  }
+}
+
+/** Where the feet are over the whole take, and when they are on the ground. */
+class FootPaths {
+  readonly balls: readonly number[];
+  private readonly leg: number;
+  private readonly points: Float64Array;
+  private readonly toMetres: Space | undefined;
+
+  constructor(private readonly asked: Take) {
+    const { skeleton, character, frames, space } = asked;
+    const { balls, leg } = feetOf(skeleton, character.space);
+    this.balls = balls;
+    this.leg = leg;
+    this.points = new Float64Array(3 * balls.length * frames.frameCount);
+    this.toMetres = space ? undefined : character.space;
+  }
+
+  take(frame: number, positions: Float64Array): void {
+    const { balls, points, toMetres } = this;
+    for (let i = 0; i < balls.length; i++) {
+      const p = 3 * balls[i];
+      applySpace(toMetres, positions[p], positions[p + 1], positions[p + 2], foot);
+      points.set(foot, 3 * (frame * balls.length + i));
+    }
+  }
+
+  /** Frames × feet. */
+  contacts(): Uint8Array {
+    const { balls, leg, points, asked } = this;
+    const { first, count, frames } = asked;
+    const width = balls.length;
+    const { startSeconds: start, frameSeconds: step, frameCount } = frames;
+    const paths = { count: frameCount, start, step, width, points };
+    const out = new Uint8Array(width * count);
+    balls.forEach((_, i) => {
+      const spans = contactSpans(paths, i, standingHeight(paths, i), leg);
+      for (let s = 0; s < spans.length; s += 2) {
+        const from = Math.max(0, Math.round((spans[s] - start) / step) - first);
+        const to = Math.min(count - 1, Math.round((spans[s + 1] - start) / step) - first);
+        for (let row = from; row <= to; row++) out[row * width + i] = 1;
+      }
+    });
+    return out;
+  }
+}
+
+/** Scratch; never escapes. */
+const foot = new Float64Array(3);

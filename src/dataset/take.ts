@@ -1,0 +1,136 @@
+/** A take ready to be made numbers of: what is sampled, in which space, at which frames. */
+import { driverSource } from '../edit/drivers.ts';
+import { frameRateOf } from '../edit/frame-rate.ts';
+import { CommandError } from '../edit/store.ts';
+import { type Frames, framesOf, MAX_FRAMES, ownFrames, playedClip } from '../evaluate/bake.ts';
+import { keyFrames } from '../evaluate/key-frames.ts';
+import { automaticPairs } from '../evaluate/retarget/match.ts';
+import type { Character } from '../model/document.ts';
+import { DEFAULT_RETARGET } from '../model/retarget.ts';
+import type { Skeleton } from '../model/skeleton.ts';
+import type { Space } from '../model/space.ts';
+import { type JointMap, pairsOf } from './joint-map.ts';
+import '../evaluate/retarget/driving.ts';
+
+/** Seconds of the take; absent: its start or end. */
+export interface Crop {
+  readonly from?: number;
+  readonly to?: number;
+}
+
+/** The character that takes are retargeted to. */
+export interface RetargetTarget {
+  readonly character: Character;
+  /** Absent: matched by name and shape. */
+  readonly map?: JointMap;
+}
+
+export interface TakeOptions {
+  /** Frames per second; absent: the take's own, or 60 for keys at uneven times. */
+  readonly fps?: number;
+  readonly crop?: Crop;
+  readonly target?: RetargetTarget;
+  /** Keeps the file's unit, axes and origin. */
+  readonly isRaw?: boolean;
+}
+
+export interface Take {
+  readonly character: Character;
+  readonly skeleton: Skeleton;
+  /** Absent: as in the file. */
+  readonly space?: Space;
+  /** Of the whole take, in seconds of its clip. */
+  readonly frames: Frames;
+  /** The frames to export: the first, and how many. */
+  readonly first: number;
+  readonly count: number;
+  /** Frames per second as meant: 120 for a frame time of 0.0083333. */
+  readonly fps: number;
+}
+
+/** For keys at uneven times. */
+const DEFAULT_FPS = 60;
+/** Relative difference of frame rates that are the same. */
+const SAME_RATE = 1e-6;
+
+/**
+ * The take that a character plays, with the options applied: retargeted first, then sampled, then cropped.
+ * @throws CommandError, in a sentence, if there is nothing to export
+ */
+export function takeOf(source: Character, options: TakeOptions): Take {
+  const character = options.target ? retargeted(source, options.target) : source;
+  const { skeleton, space } = character;
+  const clip = playedClip(character);
+  if (!skeleton) throw new CommandError(`${source.name} has no skeleton.`);
+  if (!clip) throw new CommandError(`${source.name} has no motion: no frames and no keys.`);
+  const { frames, fps } = sampledAt(character, options.fps);
+  if (frames.frameCount > Math.max(MAX_FRAMES, ownFrames(character)?.frameCount ?? 0)) {
+    const count = frames.frameCount.toLocaleString('en');
+    throw new CommandError(
+      `The take would have ${count} frames, but the maximum is ${MAX_FRAMES.toLocaleString('en')}.`,
+    );
+  }
+  return {
+    character,
+    skeleton,
+    ...(space && !options.isRaw && { space }),
+    frames,
+    fps,
+    ...croppedTo(frames, options.crop),
+  };
+}
+
+/** @throws CommandError */
+export function retargeted(from: Character, { character, map }: RetargetTarget): Character {
+  const source = driverSource(from);
+  if (!character.skeleton) throw new CommandError(`${character.name} has no skeleton to retarget to.`);
+  if (!source) throw new CommandError(`${from.name} has no motion to retarget.`);
+  const pairs = map
+    ? pairsOf(map, character.skeleton, source.skeleton)
+    : automaticPairs(source.skeleton, character.skeleton, source.space, character.space).map((pair) => ({
+        target: pair.target,
+        source: pair.source,
+      }));
+  if (pairs.length === 0) {
+    throw new CommandError(
+      `No joint of ${from.name} matches one of ${character.name}. Name the pairs in a map (--map).`,
+    );
+  }
+  const driver = { sourceId: from.id, source, pairs, options: DEFAULT_RETARGET };
+  // The file pose is where joints without a pair stay; its own take would move them.
+  return { ...character, clips: [], shownClip: -1, driver };
+}
+
+function sampledAt(character: Character, asked: number | undefined): { readonly frames: Frames; readonly fps: number } {
+  const clip = playedClip(character);
+  const own = ownFrames(character) ?? (clip && keyFrames(clip));
+  const range = clip?.range ?? [0, 0];
+  if (!own) {
+    const fps = asked ?? DEFAULT_FPS;
+    return { frames: framesOf(range, fps), fps };
+  }
+  const rate = frameRateOf(own);
+  if (asked === undefined) return { frames: own, fps: rate };
+  // Every k-th frame as it is, where the rates allow it: nothing is interpolated.
+  const every = Math.max(1, Math.round(rate / asked));
+  if (Math.abs(rate / asked - every) > SAME_RATE * every) return { frames: framesOf(range, asked), fps: asked };
+  const frameCount = Math.floor((own.frameCount - 1) / every) + 1;
+  return {
+    frames: { startSeconds: own.startSeconds, frameSeconds: every * own.frameSeconds, frameCount },
+    fps: asked,
+  };
+}
+
+/** Times are of the nearest frames, both of which are part of the take. @throws CommandError if none is left */
+function croppedTo({ startSeconds, frameSeconds, frameCount }: Frames, crop: Crop = {}): Pick<Take, 'first' | 'count'> {
+  const frameAt = (seconds: number | undefined, otherwise: number) =>
+    seconds === undefined ? otherwise : Math.round((seconds - startSeconds) / frameSeconds);
+  const first = Math.max(0, frameAt(crop.from, 0));
+  const last = Math.min(frameCount - 1, frameAt(crop.to, frameCount - 1));
+  if (last >= first) return { first, count: last - first + 1 };
+  const seconds = (time: number) => `${Number(time.toFixed(3))} s`;
+  throw new CommandError(
+    `Nothing is left after cropping: the take is from ${seconds(startSeconds)} to ` +
+      `${seconds(startSeconds + (frameCount - 1) * frameSeconds)}.`,
+  );
+}
