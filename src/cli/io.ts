@@ -8,6 +8,8 @@ export interface CommandIo {
   err(text: string): void;
   /** A line that the next one replaces, empty to clear it; absent if no one watches. */
   progress?(line: string): void;
+  /** All of the standard input; absent if there is none. */
+  input?(): Promise<string>;
   /** What other threads run; absent if there are none. */
   readonly program?: URL;
 }
@@ -28,6 +30,8 @@ export interface CliCommand {
   readonly usage: string;
   /** Summary in one line. */
   readonly summary: string;
+  /** Its options, a line each, for its own help; ends with a line break. */
+  readonly details?: string;
   readonly exits: Exits;
   /** @throws UsageError */
   run(args: readonly string[], io: CommandIo): Promise<ExitCode>;

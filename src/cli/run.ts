@@ -3,6 +3,7 @@ import { UsageError } from './arguments.ts';
 import { channels } from './commands/channels.ts';
 import { compareCommand } from './commands/compare.ts';
 import { convert } from './commands/convert.ts';
+import { exportCommand } from './commands/export.ts';
 import { grade } from './commands/grade.ts';
 import { ik } from './commands/ik.ts';
 import { info } from './commands/info.ts';
@@ -12,6 +13,7 @@ import { review } from './commands/review.ts';
 import type { CliCommand, CommandIo, ExitCode } from './io.ts';
 
 const COMMANDS: readonly CliCommand[] = [info, pose, ik, channels, compareCommand, grade, kit, convert, review];
+const COMMANDS: readonly CliCommand[] = [info, pose, ik, channels, compareCommand, grade, kit, convert, exportCommand];
 
 export async function run(args: readonly string[], io: CommandIo): Promise<ExitCode> {
   const [name, ...rest] = args;
@@ -25,7 +27,8 @@ export async function run(args: readonly string[], io: CommandIo): Promise<ExitC
     return 2;
   }
   if (beforeDashes(rest).some((arg) => arg === '--help' || arg === '-h')) {
-    await io.out(`${usageLine(command)}\n\n${command.summary}\n\nExit codes: ${exitsOf(command)}.\n`);
+    const details = command.details === undefined ? '' : `\n${command.details}`;
+    await io.out(`${usageLine(command)}\n\n${command.summary}\n${details}\nExit codes: ${exitsOf(command)}.\n`);
     return 0;
   }
   try {

@@ -1,5 +1,6 @@
 /** Actions for panels, theme, units and help. */
 import { jointName } from '../../model/joint-name.ts';
+import { VERSION } from '../../model/version.ts';
 import { enterRegion, focusNextRegion, focusSection } from '../kit/focus.ts';
 import { currentCharacter } from '../state/action.ts';
 import { NO_CHARACTER, needs } from '../state/needs.ts';
@@ -9,7 +10,6 @@ import type { Settings } from '../state/settings.ts';
 import { TIMELINE_TABS, type TimelineTabName } from '../state/timeline.ts';
 import type { Action, Uses } from '../state/workbench.ts';
 import { TABS } from './timeline-tabs.ts';
-import { VERSION } from './version.ts';
 
 const setting = (wb: Uses<'settings'>, change: Partial<Settings>) => wb.settings.update((s) => ({ ...s, ...change }));
 export const PAGE_ACTIONS: readonly Action[] = [

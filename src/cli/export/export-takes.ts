@@ -1,0 +1,102 @@
+/** Exports all takes of a list, with several threads, and writes the manifest. */
+import { createHash } from 'node:crypto';
+import { mkdirSync } from 'node:fs';
+import { VERSION } from '../../model/version.ts';
+import { shareWork } from '../threads.ts';
+import { earlierRecords, Manifest, scratchFolder } from './manifest.ts';
+import { LAYOUT } from './meta.ts';
+import { type ExportPiece, type ExportResult, type ExportSettings, exportWork, hashOf } from './one-take.ts';
+import { type FailedTake, isWritten } from './records.ts';
+import { inShard, type Shard } from './switches.ts';
+import type { TakeInput } from './take-inputs.ts';
+
+export interface ExportTask {
+  readonly settings: Omit<ExportSettings, 'key' | 'scratch'>;
+  /** All of them, of all parts. */
+  readonly inputs: readonly TakeInput[];
+  readonly shard: Shard | undefined;
+  /** Whether unchanged takes of an earlier run are skipped. */
+  readonly resumes: boolean;
+  /** Absent: as many as cores. */
+  readonly threads: number | undefined;
+  /** Absolute paths of files that all takes depend on: the target of retargeting, its map. */
+  readonly dependsOn: readonly string[];
+}
+
+export interface ExportSummary {
+  /** Takes written in this run, and how many of all inputs had been before. */
+  readonly written: number;
+  readonly kept: number;
+  readonly bytes: number;
+  /** Takes that were read with assumptions. */
+  readonly warned: number;
+  readonly failures: readonly FailedTake[];
+  /** Outputs of earlier runs whose inputs are no longer listed. */
+  readonly stale: readonly string[];
+}
+
+/** Starting a thread takes about as long as a few takes. */
+const FEW = 4;
+
+/** @param told after each input, with how many are done and how many of them failed */
+export async function exportTakes(
+  { settings, inputs, shard, resumes, threads, dependsOn }: ExportTask,
+  program: URL | undefined,
+  told: (done: number, of: number, failed: number) => void,
+): Promise<ExportSummary> {
+  const { out } = settings;
+  const earlier = resumes ? earlierRecords(out) : new Map();
+  const pieces = inShard(inputs, shard).map((input): ExportPiece => ({ input, before: earlier.get(input.path) ?? [] }));
+  mkdirSync(out, { recursive: true });
+  const manifest = new Manifest(
+    out,
+    shard,
+    pieces.flatMap(({ before }) => before),
+  );
+  const failures: FailedTake[] = [];
+  let [written, kept, bytes, warned, done] = [0, 0, 0, 0, 0];
+  await shareWork(
+    {
+      name: 'export',
+      work: exportWork,
+      shared: { ...settings, scratch: scratchFolder(out, shard), key: keyOf(settings, dependsOn) },
+      pieces,
+      ...(threads !== undefined && { threads }),
+      few: FEW,
+      done(_, { records, isKept }: ExportResult) {
+        manifest.add(records);
+        for (const record of records) {
+          if (!isWritten(record)) failures.push(record);
+          else if (isKept) kept++;
+          else {
+            written++;
+            bytes += record.bytes;
+            if (record.warnings) warned++;
+          }
+        }
+        told(++done, pieces.length, failures.length);
+      },
+      lost: ({ input }, reason): ExportResult => ({
+        records: [{ input: input.path, error: `The take stopped its thread: ${reason}.` }],
+        isKept: false,
+      }),
+    },
+    program,
+  );
+  manifest.finish();
+  const listed = new Set(inputs.map(({ path }) => path));
+  const gone = [...earlier].filter(([input]) => !listed.has(input)).flatMap(([, records]) => records);
+  failures.sort((a, b) => (a.input < b.input ? -1 : 1));
+  return { written, kept, bytes, warned, failures, stale: gone.filter(isWritten).map(({ output }) => output) };
+}
+
+/** Of everything but the input that decides what its outputs are. */
+function keyOf(
+  { to, precision, fps, crop, isRaw, retarget, map, space }: ExportTask['settings'],
+  dependsOn: readonly string[],
+): string {
+  const options = { VERSION, LAYOUT, to, precision, fps, crop, isRaw, retarget, map, space };
+  return createHash('sha256')
+    .update(JSON.stringify([options, dependsOn.map(hashOf)]))
+    .digest('hex');
+}

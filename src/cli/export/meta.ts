@@ -1,0 +1,41 @@
+/** What the `meta` of an exported take says: where it comes from, and what was done to it. */
+import type { Take } from '../../dataset/take.ts';
+import { metresPerUnit } from '../../evaluate/metres.ts';
+import type { Character } from '../../model/document.ts';
+import { VERSION } from '../../model/version.ts';
+import type { Meta } from './formats.ts';
+import type { ExportSettings } from './one-take.ts';
+import type { TakeInput } from './take-inputs.ts';
+
+/** Changes when the same input and options give other numbers. */
+export const LAYOUT = 1;
+
+/** @param source the take as it was read */
+export function metaOf(
+  source: Character,
+  { character, space, skeleton }: Take,
+  input: TakeInput,
+  hash: string,
+  { fps, crop, isRaw, retarget, map }: ExportSettings,
+): Meta {
+  const { space: read } = character;
+  return {
+    program: 'marrow',
+    version: VERSION,
+    layout: LAYOUT,
+    input: input.path,
+    hash,
+    ...(input.skeleton && { skeleton: input.skeleton.path }),
+    take: source.clips[source.shownClip]?.name ?? source.name,
+    character: skeleton.name,
+    unit: space ? 'metre' : 'as in the file',
+    up: space ? 'y' : 'as in the file',
+    quaternions: 'x y z w',
+    // How numbers of the file became those of the arrays, or how they would have.
+    ...(read && { file: { up: read.up, metresPerUnit: metresPerUnit(read), lift: read.lift } }),
+    raw: isRaw ?? false,
+    ...(fps !== undefined && { fps }),
+    ...(crop && { crop: [crop.from ?? null, crop.to ?? null] }),
+    ...(retarget !== undefined && { retarget: { to: retarget, ...(map !== undefined && { map }) } }),
+  };
+}

@@ -1,0 +1,175 @@
+/** Exports the takes of one input: what a thread does. */
+import { createHash } from 'node:crypto';
+import { closeSync, mkdirSync, openSync, readSync, statSync } from 'node:fs';
+import { dirname, join } from 'node:path';
+import { type Take, type TakeOptions, takeOf } from '../../dataset/take.ts';
+import { type Precision, takeArrays } from '../../dataset/take-arrays.ts';
+import { CommandError } from '../../edit/store.ts';
+import type { Diagnostic } from '../../model/diagnostic.ts';
+import { loadGiven, openLoaded } from '../load.ts';
+import type { Work } from '../threads.ts';
+import { writeOutput } from '../write-output.ts';
+import { type ExportFormat, FORMATS } from './formats.ts';
+import { metaOf } from './meta.ts';
+import { isWritten, type TakeRecord, type WrittenTake } from './records.ts';
+import type { TakeInput } from './take-inputs.ts';
+import { inSpaceOf, loadTarget, type Target, type TargetFiles } from './target.ts';
+
+/** The same for all takes of an export. */
+export interface ExportSettings extends TargetFiles, Omit<TakeOptions, 'target'> {
+  /** The caller's, absolute. */
+  readonly folder: string;
+  /** Output folder, and one in it for files that are not finished; absolute. */
+  readonly out: string;
+  readonly scratch: string;
+  readonly to: ExportFormat;
+  readonly precision: Precision;
+  /** Whether existing outputs are overwritten. */
+  readonly replaces: boolean;
+  /** Whether records say how long a take took. */
+  readonly isTimed: boolean;
+  /** Of the options and the version: two exports with the same give the same for an input. */
+  readonly key: string;
+}
+
+export interface ExportPiece {
+  readonly input: TakeInput;
+  /** Of an earlier run; the outputs are kept if nothing has changed. */
+  readonly before: readonly TakeRecord[];
+}
+
+export interface ExportResult {
+  readonly records: readonly TakeRecord[];
+  /** Whether they are those of the earlier run. */
+  readonly isKept: boolean;
+}
+
+/** For the threads (`threads.ts`). */
+export const exportWork: Work<ExportSettings, ExportPiece, ExportResult> = (settings) => {
+  const target = loadTarget(settings, settings.folder);
+  return (piece) => exportInput(piece, settings, target);
+};
+
+async function exportInput(
+  { input, before }: ExportPiece,
+  settings: ExportSettings,
+  target: Target,
+): Promise<ExportResult> {
+  const failed = (error: string, hash?: string): ExportResult => ({
+    records: [{ input: input.path, ...(hash !== undefined && { hash }), error }],
+    isKept: false,
+  });
+  let hash: string | undefined;
+  try {
+    if (!statSync(input.absolute, { throwIfNoEntry: false })) return failed('There is no file of this name.');
+    hash = hashOf(input.absolute);
+    const key = keyOf(settings.key, hash, input);
+    const written = before.filter(isWritten);
+    if (written.length > 0 && written.length === before.length && written.every((w) => isThere(w, key, settings))) {
+      return { records: written, isKept: true };
+    }
+    return { records: await takesOf(input, { hash, key }, settings, target), isKept: false };
+  } catch (error) {
+    if (error instanceof CommandError) return failed(error.message, hash);
+    const reason = error instanceof Error ? error.message : String(error);
+    return failed(`The export stopped: ${reason}.`, hash);
+  }
+}
+
+/** What identifies an input and what is made of it. */
+interface Identity {
+  readonly hash: string;
+  readonly key: string;
+}
+
+function isThere({ output, bytes, key: own }: WrittenTake, key: string, { out }: ExportSettings): boolean {
+  return own === key && statSync(join(out, output), { throwIfNoEntry: false })?.size === bytes;
+}
+
+function keyOf(options: string, hash: string, { skeleton }: TakeInput): string {
+  const parts = [options, hash, ...(skeleton ? [hashOf(skeleton.absolute)] : [])];
+  return createHash('sha256').update(parts.join('\n')).digest('hex').slice(0, 32);
+}
+
+const CHUNK_BYTES = 1 << 20;
+/** Scratch; never escapes. */
+const chunk = new Uint8Array(CHUNK_BYTES);
+
+/** SHA-256 of a file, hexadecimal. */
+export function hashOf(path: string): string {
+  const hash = createHash('sha256');
+  const file = openSync(path, 'r');
+  try {
+    for (let read = readSync(file, chunk); read > 0; read = readSync(file, chunk)) hash.update(chunk.subarray(0, read));
+  } finally {
+    closeSync(file);
+  }
+  return hash.digest('hex');
+}
+
+/** A record for each take that the input has. @throws CommandError */
+async function takesOf(
+  input: TakeInput,
+  { hash, key }: Identity,
+  settings: ExportSettings,
+  target: Target,
+): Promise<readonly TakeRecord[]> {
+  const begun = performance.now();
+  const { document, diagnostics } = openLoaded(loadGiven([...(input.skeleton ? [input.skeleton] : []), input]));
+  const error = diagnostics.find(({ severity }) => severity === 'error');
+  if (error) throw new CommandError(sentenceOf(error));
+  const takes = document.characters.flatMap((c) =>
+    c.clips.map((_, i) => ({ ...inSpaceOf(c, target.spaces), shownClip: i })),
+  );
+  if (takes.length === 0) throw new CommandError('It has no motion: no frames and no keys.');
+  if (takes.some(({ skeleton }) => !skeleton)) {
+    throw new CommandError('An animation alone has no joints. Its skeleton must be among the files.');
+  }
+  const warnings = diagnostics.filter(({ severity }) => severity === 'warning').map(sentenceOf);
+  const records: WrittenTake[] = [];
+  let since = begun;
+  for (const [i, character] of takes.entries()) {
+    const stem = takes.length > 1 ? `${input.stem}.${i + 1}` : input.stem;
+    const take = takeOf(character, { ...settings, ...(target.retarget && { target: target.retarget }) });
+    const { output, bytes } = await writeTake(take, stem, metaOf(character, take, input, hash, settings), settings);
+    const now = performance.now();
+    records.push({
+      ...{ input: input.path, hash, output, bytes },
+      ...{ frames: take.count, fps: take.fps, joints: take.skeleton.joints.length, flags: [] },
+      ...(warnings.length > 0 && { warnings }),
+      key,
+      ...(settings.isTimed && { ms: Math.round(now - since) }),
+    });
+    since = now;
+  }
+  return records;
+}
+
+/** In one line, without the file's name: `Line 128: Expected 3069 frames as declared, found 3070. (used 3070)` */
+function sentenceOf({ line, message, assumed }: Diagnostic): string {
+  return `${line > 0 ? `Line ${line}: ` : ''}${message}${assumed === undefined ? '' : ` (${assumed})`}`;
+}
+
+/** @throws CommandError if it can't be written */
+async function writeTake(
+  take: Take,
+  stem: string,
+  meta: Readonly<Record<string, unknown>>,
+  { out, scratch, to, precision, replaces }: ExportSettings,
+): Promise<Pick<WrittenTake, 'output' | 'bytes'>> {
+  const files = await FORMATS[to].write(takeArrays(take, precision), meta);
+  const named = files.map(({ ending, pieces }) => ({ name: `${stem}.${ending}`, pieces }));
+  let bytes = 0;
+  // What is beside comes first: an output that is there is complete.
+  for (const { name, pieces } of named.toReversed()) {
+    const path = join(out, name);
+    if (!replaces && statSync(path, { throwIfNoEntry: false })) {
+      throw new CommandError(`${name} already exists; --resume goes on with an export, --force replaces it.`);
+    }
+    mkdirSync(dirname(path), { recursive: true });
+    const written = writeOutput(path, pieces, scratch);
+    if ('failure' in written) throw new CommandError(`${name} could not be written: ${written.failure}.`);
+    bytes = written.bytes;
+  }
+  return { output: named[0].name, bytes };
+}

@@ -1,0 +1,56 @@
+/** What became of each take: the lines of the manifest. */
+
+/** A take that was written. In the order of its line. */
+export interface WrittenTake {
+  /** As listed: relative to the folder in which the command ran. */
+  readonly input: string;
+  /** Of the input's bytes, SHA-256. */
+  readonly hash: string;
+  /** Below the output folder. */
+  readonly output: string;
+  readonly bytes: number;
+  readonly frames: number;
+  readonly fps: number;
+  readonly joints: number;
+  /** What the review's checks found: `spike 1.233 LeftHand`. */
+  readonly flags: readonly string[];
+  /** What was assumed in reading it; absent rather than empty. */
+  readonly warnings?: readonly string[];
+  /** Of the input, the options and the version: `--resume` skips what has the same. */
+  readonly key: string;
+  /** How long it took; the only part that differs from run to run. */
+  readonly ms?: number;
+}
+
+/** An input of which nothing was written. */
+export interface FailedTake {
+  readonly input: string;
+  readonly hash?: string;
+  /** A sentence. */
+  readonly error: string;
+}
+
+export type TakeRecord = WrittenTake | FailedTake;
+
+export function isWritten(record: TakeRecord): record is WrittenTake {
+  return 'output' in record;
+}
+
+/** A line of the manifest, with its end. */
+export function lineOf(record: TakeRecord): string {
+  return `${JSON.stringify(record)}\n`;
+}
+
+/** The records of a manifest; lines that a killed process left unfinished are none. */
+export function recordsIn(text: string): readonly TakeRecord[] {
+  return text.split('\n').flatMap((line): TakeRecord[] => {
+    try {
+      const record: unknown = JSON.parse(line);
+      const isRecord = typeof record === 'object' && record !== null && 'input' in record;
+      // What this program wrote; another's lines would fail the comparison of keys.
+      return isRecord ? [record as TakeRecord] : [];
+    } catch {
+      return [];
+    }
+  });
+}

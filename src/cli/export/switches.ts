@@ -1,0 +1,77 @@
+/** Switches that say which takes are meant and what is done to them, of `export` and `convert`. */
+import { readFileSync } from 'node:fs';
+import { resolve } from 'node:path';
+import type { Crop } from '../../dataset/take.ts';
+import { type Arguments, numberOf, UsageError } from '../arguments.ts';
+import type { CommandIo } from '../io.ts';
+
+/** One of several processes that share a list: number `index`, from 1, of `count`. */
+export interface Shard {
+  readonly index: number;
+  readonly count: number;
+}
+
+/** @throws UsageError unless it is greater than 0 */
+export function positive(given: Arguments, name: string): number | undefined {
+  const text = given.value(name);
+  const value = text === undefined ? undefined : numberOf(name, text);
+  if (value !== undefined && !(value > 0)) throw new UsageError(`--${name} must be greater than 0, found ${value}.`);
+  return value;
+}
+
+/** `--crop FROM,TO`: seconds, either of which may be left out. @throws UsageError */
+export function cropOf(given: Arguments): Crop | undefined {
+  const text = given.value('crop');
+  if (text === undefined) return undefined;
+  const parts = text.split(',');
+  if (parts.length !== 2) throw new UsageError(`--crop takes two times, FROM,TO, in seconds; found "${text}".`);
+  const [from, to] = parts.map((part) => (part.trim() === '' ? undefined : numberOf('crop', part)));
+  if (from !== undefined && to !== undefined && from > to) {
+    throw new UsageError(`--crop takes an earlier and a later time, found ${from} and ${to}.`);
+  }
+  return { ...(from !== undefined && { from }), ...(to !== undefined && { to }) };
+}
+
+/** `--shard i/n`. @throws UsageError */
+export function shardOf(given: Arguments): Shard | undefined {
+  const text = given.value('shard');
+  if (text === undefined) return undefined;
+  const [, i, n] = /^(\d+)\/(\d+)$/.exec(text.trim()) ?? [];
+  const [index, count] = [Number(i), Number(n)];
+  if (!(index >= 1 && index <= count)) {
+    throw new UsageError(`--shard takes a part and their number, 1/4 to 4/4 for four; found "${text}".`);
+  }
+  return { index, count };
+}
+
+/** `--jobs N`: number of threads. @throws UsageError */
+export function jobsOf(given: Arguments): number | undefined {
+  const jobs = positive(given, 'jobs');
+  if (jobs !== undefined && !Number.isInteger(jobs)) throw new UsageError(`--jobs takes a whole number, not ${jobs}.`);
+  return jobs;
+}
+
+/** The items of one part: every n-th, so that large and small ones are spread over all. */
+export function inShard<T>(items: readonly T[], shard: Shard | undefined): readonly T[] {
+  return shard ? items.filter((_, i) => i % shard.count === shard.index - 1) : items;
+}
+
+/** The paths given as arguments and by `--files-from`: lines of a file, or of the standard input for `-`. */
+export async function pathsOf(given: Arguments, io: CommandIo): Promise<readonly string[]> {
+  const from = given.value('files-from');
+  if (from === undefined) return given.files;
+  const listed = from === '-' ? await io.input?.() : textOf(resolve(io.folder, from), from);
+  // `find -print0` separates names by zeros, since they may contain line ends.
+  const names = (listed ?? '').split(listed?.includes('\0') ? '\0' : /\r?\n/).filter((name) => name !== '');
+  if (names.length === 0) throw new UsageError(`--files-from ${from}: expected a path in each line, found none.`);
+  return [...given.files, ...names];
+}
+
+function textOf(path: string, name: string): string {
+  try {
+    return readFileSync(path, 'utf8');
+  } catch (error) {
+    const reason = error instanceof Error ? error.message : String(error);
+    throw new UsageError(`--files-from: ${name} could not be read: ${reason}.`);
+  }
+}

@@ -1,0 +1,111 @@
+/**
+ * The takes among files and folders: motion capture and other files with whole characters, each by itself, and
+ * animations with the skeleton that they belong to.
+ *
+ * A list is the same wherever it is made of the same arguments: sorted, with the names of the outputs decided for all,
+ * so that several processes can share it.
+ */
+import { statSync } from 'node:fs';
+import { extname, isAbsolute, relative, resolve, sep } from 'node:path';
+import { baseName, type SourceFile } from '../../model/files.ts';
+import { openingOf } from '../../project/kinds.ts';
+import { groupFiles, type ReadFile } from '../../project/open/grouping.ts';
+import { formatOf } from '../../project/readers.ts';
+import { UsageError } from '../arguments.ts';
+import { loadGiven } from '../load.ts';
+import { findGiven, type GivenPath } from '../paths.ts';
+
+/** A file with a take, or with several. */
+export interface TakeInput {
+  /** Relative to the caller's folder. */
+  readonly path: string;
+  readonly absolute: string;
+  /** Of an animation. */
+  readonly skeleton?: Pick<GivenPath, 'path' | 'absolute'>;
+  /** Its output below the output folder, without the ending. */
+  readonly stem: string;
+}
+
+/**
+ * @param args files and folders, relative to `folder`; those that are missing are inputs too, which then fail
+ * @returns sorted by path
+ * @throws UsageError if two would have one output
+ */
+export function takeInputs(args: readonly string[], folder: string): readonly TakeInput[] {
+  const { files, missing } = findGiven(args, folder);
+  const whole: GivenPath[] = [];
+  const parts: GivenPath[] = [];
+  for (const file of files) {
+    const format = formatOf(file.absolute);
+    const opening = format && openingOf(format.kind);
+    if (opening?.as === 'characters' && !opening.takesParts) whole.push(file);
+    else if (opening?.as === 'characters' || opening?.as === 'rig' || format?.kind === 'anim') parts.push(file);
+  }
+  const absent = missing.map((path) => ({ path, absolute: resolve(folder, path) }));
+  const all = [...whole, ...animationsIn(parts), ...absent].sort((a, b) => compareBytes(a.path, b.path));
+  const folders = args
+    .map((arg) => resolve(folder, arg))
+    .filter((path) => statSync(path, { throwIfNoEntry: false })?.isDirectory());
+  return withStems(all, folders, folder);
+}
+
+/** By their bytes in UTF-8, as `LC_ALL=C sort` does. */
+export function compareBytes(a: string, b: string): number {
+  return Buffer.compare(Buffer.from(a), Buffer.from(b));
+}
+
+/** Animations with their skeletons, told by rigs, folders and names as when they are opened. */
+function animationsIn(files: readonly GivenPath[]): Omit<TakeInput, 'stem'>[] {
+  const sourceOf = ({ path }: GivenPath): SourceFile => ({ name: baseName(path), path, bytes: 0 });
+  const read = loadGiven(files.filter(({ path }) => formatOf(path)?.kind === 'rig')).files;
+  const given = files.flatMap((file): ReadFile[] => {
+    const kind = formatOf(file.path)?.kind;
+    const rig = read.find(({ source }) => source.path === file.path);
+    // Which files belong together is decided without their content, but for rigs.
+    return rig ? [rig] : kind ? [{ kind, source: sourceOf(file), broken: true }] : [];
+  });
+  const { groups } = groupFiles(given, ({ path }) => path);
+  const pathOf = (file: ReadFile | undefined) => files.find(({ path }) => path === file?.source.path);
+  return files.flatMap((file) => {
+    if (formatOf(file.path)?.kind !== 'anim') return [];
+    const skeleton = pathOf(groups.find(({ parts }) => parts.some((p) => p.source.path === file.path))?.skeleton);
+    return [{ path: file.path, absolute: file.absolute, ...(skeleton && { skeleton }) }];
+  });
+}
+
+/**
+ * Names the outputs after the inputs: the path below the folder that was named, or below the caller's for a file that
+ * was named itself. Where two differ only in their endings, these are kept: `walk.bvh.npz`, `walk.anim.npz`.
+ */
+function withStems(
+  inputs: readonly Omit<TakeInput, 'stem'>[],
+  folders: readonly string[],
+  callers: string,
+): readonly TakeInput[] {
+  const below = inputs.map(({ absolute }) => pathBelow(absolute, folders, callers));
+  const short = below.map((path) => path.slice(0, path.length - extname(path).length));
+  const counts = new Map<string, number>();
+  for (const stem of short) counts.set(stem, (counts.get(stem) ?? 0) + 1);
+  // `walk.1` is also what the first of several takes of `walk` would be called.
+  const isNumbered = (stem: string) => counts.has(stem.replace(/\.\d+$/, '')) && /\.\d+$/.test(stem);
+  const seen = new Map<string, string>();
+  return inputs.map((input, i) => {
+    const stem = (counts.get(short[i]) ?? 0) > 1 || isNumbered(short[i]) ? below[i] : short[i];
+    const other = seen.get(stem);
+    if (other !== undefined) {
+      throw new UsageError(
+        `${other} and ${input.path} would have the same output, ${stem}. ` +
+          'Name the folder above both, or export them to different folders.',
+      );
+    }
+    seen.set(stem, input.path);
+    return { ...input, stem };
+  });
+}
+
+function pathBelow(absolute: string, folders: readonly string[], callers: string): string {
+  const given = folders.find((folder) => absolute.startsWith(folder + sep));
+  const path = relative(given ?? callers, absolute);
+  const isOutside = path.startsWith('..') || isAbsolute(path);
+  return (isOutside ? baseName(absolute) : path).split(sep).join('/');
+}

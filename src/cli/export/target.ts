@@ -1,0 +1,66 @@
+/** What exports share besides their options: the skeleton to retarget to, with its map, and the space of a skeleton. */
+import { readFileSync } from 'node:fs';
+import { resolve } from 'node:path';
+import { type JointMap, readJointMap } from '../../dataset/joint-map.ts';
+import type { RetargetTarget } from '../../dataset/take.ts';
+import { CommandError } from '../../edit/store.ts';
+import type { Character } from '../../model/document.ts';
+import { skeletonKey } from '../../model/skeleton-key.ts';
+import type { Space } from '../../model/space.ts';
+import { UsageError } from '../arguments.ts';
+import { loadFiles, openLoaded } from '../load.ts';
+import { describe } from '../report.ts';
+
+/** As written on the command line. */
+export interface TargetFiles {
+  readonly retarget?: string;
+  readonly map?: string;
+  readonly space?: string;
+}
+
+/** By `skeletonKey`. */
+export type Spaces = ReadonlyMap<string, Space>;
+
+export interface Target {
+  readonly retarget?: RetargetTarget;
+  readonly spaces: Spaces;
+}
+
+/** @throws UsageError if a file can't be read, or is not what it should be */
+export function loadTarget({ retarget, map, space }: TargetFiles, folder: string): Target {
+  const spaces = new Map<string, Space>();
+  for (const { skeleton, space: own } of space === undefined ? [] : charactersIn(space, folder, '--space')) {
+    if (skeleton && own) spaces.set(skeletonKey(skeleton), own);
+  }
+  if (space !== undefined && spaces.size === 0) {
+    throw new UsageError(`--space takes motion capture, whose unit, up axis and ground are guessed; found ${space}.`);
+  }
+  if (retarget === undefined) return { spaces };
+  const [character] = charactersIn(retarget, folder, '--retarget').map((c) => inSpaceOf(c, spaces));
+  if (!character) throw new UsageError(`--retarget takes a file with a skeleton; ${retarget} has none.`);
+  const read = map === undefined ? undefined : readMap(map, folder);
+  return { retarget: { character, ...(read && { map: read }) }, spaces };
+}
+
+/** The character in the space that was given for its skeleton, if one was; else the same object. */
+export function inSpaceOf(character: Character, spaces: Spaces): Character {
+  const space = character.skeleton && spaces.get(skeletonKey(character.skeleton));
+  return space ? { ...character, space } : character;
+}
+
+function charactersIn(path: string, folder: string, option: string): readonly Character[] {
+  const { document, diagnostics } = openLoaded(loadFiles([path], folder));
+  const error = diagnostics.find(({ severity }) => severity === 'error');
+  if (error) throw new UsageError(`${option}: ${describe(error)}`);
+  return document.characters.filter(({ skeleton }) => skeleton);
+}
+
+function readMap(path: string, folder: string): JointMap {
+  try {
+    return readJointMap(readFileSync(resolve(folder, path), 'utf8'), path);
+  } catch (error) {
+    if (error instanceof CommandError) throw new UsageError(`--map: ${error.message}`);
+    const reason = error instanceof Error ? error.message : String(error);
+    throw new UsageError(`--map: ${path} could not be read: ${reason}.`);
+  }
+}

@@ -1,0 +1,240 @@
+/** `marrow export`. Threads and processes are tested with the built command. */
+import { existsSync, mkdirSync, mkdtempSync, readdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
+import { tmpdir } from 'node:os';
+import { join } from 'node:path';
+import { afterEach, beforeEach, describe, expect, it } from 'vitest';
+import { readNpz } from '../dataset/read-npz.ts';
+import { command } from '../helpers/command.ts';
+
+const bvh = (name: string, rows: readonly string[], more = '') => `HIERARCHY
+ROOT ${name} {
+  OFFSET 0 90 0
+  CHANNELS 6 Xposition Yposition Zposition Zrotation Xrotation Yrotation
+  JOINT Arm { OFFSET 0 10 0 CHANNELS 3 Zrotation Xrotation Yrotation End Site { OFFSET 0 5 0 } }
+}
+${more}MOTION
+Frames: ${rows.length}
+Frame Time: 0.1
+${rows.join('\n')}
+`;
+const WALK = bvh(
+  'Hips',
+  Array.from({ length: 11 }, (_, f) => `${10 * f} 90 0 0 0 0 0 ${6 * f} 0`),
+);
+const TWO = bvh(
+  'Left',
+  ['0 90 0 0 0 0 0 0 0 9 90 0 0 0 0', '0 90 0 0 0 0 0 0 0 9 91 0 0 0 0'],
+  'ROOT Right { OFFSET 0 0 0 CHANNELS 6 Xposition Yposition Zposition Zrotation Xrotation Yrotation }\n',
+);
+
+let folder = '';
+beforeEach(() => {
+  folder = mkdtempSync(join(tmpdir(), 'marrow-export-'));
+  mkdirSync(join(folder, 'takes', 'b'), { recursive: true });
+  writeFileSync(join(folder, 'takes', 'walk.bvh'), WALK);
+  writeFileSync(join(folder, 'takes', 'b', 'walk.bvh'), WALK);
+  writeFileSync(join(folder, 'takes', 'two.bvh'), TWO);
+});
+afterEach(() => rmSync(folder, { recursive: true, force: true }));
+
+const exported = (...args: string[]) => command(['export', ...args], folder);
+const manifest = (name = 'out/manifest.ndjson') =>
+  readFileSync(join(folder, name), 'utf8')
+    .trimEnd()
+    .split('\n')
+    .map((line): Record<string, unknown> => JSON.parse(line));
+const npz = (name: string) => readNpz(readFileSync(join(folder, name)));
+const filesIn = (name: string) =>
+  readdirSync(join(folder, name), { recursive: true, encoding: 'utf8' })
+    .filter((file) => /\.\w+$/.test(file))
+    .sort();
+const meta = (name: string): Record<string, unknown> => JSON.parse(String(npz(name).meta.values[0]));
+
+describe('marrow export', () => {
+  it('marrow export writes each take at its path below the folder that was named, and a manifest', async () => {
+    const { code, out, err } = await exported('takes', '--to', 'npz', '--out', 'out');
+    expect([code, err]).toEqual([0, '']);
+    expect(out).toMatch(/^out: 4 takes exported, 0\.0 MB\n$/);
+    expect(filesIn('out')).toEqual(['b/walk.npz', 'manifest.ndjson', 'two.1.npz', 'two.2.npz', 'walk.npz']);
+    expect(
+      manifest().map(({ input, output, frames, fps, joints, flags }) => [input, output, frames, fps, joints, flags]),
+    ).toEqual([
+      ['takes/b/walk.bvh', 'b/walk.npz', 11, 10, 2, []],
+      ['takes/two.bvh', 'two.1.npz', 2, 10, 2, []],
+      ['takes/two.bvh', 'two.2.npz', 2, 10, 1, []],
+      ['takes/walk.bvh', 'walk.npz', 11, 10, 2, []],
+    ]);
+    expect(manifest()[3].hash).toMatch(/^[0-9a-f]{64}$/);
+    const walk = npz('out/walk.npz');
+    expect(walk.names.values).toEqual(['Hips', 'Arm']);
+    expect(walk.parents.values).toEqual([-1, 0]);
+    expect(walk.end_names.values).toEqual(['Arm_end']);
+    expect([walk.positions.descr, walk.positions.shape]).toEqual(['<f4', [11, 2, 3]]);
+    expect(walk.local_6d.shape).toEqual([11, 2, 6]);
+    expect(meta('out/walk.npz')).toMatchObject({
+      input: 'takes/walk.bvh',
+      hash: manifest()[3].hash,
+      unit: 'metre',
+      up: 'y',
+    });
+  });
+
+  it('raw numbers are those of the file, in double precision if asked', async () => {
+    await exported('takes/walk.bvh', '--to', 'npz', '--out', 'out', '--raw', '--float64');
+    const { positions, end_positions, velocities, times, fps } = npz('out/takes/walk.npz');
+    expect(positions.descr).toBe('<f8');
+    expect(positions.values.slice(0, 12)).toEqual([0, 90, 0, 0, 100, 0, 10, 90, 0, 10, 100, 0]);
+    expect(end_positions.values.slice(0, 3)).toEqual([0, 105, 0]);
+    expect(velocities.values.slice(0, 3)).toEqual([100, 0, 0]);
+    expect([fps.values, times.values.slice(0, 3)]).toEqual([[10], [0, 0.1, 0.2]]);
+    expect(meta('out/takes/walk.npz')).toMatchObject({ raw: true, unit: 'as in the file' });
+  });
+
+  it('a second export with --resume does nothing and says so, and does again what changed', async () => {
+    await exported('takes', '--to', 'npz', '--out', 'out');
+    const before = readFileSync(join(folder, 'out/manifest.ndjson'), 'utf8');
+    const again = await exported('takes', '--to', 'npz', '--out', 'out', '--resume');
+    expect(again).toEqual({ code: 0, out: 'out: nothing to do, all 4 takes are exported\n', err: '' });
+    expect(readFileSync(join(folder, 'out/manifest.ndjson'), 'utf8')).toBe(before);
+    writeFileSync(join(folder, 'takes/walk.bvh'), `${WALK}\n`);
+    expect((await exported('takes', '--to', 'npz', '--out', 'out', '--resume')).out).toMatch(
+      /1 take exported.*3 unchanged/,
+    );
+    expect((await exported('takes', '--to', 'npz', '--out', 'out', '--resume', '--fps', '5')).out).toMatch(
+      /4 takes exp/,
+    );
+    expect(npz('out/walk.npz').positions.shape).toEqual([6, 2, 3]);
+    rmSync(join(folder, 'out/walk.npz'));
+    expect((await exported('takes', '--to', 'npz', '--out', 'out', '--resume', '--fps', '5')).out).toMatch(
+      /1 take exp/,
+    );
+  });
+
+  it('files that exist are kept without --resume or --force, and the take fails in words', async () => {
+    await exported('takes', '--to', 'npz', '--out', 'out');
+    const { code, err } = await exported('takes', '--to', 'npz', '--out', 'out', '--fps', '5');
+    expect(code).toBe(1);
+    expect(err).toContain('walk.npz already exists; --resume goes on with an export, --force replaces it.');
+    expect(npz('out/walk.npz').positions.shape).toEqual([11, 2, 3]);
+    expect((await exported('takes', '--to', 'npz', '--out', 'out', '--fps', '5', '--force')).code).toBe(0);
+    expect(npz('out/walk.npz').positions.shape).toEqual([6, 2, 3]);
+  });
+
+  it('parts give the same files and the same manifest as all at once', async () => {
+    await exported('takes', '--to', 'npz', '--out', 'out', '--no-times');
+    for (const part of ['3/3', '1/3', '2/3']) {
+      const { code, out } = await exported('takes', '--to', 'npz', '--out', 'parts', '--no-times', '--shard', part);
+      expect([code, out]).toEqual([0, expect.stringContaining(`parts: part ${part.replace('/', ' of ')}: `)]);
+      expect(existsSync(join(folder, 'parts/manifest.ndjson'))).toBe(part === '2/3');
+    }
+    for (const name of filesIn('out')) {
+      expect(readFileSync(join(folder, 'parts', name)).equals(readFileSync(join(folder, 'out', name)))).toBe(true);
+    }
+    const parts = ['1', '2', '3'].map((i) => readFileSync(join(folder, `parts/manifest.${i}-of-3.ndjson`), 'utf8'));
+    expect(parts.join('').split('\n').sort().join('\n').trim()).toBe(
+      readFileSync(join(folder, 'out/manifest.ndjson'), 'utf8').trim(),
+    );
+    expect((await exported('takes', '--to', 'npz', '--out', 'parts', '--resume')).out).toMatch(/nothing to do, all 4/);
+    expect(filesIn('parts')).toEqual(filesIn('out'));
+  });
+
+  it('takes that fail are listed, in the manifest too, and the others are exported', async () => {
+    writeFileSync(join(folder, 'takes/broken.bvh'), WALK.replace('OFFSET 0 10 0', 'OFFSET 0 1o 0'));
+    writeFileSync(join(folder, 'takes/still.bvh'), bvh('Hips', []));
+    const { code, out, err } = await exported('takes', 'gone.bvh', '--to', 'npz', '--out', 'out');
+    expect(code).toBe(1);
+    expect(out).toMatch(/4 takes exported.*3 failed/);
+    expect(err.split('\n')).toEqual([
+      'gone.bvh: There is no file of this name.',
+      expect.stringMatching(/^takes\/broken\.bvh: Line 5: Expected y of OFFSET, found "1o"/),
+      'takes/still.bvh: It has no motion: no frames and no keys.',
+      '',
+    ]);
+    expect(
+      manifest()
+        .filter(({ error }) => error !== undefined)
+        .map(({ input }) => input),
+    ).toEqual(['gone.bvh', 'takes/broken.bvh', 'takes/still.bvh']);
+    expect(filesIn('out').filter((file) => /broken|still|tmp/.test(file))).toEqual([]);
+  });
+
+  it('an animation is exported with its skeleton', async () => {
+    mkdirSync(join(folder, 'hero'));
+    writeFileSync(join(folder, 'hero/hero.skel'), 'balljoint root { offset 0 1 0 balljoint arm { offset 0 2 0 } }');
+    const channel = (keys: string) => `channel { extrapolate constant constant keys ${keys} }`;
+    const still = channel('1 { 0 0 flat flat }');
+    const channels = [
+      still,
+      channel('2 { 0 0 linear linear 1 4 linear linear }'),
+      ...Array.from({ length: 7 }, () => still),
+    ];
+    writeFileSync(join(folder, 'hero/hero_jump.anim'), `animation { range 0 1 numchannels 9 ${channels.join(' ')} }`);
+    const { code, err } = await exported('hero', '--to', 'npz', '--out', 'out', '--float64');
+    expect([code, err]).toEqual([0, '']);
+    expect(filesIn('out')).toEqual(['hero_jump.npz', 'manifest.ndjson']);
+    const { positions, fps } = npz('out/hero_jump.npz');
+    expect([fps.values, positions.shape]).toEqual([[60], [61, 2, 3]]);
+    expect(positions.values.slice(6 * 30, 6 * 31)).toEqual([0, 3, 0, 0, 5, 0]);
+    expect(meta('out/hero_jump.npz')).toMatchObject({ input: 'hero/hero_jump.anim', skeleton: 'hero/hero.skel' });
+  });
+
+  it('inputs that differ in their endings only keep these in their outputs', async () => {
+    writeFileSync(join(folder, 'takes/two.1.bvh'), WALK);
+    await exported('takes', '--to', 'npz', '--out', 'out');
+    expect(filesIn('out')).toEqual([
+      'b/walk.npz',
+      'manifest.ndjson',
+      'two.1.bvh.npz',
+      'two.1.npz',
+      'two.2.npz',
+      'walk.npz',
+    ]);
+    const { code, err } = await exported('takes', 'takes/b', '--to', 'npz', '--out', 'out2');
+    expect([code, err]).toEqual([0, '']);
+    mkdirSync(join(folder, 'other'));
+    writeFileSync(join(folder, 'other/walk.bvh'), WALK);
+    const clash = await exported('takes', 'other', '--to', 'npz', '--out', 'out3');
+    expect(clash.code).toBe(2);
+    expect(clash.err).toContain('other/walk.bvh and takes/walk.bvh would have the same output, walk');
+    expect(existsSync(join(folder, 'out3'))).toBe(false);
+  });
+
+  it('crops, retargets and changes the frame rate before numbers are made', async () => {
+    writeFileSync(join(folder, 'small.bvh'), WALK.replace('OFFSET 0 10 0', 'OFFSET 0 5 0'));
+    writeFileSync(join(folder, 'map.csv'), 'target,source\nHips,Hips\nArm,Arm\n');
+    const args = ['--retarget', 'small.bvh', '--map', 'map.csv', '--fps', '5', '--crop', '0.2,0.8'];
+    expect((await exported('takes/walk.bvh', '--to', 'npz', '--out', 'out', ...args)).code).toBe(0);
+    const { offsets, times, positions } = npz('out/takes/walk.npz');
+    expect(times.values).toEqual([0.2, 0.4, 0.6, 0.8]);
+    expect(positions.shape).toEqual([4, 2, 3]);
+    expect(Number(offsets.values[4]) / Number(offsets.values[1])).toBeCloseTo(5 / 90, 2);
+    expect(meta('out/takes/walk.npz')).toMatchObject({
+      fps: 5,
+      crop: [0.2, 0.8],
+      retarget: { to: 'small.bvh', map: 'map.csv' },
+    });
+  });
+
+  it('what is called wrongly is told before anything is written', async () => {
+    const wrong = async (...args: string[]) => {
+      const { code, err } = await exported(...args);
+      expect([code, existsSync(join(folder, 'out'))]).toEqual([2, false]);
+      return err.split('\n')[0];
+    };
+    const all = ['takes', '--to', 'npz', '--out', 'out'];
+    expect(await wrong('takes', '--out', 'out')).toBe('marrow: --to is missing: one of npz.');
+    expect(await wrong('takes', '--to', 'xlsx', '--out', 'out')).toBe('marrow: --to takes one of npz, found "xlsx".');
+    expect(await wrong('takes', '--to', 'npz')).toMatch('--out is missing');
+    expect(await wrong('--to', 'npz', '--out', 'out')).toMatch('Give files or folders with takes, or --files-from.');
+    expect(await wrong(...all, '--shard', '5/4')).toMatch('--shard takes a part and their number');
+    expect(await wrong(...all, '--crop', '3')).toMatch('--crop takes two times');
+    expect(await wrong(...all, '--crop', '3,1')).toMatch('found 3 and 1');
+    expect(await wrong(...all, '--jobs', '1.5')).toMatch('--jobs takes a whole number');
+    expect(await wrong(...all, '--map', 'map.csv')).toMatch('--map needs --retarget');
+    expect(await wrong(...all, '--retarget', 'gone.bvh')).toMatch('There is no file "gone.bvh"');
+    writeFileSync(join(folder, 'map.csv'), 'Hips\n');
+    expect(await wrong(...all, '--retarget', 'takes/walk.bvh', '--map', 'map.csv')).toMatch(
+      'map.csv:1: Expected two names, "target,source", found "Hips".',
+    );
+  });
+});
