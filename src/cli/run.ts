@@ -12,8 +12,18 @@ import { pose } from './commands/pose.ts';
 import { review } from './commands/review.ts';
 import type { CliCommand, CommandIo, ExitCode } from './io.ts';
 
-const COMMANDS: readonly CliCommand[] = [info, pose, ik, channels, compareCommand, grade, kit, convert, review];
-const COMMANDS: readonly CliCommand[] = [info, pose, ik, channels, compareCommand, grade, kit, convert, exportCommand];
+const COMMANDS: readonly CliCommand[] = [
+  info,
+  pose,
+  ik,
+  channels,
+  compareCommand,
+  grade,
+  kit,
+  convert,
+  exportCommand,
+  review,
+];
 
 export async function run(args: readonly string[], io: CommandIo): Promise<ExitCode> {
   const [name, ...rest] = args;
