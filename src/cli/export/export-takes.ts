@@ -5,8 +5,9 @@ import { VERSION } from '../../model/version.ts';
 import { shareWork } from '../threads.ts';
 import { earlierRecords, Manifest, scratchFolder } from './manifest.ts';
 import { LAYOUT } from './meta.ts';
-import { type ExportPiece, type ExportResult, type ExportSettings, exportWork, hashOf } from './one-take.ts';
+import { type ExportPiece, type ExportResult, exportWork, hashOf } from './one-take.ts';
 import { type FailedTake, isWritten } from './records.ts';
+import type { ExportSettings } from './settings.ts';
 import { inShard, type Shard } from './switches.ts';
 import type { TakeInput } from './take-inputs.ts';
 

@@ -4,7 +4,7 @@ import { metresPerUnit } from '../../evaluate/metres.ts';
 import type { Character } from '../../model/document.ts';
 import { VERSION } from '../../model/version.ts';
 import type { Meta } from './formats.ts';
-import type { ExportSettings } from './one-take.ts';
+import type { ExportSettings } from './settings.ts';
 import type { TakeInput } from './take-inputs.ts';
 
 /** Changes when the same input and options give other numbers. */

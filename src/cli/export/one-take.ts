@@ -2,35 +2,19 @@
 import { createHash } from 'node:crypto';
 import { closeSync, mkdirSync, openSync, readSync, statSync } from 'node:fs';
 import { dirname, join } from 'node:path';
-import { type Take, type TakeOptions, takeOf } from '../../dataset/take.ts';
-import { type Precision, takeArrays } from '../../dataset/take-arrays.ts';
+import { type Take, takeOf } from '../../dataset/take.ts';
+import { takeArrays } from '../../dataset/take-arrays.ts';
 import { CommandError } from '../../edit/store.ts';
 import type { Diagnostic } from '../../model/diagnostic.ts';
 import { loadGiven, openLoaded } from '../load.ts';
 import type { Work } from '../threads.ts';
 import { writeOutput } from '../write-output.ts';
-import { type ExportFormat, FORMATS } from './formats.ts';
+import { FORMATS } from './formats.ts';
 import { metaOf } from './meta.ts';
 import { isWritten, type TakeRecord, type WrittenTake } from './records.ts';
+import type { ExportSettings } from './settings.ts';
 import type { TakeInput } from './take-inputs.ts';
-import { inSpaceOf, loadTarget, type Target, type TargetFiles } from './target.ts';
-
-/** The same for all takes of an export. */
-export interface ExportSettings extends TargetFiles, Omit<TakeOptions, 'target'> {
-  /** The caller's, absolute. */
-  readonly folder: string;
-  /** Output folder, and one in it for files that are not finished; absolute. */
-  readonly out: string;
-  readonly scratch: string;
-  readonly to: ExportFormat;
-  readonly precision: Precision;
-  /** Whether existing outputs are overwritten. */
-  readonly replaces: boolean;
-  /** Whether records say how long a take took. */
-  readonly isTimed: boolean;
-  /** Of the options and the version: two exports with the same give the same for an input. */
-  readonly key: string;
-}
+import { inSpaceOf, loadTarget, type Target } from './target.ts';
 
 export interface ExportPiece {
   readonly input: TakeInput;

@@ -1,0 +1,21 @@
+import type { TakeOptions } from '../../dataset/take.ts';
+import type { Precision } from '../../dataset/take-arrays.ts';
+import type { ExportFormat } from './formats.ts';
+import type { TargetFiles } from './target.ts';
+
+/** The same for all takes of an export. */
+export interface ExportSettings extends TargetFiles, Omit<TakeOptions, 'target'> {
+  /** The caller's, absolute. */
+  readonly folder: string;
+  /** Output folder, and one in it for files that are not finished; absolute. */
+  readonly out: string;
+  readonly scratch: string;
+  readonly to: ExportFormat;
+  readonly precision: Precision;
+  /** Whether existing outputs are overwritten. */
+  readonly replaces: boolean;
+  /** Whether records say how long a take took. */
+  readonly isTimed: boolean;
+  /** Of the options and the version: two exports with the same give the same for an input. */
+  readonly key: string;
+}
