@@ -1,0 +1,207 @@
+/**
+ * Text FBX.
+ *
+ *     file   = { record }                          comments from ; to the end of the line
+ *     record = name ":" [ value { "," value } ] [ "{" { record } "}" ]
+ *     value  = "text" | number | word | "*" count "{" "a:" numbers "}" | nothing, before a comma
+ *
+ * Numbers that are none (`-1.#IND`) are read as 0.
+ */
+import { integer } from './binary.ts';
+import type { FbxReport } from './failure.ts';
+import type { FbxFile, FbxRecord, FbxValue } from './record.ts';
+
+const MAX_DEPTH = 64;
+
+/** The version that a text states; undefined if it states none in its first lines. */
+export function textVersion(bytes: Uint8Array): number | undefined {
+  const start = new TextDecoder().decode(bytes.subarray(0, 4096));
+  const stated = /FBXVersion:\s*(\d+)/.exec(start)?.[1];
+  if (stated !== undefined) return Number(stated);
+  const [, major, minor = '0', patch = '0'] = /^(?:\uFEFF)?\s*;\s*FBX\s+(\d+)\.(\d)\.(\d)/.exec(start) ?? [];
+  return major === undefined ? undefined : Number(major) * 1000 + Number(minor) * 100 + Number(patch) * 10;
+}
+
+/** The records of a text. Fails where it is no FBX. */
+export function readAscii(bytes: Uint8Array, report: FbxReport): FbxFile {
+  return { version: textVersion(bytes) ?? 0, isText: true, records: new AsciiReader(bytes, report).file() };
+}
+
+const TAB = 9;
+const LF = 10;
+const SPACE = 32;
+const QUOTE = 34;
+const STAR = 42;
+const COMMA = 44;
+const COLON = 58;
+const SEMICOLON = 59;
+const OPEN = 123;
+const CLOSE = 125;
+const UTF8 = new TextDecoder();
+
+class AsciiReader {
+  private at = 0;
+
+  constructor(
+    private readonly bytes: Uint8Array,
+    private readonly report: FbxReport,
+  ) {
+    if (bytes[0] === 0xef && bytes[1] === 0xbb && bytes[2] === 0xbf) this.at = 3;
+  }
+
+  file(): FbxRecord[] {
+    const records: FbxRecord[] = [];
+    for (this.skip(); this.at < this.bytes.length; this.skip()) records.push(this.record(0));
+    return records;
+  }
+
+  /** Moves to the next byte that is neither space nor comment. */
+  private skip(): void {
+    const { bytes } = this;
+    for (; this.at < bytes.length; this.at++) {
+      const byte = bytes[this.at];
+      if (byte === SEMICOLON) {
+        const end = bytes.indexOf(LF, this.at);
+        this.at = end < 0 ? bytes.length : end;
+      } else if (!(byte <= SPACE)) return;
+    }
+  }
+
+  private record(depth: number): FbxRecord {
+    const { bytes, report } = this;
+    const offset = this.at;
+    if (depth > MAX_DEPTH) report.fail('too-deep', `Records inside each other more than ${MAX_DEPTH} deep.`, offset);
+    while (this.at < bytes.length && bytes[this.at] !== COLON && isOfName(bytes[this.at])) this.at++;
+    if (bytes[this.at] !== COLON || this.at === offset) {
+      report.fail('name-expected', `Expected a name and a colon, found ${this.found(offset)}.`, offset);
+    }
+    const name = UTF8.decode(bytes.subarray(offset, this.at));
+    this.at++;
+    const values = this.values();
+    this.skip();
+    const children: FbxRecord[] = [];
+    if (bytes[this.at] === OPEN) {
+      const open = this.at++;
+      for (this.skip(); bytes[this.at] !== CLOSE; this.skip()) {
+        if (this.at >= bytes.length) {
+          report.fail('brace-missing', `Expected } for the { of ${name}, found the end of the file.`, open);
+        }
+        children.push(this.record(depth + 1));
+      }
+      this.at++;
+    }
+    return { name, values, children, offset };
+  }
+
+  private values(): FbxValue[] {
+    const { bytes } = this;
+    const values: FbxValue[] = [];
+    // Only the first value may be on the line after the colon if a comma comes first.
+    for (let expects = false; ; ) {
+      if (expects) this.skip();
+      else while (bytes[this.at] === SPACE || bytes[this.at] === TAB) this.at++;
+      const value = this.value();
+      if (value !== undefined) values.push(value);
+      const before = this.at;
+      this.skip();
+      if (bytes[this.at] !== COMMA) {
+        this.at = before;
+        return values;
+      }
+      this.at++;
+      expects = true;
+    }
+  }
+
+  /** The value at the cursor; undefined if there is none. */
+  private value(): FbxValue | undefined {
+    const { bytes } = this;
+    const byte = bytes[this.at];
+    if (byte === QUOTE) return this.text();
+    if (byte === STAR) return this.array();
+    const start = this.at;
+    while (this.at < bytes.length && isOfWord(bytes[this.at])) this.at++;
+    if (this.at === start) return undefined;
+    const word = UTF8.decode(bytes.subarray(start, this.at));
+    // A name: the record has no value here, and the next one begins.
+    if (bytes[this.at] === COLON) {
+      this.at = start;
+      return undefined;
+    }
+    return numberOr(word) ?? word;
+  }
+
+  private text(): string {
+    const { bytes } = this;
+    const start = this.at + 1;
+    const end = bytes.indexOf(QUOTE, start);
+    if (end < 0) this.report.fail('quote-missing', 'Expected a closing ", found the end of the file.', this.at);
+    this.at = end + 1;
+    return UTF8.decode(bytes.subarray(start, end)).replaceAll('&quot;', '"');
+  }
+
+  /** `*count { a: numbers }` */
+  private array(): Float64Array {
+    const { bytes, report } = this;
+    const offset = this.at++;
+    let count = 0;
+    while (bytes[this.at] >= 48 && bytes[this.at] <= 57) count = 10 * count + bytes[this.at++] - 48;
+    // Each number takes a digit and a comma.
+    if (count > bytes.length)
+      report.fail('bad-array', `An array of ${count} numbers in a file of ${bytes.length} bytes.`, offset);
+    this.skip();
+    if (bytes[this.at] !== OPEN)
+      report.fail('brace-missing', `Expected { with the array, found ${this.found(this.at)}.`, this.at);
+    this.at++;
+    this.skip();
+    const out = new Float64Array(count);
+    let read = 0;
+    if (bytes[this.at] !== CLOSE) {
+      this.at++;
+      this.skip();
+      if (bytes[this.at] !== COLON)
+        report.fail('name-expected', `Expected a: with numbers, found ${this.found(this.at)}.`, this.at);
+      this.at++;
+      for (this.skip(); bytes[this.at] !== CLOSE; this.skip()) {
+        const start = this.at;
+        while (this.at < bytes.length && isOfWord(bytes[this.at])) this.at++;
+        const number = numberOr(UTF8.decode(bytes.subarray(start, this.at)));
+        if (number === undefined) {
+          report.fail('not-a-number', `Expected a number of the array, found ${this.found(start)}.`, start);
+        }
+        if (read < count) out[read] = Number(number);
+        read++;
+        this.skip();
+        if (bytes[this.at] === COMMA) this.at++;
+      }
+    }
+    this.at++;
+    if (read !== count) report.fail('wrong-count', `Expected ${count} numbers, found ${read}.`, offset);
+    return out;
+  }
+
+  /** What is at an offset, for messages. */
+  private found(offset: number): string {
+    if (offset >= this.bytes.length) return 'the end of the file';
+    const end = this.bytes.indexOf(LF, offset);
+    const text = UTF8.decode(this.bytes.subarray(offset, Math.min(end < 0 ? this.bytes.length : end, offset + 20)));
+    return `“${text.trim()}”`;
+  }
+}
+
+/** Names have letters, digits and - | _; a blank ends none, for some have one. */
+function isOfName(byte: number): boolean {
+  return byte >= SPACE && byte !== QUOTE && byte !== COMMA && byte !== OPEN && byte !== CLOSE && byte !== SEMICOLON;
+}
+
+function isOfWord(byte: number): boolean {
+  return byte > SPACE && byte !== COLON && isOfName(byte);
+}
+
+/** Integers of more than 53 bits stay exact. */
+function numberOr(word: string): number | bigint | undefined {
+  if (/^[+-]?\d{16,20}$/.test(word)) return integer(BigInt(word.replace('+', '')));
+  if (/^[+-]?(\d+\.?\d*|\.\d+)([eE][+-]?\d+)?$/.test(word)) return Number(word);
+  // How Windows printed infinities and what is no number.
+  return /^[+-]?\d*\.#\w+$|^[+-]?(nan|inf)/i.test(word) ? 0 : undefined;
+}

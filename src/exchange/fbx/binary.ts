@@ -1,0 +1,231 @@
+/**
+ * Binary FBX: a header, records, and a footer that is not read.
+ *
+ *     file   = "Kaydara FBX Binary  \0" 1A 00, version u32, { record }, an empty record
+ *     record = end, number of values, bytes of values (u32; from 7.5 on u64), name length u8, name, values,
+ *              { record }, an empty record if there were any
+ *     value  = type: C Z B Y I F D L of 1 to 8 bytes; S R with u32 length; f d l i b c: arrays of n, packed by zlib or not
+ *
+ * Lengths are checked before anything is allocated: arrays take no more memory than the file says and deflate can hold,
+ * and all of them together at most `MAX_UNPACKED`.
+ */
+import type { FbxReport } from './failure.ts';
+import { inflateExactly } from './inflate.ts';
+import type { FbxFile, FbxNumbers, FbxRecord, FbxValue } from './record.ts';
+
+const MAGIC = 'Kaydara FBX Binary  \0';
+const HEADER = 27;
+/** Real files have less than ten levels. */
+const MAX_DEPTH = 64;
+/** Unpacked bytes of all arrays. */
+const MAX_UNPACKED = 2 ** 30;
+const UTF8 = new TextDecoder();
+
+export function isBinaryFbx(bytes: Uint8Array): boolean {
+  return bytes.length >= MAGIC.length && [...MAGIC].every((char, i) => bytes[i] === char.charCodeAt(0));
+}
+
+/** The version in the header of a binary file; 0 if it ends before. */
+export function binaryVersion(bytes: Uint8Array): number {
+  return bytes.length < HEADER ? 0 : new DataView(bytes.buffer, bytes.byteOffset).getUint32(HEADER - 4, true);
+}
+
+/** The records of a binary file of version 7.0 or later. Fails if it is damaged. */
+export function readBinary(bytes: Uint8Array<ArrayBuffer>, report: FbxReport): FbxFile {
+  const version = binaryVersion(bytes);
+  return { version, isText: false, records: new BinaryReader(bytes, version >= 7500, report).file() };
+}
+
+interface Cursor {
+  at: number;
+}
+
+class BinaryReader {
+  private readonly view: DataView;
+  private readonly headerBytes: number;
+  private unpacked = 0;
+
+  constructor(
+    private readonly bytes: Uint8Array<ArrayBuffer>,
+    private readonly isWide: boolean,
+    private readonly report: FbxReport,
+  ) {
+    this.view = new DataView(bytes.buffer, bytes.byteOffset, bytes.byteLength);
+    this.headerBytes = isWide ? 25 : 13;
+  }
+
+  file(): FbxRecord[] {
+    const records: FbxRecord[] = [];
+    const cursor = { at: HEADER };
+    // Some exporters leave out the empty record at the end, with the footer.
+    while (cursor.at + this.headerBytes <= this.bytes.length) {
+      const record = this.record(cursor, this.bytes.length, 0);
+      if (!record) return records;
+      records.push(record);
+    }
+    if (cursor.at < this.bytes.length || records.length === 0) {
+      this.report.fail('file-cut', 'Expected another record, found the end of the file: it was cut off.', cursor.at);
+    }
+    return records;
+  }
+
+  /** The record at the cursor, which moves behind it; undefined if it is the empty one. */
+  private record(cursor: Cursor, limit: number, depth: number): FbxRecord | undefined {
+    const { view, report, isWide } = this;
+    const offset = cursor.at;
+    if (offset + this.headerBytes > limit) {
+      report.fail('file-cut', 'Expected another record, found the end of the one around it.', offset);
+    }
+    const end = this.size(offset);
+    const count = this.size(offset + (isWide ? 8 : 4));
+    const valueBytes = this.size(offset + (isWide ? 16 : 8));
+    const nameLength = view.getUint8(offset + this.headerBytes - 1);
+    cursor.at = offset + this.headerBytes;
+    if (end === 0) return undefined;
+    const values = cursor.at + nameLength;
+    const rest = values + valueBytes;
+    if (end > limit) {
+      const what = end > this.bytes.length ? 'the file: it was cut off' : 'the record around it';
+      report.fail('file-cut', `A record ends at byte ${end}, behind the end of ${what}.`, offset);
+    }
+    if (rest > end) report.fail('bad-record', 'A record is shorter than its name and values.', offset);
+    if (depth > MAX_DEPTH) report.fail('too-deep', `Records inside each other more than ${MAX_DEPTH} deep.`, offset);
+    const name = UTF8.decode(this.bytes.subarray(cursor.at, values));
+    cursor.at = values;
+    // Each value has a byte for its type.
+    if (count > valueBytes)
+      report.fail('bad-record', `${name} says it has ${count} values in ${valueBytes} bytes.`, offset);
+    const read: FbxValue[] = [];
+    for (let i = 0; i < count; i++) read.push(this.value(cursor, rest));
+    cursor.at = rest;
+    const children: FbxRecord[] = [];
+    while (cursor.at < end) {
+      const child = this.record(cursor, end, depth + 1);
+      if (!child) break;
+      children.push(child);
+    }
+    cursor.at = end;
+    return { name, values: read, children, offset };
+  }
+
+  /** A length or an end in the header of a record. */
+  private size(at: number): number {
+    return this.isWide ? Number(this.view.getBigUint64(at, true)) : this.view.getUint32(at, true);
+  }
+
+  private value(cursor: Cursor, limit: number): FbxValue {
+    const { view, bytes } = this;
+    const start = cursor.at;
+    if (start >= limit) this.report.fail('bad-value', 'Expected a value, found the end of its record.', start);
+    const type = String.fromCharCode(bytes[start]);
+    const at = start + 1;
+    const take = (size: number) => {
+      if (at + size > limit) this.report.fail('bad-value', 'A value is longer than its record.', start);
+      cursor.at = at + size;
+    };
+    switch (type) {
+      case 'C':
+      case 'Z':
+      case 'B':
+        take(1);
+        return view.getUint8(at);
+      case 'Y':
+        take(2);
+        return view.getInt16(at, true);
+      case 'I':
+        take(4);
+        return view.getInt32(at, true);
+      case 'F':
+        take(4);
+        return view.getFloat32(at, true);
+      case 'D':
+        take(8);
+        return view.getFloat64(at, true);
+      case 'L':
+        take(8);
+        return integer(view.getBigInt64(at, true));
+      case 'S':
+      case 'R': {
+        take(4);
+        const length = view.getUint32(at, true);
+        take(4 + length);
+        const data = bytes.subarray(at + 4, at + 4 + length);
+        return type === 'S' ? UTF8.decode(data) : data;
+      }
+      case 'f':
+      case 'd':
+      case 'l':
+      case 'i':
+      case 'b':
+      case 'c': {
+        take(12);
+        const count = view.getUint32(at, true);
+        const encoding = view.getUint32(at + 4, true);
+        const length = view.getUint32(at + 8, true);
+        const size = count * elementBytes(type);
+        take(12 + (encoding === 0 ? size : length));
+        const data = this.array(bytes.subarray(at + 12, cursor.at), encoding, size, start);
+        return numbers(type, data, count);
+      }
+      default:
+        return this.report.fail(
+          'bad-value',
+          `Expected a type of value, found the byte ${bytes[start]}: the file is damaged.`,
+          start,
+        );
+    }
+  }
+
+  private array(
+    data: Uint8Array<ArrayBuffer>,
+    encoding: number,
+    size: number,
+    offset: number,
+  ): Uint8Array<ArrayBuffer> {
+    if (encoding > 1) {
+      this.report.fail(
+        'bad-array',
+        `Expected an array as it is (0) or packed (1), found encoding ${encoding}.`,
+        offset,
+      );
+    }
+    this.unpacked += size;
+    if (this.unpacked > MAX_UNPACKED) {
+      this.report.fail('too-large', `The arrays of this file unpack to more than ${MAX_UNPACKED} bytes.`, offset);
+    }
+    // Copied, since numbers have to be aligned.
+    if (encoding === 0) return data.slice();
+    const unpacked = inflateExactly(data, size);
+    if (unpacked) return unpacked;
+    return this.report.fail('bad-array', `A packed array is damaged: it does not unpack to ${size} bytes.`, offset);
+  }
+}
+
+function elementBytes(type: 'f' | 'd' | 'l' | 'i' | 'b' | 'c'): number {
+  if (type === 'd' || type === 'l') return 8;
+  return type === 'f' || type === 'i' ? 4 : 1;
+}
+
+/** FBX is little-endian, as is every machine with typed arrays in use. */
+function numbers(type: 'f' | 'd' | 'l' | 'i' | 'b' | 'c', data: Uint8Array<ArrayBuffer>, count: number): FbxNumbers {
+  switch (type) {
+    case 'f':
+      return new Float32Array(data.buffer, 0, count);
+    case 'd':
+      return new Float64Array(data.buffer, 0, count);
+    case 'i':
+      return new Int32Array(data.buffer, 0, count);
+    case 'l': {
+      const words = new DataView(data.buffer);
+      return Float64Array.from({ length: count }, (_, i) => Number(words.getBigInt64(8 * i, true)));
+    }
+    default:
+      return data;
+  }
+}
+
+/** As a number where that is exact. */
+export function integer(value: bigint): number | bigint {
+  const number = Number(value);
+  return Number.isSafeInteger(number) ? number : value;
+}

@@ -1,0 +1,318 @@
+/**
+ * An animation curve of FBX: keys with slopes and weights on either side, and what comes before and after.
+ *
+ *     flags: 2 constant (100: the next key's value), 4 linear, 8 cubic
+ *            of cubic: 100 auto, 200 TCB, 400 user, 800 broken; 1000 clamp, 2000 time-independent, 4000 progressive clamp
+ *            1000000 weighted to the right, 2000000 the next key's left too
+ *     data:  four floats per run of keys: slope to the right, slope to the left of the next key, two weights as
+ *            ten-thousandths in one word, velocities (not used); or tension, continuity, bias
+ *
+ * The tangents of automatic keys are not in the file: they are computed as ufbx found the FBX SDK to compute them.
+ */
+import { lastNotAbove } from '../../math/search.ts';
+import type { FbxReport } from './failure.ts';
+import { childOf, type FbxNumbers, type FbxRecord, numberAt, numbersOf } from './record.ts';
+
+export interface FbxCurve {
+  /** Seconds, ascending; several may be equal. */
+  readonly times: Float64Array;
+  readonly values: Float64Array;
+  /** Of the span after each key. */
+  readonly spans: Uint8Array;
+  /** Value per second on the left and on the right of each key. */
+  readonly slopesIn: Float64Array;
+  readonly slopesOut: Float64Array;
+  /** How far a handle reaches, as a fraction of its span: a third, unless weighted. */
+  readonly weightsIn: Float64Array;
+  readonly weightsOut: Float64Array;
+  readonly before: Beyond;
+  readonly after: Beyond;
+}
+
+/** What a curve does beyond its keys. */
+export interface Beyond {
+  readonly mode: 'constant' | 'slope' | 'repeat' | 'repeat with offset' | 'mirror';
+  /** How often it is repeated; infinity is the rule. */
+  readonly count: number;
+}
+
+/** Kinds of spans. `next` holds the value of the key at its end. */
+export const HOLD = 0;
+export const HOLD_NEXT = 1;
+export const LINE = 2;
+export const CUBIC = 3;
+
+const CONSTANT_FLAG = 0x2;
+const NEXT_FLAG = 0x100;
+const CUBIC_FLAG = 0x8;
+const TCB_FLAG = 0x200;
+const USER_FLAG = 0x400;
+const CLAMP_FLAG = 0x1000;
+const TIME_INDEPENDENT_FLAG = 0x2000;
+const PROGRESSIVE_FLAG = 0x4000;
+const WEIGHTED_FLAG = 0x1000000;
+const NEXT_WEIGHTED_FLAG = 0x2000000;
+
+const THIRD = 1 / 3;
+/** From 7.2 on, texts write the bits of these floats as integers. */
+const BITS_IN_TEXT = 7200;
+
+/**
+ * @returns undefined, after a warning, if the curve has no keys or columns of different lengths
+ */
+export function curveOf(
+  record: FbxRecord,
+  ticks: number,
+  { version, isText }: { readonly version: number; readonly isText: boolean },
+  report: FbxReport,
+): FbxCurve | undefined {
+  const ownTimes = numbersOf(childOf(record, 'KeyTime'));
+  const ownValues = numbersOf(childOf(record, 'KeyValueFloat'));
+  const count = ownTimes.length;
+  if (count === 0) return undefined;
+  const flags = numbersOf(childOf(record, 'KeyAttrFlags'));
+  const data = floatsOf(numbersOf(childOf(record, 'KeyAttrDataFloat')), isText && version >= BITS_IN_TEXT);
+  const runs = numbersOf(childOf(record, 'KeyAttrRefCount'));
+  if (ownValues.length !== count || runs.length < 1 || flags.length < runs.length || data.length < 4 * runs.length) {
+    report.warn('bad-curve', `A curve has ${count} times and ${ownValues.length} values.`, record.offset, 'left out');
+    return undefined;
+  }
+  const [times, values] = sorted(ownTimes, ownValues, ticks);
+  const curve = {
+    times,
+    values,
+    spans: new Uint8Array(count),
+    slopesIn: new Float64Array(count),
+    slopesOut: new Float64Array(count),
+    weightsIn: new Float64Array(count).fill(THIRD),
+    weightsOut: new Float64Array(count).fill(THIRD),
+    before: beyondOf(childOf(record, 'Pre-Extrapolation')),
+    after: beyondOf(childOf(record, 'Post-Extrapolation')),
+  };
+  let run = 0;
+  let left = runs[0];
+  for (let key = 0; key < count; key++) {
+    writeKey(curve, key, flags[run], data, 4 * run);
+    if (--left <= 0 && run + 1 < runs.length) left = runs[++run];
+  }
+  return curve;
+}
+
+/** Seconds in ascending order, with their values. Times that are no number count as 0. */
+function sorted(ticks: FbxNumbers, values: FbxNumbers, ticksPerSecond: number): [Float64Array, Float64Array] {
+  const times = Float64Array.from(ticks, (time) => time / ticksPerSecond);
+  const isSorted = times.every((time, i) => i === 0 || time >= times[i - 1]);
+  const finite = Float64Array.from(values, (value) => (Number.isFinite(value) ? value : 0));
+  if (isSorted) return [times, finite];
+  const order = [...times.keys()].sort((a, b) => times[a] - times[b] || a - b);
+  return [Float64Array.from(order, (i) => times[i]), Float64Array.from(order, (i) => finite[i])];
+}
+
+function floatsOf(data: FbxNumbers, areBits: boolean): Float32Array {
+  if (areBits) return new Float32Array(Int32Array.from(data).buffer);
+  return data instanceof Float32Array ? data : Float32Array.from(data);
+}
+
+function beyondOf(record: FbxRecord | undefined): Beyond {
+  const type = childOf(record, 'Type')?.values[0];
+  const letter = typeof type === 'number' ? String.fromCharCode(type) : type;
+  const repetitions = numberAt(childOf(record, 'Repetition')) ?? -1;
+  const count = repetitions < 0 ? Number.POSITIVE_INFINITY : repetitions;
+  if (letter === 'K') return { mode: 'slope', count };
+  if (count === 0) return { mode: 'constant', count };
+  if (letter === 'R') return { mode: 'repeat', count };
+  if (letter === 'A') return { mode: 'repeat with offset', count };
+  if (letter === 'M') return { mode: 'mirror', count };
+  return { mode: 'constant', count };
+}
+
+/** Fills in a key's right side and the next one's left side. The left side is what the key before said about it. */
+function writeKey(curve: FbxCurve, key: number, flags: number, data: Float32Array, at: number): void {
+  const { times, values, spans, slopesIn, slopesOut, weightsIn, weightsOut } = curve;
+  const next = key + 1;
+  const hasNext = next < times.length;
+  const duration = hasNext ? times[next] - times[key] : 0;
+  const isCubic = (flags & CONSTANT_FLAG) === 0 && (flags & CUBIC_FLAG) !== 0;
+  const setNext = (slope: number) => {
+    if (hasNext) slopesIn[next] = slope;
+  };
+  if (!isCubic) {
+    const isConstant = (flags & CONSTANT_FLAG) !== 0;
+    const chord = duration > 0 && !isConstant ? (values[next] - values[key]) / duration : 0;
+    spans[key] = isConstant ? ((flags & NEXT_FLAG) !== 0 ? HOLD_NEXT : HOLD) : LINE;
+    slopesOut[key] = chord;
+    setNext(chord);
+    return;
+  }
+  spans[key] = CUBIC;
+  if ((flags & WEIGHTED_FLAG) !== 0) weightsOut[key] = weightAt(data, at + 2, 0);
+  if ((flags & NEXT_WEIGHTED_FLAG) !== 0 && hasNext) weightsIn[next] = weightAt(data, at + 2, 16);
+  const sides = sidesOf(curve, key);
+  if ((flags & TCB_FLAG) !== 0) {
+    writeTcb(curve, key, sides, data[at], data[at + 1], data[at + 2]);
+    setNext(0);
+    return;
+  }
+  if ((flags & USER_FLAG) !== 0) {
+    slopesOut[key] = finite(data[at]);
+  } else {
+    // What the file has in place of slopes is a bias: to the right from this key, to the left from the one before.
+    const right = finite(data[at]);
+    const left = slopesIn[key];
+    const isOne = Math.abs(left + right) <= 1e-4;
+    slopesOut[key] = autoSlope(sides, weightsIn[key], weightsOut[key], right, flags);
+    slopesIn[key] = isOne ? slopesOut[key] : autoSlope(sides, weightsIn[key], weightsOut[key], -left, flags);
+  }
+  setNext(finite(data[at + 1]));
+}
+
+function finite(value: number): number {
+  return Number.isFinite(value) ? value : 0;
+}
+
+/** One of the two weights in a word of the data. A handle reaches no further than its span. */
+function weightAt(data: Float32Array, at: number, shift: number): number {
+  const word = new DataView(data.buffer, data.byteOffset).getUint32(4 * at, true);
+  return Math.min(((word >>> shift) & 0xffff) / 10000, 1);
+}
+
+/** Times and values of a key and its neighbours; undefined where there is none at another time. */
+interface Sides {
+  readonly before: { readonly duration: number; readonly change: number } | undefined;
+  readonly after: { readonly duration: number; readonly change: number } | undefined;
+}
+
+function sidesOf({ times, values }: FbxCurve, key: number): Sides {
+  const between = (a: number, b: number) => {
+    if (a < 0 || b >= times.length || !(times[b] > times[a])) return undefined;
+    return { duration: times[b] - times[a], change: values[b] - values[a] };
+  };
+  return { before: between(key - 1, key), after: between(key, key + 1) };
+}
+
+/** Tension, continuity and bias. */
+function writeTcb(curve: FbxCurve, key: number, { before, after }: Sides, t: number, c: number, b: number): void {
+  const left = before ? before.change / before.duration : 0;
+  const right = after ? after.change / after.duration : 0;
+  const factor = (1 - t) * (before && after ? 0.5 : 1);
+  curve.slopesIn[key] = finite(factor * ((1 + b) * (1 - c) * left + (1 - b) * (1 + c) * right));
+  curve.slopesOut[key] = finite(factor * ((1 + b) * (1 + c) * left + (1 - b) * (1 - c) * right));
+}
+
+/**
+ * The slope of an automatic key.
+ * @param bias to the right if positive; from 500 on it adds to the slope
+ */
+function autoSlope({ before, after }: Sides, weightIn: number, weightOut: number, bias: number, flags: number): number {
+  const isIndependent = (flags & TIME_INDEPENDENT_FLAG) !== 0;
+  const isProgressive = (flags & PROGRESSIVE_FLAG) !== 0;
+  const side = before ?? after;
+  if (!side) return 0;
+  // Clamped keys are flat beside a key of the same value.
+  const nearest = Math.min(...[before, after].map((s) => (s ? Math.abs(s.change) : Number.POSITIVE_INFINITY)));
+  if ((flags & CLAMP_FLAG) !== 0 && nearest <= 1e-5 && !(isProgressive && !(before && after))) return 0;
+  const strength = Math.abs(bias) / 100;
+  const excess = Math.max(0, strength - 5);
+  if (!before || !after) {
+    if (isProgressive) return 0;
+    const own = side.change / side.duration;
+    return isIndependent ? own : own + excess * excess * (bias > 0 ? 1 : -1) * 40;
+  }
+  const left = before.change / before.duration;
+  const right = after.change / after.duration;
+  const total = before.duration + after.duration;
+  let slope = (before.change + after.change) / total;
+  if (!isIndependent) {
+    const part = before.duration / total;
+    slope = (slope + left * (1 - part) + right * part) / 2;
+    if (strength > 1e-4) {
+      const target = bias > 0 ? right : left;
+      const pull = target - slope;
+      slope = slope * (1 - strength) + target * strength;
+      slope += excess * excess * ((Math.abs(pull) > 1e-5 ? pull : bias) > 0 ? 1 : -1) * 40;
+    }
+  }
+  if (!isProgressive) return slope;
+  // No handle reaches beyond the value of its neighbour.
+  const sign = slope >= 0 ? 1 : -1;
+  const limitOf = (change: number, reach: number) => (reach > 0 ? Math.max(0, (sign * change) / reach) : 0);
+  const most = Math.min(
+    limitOf(before.change, weightIn * before.duration),
+    limitOf(after.change, weightOut * after.duration),
+  );
+  return sign * Math.min(Math.abs(slope), most);
+}
+
+/** The value at a time, in seconds. */
+export function evaluateCurve(curve: FbxCurve, time: number): number {
+  const { times, values, before, after } = curve;
+  const last = times.length - 1;
+  if (last === 0) return values[0];
+  if (time < times[0]) return beyond(curve, before, time, true);
+  if (time > times[last]) return beyond(curve, after, time, false);
+  return inside(curve, time);
+}
+
+function inside(curve: FbxCurve, time: number): number {
+  const { times, values, spans } = curve;
+  const key = lastNotAbove(times, 0, times.length, time);
+  if (key + 1 >= times.length || time <= times[key]) return values[key];
+  const duration = times[key + 1] - times[key];
+  const part = (time - times[key]) / duration;
+  const [v0, v1] = [values[key], values[key + 1]];
+  switch (spans[key]) {
+    case HOLD:
+      return v0;
+    case HOLD_NEXT:
+      return v1;
+    case LINE:
+      return v0 + (v1 - v0) * part;
+    default: {
+      const [w0, w1] = [curve.weightsOut[key], curve.weightsIn[key + 1]];
+      const t = bezierParameter(w0, 1 - w1, part);
+      const u = 1 - t;
+      const a = v0 + curve.slopesOut[key] * w0 * duration;
+      const b = v1 - curve.slopesIn[key + 1] * w1 * duration;
+      return u * u * u * v0 + 3 * u * t * (u * a + t * b) + t * t * t * v1;
+    }
+  }
+}
+
+/** Where x(t) of a Bézier curve from 0 to 1 with handles at `a` and `b`, both within, is `x`: by bisected Newton steps. */
+export function bezierParameter(a: number, b: number, x: number): number {
+  let low = 0;
+  let high = 1;
+  let t = x;
+  for (let i = 0; i < 60; i++) {
+    const u = 1 - t;
+    const off = 3 * u * t * (u * a + t * b) + t * t * t - x;
+    if (Math.abs(off) < 1e-15) break;
+    if (off > 0) high = t;
+    else low = t;
+    const slope = 3 * (u * u * a + 2 * u * t * (b - a) + t * t * (1 - b));
+    const step = t - off / slope;
+    t = step > low && step < high ? step : (low + high) / 2;
+  }
+  return t;
+}
+
+function beyond(curve: FbxCurve, { mode, count }: Beyond, time: number, isBefore: boolean): number {
+  const { times, values, slopesIn, slopesOut } = curve;
+  const last = times.length - 1;
+  const end = isBefore ? 0 : last;
+  const duration = times[last] - times[0];
+  if (mode === 'slope') return values[end] + (isBefore ? slopesOut[0] : slopesIn[last]) * (time - times[end]);
+  if (mode === 'constant' || !(duration > 0)) return values[end];
+  const distance = Math.abs(time - times[end]);
+  let turns = Math.floor(distance / duration);
+  let rest = distance - turns * duration;
+  if (turns >= count) {
+    turns = count - 1;
+    rest = duration;
+  }
+  // The first repetition of a mirrored curve runs backwards.
+  const runsBack = (mode === 'mirror' && turns % 2 === 0) !== isBefore;
+  const value = inside(curve, runsBack ? times[last] - rest : times[0] + rest);
+  if (mode !== 'repeat with offset') return value;
+  return value + (values[last] - values[0]) * (turns + 1) * (isBefore ? -1 : 1);
+}

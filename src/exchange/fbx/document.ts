@@ -1,0 +1,158 @@
+/**
+ * An FBX file as objects with properties, and connections between them. A connection leads from an object to what it is
+ * a part of: a curve to its curve node, a joint to its parent, whose id is 0 for the scene itself.
+ */
+import type { Vec3 } from '../../math/vec3.ts';
+import { childOf, childrenOf, type FbxFile, type FbxRecord, type FbxValue, idAt, numberAt, textAt } from './record.ts';
+
+export interface FbxObject {
+  readonly id: string;
+  /** Of its record: `Model`, `Geometry`, `Deformer` … */
+  readonly kind: string;
+  /** Without the class that follows or precedes it. */
+  readonly name: string;
+  /** Its sub-type: `Mesh`, `LimbNode`, `Cluster` … */
+  readonly type: string;
+  readonly record: FbxRecord;
+  readonly properties: Properties;
+}
+
+/** An object at one end of a connection, and the property at its other end that it is connected to. */
+export interface Link {
+  readonly object: FbxObject;
+  readonly property: string | undefined;
+}
+
+export interface FbxDocument {
+  readonly file: FbxFile;
+  readonly settings: Properties;
+  readonly objects: readonly FbxObject[];
+  /** What an object consists of, in the order of the file; `0` is the scene. */
+  partsOf(id: string): readonly Link[];
+  /** What an object is part of. */
+  ownersOf(id: string): readonly Link[];
+  /** Units of time in a second. */
+  readonly ticks: number;
+}
+
+/** The id of the scene's own node, which has no object. */
+export const SCENE_ID = '0';
+
+/** Units of time up to FBX 7, and those that newer files may choose. */
+const TICKS = 46186158000;
+const NEW_TICKS = 141120000;
+const OLD_TIME_DEFINITION = 127;
+
+/** Values by name: an object's own, and for those it lacks, the ones of the template for objects of its kind. */
+export class Properties {
+  private readonly values = new Map<string, readonly FbxValue[]>();
+
+  constructor(
+    record: FbxRecord | undefined,
+    private readonly template?: Properties,
+  ) {
+    for (const { name, values } of childOf(record, 'Properties70')?.children ?? []) {
+      const key = values[0];
+      // Name, type, label, flags, values.
+      if (name === 'P' && typeof key === 'string') this.values.set(key, values.slice(4));
+    }
+  }
+
+  of(name: string): readonly FbxValue[] | undefined {
+    return this.values.get(name) ?? this.template?.of(name);
+  }
+
+  number(name: string): number | undefined {
+    const value = this.of(name)?.[0];
+    const number = typeof value === 'bigint' ? Number(value) : value;
+    return typeof number === 'number' && Number.isFinite(number) ? number : undefined;
+  }
+
+  vector(name: string, otherwise: Vec3): Vec3 {
+    const [x, y, z] = this.of(name) ?? [];
+    const isVector = [x, y, z].every((value) => typeof value === 'number' && Number.isFinite(value));
+    return isVector ? [Number(x), Number(y), Number(z)] : otherwise;
+  }
+
+  text(name: string): string | undefined {
+    const value = this.of(name)?.[0];
+    return typeof value === 'string' ? value : undefined;
+  }
+}
+
+export function documentOf(file: FbxFile): FbxDocument {
+  const section = (name: string) => file.records.find((record) => record.name === name);
+  const templates = templatesOf(section('Definitions'));
+  const objects: FbxObject[] = [];
+  const byId = new Map<string, FbxObject>();
+  for (const record of section('Objects')?.children ?? []) {
+    const id = idAt(record);
+    // Of two objects with one id the first counts: connections can't tell them apart.
+    if (id === undefined || id === SCENE_ID || byId.has(id)) continue;
+    const object = objectOf(record, id, templates.get(record.name));
+    objects.push(object);
+    byId.set(id, object);
+  }
+  const parts = new Map<string, Link[]>();
+  const owners = new Map<string, Link[]>();
+  for (const record of childrenOf(section('Connections'), 'C')) {
+    const [part, owner] = [idAt(record, 1), idAt(record, 2)];
+    const type = textAt(record);
+    if (part === undefined || owner === undefined || (type !== 'OO' && type !== 'OP')) continue;
+    const property = type === 'OP' ? textAt(record, 3) : undefined;
+    const [object, whole] = [byId.get(part), byId.get(owner)];
+    if (object && (whole || owner === SCENE_ID)) listed(parts, owner).push({ object, property });
+    if (object && whole) listed(owners, part).push({ object: whole, property });
+  }
+  const header = section('FBXHeaderExtension');
+  const definition = numberAt(childOf(childOf(header, 'OtherFlags'), 'TCDefinition')) ?? OLD_TIME_DEFINITION;
+  const isNew = (numberAt(childOf(header, 'FBXHeaderVersion')) ?? 0) >= 1004 && definition !== OLD_TIME_DEFINITION;
+  return {
+    file,
+    settings: new Properties(section('GlobalSettings')),
+    objects,
+    partsOf: (id) => parts.get(id) ?? [],
+    ownersOf: (id) => owners.get(id) ?? [],
+    ticks: isNew ? NEW_TICKS : TICKS,
+  };
+}
+
+function templatesOf(definitions: FbxRecord | undefined): Map<string, Properties> {
+  const templates = new Map<string, Properties>();
+  for (const type of childrenOf(definitions, 'ObjectType')) {
+    const name = textAt(type);
+    const template = childOf(type, 'PropertyTemplate');
+    if (name !== undefined && template) templates.set(name, new Properties(template));
+  }
+  return templates;
+}
+
+/** Binary files say name, 0, 1, class; texts class::name. */
+function objectOf(record: FbxRecord, id: string, template: Properties | undefined): FbxObject {
+  const full = textAt(record, 1) ?? '';
+  const zero = full.indexOf('\0');
+  const colons = full.indexOf('::');
+  const name = zero >= 0 ? full.slice(0, zero) : colons >= 0 ? full.slice(colons + 2) : full;
+  return {
+    id,
+    kind: record.name,
+    name,
+    type: textAt(record, 2) ?? '',
+    record,
+    properties: new Properties(record, template),
+  };
+}
+
+function listed(map: Map<string, Link[]>, key: string): Link[] {
+  const list = map.get(key) ?? [];
+  map.set(key, list);
+  return list;
+}
+
+/** The parts of an object that are of a kind. */
+export function partsOfKind(document: FbxDocument, { id }: FbxObject, kind: string, type?: string): FbxObject[] {
+  return document
+    .partsOf(id)
+    .filter(({ object }) => object.kind === kind && (type === undefined || object.type === type))
+    .map(({ object }) => object);
+}

@@ -1,0 +1,58 @@
+/** Errors of FBX files: a binary file has byte offsets, a text has lines. */
+import { type Place, WHOLE_FILE } from '../../formats/places.ts';
+import { ParseError, type Report } from '../../formats/report.ts';
+
+const SHOWN = 800;
+const LF = 10;
+
+/** Reports problems of one file at offsets of its bytes. */
+export class FbxReport {
+  constructor(
+    private readonly report: Report,
+    private readonly bytes: Uint8Array,
+    /** Whether offsets are told as lines. */
+    private readonly isText: boolean,
+  ) {}
+
+  /** Reports an error after which nothing can be read. */
+  fail(code: string, message: string, offset: number): never {
+    this.error(code, message, offset);
+    throw new ParseError(message);
+  }
+
+  error(code: string, message: string, offset: number): void {
+    this.report.error(code, this.located(message, offset), this.placeOf(offset));
+  }
+
+  /** @param assumed what was done instead */
+  warn(code: string, message: string, offset: number, assumed: string): void {
+    if (this.report.hasRoom('warning')) {
+      this.report.warn(code, this.located(message, offset), this.placeOf(offset), assumed);
+    }
+  }
+
+  /** About the file as a whole. */
+  info(code: string, message: string): void {
+    this.report.info(code, message, WHOLE_FILE);
+  }
+
+  private located(message: string, offset: number): string {
+    return this.isText ? message : `${message.replace(/\.$/, '')}, at byte ${offset}.`;
+  }
+
+  private placeOf(offset: number): Place {
+    if (!this.isText) return WHOLE_FILE;
+    const { bytes } = this;
+    const at = Math.min(offset, bytes.length);
+    const start = at > 0 ? bytes.lastIndexOf(LF, at - 1) + 1 : 0;
+    let line = 1;
+    for (let i = bytes.indexOf(LF); i >= 0 && i < start; i = bytes.indexOf(LF, i + 1)) line++;
+    const end = bytes.indexOf(LF, at);
+    return {
+      line,
+      column: at - start + 1,
+      before: bytes.slice(Math.max(start, at - SHOWN), at),
+      after: bytes.slice(at, Math.min(end < 0 ? bytes.length : end, at + SHOWN)),
+    };
+  }
+}

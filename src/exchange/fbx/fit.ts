@@ -1,0 +1,111 @@
+/**
+ * Keys for functions of time that are no curves: each span between two given times is a cubic by its values and slopes at
+ * both ends, cut in two where that is off by more than a tolerance.
+ */
+import { hermiteCubic } from '../../math/hermite.ts';
+import { KeyList } from './key-list.ts';
+
+/** Writes `width` values of a time; angles are those nearest to `near`. */
+export type Fitted = (time: number, near: Float64Array, out: Float64Array) => void;
+
+/** Cuts of a span; real motion needs few. */
+const MAX_CUTS = 10;
+/** Where a span is compared with the function. */
+const CHECKED = [0.08, 0.21, 0.36, 0.5, 0.64, 0.79, 0.92];
+/** How far from its end, as part of a span, slopes are measured. */
+const STEP = 1e-4;
+
+/**
+ * @param stops ascending, at least one: where the function may jump or bend
+ * @param start the values nearest to which the first ones are
+ * @param tolerances one per value
+ * @returns the keys of each value, all at the same times
+ */
+export function fitKeys(
+  write: Fitted,
+  stops: readonly number[],
+  start: ArrayLike<number>,
+  tolerances: readonly number[],
+): KeyList[] {
+  const width = tolerances.length;
+  const lists = tolerances.map(() => new KeyList());
+  const last = Float64Array.from(start);
+  const value = new Float64Array(width);
+  write(stops[0], last, value);
+  last.set(value);
+  for (let k = 0; k < width; k++) lists[k].add(stops[0], value[k], 0, 0);
+  const span = new Span(write, width, tolerances);
+  for (let i = 1; i < stops.length; i++) {
+    span.fit(stops[i - 1], stops[i], last, lists, 0);
+    // What the function is from here on, if it jumps.
+    write(stops[i], last, value);
+    const jumps = tolerances.some((tolerance, k) => Math.abs(value[k] - last[k]) > tolerance);
+    if (jumps) for (let k = 0; k < width; k++) lists[k].add(stops[i], value[k], 0, 0);
+    last.set(value);
+  }
+  return lists;
+}
+
+class Span {
+  private readonly a: Float64Array;
+  private readonly b: Float64Array;
+  private readonly c: Float64Array;
+  private readonly end: Float64Array;
+  private readonly from: Float64Array;
+  private readonly to: Float64Array;
+  private readonly expected: Float64Array;
+  private readonly cubics: Float64Array;
+
+  constructor(
+    private readonly write: Fitted,
+    private readonly width: number,
+    private readonly tolerances: readonly number[],
+  ) {
+    const scratch = () => new Float64Array(width);
+    [this.a, this.b, this.c, this.end] = [scratch(), scratch(), scratch(), scratch()];
+    [this.from, this.to, this.expected] = [scratch(), scratch(), scratch()];
+    this.cubics = new Float64Array(4 * width);
+  }
+
+  /** Appends what leads from one time, whose values are `last`, to another, whose values `last` then is. */
+  fit(start: number, stop: number, last: Float64Array, lists: readonly KeyList[], cuts: number): void {
+    const { a, b, c, end, from, to, width } = this;
+    const duration = stop - start;
+    const step = duration * STEP;
+    this.write(start + step, last, a);
+    this.write(start + 2 * step, a, b);
+    for (let k = 0; k < width; k++) from[k] = (4 * a[k] - b[k] - 3 * last[k]) / (2 * step);
+    // The end is approached from its left, where the function may jump.
+    this.write(stop - step, last, a);
+    this.write(stop - 2 * step, a, b);
+    this.write(stop - 3 * step, b, c);
+    for (let k = 0; k < width; k++) {
+      end[k] = 3 * a[k] - 3 * b[k] + c[k];
+      to[k] = (5 * a[k] - 8 * b[k] + 3 * c[k]) / (2 * step);
+    }
+    if (cuts < MAX_CUTS && !this.holds(start, duration, last)) {
+      const middle = start + duration / 2;
+      this.fit(start, middle, last, lists, cuts + 1);
+      this.fit(middle, stop, last, lists, cuts + 1);
+      return;
+    }
+    for (let k = 0; k < width; k++) {
+      lists[k].leave(from[k]);
+      lists[k].add(stop, end[k], to[k], to[k]);
+    }
+    last.set(end);
+  }
+
+  private holds(start: number, duration: number, last: Float64Array): boolean {
+    const { end, from, to, a, cubics, expected, width, tolerances } = this;
+    for (let k = 0; k < width; k++) hermiteCubic(last[k], from[k], end[k], to[k], duration, cubics, 4 * k);
+    return CHECKED.every((part) => {
+      const since = part * duration;
+      for (let o = 0; o < 4 * width; o += 4) {
+        expected[o / 4] = ((cubics[o + 3] * since + cubics[o + 2]) * since + cubics[o + 1]) * since + cubics[o];
+      }
+      this.write(start + since, expected, a);
+      return tolerances.every((tolerance, k) => Math.abs(a[k] - expected[k]) <= tolerance);
+    });
+  }
+}

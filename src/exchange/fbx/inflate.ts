@@ -1,0 +1,31 @@
+/** Unpacks the compressed arrays of FBX files: zlib data whose unpacked size is known. */
+import { Unzlib } from 'fflate';
+
+/** So that data that unpacks to more than it says is noticed after at most 1032 times as many bytes. */
+const STEP = 4096;
+
+/**
+ * The unpacked bytes; undefined if the data is damaged or unpacks to another size. What is beyond that size is never
+ * kept, and hardly unpacked.
+ */
+export function inflateExactly(packed: Uint8Array, size: number): Uint8Array<ArrayBuffer> | undefined {
+  // Deflate packs at most 1032 bytes into one: no memory for sizes that can't be.
+  if (size > 1040 * packed.length + 64) return undefined;
+  const out = new Uint8Array(size);
+  let at = 0;
+  let isDone = false;
+  const stream = new Unzlib((chunk, isLast) => {
+    if (at + chunk.length <= size) out.set(chunk, at);
+    at += chunk.length;
+    isDone = isLast;
+  });
+  try {
+    for (let from = 0; from < packed.length && at <= size; from += STEP) {
+      stream.push(packed.subarray(from, from + STEP), from + STEP >= packed.length);
+    }
+  } catch {
+    // fflate throws for damaged data; what is missing is told by the caller.
+    return undefined;
+  }
+  return isDone && at === size ? out : undefined;
+}

@@ -1,0 +1,25 @@
+/** What an FBX file has that a character doesn't. */
+import type { FbxDocument } from './document.ts';
+import type { FbxNode } from './nodes.ts';
+
+const COUNTED: readonly (readonly [kind: RegExp, type: RegExp, one: string, many: string])[] = [
+  [/^Constraint$/, /./, 'constraint', 'constraints'],
+  [/^NodeAttribute$/, /^Camera/, 'camera', 'cameras'],
+  [/^NodeAttribute$/, /^Light$/, 'light', 'lights'],
+  [/^Deformer$/, /Cache/, 'geometry cache', 'geometry caches'],
+  [/^Audio$/, /./, 'sound', 'sounds'],
+];
+
+/** For one message: "2 cameras". */
+export function lostOf(document: FbxDocument, nodes: readonly FbxNode[]): string[] {
+  const lost = COUNTED.flatMap(([kind, type, one, many]) => {
+    const count = document.objects.filter((object) => kind.test(object.kind) && type.test(object.type)).length;
+    return count === 0 ? [] : [`${count} ${count === 1 ? one : many}`];
+  });
+  const isHidden = nodes.some(({ object }) => object.properties.number('Visibility') === 0);
+  const isHiding = document.objects.some(
+    ({ id, kind }) =>
+      kind === 'AnimationCurve' && document.ownersOf(id).some(({ property }) => property === 'd|Visibility'),
+  );
+  return isHidden || isHiding ? [...lost, 'visibility'] : lost;
+}

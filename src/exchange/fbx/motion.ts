@@ -1,0 +1,216 @@
+/**
+ * Where the nodes of an FBX scene are at a time of a take: the reference for what takes become as curves of joints, and
+ * what they are computed from where pivots or layers stand between the two.
+ */
+import { writeRotation } from '../../math/quaternion.ts';
+import { slerp } from '../../math/slerp.ts';
+import { type Driven, drivenKey, type FbxTake, layerWeight } from './animation.ts';
+import { evaluateCurve } from './curve.ts';
+import { type FbxNode, inRadians, writeNodeRotation, writeNodeTranslation } from './nodes.ts';
+import { multiplyQuaternions, writeAnglesNear, writeQuaternion } from './rotation.ts';
+
+export type MovedProperty = 'Lcl Translation' | 'Lcl Rotation' | 'Lcl Scaling';
+
+const IDENTITY = Float64Array.of(0, 0, 0, 1);
+
+/** What each layer of a take says about one property of one object; the lowest layer first. */
+export function driversOf(take: FbxTake | undefined, objectId: string, property: string): (Driven | undefined)[] {
+  const key = drivenKey(objectId, property);
+  return take?.layers.map(({ driven }) => driven.get(key)) ?? [];
+}
+
+/** The own values of a node at a time, before pivots. Angles are in radians. */
+export class NodeMotion {
+  readonly translation = new Float64Array(3);
+  readonly angles = new Float64Array(3);
+  readonly scale = new Float64Array(3);
+  private readonly translating: (Driven | undefined)[];
+  private readonly rotating: (Driven | undefined)[];
+  private readonly scaling: (Driven | undefined)[];
+  private readonly value = new Float64Array(3);
+  private readonly a = new Float64Array(4);
+  private readonly b = new Float64Array(4);
+
+  constructor(
+    private readonly node: FbxNode,
+    private readonly take: FbxTake | undefined,
+  ) {
+    const { id } = node.object;
+    this.translating = driversOf(take, id, 'Lcl Translation');
+    this.rotating = driversOf(take, id, 'Lcl Rotation');
+    this.scaling = driversOf(take, id, 'Lcl Scaling');
+  }
+
+  /** Computes all three. */
+  at(time: number): void {
+    this.translation.set(this.node.translation);
+    this.angles.set(this.node.angles);
+    this.scale.set(this.node.scale);
+    for (const [l, layer] of (this.take?.layers ?? []).entries()) {
+      const weight = l === 0 ? 1 : layerWeight(layer, time);
+      const translating = this.translating[l];
+      const rotating = this.rotating[l];
+      const scaling = this.scaling[l];
+      const mode = l === 0 ? 'override' : layer.mode;
+      if (translating) this.blend(this.translation, this.read(translating, time), mode, weight);
+      if (rotating) {
+        this.read(rotating, time);
+        this.value.set(inRadians([this.value[0], this.value[1], this.value[2]]));
+        if (mode !== 'override' && layer.composesRotation) this.turn(mode, weight);
+        else this.blend(this.angles, this.value, mode, weight);
+      }
+      if (scaling) {
+        this.read(scaling, time);
+        if (mode !== 'override' && layer.composesScale) this.stretch(mode, weight);
+        else this.blend(this.scale, this.value, mode, weight);
+      }
+    }
+  }
+
+  private read({ curves, values }: Driven, time: number): Float64Array {
+    for (let k = 0; k < 3; k++) {
+      const curve = curves[k];
+      this.value[k] = curve ? evaluateCurve(curve, time) : values[k];
+    }
+    return this.value;
+  }
+
+  private blend(out: Float64Array, value: Float64Array, mode: string, weight: number): void {
+    for (let k = 0; k < 3; k++) out[k] = blended(out[k], value[k], mode, weight);
+  }
+
+  private turn(mode: string, weight: number): void {
+    const { order } = this.node;
+    const { a, b } = this;
+    writeQuaternion(order, this.angles, a);
+    writeQuaternion(order, this.value, b);
+    if (mode === 'add') {
+      slerp(IDENTITY, b, weight, b);
+      multiplyQuaternions(a, b, a);
+    } else {
+      slerp(a, b, weight, a);
+    }
+    writeAnglesNear(order, a, this.angles);
+  }
+
+  private stretch(mode: string, weight: number): void {
+    for (let k = 0; k < 3; k++) {
+      const own = mode === 'add' ? this.scale[k] : power(this.scale[k], 1 - weight);
+      this.scale[k] = own * power(this.value[k], weight);
+    }
+  }
+}
+
+/** Keeps the sign. */
+function power(value: number, exponent: number): number {
+  if (exponent <= 0) return 1;
+  return exponent >= 1 ? value : Math.sign(value) * Math.abs(value) ** exponent;
+}
+
+/** A number of a layer combined with that of the layers below it. */
+export function blended(below: number, value: number, mode: string, weight: number): number {
+  if (mode === 'add') return below + value * weight;
+  return mode === 'override' ? value : below * (1 - weight) + value * weight;
+}
+
+/** A single number, such as a blend shape's percentage, at a time. */
+export function numberInTake(
+  take: FbxTake | undefined,
+  drivers: readonly (Driven | undefined)[],
+  time: number,
+  rest: number,
+): number {
+  let number = rest;
+  for (const [l, driver] of drivers.entries()) {
+    const layer = take?.layers[l];
+    if (!driver || !layer) continue;
+    const curve = driver.curves[0];
+    const value = curve ? evaluateCurve(curve, time) : driver.values[0];
+    number = l === 0 ? value : blended(number, value, layer.mode, layerWeight(layer, time));
+  }
+  return number;
+}
+
+/**
+ * All nodes of a scene at a time.
+ *
+ *     world = frame · diag(stretch)        frame: what children that don't inherit scales are placed in
+ */
+export class SceneMotion {
+  /** 16 numbers per node, in the file's own axes. */
+  readonly worlds: Float64Array;
+  /** Three numbers per node. */
+  readonly stretches: Float64Array;
+  private readonly motions: readonly NodeMotion[];
+  private readonly frames: Float64Array;
+  private readonly rotation = new Float64Array(4);
+  private readonly place = new Float64Array(3);
+  private readonly local = new Float64Array(16);
+
+  constructor(
+    private readonly nodes: readonly FbxNode[],
+    take: FbxTake | undefined,
+  ) {
+    this.worlds = new Float64Array(16 * nodes.length);
+    this.frames = new Float64Array(16 * nodes.length);
+    this.stretches = new Float64Array(3 * nodes.length);
+    this.motions = nodes.map((node) => new NodeMotion(node, take));
+  }
+
+  at(time: number): void {
+    for (const [i, node] of this.nodes.entries()) {
+      const motion = this.motions[i];
+      motion.at(time);
+      this.write(i, node, motion);
+    }
+  }
+
+  private write(i: number, node: FbxNode, { translation, angles, scale }: NodeMotion): void {
+    const { rotation, place, local, worlds, frames, stretches } = this;
+    writeNodeRotation(node, angles, rotation);
+    writeNodeTranslation(node, translation, rotation, scale, place);
+    const p = node.parent;
+    const inherited = inheritedStretch(this.nodes, stretches, i);
+    local[15] = 1;
+    writeRotation(rotation[0], rotation[1], rotation[2], rotation[3], local, 0, 4);
+    const isNormal = node.inherits === 'normal' || p < 0;
+    for (let k = 0; k < 3; k++) {
+      local[12 + k] = isNormal ? place[k] : place[k] * stretches[3 * p + k];
+      stretches[3 * i + k] = isNormal ? scale[k] : scale[k] * inherited[k];
+    }
+    if (p < 0) frames.set(local, 16 * i);
+    else multiply(isNormal ? worlds : frames, 16 * p, local, frames, 16 * i);
+    for (let c = 0; c < 4; c++) {
+      const by = c < 3 ? stretches[3 * i + c] : 1;
+      for (let r = 0; r < 4; r++) worlds[16 * i + 4 * c + r] = frames[16 * i + 4 * c + r] * by;
+    }
+  }
+}
+
+const ONE: readonly number[] = [1, 1, 1];
+const inheritedScratch = new Float64Array(3);
+
+/** The stretch that a node's own scale is multiplied by, axis by axis; 1 for those placed like everything else. */
+export function inheritedStretch(nodes: readonly FbxNode[], stretches: Float64Array, i: number): ArrayLike<number> {
+  const from = stretchSource(nodes, i);
+  if (from < 0) return ONE;
+  inheritedScratch.set(stretches.subarray(3 * from, 3 * from + 3));
+  return inheritedScratch;
+}
+
+/** The node whose stretch another one inherits axis by axis; -1 for none. */
+export function stretchSource(nodes: readonly FbxNode[], i: number): number {
+  const { parent, inherits } = nodes[i];
+  if (parent < 0 || inherits === 'normal') return -1;
+  return inherits === 'by axis' ? parent : stretchSource(nodes, parent);
+}
+
+function multiply(a: Float64Array, ao: number, b: Float64Array, out: Float64Array, o: number): void {
+  for (let c = 0; c < 4; c++) {
+    const [x, y, z] = [b[4 * c], b[4 * c + 1], b[4 * c + 2]];
+    for (let r = 0; r < 3; r++) {
+      out[o + 4 * c + r] = a[ao + r] * x + a[ao + 4 + r] * y + a[ao + 8 + r] * z + (c === 3 ? a[ao + 12 + r] : 0);
+    }
+    out[o + 4 * c + 3] = c === 3 ? 1 : 0;
+  }
+}

@@ -1,0 +1,81 @@
+/** Polygons cut into triangles: by ears, so that those with corners turned inwards are right, too. */
+import { length3 } from '../../math/vec3.ts';
+
+/** With more corners a polygon is cut as a fan, since ears take time with the square of their number. */
+const MOST_CORNERS = 2000;
+
+/**
+ * Appends three indices of corners per triangle.
+ * @param points x y z per point
+ * @param corners the points of the polygon in order, at least three
+ */
+export function cutPolygon(points: ArrayLike<number>, corners: ArrayLike<number>, out: number[]): void {
+  const count = corners.length;
+  if (count === 3) {
+    out.push(0, 1, 2);
+    return;
+  }
+  const flat = flattened(points, corners);
+  if (!flat || count > MOST_CORNERS) {
+    for (let i = 2; i < count; i++) out.push(0, i - 1, i);
+    return;
+  }
+  const left = Array.from({ length: count }, (_, i) => i);
+  while (left.length > 3) {
+    const ear = earOf(flat, left);
+    const n = left.length;
+    out.push(left[(ear + n - 1) % n], left[ear], left[(ear + 1) % n]);
+    left.splice(ear, 1);
+  }
+  out.push(left[0], left[1], left[2]);
+}
+
+/** x y per corner in the plane of the polygon, counter-clockwise; undefined if it has no area. */
+function flattened(points: ArrayLike<number>, corners: ArrayLike<number>): Float64Array | undefined {
+  const normal = [0, 0, 0];
+  const count = corners.length;
+  // Newell's method: right for polygons that are not quite flat.
+  for (let i = 0; i < count; i++) {
+    const a = 3 * corners[i];
+    const b = 3 * corners[(i + 1) % count];
+    for (let k = 0; k < 3; k++) {
+      const [u, v] = [(k + 1) % 3, (k + 2) % 3];
+      normal[k] += (points[a + u] - points[b + u]) * (points[a + v] + points[b + v]);
+    }
+  }
+  if (!(length3(normal[0], normal[1], normal[2]) > 0)) return undefined;
+  const sizes = normal.map(Math.abs);
+  const main = sizes.indexOf(Math.max(...sizes));
+  const [u, v] = normal[main] > 0 ? [(main + 1) % 3, (main + 2) % 3] : [(main + 2) % 3, (main + 1) % 3];
+  const flat = new Float64Array(2 * count);
+  for (let i = 0; i < count; i++) {
+    flat[2 * i] = points[3 * corners[i] + u];
+    flat[2 * i + 1] = points[3 * corners[i] + v];
+  }
+  return flat;
+}
+
+/** Of the corners left, one that can be cut off; the first if there is none. */
+function earOf(flat: Float64Array, left: readonly number[]): number {
+  const n = left.length;
+  // Quads are cut from their first corner to their third unless one of the others is turned inwards.
+  for (let k = 0; k < n; k++) {
+    const i = (k + 1) % n;
+    const [a, b, c] = [left[(i + n - 1) % n], left[i], left[(i + 1) % n]];
+    if (!(area(flat, a, b, c) > 0)) continue;
+    const isEmpty = left.every((p) => p === a || p === b || p === c || !contains(flat, a, b, c, p));
+    if (isEmpty) return i;
+  }
+  return 0;
+}
+
+function area(flat: Float64Array, a: number, b: number, c: number): number {
+  return (
+    (flat[2 * b] - flat[2 * a]) * (flat[2 * c + 1] - flat[2 * a + 1]) -
+    (flat[2 * c] - flat[2 * a]) * (flat[2 * b + 1] - flat[2 * a + 1])
+  );
+}
+
+function contains(flat: Float64Array, a: number, b: number, c: number, p: number): boolean {
+  return area(flat, a, b, p) >= 0 && area(flat, b, c, p) >= 0 && area(flat, c, a, p) >= 0;
+}

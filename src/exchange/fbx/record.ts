@@ -1,0 +1,66 @@
+/**
+ * The records of an FBX file, the same for its binary and its text form: a name, values, and records inside.
+ *
+ *     Name: value, value { Name: … }
+ */
+
+/** A list of numbers; `l` arrays (64-bit integers) become doubles, exact up to 2^53. */
+export type FbxNumbers = Float64Array | Float32Array | Int32Array | Uint8Array;
+
+/** Integers are numbers where they are exact, else bigints. Raw data is a `Uint8Array`. */
+export type FbxValue = number | bigint | string | FbxNumbers;
+
+export interface FbxRecord {
+  readonly name: string;
+  readonly values: readonly FbxValue[];
+  readonly children: readonly FbxRecord[];
+  /** Of its first byte in the file. */
+  readonly offset: number;
+}
+
+/** A file as records, before any meaning. */
+export interface FbxFile {
+  /** 7400 for 7.4. */
+  readonly version: number;
+  readonly isText: boolean;
+  readonly records: readonly FbxRecord[];
+}
+
+/** The first record of that name inside another, if any. */
+export function childOf(record: FbxRecord | undefined, name: string): FbxRecord | undefined {
+  return record?.children.find((child) => child.name === name);
+}
+
+/** All records of that name inside another. */
+export function childrenOf(record: FbxRecord | undefined, name: string): readonly FbxRecord[] {
+  return record?.children.filter((child) => child.name === name) ?? [];
+}
+
+/** A value as a number; undefined if it is none, or not finite. */
+export function numberAt(record: FbxRecord | undefined, index = 0): number | undefined {
+  const value = record?.values[index];
+  const number = typeof value === 'bigint' ? Number(value) : value;
+  return typeof number === 'number' && Number.isFinite(number) ? number : undefined;
+}
+
+/** A value as text; undefined if it is none. */
+export function textAt(record: FbxRecord | undefined, index = 0): string | undefined {
+  const value = record?.values[index];
+  return typeof value === 'string' ? value : undefined;
+}
+
+/** A value that identifies an object, as text: ids are integers of up to 64 bits. */
+export function idAt(record: FbxRecord | undefined, index = 0): string | undefined {
+  const value = record?.values[index];
+  return typeof value === 'number' || typeof value === 'bigint' || typeof value === 'string'
+    ? String(value)
+    : undefined;
+}
+
+/** The numbers of a record: its array, or its single values; empty if there are none. */
+export function numbersOf(record: FbxRecord | undefined): FbxNumbers {
+  const first = record?.values[0];
+  if (first !== undefined && typeof first === 'object') return first;
+  const numbers = record?.values.filter((value) => typeof value === 'number') ?? [];
+  return Float64Array.from(numbers);
+}

@@ -1,0 +1,68 @@
+/**
+ * The blend shapes of an FBX mesh: channels with a percentage, each with one shape, or several at ascending percentages
+ * between which it blends.
+ */
+import { type FbxDocument, type FbxObject, partsOfKind } from './document.ts';
+import { childOf, type FbxNumbers, numberAt, numbersOf } from './record.ts';
+
+export interface FbxChannel {
+  readonly object: FbxObject;
+  readonly name: string;
+  /** At rest. */
+  readonly percent: number;
+  /** By ascending percentage. */
+  readonly shapes: readonly FbxShape[];
+}
+
+export interface FbxShape {
+  readonly name: string;
+  /** The percentage at which it is full. */
+  readonly full: number;
+  /** Points, and x y z added to each. */
+  readonly points: FbxNumbers;
+  readonly offsets: FbxNumbers;
+  /** x y z added to the normal of each; empty if the file has none. */
+  readonly normals: FbxNumbers;
+}
+
+export function channelsOf(document: FbxDocument, geometry: FbxObject): FbxChannel[] {
+  return partsOfKind(document, geometry, 'Deformer', 'BlendShape')
+    .flatMap((blend) => partsOfKind(document, blend, 'Deformer', 'BlendShapeChannel'))
+    .map((object) => {
+      const shapes = partsOfKind(document, object, 'Geometry', 'Shape');
+      const full = numbersOf(childOf(object.record, 'FullWeights'));
+      return {
+        object,
+        name: object.name || shapes[0]?.name || '',
+        // Blender has it as a record.
+        percent: object.properties.number('DeformPercent') ?? numberAt(childOf(object.record, 'DeformPercent')) ?? 0,
+        shapes: shapes
+          .map(({ name, record }, i) => ({
+            name,
+            // Blender has one per point there.
+            full: (full.length === shapes.length && full[i]) || 100,
+            points: numbersOf(childOf(record, 'Indexes')),
+            offsets: numbersOf(childOf(record, 'Vertices')),
+            normals: numbersOf(childOf(record, 'Normals')),
+          }))
+          .sort((a, b) => a.full - b.full),
+      };
+    });
+}
+
+/**
+ * The weight of one of a channel's shapes at a percentage: the shapes before and after it share it, the first with
+ * the mesh itself; beyond the last it goes on.
+ */
+export function shapeWeight(shapes: readonly FbxShape[], index: number, percent: number): number {
+  const stops = [0, ...shapes.map(({ full }) => full)].sort((a, b) => a - b);
+  let span = stops.findIndex((stop) => stop > percent) - 1;
+  // Before the first and behind the last; what is below 0 goes on from the mesh to the shape next to it.
+  if (span < -1) span = stops.length - 2;
+  if (span < 0) span = 0;
+  const [from, to] = [stops[span], stops[span + 1]];
+  const part = to === from ? 0 : (percent - from) / (to - from);
+  const own = shapes[index].full;
+  if (own === to) return part;
+  return own === from ? 1 - part : 0;
+}
