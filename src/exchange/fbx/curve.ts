@@ -279,7 +279,7 @@ function inside(curve: FbxCurve, time: number): number {
 }
 
 /** Where x(t) of a Bézier curve from 0 to 1 with handles at `a` and `b`, both within, is `x`: by bisected Newton steps. */
-export function bezierParameter(a: number, b: number, x: number): number {
+function bezierParameter(a: number, b: number, x: number): number {
   let low = 0;
   let high = 1;
   let t = x;

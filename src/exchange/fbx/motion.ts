@@ -191,7 +191,7 @@ const ONE: readonly number[] = [1, 1, 1];
 const inheritedScratch = new Float64Array(3);
 
 /** The stretch that a node's own scale is multiplied by, axis by axis; 1 for those placed like everything else. */
-export function inheritedStretch(nodes: readonly FbxNode[], stretches: Float64Array, i: number): ArrayLike<number> {
+function inheritedStretch(nodes: readonly FbxNode[], stretches: Float64Array, i: number): ArrayLike<number> {
   const from = stretchSource(nodes, i);
   if (from < 0) return ONE;
   inheritedScratch.set(stretches.subarray(3 * from, 3 * from + 3));
