@@ -10,17 +10,7 @@
  *
  * A large skin isn't shown at once: `prepare` converts and uploads it in slices, then shows it.
  */
-import {
-  type Bone,
-  Box3,
-  Group,
-  PerspectiveCamera,
-  Scene,
-  Sphere,
-  type Texture,
-  Vector3,
-  type WebGLRenderer,
-} from 'three';
+import { type Bone, Box3, Group, PerspectiveCamera, Scene, Sphere, Vector3, type WebGLRenderer } from 'three';
 import { posedBounds } from '../evaluate/bounds.ts';
 import { NO_TRAVEL, placementMatrix } from '../evaluate/placements.ts';
 import { skinParts } from '../evaluate/shapes/skin-parts.ts';
@@ -28,7 +18,7 @@ import { upAxis } from '../evaluate/space.ts';
 import { runToEnd, type Steps } from '../evaluate/steps.ts';
 import { carrierOf, groundTravel } from '../evaluate/travel.ts';
 import { type Character, shownSkin } from '../model/document.ts';
-import { baseName, type Texture as Picture, sameName } from '../model/files.ts';
+import type { Texture as Picture } from '../model/files.ts';
 import type { Morph } from '../model/morph.ts';
 import type { Display } from '../model/session.ts';
 import { type Skin, textureNames, vertexCount } from '../model/skin.ts';
@@ -36,7 +26,7 @@ import { Bones } from './bones.ts';
 import { HoveredPart } from './hovered-part.ts';
 import { PosePlayer } from './pose-track.ts';
 import { BUILT_AT_ONCE, type Heat, ShownSkin } from './shown-skin.ts';
-import { skinTexture } from './skin-texture.ts';
+import { SkinTextures } from './skin-textures.ts';
 import { SKIN_THEMES } from './skin-theme.ts';
 import type { MarrowSkinnedMesh } from './skinning.ts';
 import { runInSlices } from './slices.ts';
@@ -47,7 +37,7 @@ import { uploadInFrames } from './upload.ts';
 export interface CharacterEvents {
   /** Something has changed: redraw. */
   redraw?(): void;
-  /** The skin's texture can't be decoded; the skin stays untextured. */
+  /** A texture of the skin can't be decoded; what has it stays untextured. */
   textureFailed?(picture: Picture, message: string): void;
 }
 
@@ -83,8 +73,7 @@ export class CharacterView {
   private building: Steps<void> | undefined;
   private preparing: Promise<void> | undefined;
   private skinLife = new AbortController();
-  private picture: Picture | undefined;
-  private texture: Texture | undefined;
+  private readonly textures: SkinTextures;
 
   /** @param renderer `prepare` uploads to it; without one it only converts */
   constructor(
@@ -92,6 +81,13 @@ export class CharacterView {
     private readonly events: CharacterEvents = {},
   ) {
     this.object.matrixAutoUpdate = false;
+    this.textures = new SkinTextures(
+      (textures) => {
+        this.skin?.setTextures(textures);
+        this.events.redraw?.();
+      },
+      (picture, message) => this.events.textureFailed?.(picture, message),
+    );
   }
 
   /** One per placement, in order, with the placement's matrix. */
@@ -169,7 +165,7 @@ export class CharacterView {
       if (hasNewPlaces) this.skin.place(this.groups);
       this.skin.show(display, heat);
     } else this.rebuildSkin(character, skin);
-    this.retexture(character, skin);
+    this.textures.show(skin?.texcoords ? textureNames(skin) : [], character.textures);
     this.placeGroups(character);
     this.seek(this.timeSeconds);
   }
@@ -292,8 +288,7 @@ export class CharacterView {
 
   dispose(): void {
     this.dropSkin();
-    this.picture = undefined;
-    this.setTexture(undefined);
+    this.textures.dispose();
     this.object.removeFromParent();
     this.object.clear();
     this.groups = [];
@@ -330,7 +325,7 @@ export class CharacterView {
     const skin = new ShownSkin(model, character.morphs, boneSet, theme, localSphere, localBox, hoveredPart);
     skin.setTint(this.tint && STAGE_THEMES[this.theme][this.tint]);
     skin.onLater = () => this.events.redraw?.();
-    skin.setTexture(this.texture);
+    skin.setTextures(this.textures.decoded);
     this.skin = skin;
     this.building = this.bring(skin);
     if (sizeOf(model, character.morphs) > BUILT_AT_ONCE) return;
@@ -353,35 +348,6 @@ export class CharacterView {
     this.preparing = undefined;
     this.skin?.dispose();
     this.skin = undefined;
-  }
-
-  /** Decodes the texture of the skin's material, if it has changed. */
-  private retexture(character: Character, skin: Skin | undefined): void {
-    const named = skin?.texcoords && textureNames(skin)[0];
-    const picture = named ? character.textures.find((t) => sameName(t.name, baseName(named))) : undefined;
-    if (picture === this.picture) return;
-    this.picture = picture;
-    this.setTexture(undefined);
-    if (!picture || typeof createImageBitmap === 'undefined') return;
-    skinTexture(picture).then(
-      (texture) => {
-        if (this.picture !== picture) {
-          texture.dispose();
-          return;
-        }
-        this.setTexture(texture);
-        this.events.redraw?.();
-      },
-      (error: unknown) => {
-        if (this.picture === picture) this.events.textureFailed?.(picture, messageOf(error));
-      },
-    );
-  }
-
-  private setTexture(texture: Texture | undefined): void {
-    this.texture?.dispose();
-    this.texture = texture;
-    this.skin?.setTexture(texture);
   }
 
   private placeGroups(character: Character): void {
@@ -408,8 +374,4 @@ function sizeOf(skin: Skin, morphs: readonly Morph[]): number {
   return morphs.reduce((sum, { positions, normals }) => {
     return sum + (positions.indices.length + normals.indices.length) / 4;
   }, vertexCount(skin));
-}
-
-function messageOf(error: unknown): string {
-  return error instanceof Error ? error.message : String(error);
 }

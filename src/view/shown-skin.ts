@@ -13,6 +13,7 @@ import type { Bones } from './bones.ts';
 import type { HoveredPart } from './hovered-part.ts';
 import { type Morphing, morphing } from './morphs.ts';
 import { edgesOf, influenceOf, normalsGeometry, packSkin, wireGeometry } from './skin-geometry.ts';
+import { looksOf } from './skin-looks.ts';
 import { SkinMaterials } from './skin-materials.ts';
 import type { SkinTheme } from './skin-theme.ts';
 import { ExactSkeleton, MarrowSkinnedMesh, type SkinGpu, SkinnedLines } from './skinning.ts';
@@ -52,7 +53,7 @@ export class ShownSkin {
   private built: Built | undefined;
   private placed: readonly Placed[] = [];
   private display: Display | undefined;
-  private texture: Texture | undefined;
+  private textures: ReadonlyMap<string, Texture> = new Map();
   private tint: string | undefined;
   private isRevealed = false;
   private readonly ended = new AbortController();
@@ -92,7 +93,7 @@ export class ShownSkin {
     const gpu = { skin, skeleton, isPosed, ...packed };
     const made = yield* morphing(gpu.geometry, skin.positions, compiled.normals, this.morphs);
     const materials = new SkinMaterials(gpu, this.theme, this.hovered);
-    materials.setTexture(this.texture);
+    materials.setTextures(this.textures);
     materials.setTint(this.tint);
     this.built = { gpu, materials, morphing: made };
   }
@@ -114,7 +115,7 @@ export class ShownSkin {
   get uploads(): { readonly geometry: BufferGeometry; readonly textures: readonly Texture[] } | undefined {
     if (!this.built) return undefined;
     const { geometry, attachmentTexture } = this.built.gpu;
-    return { geometry, textures: [attachmentTexture, this.texture].filter((t) => t !== undefined) };
+    return { geometry, textures: [attachmentTexture, ...this.textures.values()].filter((t) => t !== undefined) };
   }
 
   /** One mesh per group. */
@@ -166,9 +167,10 @@ export class ShownSkin {
     this.built?.materials.setTint(tint);
   }
 
-  setTexture(texture: Texture | undefined): void {
-    this.texture = texture;
-    this.built?.materials.setTexture(texture);
+  /** Those that are decoded, by their names in the materials. */
+  setTextures(textures: ReadonlyMap<string, Texture>): void {
+    this.textures = textures;
+    this.built?.materials.setTextures(textures);
     this.refresh();
   }
 
@@ -233,7 +235,7 @@ export class ShownSkin {
     if (display.normals) this.normals ??= normalsGeometry(built.gpu.geometry);
     for (const placed of this.placed) {
       const { mesh } = placed;
-      mesh.material = surfaceMaterial(materials, display.skin);
+      mesh.material = surfaceMaterial(materials, display.skin, this.skin);
       mesh.visible = this.isRevealed && display.skin !== 'hidden' && display.skin !== 'wire';
       mesh.castShadow = display.skin !== 'xray';
       if (this.wire && display.skin === 'wire') placed.wire ??= this.lines(placed, this.wire, materials.wire(), built);
@@ -296,10 +298,10 @@ export class ShownSkin {
   }
 }
 
-function surfaceMaterial(materials: SkinMaterials, style: SkinStyle): MarrowSkinnedMesh['material'] {
+function surfaceMaterial(materials: SkinMaterials, style: SkinStyle, skin: Skin): MarrowSkinnedMesh['material'] {
   switch (style) {
     case 'textured':
-      return materials.textured();
+      return materials.textured(looksOf(skin).looks);
     case 'xray':
       return materials.xray();
     case 'heat':

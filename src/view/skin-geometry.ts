@@ -22,6 +22,7 @@ import {
 import type { Steps } from '../evaluate/steps.ts';
 import { type Skin, vertexCount } from '../model/skin.ts';
 import { afterInTriangle, facingOf } from './facing.ts';
+import { looksOf } from './skin-looks.ts';
 
 /** Attachments that the attributes hold. */
 const IN_ATTRIBUTES = 4;
@@ -52,6 +53,10 @@ export function* packSkin(skin: Skin, normals: Float64Array, identity: number, i
   for (; !step.done; step = facing.next()) yield 0.3 + 0.3 * step.value;
   // The model's own array if it is consistent: three.js only reads it.
   geometry.setIndex(new BufferAttribute(step.value.triangles, 1));
+  const { looks, runs } = looksOf(skin);
+  // Without groups a mesh needs one draw call.
+  for (const run of looks.length > 1 ? runs : [])
+    geometry.addGroup(3 * run.triangleStart, 3 * run.triangleCount, run.look);
   geometry.setAttribute('turned', new BufferAttribute(step.value.turned, 1));
   const attachmentTexture = yield* packAttachments(skin, identity, isPosed, geometry);
   return { geometry, attachmentTexture };

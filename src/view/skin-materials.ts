@@ -17,15 +17,18 @@ import {
   ShaderMaterial,
   type Texture,
 } from 'three';
+import type { Vec3 } from '../math/vec3.ts';
 import { heatRamp } from './heat.ts';
 import { type HoveredPart, withHoveredPart } from './hovered-part.ts';
+import type { SkinLook } from './skin-looks.ts';
 import type { SkinTheme } from './skin-theme.ts';
 import { type SkinGpu, withExactSkinning } from './skinning.ts';
 
 /** The materials of one skin, created on first use. */
 export class SkinMaterials {
   private readonly made = new Map<string, Material>();
-  private texture: Texture | undefined;
+  private textures: ReadonlyMap<string, Texture> = new Map();
+  private readonly looks = new Map<Material, SkinLook>();
   private tint: string | undefined;
 
   constructor(
@@ -48,23 +51,20 @@ export class SkinMaterials {
     for (const [name, material] of this.made) this.paint(name, material);
   }
 
-  /** The skin's texture; without one the textured style looks like the solid one. */
-  setTexture(texture: Texture | undefined): void {
-    this.texture = texture;
-    const material = this.made.get('textured');
-    if (material) this.paint('textured', material);
-  }
-
-  get hasTexture(): boolean {
-    return this.texture !== undefined;
+  /** Those that are decoded, by their names in looks. */
+  setTextures(textures: ReadonlyMap<string, Texture>): void {
+    this.textures = textures;
+    for (const [name, material] of this.made) this.paint(name, material);
   }
 
   solid(): Material {
     return this.get('solid', clay);
   }
 
-  textured(): Material {
-    return this.texture ? this.get('textured', clay) : this.solid();
+  /** One material for each look, in their order; one with neither texture nor colour is that of the style solid. */
+  textured(looks: readonly SkinLook[]): Material | Material[] {
+    const all = looks.map((look) => this.lookMaterial(look));
+    return all.length === 1 ? all[0] : all;
   }
 
   heat(): Material {
@@ -97,11 +97,22 @@ export class SkinMaterials {
     this.made.clear();
   }
 
+  private lookMaterial(look: SkinLook): Material {
+    const { texture, color } = look;
+    if (!color && (texture === undefined || !this.textures.has(texture))) return this.solid();
+    return this.get(`textured ${JSON.stringify(look)}`, () => {
+      const material = clay();
+      this.looks.set(material, look);
+      return material;
+    });
+  }
+
   private get(name: string, make: () => Material): Material {
     let material = this.made.get(name);
     if (!material) {
       material = make();
-      if (LIGHTS_UP.has(name)) withHoveredPart(material, this.hovered, this.skin.attachmentTexture !== undefined);
+      if (LIGHTS_UP.has(name.split(' ')[0]))
+        withHoveredPart(material, this.hovered, this.skin.attachmentTexture !== undefined);
       withExactSkinning(material, this.skin);
       material.name = `skin ${name}`;
       this.made.set(name, material);
@@ -112,11 +123,12 @@ export class SkinMaterials {
 
   private paint(name: string, material: Material): void {
     const { theme, tint } = this;
-    if (material instanceof MeshStandardMaterial && name === 'solid') dye(material.color, theme.clay, tint);
-    if (material instanceof MeshStandardMaterial && name === 'textured') {
+    const look = this.looks.get(material);
+    if (material instanceof MeshStandardMaterial && name === 'solid') dye(material.color.set(theme.clay), tint);
+    if (material instanceof MeshStandardMaterial && look) {
       const had = material.map !== null;
-      material.map = this.texture ?? null;
-      dye(material.color, '#ffffff', tint);
+      material.map = (look.texture !== undefined && this.textures.get(look.texture)) || null;
+      dye(material.color.setRGB(...(look.color ?? WHITE)), tint);
       if (had !== (material.map !== null)) material.needsUpdate = true;
     }
     if (material instanceof LineBasicMaterial) {
@@ -139,8 +151,9 @@ const LIGHTS_UP = new Set(['solid', 'textured', 'xray', 'wire']);
 const TINT_PART = 0.6;
 const scratch = new Color();
 
-function dye(colour: Color, own: string, tint: string | undefined): void {
-  colour.set(own);
+const WHITE: Vec3 = [1, 1, 1];
+
+function dye(colour: Color, tint: string | undefined): void {
   if (tint) colour.lerp(scratch.set(tint), TINT_PART);
 }
 

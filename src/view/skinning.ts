@@ -109,7 +109,7 @@ export class ExactSkeleton extends Skeleton {
 const point = new Vector4();
 
 /** One placement of a skin. */
-export class MarrowSkinnedMesh extends SkinnedMesh<BufferGeometry, Material> {
+export class MarrowSkinnedMesh extends SkinnedMesh<BufferGeometry, Material | Material[]> {
   /**
    * @param sphere around the posed character, in its own space; kept by reference and updated by its owner, so that
    *   three.js neither iterates over the vertices nor culls by an old position

@@ -245,7 +245,7 @@ function pictures(what: Case): { readonly skinned: Picture; readonly rigid: Pict
   geometry.setAttribute('normal', new BufferAttribute(new Float32Array(normals), 3));
   geometry.setIndex(mesh.geometry.getIndex());
   geometry.setAttribute('turned', mesh.geometry.getAttribute('turned'));
-  const material = mesh.material.clone();
+  const material = [mesh.material].flat()[0].clone();
   const rigid = new Mesh(geometry, withExactSkinning(material));
   rigid.castShadow = true;
   // The rigid mesh's own sphere is exact; the character's is around its joints.
