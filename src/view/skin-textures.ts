@@ -44,11 +44,10 @@ export class SkinTextures {
         added.push(fresh);
       }
     }
-    const dropped = [...before].filter(([name, each]) => next.get(name) !== each);
-    if (dropped.length === 0 && added.length === 0) return;
     this.shown = next;
-    this.onChange(this.decoded);
-    for (const [, { texture }] of dropped) texture?.dispose();
+    const dropped = [...before].flatMap(([name, each]) => (next.get(name) === each ? [] : (each.texture ?? [])));
+    if (dropped.length > 0) this.onChange(this.decoded);
+    for (const texture of dropped) texture.dispose();
     if (typeof createImageBitmap === 'undefined') return;
     for (const each of added) this.decode(each);
   }

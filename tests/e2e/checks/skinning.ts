@@ -156,6 +156,13 @@ export const REFERENCE_SKINS: readonly (readonly [string, () => Case])[] = [
 ];
 
 /** A texture from a BMP is drawn, v upward, and a broken one is not. */
+/** Pixels without green and blue, which no lit texture of the tests has. */
+function redPixels({ pixels }: Picture): number {
+  let count = 0;
+  for (let i = 0; i < pixels.length; i += 4) if (pixels[i] > 60 && pixels[i + 1] < 8 && pixels[i + 2] < 8) count++;
+  return count;
+}
+
 export async function expectTexture(page: Page): Promise<void> {
   const styled = (what: Case, display: object) =>
     page.evaluate(([w, d]) => window.harness.styled(w, d), [what, display] as const);
@@ -166,6 +173,19 @@ export async function expectTexture(page: Page): Promise<void> {
   const drawn = await styled({ ...what, texture }, { skin: 'textured' });
   expect(drawn.drawn).toBe(plain.drawn);
   expect(differing(plain, drawn, 20)).toBeGreaterThan(0.5 * drawn.drawn);
+  const painted = what.skin.replace(/(triangles )(\d+)( \{\n)([\s\S]*?)(\})/, (_, head, count, open, rows, close) => {
+    const all = rows.trim().split('\n');
+    const block = (some: string[]) => `${head}${some.length}${open}${some.join('\n')}\n${close}\n`;
+    expect(all).toHaveLength(Number(count));
+    const [first, second] = [all.slice(0, count / 2), all.slice(count / 2)];
+    return `${block(first)}material red { color 1 0 0 }\n${block(second)}`;
+  });
+  const halves = await styled({ ...what, skin: painted, texture }, { skin: 'textured' });
+  expect(halves.drawn).toBe(drawn.drawn);
+  const red = redPixels(halves);
+  expect(red).toBeGreaterThan(0.2 * drawn.drawn);
+  expect(differing(drawn, halves, 20)).toBeGreaterThan(0.8 * red);
+  expect(differing(drawn, halves, 20)).toBeLessThan(drawn.drawn - 0.2 * drawn.drawn);
   const broken = { ...texture, base64: btoa('no picture') };
   expect(differing(plain, await styled({ ...what, texture: broken }, { skin: 'textured' }))).toBe(0);
 }
