@@ -28,7 +28,7 @@ export const mirrorTakes: Command<OfTakes> = {
 };
 
 /** The same in steps, yielding progress every few milliseconds. */
-function mirrorTakesSteps(document: Document, { takes }: OfTakes): Steps<Document> {
+export function mirrorTakesSteps(document: Document, { takes }: OfTakes): Steps<Document> {
   return changingTakes(document, takes, (character, clip) =>
     mirroringTake({ ...character, skeleton: skeletonOf(character) }, clip, character.space?.up),
   );
@@ -47,7 +47,7 @@ export const setTakeSpeed: Command<SetSpeed> = {
 };
 
 /** The same in steps, yielding progress every few milliseconds. */
-function setSpeedSteps(document: Document, { takes, factor }: SetSpeed): Steps<Document> {
+export function setSpeedSteps(document: Document, { takes, factor }: SetSpeed): Steps<Document> {
   if (!(finiteNumber(factor, 'The speed') > 0)) {
     throw new CommandError(`The speed must be greater than 0, found ${factor}.`);
   }

@@ -48,7 +48,7 @@ export const joinTakes: Command<JoinTakes> = {
 };
 
 /** The same in steps, yielding progress every few milliseconds. */
-function* joinSteps(document: Document, args: JoinTakes): Steps<Document> {
+export function* joinSteps(document: Document, args: JoinTakes): Steps<Document> {
   const refs = takesToChange(document, args.takes);
   if (refs.length < 2) throw new CommandError('Joining needs two takes. Select them in the order of the list.');
   const how = checkedHow(args);
@@ -87,7 +87,7 @@ export const cutOutOfTakes: Command<CutOut> = {
 };
 
 /** The same in steps, yielding progress every few milliseconds. */
-function cutOutSteps(document: Document, args: CutOut): Steps<Document> {
+export function cutOutSteps(document: Document, args: CutOut): Steps<Document> {
   const how = checkedHow(args);
   const [from, to] = [finiteNumber(args.from, '"from"'), finiteNumber(args.to, '"to"')];
   if (from > to) throw new CommandError(`The range ends at ${to} s, before it begins at ${from} s.`);
@@ -129,7 +129,7 @@ export const insertIntoTake: Command<InsertInto> = {
 };
 
 /** The same in steps, yielding progress every few milliseconds. */
-function insertSteps(document: Document, args: InsertInto): Steps<Document> {
+export function insertSteps(document: Document, args: InsertInto): Steps<Document> {
   const how = checkedHow(args);
   const at = finiteNumber(args.atSeconds, '"atSeconds"');
   if (!args.into) throw new CommandError('"into" must be a take.');

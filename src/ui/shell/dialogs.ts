@@ -15,6 +15,8 @@ type MakeDialog = (wb: Workbench, close: () => void) => DialogContent;
 const curveTools = () => import('../editors/curves/dialogs/tool-dialogs.ts');
 const sampleTools = () => import('../editors/curves/dialogs/sample-dialogs.ts');
 
+const takeTools = () => import('../editors/takes/edit-dialogs.ts');
+
 const LOAD: Readonly<Record<DialogName, () => Promise<MakeDialog>>> = {
   shortcuts: async () => (await import('./shortcuts-page.ts')).shortcutsPage,
   search: async () => (await import('./command-search.ts')).commandSearch,
@@ -27,6 +29,10 @@ const LOAD: Readonly<Record<DialogName, () => Promise<MakeDialog>>> = {
   convertToKeys: async () => (await sampleTools()).convertDialog,
   smoothSamples: async () => (await sampleTools()).smoothDialog,
   resampleSamples: async () => (await sampleTools()).resampleSamplesDialog,
+  joinTakes: async () => (await takeTools()).joinDialog,
+  insertTake: async () => (await takeTools()).insertDialog,
+  cutOut: async () => (await takeTools()).cutOutDialog,
+  takeSpeed: async () => (await takeTools()).speedDialog,
   outsideCycle: async () => (await import('../editors/timeline/cycle-dialog.ts')).cycleDialog,
   retarget: async () => (await import('../editors/retarget/dialog.ts')).retargetDialog,
   holdPins: async () => (await import('../editors/ik/hold-dialog.ts')).holdDialog,

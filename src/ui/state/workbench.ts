@@ -140,9 +140,12 @@ export type DialogName =
   | 'holdPins'
   | 'skinWeights'
   | 'outsideCycle'
+  | TakeToolName
   | CurveToolName;
 /** The curve tools with a dialog. */
 export type CurveToolName = 'simplify' | 'resample' | 'bake' | 'scaleKeys' | SampleToolName;
+/** The tools for whole takes with a dialog. */
+export type TakeToolName = 'joinTakes' | 'insertTake' | 'cutOut' | 'takeSpeed';
 /** Those for samples with a dialog. */
 export type SampleToolName = 'convertToKeys' | 'smoothSamples' | 'resampleSamples';
 

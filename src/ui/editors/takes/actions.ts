@@ -5,8 +5,9 @@ import { isMac } from '../../kit/keyboard.ts';
 import { needs } from '../../state/needs.ts';
 import { onDemand } from '../../state/on-demand.ts';
 import { openPanel } from '../../state/panels.ts';
-import type { Action, Uses, Workbench } from '../../state/workbench.ts';
+import type { Action, TakeToolName, Uses, Workbench } from '../../state/workbench.ts';
 import { endComparison } from './compare.ts';
+import { editsFrames, editsTakes, joinsTakes } from './edited.ts';
 import {
   align,
   charactersMeant,
@@ -27,6 +28,7 @@ import type { TakeRow } from './rows.ts';
 import { takesToCompare } from './which-takes.ts';
 
 const MENU = 'Play/Takes';
+const EDIT_MENU = 'Play/Edit takes';
 const TWO_TAKES = `Select two takes in the Takes tab: ${isMac ? 'Cmd' : 'Ctrl'}+click the second. Or right-click one: Compare with.`;
 const SEVERAL = 'This needs two characters with takes: select them in the list of takes, or show all.';
 const isComparing = (wb: Uses<'timeline'>) => wb.timeline.takes.comparison.get() !== undefined;
@@ -161,7 +163,34 @@ export const TAKE_ACTIONS: readonly Action[] = [
   },
   put('spot', 'Same spot', 'All start where the first one does'),
   put('space', 'Same space', 'All in the coordinates of the first one'),
+  {
+    id: 'take.mirror',
+    label: 'Mirror',
+    name: 'Mirror take',
+    detail: 'Selected takes, or the current one',
+    group: 'Play',
+    menu: EDIT_MENU,
+    section: 4,
+    enabled: editsTakes,
+    run: async (wb) => (await onDemand(wb.messages, 'Mirroring', () => import('./mirror-takes.ts')))?.runMirror(wb),
+  },
+  edited('joinTakes', 'Join…', 'Join takes', 'Cross-fade of the selected takes', joinsTakes),
+  edited('insertTake', 'Insert take or hold…', 'Insert take or hold', 'At the current time', editsFrames),
+  edited('cutOut', 'Cut out…', 'Cut out of take', 'The playback range, or any other', editsFrames),
+  edited('takeSpeed', 'Change speed…', 'Change speed of take', 'Selected takes, or the current one', editsTakes),
 ];
+
+/** A tool for whole takes, with a dialog. */
+function edited(
+  tool: TakeToolName,
+  label: string,
+  name: string,
+  detail: string,
+  enabled: NonNullable<Action['enabled']>,
+): Action {
+  const dialog = (wb: Uses<'dialog'>) => wb.dialog.set(tool);
+  return { id: `take.${tool}`, label, name, detail, group: 'Play', menu: EDIT_MENU, section: 5, enabled, run: dialog };
+}
 
 /** Loads what matches joints on first use. */
 async function compare(wb: Workbench, ...pair: readonly [TakeRow, TakeRow]): Promise<void> {

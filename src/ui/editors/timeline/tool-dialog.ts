@@ -61,6 +61,8 @@ export interface ToolDialog<A> {
   steps?(base: Document, args: A): Steps<Stepped>;
   /** Whether steps with these answers run only on request: by the button, or when applying. */
   takesLong?(args: A): boolean;
+  /** Called after the result was applied. */
+  applied?(): void;
   /** Summary of the result: `1,240 → 86 keys, largest error 0.12°`. `after` is the changed document. */
   result(args: A, after: Document): string;
 }
@@ -194,6 +196,7 @@ export function toolDialog<A>(
     unsubscribe();
     if (!keep) return trial.putBack();
     trial.keep(called);
+    tool.applied?.();
     if (warned.textContent) wb.messages.note(warned.textContent, 'warning');
   };
   const unsubscribe = wb.dialog.subscribe((shown) => {

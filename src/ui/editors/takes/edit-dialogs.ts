@@ -1,0 +1,184 @@
+/** Dialogs of the tools for whole takes: join, insert, cut out, speed. */
+import { setSpeedSteps, setTakeSpeed } from '../../../edit/commands/take-edits.ts';
+import {
+  type CutOut,
+  cutOutOfTakes,
+  cutOutSteps,
+  type InsertInto,
+  insertIntoTake,
+  insertSteps,
+  joinSteps,
+  joinTakes,
+} from '../../../edit/commands/take-joins.ts';
+import type { JoinAlignment } from '../../../edit/samples/join.ts';
+import { type Document, findCharacter, shownClip } from '../../../model/document.ts';
+import type { DialogContent } from '../../kit/dialog.ts';
+import { element } from '../../kit/dom.ts';
+import { plural, shown } from '../../kit/number-text.ts';
+import type { Uses } from '../../state/workbench.ts';
+import { clipTime, currentTake } from '../timeline/current-take.ts';
+import { type Answers, type Asked, type ToolDialog, toolDialog } from '../timeline/tool-dialog.ts';
+import { takesToEdit, takesToInsert, takesToJoin } from './edited.ts';
+import { followRangeOfTakes } from './played-range.ts';
+
+type Page = Uses<'store' | 'transport' | 'timeline' | 'messages' | 'dialog'>;
+
+/** Seconds of the cross-fade. */
+const FADE = 0.25;
+const HOLD = 1;
+
+const ALIGNMENTS: readonly (readonly [JoinAlignment, string])[] = [
+  ['root', 'Root: place and heading'],
+  ['foot', 'Foot that stands in both'],
+  ['none', 'Nothing: as recorded'],
+];
+
+function fadeAsked(value = FADE): readonly Asked[] {
+  return [
+    { kind: 'number', name: 'fade', label: 'Cross-fade', value, unit: 's' },
+    { kind: 'choice', name: 'align', label: 'Align', value: 'root', options: ALIGNMENTS },
+  ];
+}
+
+function howJoined(answers: Answers) {
+  const align = ALIGNMENTS.find(([name]) => name === answers.choice('align'))?.[0];
+  return { overlapSeconds: answers.number('fade'), align };
+}
+
+/** A dialog whose tool changes how long takes are: the playback range follows. */
+function timeDialog<A>(wb: Page, close: () => void, tool: Omit<ToolDialog<A>, 'result'>): DialogContent {
+  return toolDialog(wb, close, { ...tool, result: () => '', applied: () => followRangeOfTakes(wb) });
+}
+
+export function joinDialog(wb: Page, close: () => void): DialogContent {
+  const rows = takesToJoin(wb);
+  if (rows.length < 2) return empty('Join takes', 'Select two takes or more in the Takes tab first.');
+  const names = rows.map(({ name }) => name);
+  const list = names.length > 4 ? `${plural(names.length, 'take')}, from ${names[0]} on` : names.join(', then ');
+  return timeDialog(wb, close, {
+    name: 'joinTakes',
+    title: 'Join takes',
+    about: `Makes one new take of ${list}. Each goes on from where the one before ends.`,
+    asked: [
+      ...fadeAsked(),
+      {
+        kind: 'choice',
+        name: 'order',
+        label: 'Order',
+        value: 'list',
+        options: [
+          ['list', 'As in the list'],
+          ['reversed', 'The other way round'],
+        ],
+      },
+    ],
+    command: joinTakes,
+    args: (answers) => ({
+      takes: answers.choice('order') === 'reversed' ? rows.toReversed() : rows,
+      ...howJoined(answers),
+    }),
+    *steps(document, args) {
+      const change = yield* joinSteps(document, args);
+      const before = rows.reduce((sum, { durationSeconds }) => sum + durationSeconds, 0);
+      return { change, text: `${shown(before)} s in all become ${lengthText(change, rows[0].characterId)}.` };
+    },
+  });
+}
+
+export function insertDialog(wb: Page, close: () => void): DialogContent {
+  const current = currentTake(wb);
+  if (!current?.clip.samples) return empty('Insert', 'The current take has no samples.');
+  const { character, clip } = current;
+  const others = takesToInsert(wb);
+  const at = clipTime(wb, character);
+  return timeDialog<InsertInto>(wb, close, {
+    name: 'insertTake',
+    title: 'Insert at current time',
+    about: `What ${clip.name} does from ${shown(at)} s on comes later, and goes on from what is inserted.`,
+    asked: [
+      {
+        kind: 'choice',
+        name: 'what',
+        label: 'Insert',
+        value: 'hold',
+        options: [['hold', 'Hold the pose'], ...others.map(({ key, name }) => [key, name] as const)],
+      },
+      { kind: 'number', name: 'seconds', label: 'Hold', value: HOLD, unit: 's', onlyFor: ['what', 'hold'] },
+      ...fadeAsked(),
+    ],
+    command: insertIntoTake,
+    args(answers) {
+      const take = others.find(({ key }) => key === answers.choice('what'));
+      const into = { characterId: character.id, clip: character.shownClip };
+      if (take) return { into, atSeconds: at, take, ...howJoined(answers) };
+      return { into, atSeconds: at, holdSeconds: answers.number('seconds') };
+    },
+    *steps(document, args) {
+      const change = yield* insertSteps(document, args);
+      return { change, text: `${clip.name} lasts ${lengthText(change, character.id)}.` };
+    },
+  });
+}
+
+export function cutOutDialog(wb: Page, close: () => void): DialogContent {
+  const current = currentTake(wb);
+  if (!current?.clip.samples) return empty('Cut out', 'The current take has no samples.');
+  const { character } = current;
+  const [from, to] = wb.transport.get().range;
+  const takes = takesToEdit(wb);
+  const what = takes.length > 1 ? plural(takes.length, 'take') : current.clip.name;
+  return timeDialog<CutOut>(wb, close, {
+    name: 'cutOut',
+    title: 'Cut out',
+    about: `Removes the frames from one time to the other from ${what}, and closes the gap.`,
+    asked: [
+      { kind: 'number', name: 'from', label: 'From', value: Number(from.toFixed(3)), unit: 's' },
+      { kind: 'number', name: 'to', label: 'to', value: Number(to.toFixed(3)), unit: 's' },
+      ...fadeAsked(),
+    ],
+    command: cutOutOfTakes,
+    args: (answers) => ({
+      takes,
+      from: answers.number('from') + character.timeOffsetSeconds,
+      to: answers.number('to') + character.timeOffsetSeconds,
+      ...howJoined(answers),
+    }),
+    *steps(document, args) {
+      const change = yield* cutOutSteps(document, args);
+      const text = change === document ? 'There are no frames there.' : `${lengthText(change, character.id)} are left.`;
+      return { change, text };
+    },
+  });
+}
+
+export function speedDialog(wb: Page, close: () => void): DialogContent {
+  const takes = takesToEdit(wb);
+  if (!takes.length) return empty('Change speed', 'There is no take to edit.');
+  const what = takes.length > 1 ? plural(takes.length, 'take') : 'the take';
+  return timeDialog(wb, close, {
+    name: 'takeSpeed',
+    title: 'Change speed',
+    about: `Plays ${what} faster or slower along the same way. The frame rate stays; keys are scaled.`,
+    asked: [{ kind: 'number', name: 'factor', label: 'Speed ×', value: 1 }],
+    command: setTakeSpeed,
+    args: (answers) => ({ takes, factor: answers.number('factor') }),
+    *steps(document, args) {
+      const change = yield* setSpeedSteps(document, args);
+      const text = change === document ? 'At 1 nothing changes.' : `Lasts ${lengthText(change, takes[0].characterId)}.`;
+      return { change, text };
+    },
+  });
+}
+
+/** `3.2 s, 192 frames`: of a character's shown take. */
+function lengthText(document: Document, characterId: string): string {
+  const character = findCharacter(document, characterId);
+  const clip = character && shownClip(character);
+  if (!clip) return '0 s';
+  const seconds = `${shown(clip.range[1] - clip.range[0])} s`;
+  return clip.samples ? `${seconds}, ${plural(clip.samples.frameCount, 'frame')}` : seconds;
+}
+
+function empty(title: string, text: string): DialogContent {
+  return { title, body: element('p', { class: 'empty' }, text), kind: 'tool-dialog' };
+}

@@ -1,0 +1,45 @@
+/** Which takes the editing of whole takes applies to. */
+import type { TakeRef } from '../../../edit/commands/takes.ts';
+import { needs } from '../../state/needs.ts';
+import type { Uses } from '../../state/workbench.ts';
+import { currentTake } from '../timeline/current-take.ts';
+import { chosenTakes } from './play.ts';
+import { type TakeRow, takeRows } from './rows.ts';
+import { takesToCompare } from './which-takes.ts';
+
+/** The selected takes if there are several, else the current character's; none while that is retargeted. */
+export function takesToEdit(wb: Uses<'store' | 'timeline'>): readonly TakeRef[] {
+  const chosen = chosenTakes(wb).filter(({ clip }) => clip >= 0);
+  if (chosen.length > 1) return chosen;
+  const current = currentTake(wb);
+  if (current) return [{ characterId: current.character.id, clip: current.character.shownClip }];
+  return chosen;
+}
+
+/** The selected takes, or the only two, in the list's order. */
+export function takesToJoin(wb: Uses<'store' | 'timeline'>): readonly TakeRow[] {
+  const chosen = chosenTakes(wb).filter(({ clip }) => clip >= 0);
+  if (chosen.length > 1) return chosen;
+  return takesToCompare(wb)?.filter(({ clip }) => clip >= 0) ?? [];
+}
+
+/** Takes that can be inserted into the current one: all others. */
+export function takesToInsert(wb: Uses<'store'>): readonly TakeRow[] {
+  const current = currentTake(wb)?.character;
+  return takeRows(wb.store.document).filter(
+    ({ characterId, clip }) => clip >= 0 && !(characterId === current?.id && clip === current.shownClip),
+  );
+}
+
+export const editsTakes = needs(
+  'There is no take to edit: select one in the Takes tab.',
+  (wb: Uses<'store' | 'timeline'>) => takesToEdit(wb).length > 0,
+);
+export const joinsTakes = needs(
+  'Select two takes or more in the Takes tab; they are joined in the order of the list.',
+  (wb: Uses<'store' | 'timeline'>) => takesToJoin(wb).length > 1,
+);
+export const editsFrames = needs(
+  'The current take has no samples.',
+  (wb: Uses<'store'>) => currentTake(wb)?.clip.samples !== undefined,
+);

@@ -1,0 +1,32 @@
+/** Mirrors the selected takes, long ones in slices; if anything else changes meanwhile, the result is dropped. */
+import { mirrorTakes, mirrorTakesSteps } from '../../../edit/commands/take-edits.ts';
+import { Trial } from '../../../edit/trial.ts';
+import { inSlices } from '../../kit/in-slices.ts';
+import type { Uses } from '../../state/workbench.ts';
+import { takesToEdit } from './edited.ts';
+
+export function runMirror({ store, messages, timeline }: Uses<'store' | 'messages' | 'timeline'>): void {
+  const takes = takesToEdit({ store, timeline });
+  const label = mirrorTakes.label(store.document, { takes });
+  const trial = new Trial(store, label, () => {
+    messages.note(`${label} was stopped because the document has changed. Try again.`, 'warning');
+  });
+  inSlices(mirrorTakesSteps(trial.base, { takes }), {
+    isOver: () => trial.over,
+    progress: () => undefined,
+    done(document) {
+      if (document === trial.base) {
+        trial.putBack();
+        messages.note('Nothing to mirror: both sides move alike already.');
+        return;
+      }
+      trial.show(document);
+      trial.keep();
+      messages.note(`${label.replace('Mirror', 'Mirrored')}: left and right have changed places.`);
+    },
+    failed(error) {
+      trial.putBack();
+      throw error;
+    },
+  });
+}
