@@ -47,6 +47,7 @@ const spawnWorker = () => new Worker(new URL('./worker/entry.ts', import.meta.ur
 const worker = new WorkerClient(spawnWorker);
 const reducesMotion = () => window.matchMedia('(prefers-reduced-motion: reduce)').matches;
 const opener = new Opener({ store, transport, messages, loading, viewport, worker, reducesMotion, compare });
+const timeline = new Timeline();
 const compareWorker = new WorkerClient(spawnWorker);
 const samples = listSamples(document.baseURI);
 const unsaved = new Unsaved(store);
@@ -72,7 +73,7 @@ const workbench: Workbench = {
   viewport,
   viewportElement,
   transport,
-  timeline: new Timeline(),
+  timeline,
   posing: new Posing(),
   settings,
   messages,
@@ -91,6 +92,9 @@ const workbench: Workbench = {
     sourceWorker: new WorkerClient(spawnWorker),
     editWorker: new WorkerClient(spawnWorker),
     kitWorker: worker,
+    timeline,
+    worker,
+    reviewWorker: new WorkerClient(spawnWorker),
   }),
   kept: observable<KeptOffer | undefined>(undefined),
   offline: observable<Offline>(NOT_OFFLINE),

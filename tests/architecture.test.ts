@@ -35,9 +35,9 @@ const MAY_IMPORT: Readonly<Record<string, readonly string[]>> = {
   // Widgets that any page could have.
   'ui/kit': [...BASE],
   // What panels share: the workbench, settings, actions found by their ids.
-  'ui/state': ['ui/kit', 'view', 'project', 'edit', 'lesson', 'evaluate', ...BASE],
+  'ui/state': ['ui/kit', 'view', 'project', 'edit', 'review', 'lesson', 'evaluate', ...BASE],
   // A folder a panel or tool, with its own actions.
-  'ui/editors': ['ui/state', 'ui/kit', 'view', 'edit', 'lesson', 'evaluate', ...BASE],
+  'ui/editors': ['ui/state', 'ui/kit', 'view', 'edit', 'review', 'lesson', 'evaluate', ...BASE],
   // What puts them together: layout, menu bar, the one list of actions, dialogs.
   'ui/shell': ['ui/styles', 'ui/editors', 'ui/state', 'ui/kit', 'view', 'project', 'edit', 'evaluate', ...BASE],
   // Files that tell mistakes apart, with their answers.
@@ -48,6 +48,7 @@ const MAY_IMPORT: Readonly<Record<string, readonly string[]>> = {
   app: [
     'kit',
     'lesson',
+    'review',
     'ui/shell',
     'ui/editors',
     'ui/state',

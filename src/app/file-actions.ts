@@ -1,12 +1,14 @@
 /** Actions on files in the menus, over dialogs, drops, examples and the disk. */
 import { pickFiles, pickFolder, readAgain } from '../io/disk-files.ts';
-import { fromDataTransfer } from '../io/given.ts';
+import { fromDataTransfer, type GivenFile } from '../io/given.ts';
 import { onDemand } from '../ui/state/on-demand.ts';
+import { MOST_OPENED } from '../ui/state/review.ts';
 import type { FileActions, SampleEntry } from '../ui/state/workbench.ts';
 import type { Runs } from '../worker/client.ts';
 import type { DiskHandles } from './disk-handles.ts';
 import type { Opener } from './opening.ts';
 import { canReload, type ReloadParts, reload } from './reload.ts';
+import type { ReviewingParts } from './reviewing.ts';
 import type { SampleSwitches } from './sample-display.ts';
 import { type BundledExample, fetchSample } from './samples.ts';
 import type { Disk, Saver } from './saver.ts';
@@ -14,7 +16,7 @@ import { SourceTexts, type SourceTextsParts } from './source-texts.ts';
 import type { FileEditsParts } from './text-edits.ts';
 import type { Unsaved } from './unsaved.ts';
 
-interface Parts extends Pick<ReloadParts, 'store' | 'messages'> {
+interface Parts extends Pick<ReloadParts, 'store' | 'messages'>, ReviewingParts {
   readonly opener: Opener;
   readonly samples: Promise<readonly BundledExample[]>;
   /** Switches the display to what an example asks for. */
@@ -61,15 +63,25 @@ export function fileActions(parts: Parts): FileActions {
     ...parts,
     readAgain: (file, signal) => readAgain(file, document.baseURI, signal),
   };
-  const take = (data: DataTransfer) => {
-    // Read at once: the browser invalidates the files when the event is over.
-    const files = fromDataTransfer(data);
+  /** Without what is for review: takes by the hundred, and lists of them. */
+  const sorted = async (found: Promise<readonly GivenFile[]>) => {
+    const files = await found;
+    const count = (pattern: RegExp) => files.filter(({ path }) => pattern.test(path)).length;
+    const isPlain = count(/\.(csv|json)$/i) === 0 && count(/\.bvh$/i) <= MOST_OPENED;
+    if (isPlain && !parts.store.document.review) return files;
+    const module = await onDemand(parts.messages, 'The review', () => import('./reviewing.ts'));
+    return module ? module.takeForReview(parts, files) : files;
+  };
+  const openFound = (found: Promise<readonly GivenFile[]>) => {
+    const files = sorted(found);
     return opener.open(() => files);
   };
+  // Read at once: the browser invalidates the files when the event is over.
+  const take = (data: DataTransfer) => openFound(fromDataTransfer(data));
   return {
     // The dialog runs before the opening takes its turn, so that it blocks no other.
-    open: () => void pickFiles().then((files) => opener.open(() => files)),
-    openFolder: () => void pickFolder().then((files) => opener.open(() => files)),
+    open: () => void pickFiles().then((files) => openFound(Promise.resolve(files))),
+    openFolder: () => void pickFolder().then((files) => openFound(Promise.resolve(files))),
     openSample(id) {
       opener.open(async (signal) => {
         const sample = (await samples).find((s) => s.id === id);
@@ -93,6 +105,7 @@ export function fileActions(parts: Parts): FileActions {
     unsaved: unsaved.parts,
     saveChanged: () => void saving((s) => s.saveChanged()),
     save: (characterId, kind) => void saving((s) => s.saveAs(characterId, kind)),
+    saveText: (name, text) => parts.disk.download(name, new Blob([text])),
     saveAll: (characterId) => void saving((s) => s.saveAll(characterId)),
     reload: (characterId) => void reload(reloading, characterId),
     canReload: (characterId) => canReload(parts, characterId),

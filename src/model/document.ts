@@ -11,6 +11,7 @@ import type { Morph } from './morph.ts';
 import type { PartMarks } from './part.ts';
 import type { NamedPose } from './poses.ts';
 import type { JointPair, RetargetOptions } from './retarget.ts';
+import type { ReviewedTake } from './review.ts';
 import type { Skeleton } from './skeleton.ts';
 import type { Skin } from './skin.ts';
 import type { Space } from './space.ts';
@@ -23,6 +24,8 @@ export interface Document {
   readonly isOpeningSample: boolean;
   /** Number of characters ever created; used for new ids, so that no id is reused. */
   readonly charactersMade: number;
+  /** Takes that are reviewed, in the order of the list; their files are not part of the document. */
+  readonly review?: readonly ReviewedTake[];
 }
 
 /**

@@ -1,28 +1,9 @@
 /** A list of takes with what a person thinks of them: its rows, whatever they are written as. */
+import type { Review, ReviewedTake } from '../model/review.ts';
 import { type Flag, flagText } from './flags.ts';
 
-export const VERDICTS = ['good', 'bad'] as const;
-/** Empty: none yet. */
-export type Verdict = (typeof VERDICTS)[number] | '';
-
-export const MOST_STARS = 5;
-
-/** What a person says about a take. */
-export interface Review {
-  readonly verdict: Verdict;
-  /** 0, for none, to 5. */
-  readonly stars: number;
-  /** Without commas, semicolons and spaces around them; each once. */
-  readonly tags: readonly string[];
-  readonly notes: string;
-}
-
-export const NO_REVIEW: Review = { verdict: '', stars: 0, tags: [], notes: '' };
-
 /** A take in a list. Lists written by hand may lack everything but the path. */
-export interface ListedTake extends Review {
-  /** As given, with `/` between folders. */
-  readonly path: string;
+export interface ListedTake extends ReviewedTake {
   readonly frames?: number;
   /** Frames per second. */
   readonly fps?: number;
@@ -67,10 +48,4 @@ export function listedTake(path: string, review: Review, facts: TakeFacts | unde
 /** Frame times are printed with few digits: 0.008333 is 120 frames per second. */
 function rounded(value: number): number {
   return Number(value.toFixed(3));
-}
-
-/** Tags out of a text: separated by commas, semicolons or line ends; each once. */
-export function tagsOf(text: string): readonly string[] {
-  const tags = text.split(/[,;\r\n]/).map((tag) => tag.trim());
-  return [...new Set(tags)].filter((tag) => tag !== '');
 }

@@ -3,9 +3,10 @@
  * spreadsheet, or plain paths, one a line. Only the path is needed.
  */
 import type { Diagnostic } from '../model/diagnostic.ts';
+import { MOST_STARS, NO_REVIEW, tagsOf, VERDICTS, type Verdict } from '../model/review.ts';
 import { readCsv, separatorOf } from './csv.ts';
 import { meant } from './formula-cells.ts';
-import { LIST_COLUMNS, type ListColumn, type ListedTake, MOST_STARS, tagsOf, VERDICTS, type Verdict } from './list.ts';
+import { LIST_COLUMNS, type ListColumn, type ListedTake } from './list.ts';
 
 export interface ReadList {
   /** Each path once: the last row of it counts. */
@@ -78,10 +79,8 @@ function fromLines(text: string, report: Report): ListedTake[] {
 
 function plainPaths(text: string): ListedTake[] {
   const lines = text.split(/\r\n|\r|\n/).map((line) => line.trim());
-  return lines.filter((line) => line !== '').map((path) => ({ path: slashed(path), ...UNSAID }));
+  return lines.filter((line) => line !== '').map((path) => ({ path: slashed(path), ...NO_REVIEW }));
 }
-
-const UNSAID = { verdict: '', stars: 0, tags: [], notes: '' } as const;
 
 /** Of each cell of a heading, its column; undefined without a path. */
 function columnsIn(cells: readonly string[]): (ListColumn | undefined)[] | undefined {

@@ -27,6 +27,9 @@ scope.onmessage = async ({ data }) => {
     } else if (data.job === 'check') {
       const { checkText } = await changes();
       done({ id, kind: 'done', job: data.job, output: await checkText(data.input, onProgress) });
+    } else if (data.job === 'review') {
+      const { reviewTakes } = await import('./review.ts');
+      done({ id, kind: 'done', job: data.job, output: await reviewTakes(data.input) });
     } else if (data.job === 'kit') done({ id, kind: 'done', job: data.job, output: testKit() });
     else done({ id, kind: 'done', job: data.job, output: compareDumps(data.input, onProgress) });
   } catch (error) {

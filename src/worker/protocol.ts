@@ -14,6 +14,7 @@ import type { Skin } from '../model/skin.ts';
 import type { SourceMap } from '../model/source-map.ts';
 import type { LineHunk } from '../model/text-changes.ts';
 import type { Owned } from '../project/save/owned.ts';
+import type { TakeDigest } from '../review/digest.ts';
 
 export interface Jobs {
   parse: { takes: ParseInput; gives: ParseOutput };
@@ -22,6 +23,7 @@ export interface Jobs {
   changes: { takes: ChangesInput; gives: ChangesOutput };
   check: { takes: CheckInput; gives: CheckOutput };
   kit: { takes: undefined; gives: KitOutput };
+  review: { takes: ReviewInput; gives: ReviewOutput };
 }
 
 export type JobName = keyof Jobs;
@@ -112,6 +114,16 @@ export interface CheckInput {
 export interface CheckOutput extends ParseOutput {
   /** It says what the text says that it was edited from. */
   readonly isSame: boolean;
+}
+
+/** Takes to be listed, a file each. */
+export interface ReviewInput {
+  readonly files: readonly GivenBlob[];
+}
+
+/** In the order of the files. */
+export interface ReviewOutput {
+  readonly takes: readonly TakeDigest[];
 }
 
 /** The test kit: names and texts of its files. */

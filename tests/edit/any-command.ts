@@ -12,6 +12,7 @@ import type { Store } from '../../src/edit/store.ts';
 import { type ChannelClip, EXTRAPOLATIONS, TANGENT_KINDS } from '../../src/model/clip.ts';
 import { type Character, isBvh, type Placement, shownClip } from '../../src/model/document.ts';
 import { characterDofs } from '../../src/model/dofs.ts';
+import { NO_REVIEW } from '../../src/model/review.ts';
 import { INTERPOLATIONS } from '../../src/model/samples.ts';
 import type { ChannelKeys } from '../../src/model/session.ts';
 import type { Dice } from './dice.ts';
@@ -20,6 +21,9 @@ import { RIG_COMMANDS, rigArguments } from './rig/random-rig.ts';
 /** One or more of the character's takes. */
 const someTakes = (dice: Dice, { id, clips }: Character) =>
   [dice.below(clips.length), ...dice.some([...clips.keys()], 0.3)].map((clip) => ({ characterId: id, clip }));
+
+/** Paths of takes in review. */
+const REVIEWED = ['a.bvh', 'b/a.bvh', 'c.bvh'] as const;
 
 interface Situation {
   readonly dice: Dice;
@@ -207,6 +211,15 @@ const ARGUMENTS: Readonly<Record<string, (s: Situation) => object | undefined>> 
       ? { into: someTakes(dice, character)[0], atSeconds: time(dice), holdSeconds: dice.number() }
       : undefined,
   'takes.mirror': ({ dice, character }) => (character.clips.length ? { takes: someTakes(dice, character) } : undefined),
+  'review.add': ({ dice }) => ({ paths: dice.some(REVIEWED, 0.5) }),
+  'review.remove': ({ dice }) => ({ paths: dice.some(REVIEWED, 0.3) }),
+  'review.set': ({ dice }) => ({
+    paths: dice.some(REVIEWED, 0.5),
+    review: { verdict: dice.pick(['good', 'bad', ''] as const), stars: dice.below(6), tags: dice.some(REVIEWED, 0.3) },
+  }),
+  'review.read': ({ dice }) => ({
+    takes: dice.some(REVIEWED, 0.5).map((path) => ({ path, ...NO_REVIEW, stars: dice.below(6), notes: path })),
+  }),
   'takes.remove': ({ character }) =>
     character.clips.length > 1 ? { takes: [{ characterId: character.id, clip: 0 }] } : undefined,
   'retarget.set': ({ dice, character, others }) =>

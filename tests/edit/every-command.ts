@@ -7,6 +7,7 @@ import { copyKeys } from '../../src/edit/keys/clipboard.ts';
 import { poseByNames } from '../../src/edit/pose/by-names.ts';
 import { type ChannelClip, restChannel } from '../../src/model/clip.ts';
 import { type Character, DEFAULT_PLACEMENT, type Document } from '../../src/model/document.ts';
+import { NO_REVIEW } from '../../src/model/review.ts';
 import { DEFAULT_BOX, UNLIMITED } from '../../src/model/skeleton.ts';
 import { oneSurface } from '../../src/model/skin.ts';
 import { DEFAULT_SPACE } from '../../src/model/space.ts';
@@ -112,6 +113,12 @@ function alone(args: object, idle: object): EditCase {
   return { document: ALONE, args, idle };
 }
 
+/** With two takes in review. */
+function reviewed(args: object, idle: object): EditCase {
+  const review = ['a.bvh', 'b.bvh'].map((path) => ({ path, ...NO_REVIEW }));
+  return { document: { ...ALONE, review }, args, idle };
+}
+
 function captured(args: object, idle: object): EditCase {
   return { document: CAPTURED, args: { ...WHO, ...args }, idle: { ...WHO, ...idle } };
 }
@@ -208,6 +215,16 @@ export const CASES: Readonly<Record<string, EditCase>> = {
     args: { before: BEES.characters, overlaid: OVERLAID },
     idle: { before: OVERLAID, overlaid: OVERLAID },
   },
+  'review.add': reviewed({ paths: ['a.bvh', 'new.bvh'] }, { paths: ['a.bvh'] }),
+  'review.remove': reviewed({ paths: ['a.bvh', 'b.bvh'] }, { paths: ['gone.bvh'] }),
+  'review.set': reviewed(
+    { paths: ['a.bvh', 'b.bvh'], review: { verdict: 'bad', stars: 2 } },
+    { paths: ['a.bvh'], review: { verdict: '' } },
+  ),
+  'review.read': reviewed(
+    { takes: ['a.bvh', 'b.bvh'].map((path) => ({ path, ...NO_REVIEW, tags: ['runs'], notes: path })) },
+    { takes: [{ path: 'gone.bvh', ...NO_REVIEW, verdict: 'good' }] },
+  ),
   'takes.remove': alone({ takes: [{ ...WHO, clip: 0 }] }, { takes: [] }),
   'takes.setSpeed': captured({ takes: [{ ...WHO, clip: 0 }], factor: 2 }, { takes: [{ ...WHO, clip: 0 }], factor: 1 }),
   'takes.join': alone(

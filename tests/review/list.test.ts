@@ -1,7 +1,8 @@
 /** Lists of takes, as CSV and as JSON, there and back; and as spreadsheets and people write them. */
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
-import { type ListedTake, tagsOf, VERDICTS } from '../../src/review/list.ts';
+import { tagsOf, VERDICTS } from '../../src/model/review.ts';
+import type { ListedTake } from '../../src/review/list.ts';
 import { isTakeList, readList } from '../../src/review/read-list.ts';
 import { listAsCsv, listAsJson } from '../../src/review/write-list.ts';
 

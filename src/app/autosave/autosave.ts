@@ -148,7 +148,7 @@ export class Autosave {
   private get isWorthKeeping(): boolean {
     const { document } = this.parts.store;
     if (document === this.own) return false;
-    return document.characters.length > 0 || document.unused.length > 0;
+    return document.characters.length > 0 || document.unused.length > 0 || (document.review ?? []).length > 0;
   }
 
   private state(): SessionState {

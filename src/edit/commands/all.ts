@@ -20,6 +20,7 @@ import {
   updatePose,
 } from './poses.ts';
 import { bakeRetarget, changeRetarget, clearRetarget, setRetarget } from './retarget.ts';
+import { addToReview, readReview, removeFromReview, setReview } from './review.ts';
 import { addJoint, createRig, mirrorJoint, removeJoint, reparentJoint } from './rig.ts';
 import { renameJoint, setBox, setFilePose, setLength, setMotion, setOffset } from './rig-joint.ts';
 import { clearLimitRigged, limitRigged } from './rig-limits.ts';
@@ -53,6 +54,10 @@ const FETCHED: readonly Command<never, Document | Edit>[] = [
   setSlopes,
   unifyTangents,
   breakTangents,
+  addToReview,
+  removeFromReview,
+  setReview,
+  readReview,
   showTakes,
   alignStarts,
   setTimeOffsets,

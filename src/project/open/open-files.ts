@@ -91,9 +91,9 @@ class Opening {
     private readonly selectedId: string | undefined,
     private readonly called: FileNaming,
   ) {
-    const { unused, charactersMade } = document;
+    const { unused, charactersMade, review } = document;
     const makesWay = document.isOpeningSample && !isForCharacters([...files, ...broken]);
-    this.base = makesWay ? { ...EMPTY_DOCUMENT, unused, charactersMade } : document;
+    this.base = makesWay ? { ...EMPTY_DOCUMENT, unused, charactersMade, ...(review && { review }) } : document;
     this.characters = this.base.characters;
     this.made = charactersMade;
     this.waiting = unused.filter(({ file }) => !files.some((f) => f.source.path === file.source.path));
@@ -154,7 +154,8 @@ class Opening {
       // If nothing was opened, the opening example stays.
       return { ...rest, document: unused === document.unused ? document : { ...document, unused } };
     }
-    return { ...rest, document: { characters, unused, charactersMade: this.made, isOpeningSample: false } };
+    const next = { characters, unused, charactersMade: this.made, isOpeningSample: false };
+    return { ...rest, document: { ...this.base, ...next } };
   }
 
   /** Whether one of the files names this waiting one, or is named by it. */

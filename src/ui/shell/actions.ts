@@ -9,6 +9,7 @@ import { POSE_ACTIONS } from '../editors/poses/actions.ts';
 import { POSING_ACTIONS } from '../editors/posing/actions.ts';
 import { KEYING_ACTIONS } from '../editors/posing/keying-actions.ts';
 import { RETARGET_ACTIONS } from '../editors/retarget/actions.ts';
+import { REVIEW_ACTIONS } from '../editors/review/actions.ts';
 import { RIG_ACTIONS } from '../editors/rig/actions.ts';
 import { SKIN_ACTIONS } from '../editors/skin/actions.ts';
 import { TAKE_ACTIONS } from '../editors/takes/actions.ts';
@@ -43,6 +44,7 @@ export const ACTIONS: readonly Action[] = [
   ...VIEW_ACTIONS,
   ...PLAY_ACTIONS,
   ...TAKE_ACTIONS,
+  ...REVIEW_ACTIONS,
   ...PAGE_ACTIONS,
 ];
 

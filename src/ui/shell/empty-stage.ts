@@ -7,7 +7,7 @@ import { menuEntries } from '../state/menu-entries.ts';
 import { setActionTooltip } from '../state/tooltips.ts';
 import type { Uses } from '../state/workbench.ts';
 
-export function emptyStage(wb: Uses<'store' | 'actions' | 'settings' | 'loading'>): HTMLElement {
+export function emptyStage(wb: Uses<'store' | 'actions' | 'settings' | 'loading' | 'timeline'>): HTMLElement {
   const run = (id: string) => () => void runAction(wb, id);
   const open = button('Open files…', { class: 'plain primary' }, 'Open files…', run('file.open'));
   setActionTooltip(wb, open, 'file.open', 'Open files…');
@@ -30,8 +30,10 @@ export function emptyStage(wb: Uses<'store' | 'actions' | 'settings' | 'loading'
   );
   const show = () => {
     // Open, or about to be.
-    card.hidden = wb.store.document.characters.length > 0 || wb.loading.get() !== undefined;
+    const isReviewing = wb.timeline.review.shown.get() !== undefined || wb.store.document.review !== undefined;
+    card.hidden = wb.store.document.characters.length > 0 || wb.loading.get() !== undefined || isReviewing;
   };
+  wb.timeline.review.shown.subscribe(show);
   wb.store.subscribe(show);
   wb.loading.subscribe(show);
   show();

@@ -3,6 +3,7 @@
  * dropping files on the page. Menus, panels and keys follow (`rest-of-page.ts`).
  */
 import type { Document } from '../../model/document.ts';
+import { NOTHING_SELECTED } from '../../model/session.ts';
 import { NO_TINTS, type ThemeName, type Tints } from '../../view/theme.ts';
 import { startPlayer } from '../editors/transport/player.ts';
 import type { Observable } from '../kit/observable.ts';
@@ -28,9 +29,15 @@ export function startFirstPicture(root: HTMLElement, wb: Shown, signal: AbortSig
     const head = root.querySelector<HTMLElement>('.stage-head');
     return head ? head.offsetTop + head.offsetHeight : 0;
   });
-  const { comparison } = wb.timeline.takes;
+  const { review, takes } = wb.timeline;
+  const { comparison } = takes;
   const show = () => {
     const { document, selection } = store;
+    const shown = review.shown.get();
+    if (shown) {
+      viewport.show({ ...document, characters: [shown] }, NOTHING_SELECTED, settings.get().display, NO_TINTS);
+      return;
+    }
     const compared = comparison.get();
     viewport.show(drawnDocument(document, compared), selection, settings.get().display, tintsOf(document, compared));
   };
@@ -42,6 +49,7 @@ export function startFirstPicture(root: HTMLElement, wb: Shown, signal: AbortSig
       if (now.display !== before.display) show();
     }),
     comparison.subscribe(show),
+    review.shown.subscribe(show),
   ];
   signal.addEventListener('abort', () => {
     for (const stop of stops) stop();

@@ -63,13 +63,16 @@ export function timelinePanel(
     if (isStarting) whenIdle(wb, () => void build(name));
     else void build(name);
   };
+  const isListed = (name: TimelineTabName) =>
+    name === timeline.view.get().tab || (TABS[name].isListed?.(wb.store.document) ?? true);
   const list = element('div', { role: 'tablist', class: 'timeline-tabs', 'aria-label': 'Timeline' });
   list.append(...places.map((p) => p.title));
   list.addEventListener('keydown', (event) => {
     if (event.key !== 'ArrowLeft' && event.key !== 'ArrowRight') return;
     event.preventDefault();
-    const step = event.key === 'ArrowLeft' ? TIMELINE_TABS.length - 1 : 1;
-    const other = TIMELINE_TABS[(TIMELINE_TABS.indexOf(timeline.view.get().tab) + step) % TIMELINE_TABS.length];
+    const listed = TIMELINE_TABS.filter(isListed);
+    const step = event.key === 'ArrowLeft' ? listed.length - 1 : 1;
+    const other = listed[(listed.indexOf(timeline.view.get().tab) + step) % listed.length];
     timeline.change({ tab: other });
     places.find((p) => p.name === other)?.title.focus();
   });
@@ -98,6 +101,7 @@ export function timelinePanel(
       const chosen = name === tab;
       title.setAttribute('aria-selected', String(chosen));
       title.tabIndex = chosen ? 0 : -1;
+      title.hidden = !isListed(name);
       body.hidden = tools.hidden = !chosen;
       built.get(name)?.setVisible(open && chosen);
     }
@@ -114,6 +118,9 @@ export function timelinePanel(
   };
   timeline.view.subscribe((now, before) => {
     if (now.tab !== before.tab) show();
+  });
+  wb.store.subscribe((now, before) => {
+    if (now.document.review !== before.document.review) show();
   });
   wb.settings.subscribe((now, before) => {
     if (now.panels !== before.panels) show();

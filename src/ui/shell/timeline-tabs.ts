@@ -1,9 +1,12 @@
 /** The tabs below the viewport: labels, and scripts, loaded when first shown. */
+import type { Document } from '../../model/document.ts';
 import type { TimelineTab, TimelineTabName } from '../state/timeline.ts';
 import type { Workbench } from '../state/workbench.ts';
 
 export interface TabRecord {
   readonly label: string;
+  /** Whether there is anything to show; otherwise it is listed only while it is the current one. Default: always. */
+  isListed?(document: Document): boolean;
   load(wb: Workbench): Promise<TimelineTab>;
 }
 
@@ -19,6 +22,11 @@ export const TABS: Readonly<Record<TimelineTabName, TabRecord>> = {
   takes: {
     label: 'Takes',
     load: async (wb) => (await import('../editors/takes/panel.ts')).takesPanel(wb),
+  },
+  review: {
+    label: 'Review',
+    isListed: ({ review }) => review !== undefined,
+    load: async (wb) => (await import('../editors/review/panel.ts')).reviewPanel(wb),
   },
   poses: {
     label: 'Pose library',

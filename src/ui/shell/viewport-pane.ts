@@ -114,7 +114,10 @@ function drawCompared(wb: Workbench, stage: HTMLElement, signal: AbortSignal): v
 
 /** What the mode's tool doesn't use picks. */
 function handTools(wb: Workbench, signal: AbortSignal): void {
-  const tool = modeTools(wb, signal);
+  const modeTool = modeTools(wb, signal);
+  // A take that is only reviewed is not in the document: the camera moves, and nothing is selected or posed.
+  const isReviewing = () => wb.timeline.review.shown.get() !== undefined;
+  const tool = () => (isReviewing() ? undefined : modeTool());
   const menus = () => onDemand(wb.messages, 'The viewport’s menu', () => import('./viewport-menu.ts'));
   const { canvas } = wb.viewport;
   canvas.addEventListener(
@@ -127,7 +130,9 @@ function handTools(wb: Workbench, signal: AbortSignal): void {
     },
     { signal },
   );
-  const pick = (at: CanvasPointer) => selectHit(wb, wb.viewport.pick(at.clientX, at.clientY), addsToSelection(wb, at));
+  const pick = (at: CanvasPointer) => {
+    if (!isReviewing()) selectHit(wb, wb.viewport.pick(at.clientX, at.clientY), addsToSelection(wb, at));
+  };
   listenToCanvas(
     canvas,
     withBoxSelect(wb, tool, pick),

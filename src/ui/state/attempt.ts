@@ -2,7 +2,7 @@
 import { CommandError } from '../../edit/store.ts';
 import type { Messages } from './messages.ts';
 
-export function attempt(messages: Messages, change: () => void): void {
+export function attempt(messages: Pick<Messages, 'note'>, change: () => void): void {
   try {
     change();
   } catch (error) {

@@ -9,10 +9,11 @@ import type { ChannelKeys, Selection } from '../../model/session.ts';
 import { type Observable, observable } from '../kit/observable.ts';
 import type { TimeWindow } from '../kit/time-window.ts';
 import type { CycleQuestion } from './cycle-question.ts';
+import { ReviewState } from './review.ts';
 import type { SourcePlace } from './source.ts';
 import { Takes } from './takes.ts';
 
-export const TIMELINE_TABS = ['curves', 'dope', 'takes', 'poses', 'steps', 'source', 'compare'] as const;
+export const TIMELINE_TABS = ['curves', 'dope', 'takes', 'review', 'poses', 'steps', 'source', 'compare'] as const;
 export type TimelineTabName = (typeof TIMELINE_TABS)[number];
 
 /** Which channels are listed: the selected joint's (with the root translation for the root), all, or pinned ones. */
@@ -139,6 +140,7 @@ export class Timeline {
   readonly sourceAsked: Observable<SourcePlace | undefined> = observable<SourcePlace | undefined>(undefined);
   /** The list of takes, and the comparison. */
   readonly takes: Takes = new Takes();
+  readonly review: ReviewState = new ReviewState();
   /** Keys that were copied or cut last. */
   copied: CopiedKeys | undefined;
   /** The visible tab; undefined while the panel is collapsed. */

@@ -191,6 +191,8 @@ export interface FileActions {
    * skeleton and animation from motion capture, and the reverse, at the transport's frame rate.
    */
   save(characterId: string, kind: SavedKind): void;
+  /** Downloads a text. */
+  saveText(name: string, text: string): void;
   /** Saves a character as one zip. */
   saveAll(characterId: string): void;
 }

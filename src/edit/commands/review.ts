@@ -1,0 +1,107 @@
+/** Commands on the list of reviewed takes: which are in it, and what a person says about them. */
+import type { Document } from '../../model/document.ts';
+import { MOST_STARS, NO_REVIEW, type Review, type ReviewedTake, tagsOf, VERDICTS } from '../../model/review.ts';
+import { listOf, oneOf, text } from '../arguments.ts';
+import { sameValue } from '../delta.ts';
+import { cutName } from '../step-names.ts';
+import { type Command, CommandError } from '../store.ts';
+
+interface OfTakes {
+  /** As in the list. */
+  readonly paths: readonly string[];
+}
+
+/** Those in the list stay as they are. Takes leave no room for the opening example. */
+export const addToReview: Command<OfTakes> = {
+  id: 'review.add',
+  label: (_, { paths }) => `Review ${takesText(paths)}`,
+  run(document, { paths }) {
+    const known = new Set((document.review ?? []).map(({ path }) => path));
+    const added = pathsIn(paths).filter((path) => !known.has(path));
+    if (added.length === 0) return document;
+    const list = [...(document.review ?? []), ...[...new Set(added)].map((path) => ({ path, ...NO_REVIEW }))];
+    const opened = { ...document, review: list };
+    return document.isOpeningSample ? { ...opened, characters: [], isOpeningSample: false } : opened;
+  },
+};
+
+export const removeFromReview: Command<OfTakes> = {
+  id: 'review.remove',
+  label: (_, { paths }) => `Remove ${takesText(paths)} from review`,
+  run(document, { paths }) {
+    const gone = new Set(pathsIn(paths));
+    const list = (document.review ?? []).filter(({ path }) => !gone.has(path));
+    if (list.length === (document.review ?? []).length) return document;
+    const { review: _before, ...rest } = document;
+    return list.length > 0 ? { ...rest, review: list } : rest;
+  },
+};
+
+/** Gives some takes a verdict, stars, tags or notes; what isn't given stays. */
+export const setReview: Command<OfTakes & { readonly review: Partial<Review> }> = {
+  id: 'review.set',
+  label: (_, { paths, review }) => `${changeText(review)} of ${takesText(paths)}`,
+  run(document, { paths, review }) {
+    const change = checked(review);
+    const meant = new Set(pathsIn(paths));
+    return changeTakes(document, (take) => (meant.has(take.path) ? { ...take, ...change } : take));
+  },
+};
+
+/** Takes over what a list says about takes, by their paths here; others of the list are left out. */
+export const readReview: Command<{ readonly takes: readonly ReviewedTake[] }> = {
+  id: 'review.read',
+  label: (_, { takes }) => `Read review of ${takesText(takes.map(({ path }) => path))}`,
+  run(document, { takes }) {
+    listOf(takes, 'The takes');
+    const found = new Map(takes.map((take) => [text(take.path, 'A path'), checked(take)]));
+    return changeTakes(document, (take) => ({ ...take, ...found.get(take.path) }));
+  },
+};
+
+/** The same document if no take changes. */
+function changeTakes(document: Document, change: (take: ReviewedTake) => ReviewedTake): Document {
+  let isChanged = false;
+  const list = (document.review ?? []).map((take) => {
+    const next = change(take);
+    if (sameValue(next, take)) return take;
+    isChanged = true;
+    return next;
+  });
+  return isChanged ? { ...document, review: list } : document;
+}
+
+function pathsIn(paths: readonly string[]): readonly string[] {
+  return listOf(paths, 'The paths').map((path) => text(path, 'A path'));
+}
+
+const STARS = Array.from({ length: MOST_STARS + 1 }, (_, stars) => stars);
+
+/** @throws CommandError if it is no review */
+function checked(review: Partial<Review>): Partial<Review> {
+  const { verdict, stars, tags, notes } = review ?? {};
+  if ([verdict, stars, tags, notes].every((each) => each === undefined)) {
+    throw new CommandError('A review must have a verdict, stars, tags or notes.');
+  }
+  if (verdict !== undefined) oneOf(verdict, [...VERDICTS, ''], 'The verdict');
+  if (stars !== undefined) oneOf(stars, STARS, 'The number of stars');
+  return {
+    ...(verdict !== undefined && { verdict }),
+    ...(stars !== undefined && { stars }),
+    ...(tags !== undefined && { tags: tagsOf(listOf(tags, 'The tags').join(',')) }),
+    ...(notes !== undefined && { notes: String(notes) }),
+  };
+}
+
+/** `walk.bvh`, or `12 takes`. */
+function takesText(paths: readonly string[]): string {
+  const [first] = paths;
+  return paths.length === 1 ? cutName(first.slice(first.lastIndexOf('/') + 1)) : `${paths.length} takes`;
+}
+
+function changeText({ verdict, stars, tags, notes }: Partial<Review>): string {
+  if (verdict !== undefined) return verdict === '' ? 'Clear verdict' : `Set verdict ${verdict}`;
+  if (stars !== undefined) return stars === 1 ? 'Set 1 star' : `Set ${stars} stars`;
+  if (tags !== undefined) return 'Set tags';
+  return notes === undefined ? 'Set review' : 'Set notes';
+}

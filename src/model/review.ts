@@ -1,0 +1,31 @@
+/** What a person says about takes that are reviewed: part of the document, beside the takes' files. */
+
+export const VERDICTS = ['good', 'bad'] as const;
+/** Empty: none yet. */
+export type Verdict = (typeof VERDICTS)[number] | '';
+
+export const MOST_STARS = 5;
+
+/** What a person says about a take. */
+export interface Review {
+  readonly verdict: Verdict;
+  /** 0, for none, to 5. */
+  readonly stars: number;
+  /** Without commas, semicolons and spaces around them; each once. */
+  readonly tags: readonly string[];
+  readonly notes: string;
+}
+
+export const NO_REVIEW: Review = { verdict: '', stars: 0, tags: [], notes: '' };
+
+/** A take in the list of those that are reviewed: a file, which the document doesn't hold. */
+export interface ReviewedTake extends Review {
+  /** Unique in the list; with folders, `/` between them. */
+  readonly path: string;
+}
+
+/** Tags out of a text: separated by commas, semicolons or line ends; each once. */
+export function tagsOf(text: string): readonly string[] {
+  const tags = text.split(/[,;\r\n]/).map((tag) => tag.trim());
+  return [...new Set(tags)].filter((tag) => tag !== '');
+}

@@ -1,0 +1,85 @@
+/** Beside the list: the flags of the take with the focus, each of which leads to its moment, and its tags and notes. */
+import type { Review } from '../../../model/review.ts';
+import type { Flag } from '../../../review/flags.ts';
+import { button, element, setText } from '../../kit/dom.ts';
+import { middleCut } from '../../kit/middle-cut.ts';
+import { setTooltip } from '../../kit/tooltip.ts';
+import type { ReviewRow } from './rows.ts';
+import { amountText, FLAG_NAMES, momentText } from './texts.ts';
+
+export interface DetailEvents {
+  /** Of the selected takes. */
+  change(review: Partial<Review>): void;
+  seek(flag: Flag): void;
+}
+
+export class ReviewDetail {
+  readonly element: HTMLElement;
+  private readonly name = middleCut('');
+  private readonly heading = element('h3', { class: 'review-heading' }, this.name.element);
+  private readonly flags = element('ul', { class: 'review-flag-list', 'aria-label': 'Flags' });
+  private readonly none = element('p', { class: 'faint review-none' });
+  private readonly tags = element('input', {
+    type: 'text',
+    class: 'review-field',
+    spellcheck: 'false',
+    autocomplete: 'off',
+    placeholder: 'walk, calm',
+  });
+  private readonly notes = element('textarea', { class: 'review-field', rows: 2 });
+  private readonly tagsLabel = element('span');
+  private readonly notesLabel = element('span');
+  private listed: readonly Flag[] | undefined;
+
+  constructor(private readonly events: DetailEvents) {
+    this.tags.addEventListener('change', () => events.change({ tags: this.tags.value.split(',') }));
+    this.notes.addEventListener('change', () => events.change({ notes: this.notes.value }));
+    this.element = element(
+      'div',
+      { class: 'review-detail' },
+      this.heading,
+      element('label', { class: 'review-label' }, this.tagsLabel, this.tags),
+      element('label', { class: 'review-label' }, this.notesLabel, this.notes),
+      this.none,
+      this.flags,
+    );
+  }
+
+  /** @param count of the selected takes, which tags and notes are for */
+  show(row: ReviewRow | undefined, count: number): void {
+    this.element.hidden = row === undefined;
+    if (!row) return;
+    const { take, digest } = row;
+    this.name.show(row.name);
+    setTooltip(this.heading, take.path);
+    const all = count > 1 ? ` of ${count} takes` : '';
+    setText(this.tagsLabel, `Tags${all}`);
+    setText(this.notesLabel, `Notes${all}`);
+    if (document.activeElement !== this.tags) this.tags.value = take.tags.join(', ');
+    if (document.activeElement !== this.notes) this.notes.value = take.notes;
+    const found = digest?.found?.facts.flags;
+    const reading = row.hasFile ? 'Reading …' : 'Its file is not here. Drop its folder again.';
+    setText(this.none, found ? (found.length === 0 ? 'No flags.' : '') : (digest?.problem ?? reading));
+    this.none.hidden = this.none.textContent === '';
+    if (found === this.listed) return;
+    this.listed = found;
+    this.flags.replaceChildren(...(found ?? []).map((flag) => this.item(flag)));
+  }
+
+  private item(flag: Flag): HTMLElement {
+    const joint = flag.joint ?? '';
+    const text = `${FLAG_NAMES[flag.kind]}${joint ? ` of ${joint}` : ''}`;
+    const made = button(
+      `${text}, ${momentText(flag)}, ${amountText(flag)}`,
+      { class: 'review-flag', tooltip: `${text}: go to ${momentText(flag)}` },
+      element('span', { class: 'review-flag-kind' }, FLAG_NAMES[flag.kind]),
+      () => this.events.seek(flag),
+    );
+    made.append(
+      element('span', { class: 'review-flag-joint' }, joint),
+      element('span', { class: 'number' }, amountText(flag)),
+      element('span', { class: 'number' }, momentText(flag)),
+    );
+    return element('li', {}, made);
+  }
+}

@@ -1,0 +1,72 @@
+/** What is done with takes in review. */
+import { removeFromReview, setReview } from '../../../edit/commands/review.ts';
+import { NO_REVIEW, type Review } from '../../../model/review.ts';
+import { listedTake } from '../../../review/list.ts';
+import { listAsCsv, listAsJson } from '../../../review/write-list.ts';
+import { attempt } from '../../state/attempt.ts';
+import type { Uses } from '../../state/workbench.ts';
+import { chosenPaths, listOfReview } from './at-hand.ts';
+
+type Parts = Uses<'store' | 'timeline' | 'messages'>;
+
+/** Of the selected takes. */
+export function judge(wb: Parts, review: Partial<Review>): void {
+  attempt(wb.messages, () => wb.store.apply(setReview, { paths: chosenPaths(wb), review }));
+}
+
+/** The same verdict again takes it back. */
+export function toggleVerdict(wb: Parts, verdict: 'good' | 'bad'): void {
+  const paths = new Set(chosenPaths(wb));
+  const meant = (wb.store.document.review ?? []).filter(({ path }) => paths.has(path));
+  judge(wb, { verdict: meant.every((take) => take.verdict === verdict) ? '' : verdict });
+}
+
+export function clearReview(wb: Parts): void {
+  judge(wb, NO_REVIEW);
+}
+
+/** Moves on in the list, and selects that take alone. */
+export function stepReview(wb: Parts, by: 1 | -1): void {
+  const rows = listOfReview(wb);
+  const { focused } = wb.timeline.review.view.get();
+  const at = rows.findIndex(({ take }) => take.path === focused);
+  const to = rows[at < 0 ? 0 : Math.max(0, Math.min(rows.length - 1, at + by))];
+  if (!to) return;
+  const { path } = to.take;
+  if (path === focused) {
+    wb.messages.note(by > 0 ? 'This is the last take of the list.' : 'This is the first take of the list.');
+    return;
+  }
+  wb.timeline.review.change({ focused: path, chosen: new Set([path]) });
+}
+
+/** As characters, beside those that are open. */
+export function openTakes(wb: Parts, paths: readonly string[]): void {
+  const files = wb.timeline.review.files.get();
+  const there = paths.filter((path) => files?.has(path));
+  if (there.length < paths.length) {
+    const missing = paths.length - there.length;
+    wb.messages.note(`${missing} of ${paths.length} takes have no file here. Drop their folder again.`, 'warning');
+  }
+  if (there.length === 0) return;
+  wb.timeline.change({ tab: 'takes' });
+  files?.open(there);
+}
+
+export function goodPaths({ store }: Uses<'store'>): readonly string[] {
+  return (store.document.review ?? []).flatMap(({ path, verdict }) => (verdict === 'good' ? [path] : []));
+}
+
+export function removeTakes(wb: Parts): void {
+  const paths = chosenPaths(wb);
+  attempt(wb.messages, () => wb.store.apply(removeFromReview, { paths }));
+}
+
+/** The whole list, whatever is filtered. */
+export function saveList(wb: Parts & Uses<'files'>, format: 'csv' | 'json'): void {
+  const { files } = wb.timeline.review;
+  const takes = (wb.store.document.review ?? []).map((take) =>
+    listedTake(take.path, take, files.get()?.digest(take.path)?.found?.facts),
+  );
+  wb.files.saveText(`review.${format}`, format === 'csv' ? listAsCsv(takes) : listAsJson(takes));
+}

@@ -1,0 +1,97 @@
+/** The list of takes in review: what each row says, which are listed, and in which order. */
+import { baseName } from '../../../model/files.ts';
+import type { ReviewedTake } from '../../../model/review.ts';
+import type { TakeDigest } from '../../../review/digest.ts';
+import type { ReviewColumn, ReviewView } from '../../state/review.ts';
+
+export interface ReviewRow {
+  readonly take: ReviewedTake;
+  readonly name: string;
+  /** Undefined until its file was read. */
+  readonly digest: TakeDigest | undefined;
+  /** Its file was given in this visit. */
+  readonly hasFile: boolean;
+}
+
+/** Rows of all takes, in the order of the list. */
+export function reviewRows(
+  takes: readonly ReviewedTake[],
+  files: { has(path: string): boolean; digest(path: string): TakeDigest | undefined } | undefined,
+): readonly ReviewRow[] {
+  return takes.map((take) => ({
+    take,
+    name: baseName(take.path).replace(/\.bvh$/i, ''),
+    digest: files?.digest(take.path),
+    hasFile: files?.has(take.path) ?? false,
+  }));
+}
+
+/** Those that the filters leave, sorted; equal ones in the order of the list. */
+export function listedRows(rows: readonly ReviewRow[], view: ReviewView): readonly ReviewRow[] {
+  const listed = rows.filter((row) => isListed(row, view));
+  const { order } = view;
+  if (!order) return listed;
+  const sign = order.descending ? -1 : 1;
+  const keyed = listed.map((row, place) => ({ row, place, key: keyOf(row, order.column) }));
+  keyed.sort((a, b) => {
+    // What isn't known yet comes last, either way.
+    if (a.key === undefined || b.key === undefined) {
+      return Number(a.key === undefined) - Number(b.key === undefined) || a.place - b.place;
+    }
+    return sign * compared(a.key, b.key) || a.place - b.place;
+  });
+  return keyed.map(({ row }) => row);
+}
+
+/** Whether anything but the order differs from all takes. */
+export function isFiltered({ text, verdict, flag, tag, stars }: ReviewView): boolean {
+  return text !== '' || verdict !== undefined || flag !== undefined || tag !== undefined || stars > 0;
+}
+
+function isListed({ take, digest }: ReviewRow, { text, verdict, flag, tag, stars }: ReviewView): boolean {
+  if (verdict !== undefined && take.verdict !== verdict) return false;
+  if (take.stars < stars) return false;
+  if (tag !== undefined && !take.tags.includes(tag)) return false;
+  if (flag !== undefined) {
+    const flags = digest?.found?.facts.flags;
+    if (!flags) return false;
+    const has = flag === 'any' || flag === 'none' ? flags.length > 0 : flags.some(({ kind }) => kind === flag);
+    if (has === (flag === 'none')) return false;
+  }
+  const wanted = text.trim().toLowerCase();
+  if (wanted === '') return true;
+  return [take.path, take.notes, ...take.tags].some((each) => each.toLowerCase().includes(wanted));
+}
+
+type Key = string | number;
+
+function keyOf({ take, name, digest }: ReviewRow, column: ReviewColumn): Key | undefined {
+  const facts = digest?.found?.facts;
+  switch (column) {
+    case 'name':
+      return name;
+    case 'verdict':
+      return take.verdict === 'good' ? 0 : take.verdict === 'bad' ? 2 : 1;
+    case 'stars':
+      return take.stars;
+    case 'tags':
+      return take.tags.join(', ') || undefined;
+    case 'notes':
+      return take.notes || undefined;
+    case 'flags':
+      return facts?.flags.length;
+    default:
+      return facts?.[column];
+  }
+}
+
+const byName = new Intl.Collator('en', { numeric: true });
+
+function compared(a: Key, b: Key): number {
+  return typeof a === 'number' && typeof b === 'number' ? a - b : byName.compare(String(a), String(b));
+}
+
+/** All tags of the list, in alphabetical order. */
+export function tagsIn(takes: readonly ReviewedTake[]): readonly string[] {
+  return [...new Set(takes.flatMap(({ tags }) => tags))].sort(byName.compare);
+}

@@ -1,0 +1,42 @@
+/** What the panel says about verdicts and flags. */
+import { FLAG_KINDS, type Flag, type FlagKind } from '../../../review/flags.ts';
+import { plural, shown } from '../../kit/number-text.ts';
+
+export const FLAG_NAMES: Readonly<Record<FlagKind, string>> = {
+  spike: 'Spike',
+  jitter: 'Jitter',
+  slide: 'Foot sliding',
+  floor: 'Below the ground',
+  frozen: 'Frozen',
+  duplicate: 'Duplicate frames',
+  limit: 'Beyond limit',
+  bone: 'Bone length',
+};
+
+/** `2 spikes, jitter`: by kind, in a fixed order. */
+export function flagsText(flags: readonly Flag[]): string {
+  return FLAG_KINDS.flatMap((kind) => {
+    const count = flags.filter((flag) => flag.kind === kind).length;
+    if (count === 0) return [];
+    const name = FLAG_NAMES[kind].toLowerCase();
+    return [count === 1 ? name : `${name} ×${count}`];
+  }).join(', ');
+}
+
+/** How much of it: `4.1 cm`, `12 frames`. */
+export function amountText({ kind, amount }: Flag): string {
+  if (kind === 'frozen') return `${shown(amount, 2)} s`;
+  if (kind === 'duplicate') return plural(amount, 'frame');
+  if (kind === 'limit') return `${shown((amount * 180) / Math.PI, 0)}°`;
+  return amount < 1 ? `${shown(100 * amount, 1)} cm` : `${shown(amount, 2)} m`;
+}
+
+/** `1.23 s`, or `2.1 to 2.65 s`. */
+export function momentText({ from, to }: Flag): string {
+  const [start, end] = [shown(from, 2), shown(to, 2)];
+  return start === end ? `${start} s` : `${start} to ${end} s`;
+}
+
+export function starsText(stars: number): string {
+  return '★'.repeat(stars);
+}

@@ -1,0 +1,175 @@
+/** Controls of the review, beside the tabs: filters, verdicts and stars for the selected takes, opening and saving. */
+import { MOST_STARS } from '../../../model/review.ts';
+import { FLAG_KINDS } from '../../../review/flags.ts';
+import { button, element, keepsFocusElsewhere, setAttribute, setText } from '../../kit/dom.ts';
+import { focusPanel } from '../../kit/focus.ts';
+import { icon } from '../../kit/icons.ts';
+import { type MenuEntry, menuButton } from '../../kit/menu.ts';
+import { count } from '../../kit/number-text.ts';
+import { toolbar } from '../../kit/roving.ts';
+import { setTooltip } from '../../kit/tooltip.ts';
+import { findAction, isEnabled, tryAction } from '../../state/action.ts';
+import { itemOf } from '../../state/menu-entries.ts';
+import type { ReviewView } from '../../state/review.ts';
+import { setActionTooltip } from '../../state/tooltips.ts';
+import type { Workbench } from '../../state/workbench.ts';
+import { isFiltered, tagsIn } from './rows.ts';
+import { FLAG_NAMES, starsText } from './texts.ts';
+
+export interface ReviewTools {
+  readonly element: HTMLElement;
+  /** @param listed number of takes that the filters leave */
+  show(listed: number): void;
+}
+
+export function reviewTools(wb: Workbench): ReviewTools {
+  const { review } = wb.timeline;
+  const refreshing: (() => void)[] = [];
+  const act = (id: string, label: string, content: string | Node) => {
+    const action = findAction(wb, id);
+    const made = keepsFocusElsewhere(
+      button(label, { class: 'tool text-tool' }, content, () => action && tryAction(wb, action)),
+    );
+    setActionTooltip(wb, made, id, label);
+    refreshing.push(() => {
+      made.disabled = !(action && isEnabled(wb, action));
+    });
+    return made;
+  };
+  const filter = element('input', {
+    type: 'search',
+    'aria-label': 'Filter takes in review',
+    placeholder: 'Filter',
+    spellcheck: 'false',
+    autocomplete: 'off',
+  });
+  filter.addEventListener('input', () => review.change({ text: filter.value }));
+  filter.addEventListener('keydown', (event) => {
+    if (event.isComposing) return;
+    if (event.key === 'Escape' && filter.value) review.change({ text: '' });
+    else if (event.key === 'Enter' || event.key === 'ArrowDown') focusPanel(filter);
+    else return;
+    event.preventDefault();
+  });
+  const only = keepsFocusElsewhere(
+    element('button', { type: 'button', class: 'tool text-tool' }, 'Only', icon('fold')),
+  );
+  setTooltip(only, 'List only takes with a verdict, flags, stars or a tag');
+  menuButton(only, 'Only', () => onlyEntries(wb));
+  const open = keepsFocusElsewhere(
+    element('button', { type: 'button', class: 'tool text-tool' }, 'Open', icon('fold')),
+  );
+  setTooltip(open, 'Open takes as characters, or save the list');
+  menuButton(open, 'Open or save', () =>
+    ['review.open', 'review.openGood', 'line', 'review.saveCsv', 'review.saveJson'].flatMap((id): MenuEntry[] => {
+      const action = findAction(wb, id);
+      return action ? [itemOf(wb, action)] : id === 'line' ? [{ kind: 'line' }] : [];
+    }),
+  );
+  const counted = element('span', { class: 'review-count', role: 'status' });
+  const tools = element(
+    'div',
+    { class: 'review-tools' },
+    element('div', { class: 'search review-filter' }, icon('search'), filter),
+    toolbar(
+      element(
+        'div',
+        { class: 'tools', 'aria-label': 'Review' },
+        only,
+        act('review.previous', 'Previous take', icon('previousTake')),
+        act('review.next', 'Next take', icon('nextTake')),
+        act('review.good', 'Good', 'Good'),
+        act('review.bad', 'Bad', 'Bad'),
+        open,
+      ),
+    ),
+    counted,
+  );
+  return {
+    element: tools,
+    show(listed) {
+      for (const refresh of refreshing) refresh();
+      const view = review.view.get();
+      if (filter.value !== view.text) filter.value = view.text;
+      only.classList.toggle('on', isFiltered({ ...view, text: '' }));
+      setAttribute(only, 'aria-label', `Only: ${onlyText(view)}`);
+      setText(counted, countText(wb, listed));
+    },
+  };
+}
+
+/** `12 of 3,000 takes, 40 selected; 1,200 read`. */
+function countText({ store, timeline }: Workbench, listed: number): string {
+  const { review } = timeline;
+  const { length } = store.document.review ?? [];
+  const { size } = review.view.get().chosen;
+  const progress = review.files.get()?.progress.get();
+  const takes = listed === length ? `${count(length)} takes` : `${count(listed)} of ${count(length)} takes`;
+  const chosen = size > 1 ? `, ${count(size)} selected` : '';
+  const reading = progress && progress.done < progress.of ? `; ${count(progress.done)} checked` : '';
+  return `${takes}${chosen}${reading}`;
+}
+
+function onlyText({ verdict, flag, tag, stars }: ReviewView): string {
+  const parts = [
+    verdict === '' ? 'no verdict' : verdict,
+    flag,
+    tag,
+    stars > 0 ? `${stars} stars or more` : undefined,
+  ].filter((part) => part !== undefined);
+  return parts.length > 0 ? parts.join(', ') : 'all';
+}
+
+function onlyEntries({ store, timeline }: Workbench): MenuEntry[] {
+  const { review } = timeline;
+  const view = review.view.get();
+  const { verdict: _v, flag: _f, tag: _t, ...rest } = view;
+  const item = (label: string, checked: boolean, next: ReviewView): MenuEntry => ({
+    kind: 'item',
+    label,
+    enabled: true,
+    checked,
+    radio: true,
+    run: () => review.view.set(next),
+  });
+  const without = (key: 'verdict' | 'flag' | 'tag'): ReviewView => {
+    const { [key]: _gone, ...others } = view;
+    return others;
+  };
+  const verdicts = [
+    item('Any verdict', view.verdict === undefined, without('verdict')),
+    item('Good', view.verdict === 'good', { ...view, verdict: 'good' }),
+    item('Bad', view.verdict === 'bad', { ...view, verdict: 'bad' }),
+    item('No verdict', view.verdict === '', { ...view, verdict: '' }),
+  ];
+  const flags = [
+    item('With or without flags', view.flag === undefined, without('flag')),
+    item('Any flag', view.flag === 'any', { ...view, flag: 'any' }),
+    item('No flags', view.flag === 'none', { ...view, flag: 'none' }),
+    ...FLAG_KINDS.map((flag) => item(FLAG_NAMES[flag], view.flag === flag, { ...view, flag })),
+  ];
+  const stars = Array.from({ length: MOST_STARS + 1 }, (_, n) =>
+    item(n === 0 ? 'Any stars' : `${starsText(n)}${n < MOST_STARS ? ' or more' : ''}`, view.stars === n, {
+      ...view,
+      stars: n,
+    }),
+  );
+  const tags = tagsIn(store.document.review ?? []);
+  const tagged = [
+    item('Any tag', view.tag === undefined, without('tag')),
+    ...tags.map((tag) => item(tag, view.tag === tag, { ...view, tag })),
+  ];
+  return [
+    {
+      kind: 'item',
+      label: 'All takes',
+      enabled: isFiltered(view),
+      run: () => review.view.set({ ...rest, text: '', stars: 0 }),
+    },
+    { kind: 'line' },
+    { kind: 'menu', label: 'Verdict', entries: () => verdicts },
+    { kind: 'menu', label: 'Flags', entries: () => flags },
+    { kind: 'menu', label: 'Stars', entries: () => stars },
+    ...(tags.length > 0 ? [{ kind: 'menu', label: 'Tag', entries: () => tagged } as const] : []),
+  ];
+}

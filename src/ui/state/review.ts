@@ -1,0 +1,74 @@
+/** Takes in review, beside the document: their files, how the list is filtered and sorted, and the one that is shown. */
+import type { Character } from '../../model/document.ts';
+import type { Verdict } from '../../model/review.ts';
+import type { TakeDigest } from '../../review/digest.ts';
+import type { FlagKind } from '../../review/flags.ts';
+import { type Observable, observable } from '../kit/observable.ts';
+
+/** More takes than these given at once are reviewed; fewer are opened. */
+export const MOST_OPENED = 20;
+
+export const REVIEW_COLUMNS = [
+  'name',
+  'verdict',
+  'stars',
+  'seconds',
+  'frames',
+  'fps',
+  'joints',
+  'flags',
+  'tags',
+  'notes',
+] as const;
+export type ReviewColumn = (typeof REVIEW_COLUMNS)[number];
+
+export interface ReviewView {
+  /** Part of a path, a note or a tag. */
+  readonly text: string;
+  /** Only these; absent: all. */
+  readonly verdict?: Verdict;
+  /** With such a flag, with any, or checked and without. */
+  readonly flag?: FlagKind | 'any' | 'none';
+  readonly tag?: string;
+  /** At least so many. */
+  readonly stars: number;
+  /** Absent: as in the list. */
+  readonly order?: { readonly column: ReviewColumn; readonly descending: boolean };
+  /** Paths of the selected takes, and of the one with the keyboard. */
+  readonly chosen: ReadonlySet<string>;
+  readonly focused?: string;
+}
+
+/** The files of takes in review: they are read when they are needed, and only then. */
+export interface ReviewFiles {
+  has(path: string): boolean;
+  /** What is known of a take; undefined until its file was read. */
+  digest(path: string): TakeDigest | undefined;
+  /** Reads these first. */
+  want(paths: readonly string[]): void;
+  /** The take as a character, to be drawn; undefined if it can't be read. */
+  character(path: string): Promise<Character | undefined>;
+  /** Opens takes as characters. */
+  open(paths: readonly string[]): void;
+  /** Takes whose files were read, of those that have one; changes with every one. */
+  readonly progress: Observable<ReviewProgress>;
+}
+
+export interface ReviewProgress {
+  readonly done: number;
+  readonly of: number;
+}
+
+const ALL: ReviewView = { text: '', stars: 0, chosen: new Set() };
+
+export class ReviewState {
+  readonly view: Observable<ReviewView> = observable(ALL);
+  /** A take that is drawn in place of the document's characters. */
+  readonly shown: Observable<Character | undefined> = observable<Character | undefined>(undefined);
+  /** Absent until takes were given. */
+  readonly files: Observable<ReviewFiles | undefined> = observable<ReviewFiles | undefined>(undefined);
+
+  change(change: Partial<ReviewView>): void {
+    this.view.update((now) => ({ ...now, ...change }));
+  }
+}

@@ -1,0 +1,38 @@
+/** Small moving pictures of takes. */
+import { expect, it } from 'vitest';
+import { guessSpace } from '../../src/evaluate/space-guess.ts';
+import { positionsMeant, withPositions } from '../../src/model/position-channels.ts';
+import { digestOf } from '../../src/review/digest.ts';
+import { stickFigure } from '../../src/review/stick-figure.ts';
+import { BVH_FILES, sharedFigures } from '../helpers/bvh-files.ts';
+import { describeShared } from '../helpers/shared.ts';
+
+describeShared('pictures of real takes', () => {
+  it.each(BVH_FILES)('%s fits its picture, head up, and takes a few kilobytes', (file) => {
+    for (const { skeleton: read, clip } of sharedFigures(file)) {
+      if (!clip) continue;
+      const skeleton = withPositions(read, positionsMeant(read, clip));
+      const { points, above, pointCount, frameCount } = stickFigure(skeleton, clip, guessSpace(skeleton, clip));
+      expect(points).toHaveLength(2 * pointCount * frameCount);
+      expect(points.byteLength + above.byteLength).toBeLessThan(4000);
+      expect(above.every((parent, p) => parent <= p)).toBe(true);
+      const [xs, ys] = [0, 1].map((k) => points.filter((_, i) => i % 2 === k));
+      const extent = (values: Uint8Array) => Math.max(...values) - Math.min(...values);
+      // One of both fills the picture; in place, the width is that of one frame on either side of the middle.
+      expect(Math.max(extent(ys), extent(xs))).toBeGreaterThan(120);
+    }
+  });
+
+  it('a head is above the feet', () => {
+    const [{ skeleton, clip }] = sharedFigures('bandai-namco-bow-normal.bvh');
+    if (!clip) throw new Error('no take');
+    const { points } = stickFigure(skeleton, clip, guessSpace(skeleton, clip));
+    const head = skeleton.joints.findIndex(({ name }) => name === 'Head');
+    const foot = skeleton.joints.findIndex(({ name }) => name === 'Foot_L');
+    expect(points[2 * head + 1]).toBeLessThan(points[2 * foot + 1] - 100);
+  });
+});
+
+it('a file without frames says so', () => {
+  expect(digestOf('a.bvh', [])).toEqual({ path: 'a.bvh', problem: 'The file has no frames.' });
+});
