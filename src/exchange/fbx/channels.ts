@@ -52,7 +52,7 @@ function repetitionsOf({ times }: FbxCurve, { mode, count }: Beyond): number {
 function addKeys(list: KeyList, curve: FbxCurve, tolerance: number): void {
   const { times, values, spans, slopesIn, slopesOut } = curve;
   const count = times.length;
-  list.add(times[0], values[0], count > 1 ? slopesIn[0] || slopesOut[0] : 0, 0);
+  list.add(times[0], values[0], count > 1 ? slopesOut[0] : 0, 0);
   for (let key = 0; key + 1 < count; key++) {
     const next = key + 1;
     const [t1, v1] = [times[next], values[next]];

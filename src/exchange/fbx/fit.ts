@@ -9,7 +9,7 @@ import { KeyList } from './key-list.ts';
 export type Fitted = (time: number, near: Float64Array, out: Float64Array) => void;
 
 /** Cuts of a span; real motion needs few. */
-const MAX_CUTS = 10;
+const MAX_CUTS = 8;
 /** Where a span is compared with the function. */
 const CHECKED = [0.08, 0.21, 0.36, 0.5, 0.64, 0.79, 0.92];
 /** How far from its end, as part of a span, slopes are measured. */

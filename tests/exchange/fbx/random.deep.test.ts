@@ -1,0 +1,57 @@
+/** Random FBX files: whatever lies between curves and nodes, the scene's channels move nodes to where they are. */
+import fc from 'fast-check';
+import { expect, it } from 'vitest';
+import { takesOf } from '../../../src/exchange/fbx/animation.ts';
+import { axesOf } from '../../../src/exchange/fbx/axes.ts';
+import { documentOf } from '../../../src/exchange/fbx/document.ts';
+import { SceneMotion } from '../../../src/exchange/fbx/motion.ts';
+import { nodesOf } from '../../../src/exchange/fbx/nodes.ts';
+import { fbxReader } from '../../../src/exchange/fbx/read.ts';
+import { readFbxFile } from '../../../src/exchange/fbx/read-file.ts';
+import { readWhole } from '../../../src/formats/reader.ts';
+import { Report } from '../../../src/formats/report.ts';
+import { multiply, worldsAt } from '../scene-at.ts';
+import { randomFbx } from './random-fbx.ts';
+import { fbxBytes, fbxText } from './write-fbx.ts';
+
+/** None of a key: there a value that jumps may be either. */
+const TIMES = [-0.41, 0.013, 0.37, 0.513, 1.213, 1.513, 1.93, 2.2, 2.45];
+
+it('random FBX files move as pivots, orders, inherited scales and layers say', () => {
+  fc.assert(
+    fc.property(randomFbx, (fbx) => {
+      const bytes = fbxBytes(fbx);
+      const { value: scene } = readWhole(fbxReader('a.fbx'), bytes);
+      const { file, report } = readFbxFile(bytes, new Report('a.fbx'));
+      const document = documentOf(file);
+      const nodes = nodesOf(document);
+      const axes = axesOf(document.settings)?.matrix;
+      if (!scene || !axes) throw new Error('not read');
+      const motion = new SceneMotion(nodes, takesOf(document, report)[0]);
+      for (const time of TIMES) {
+        motion.at(time);
+        const worlds = worldsAt(scene, scene.takes[0], time);
+        for (const [i, { object }] of nodes.entries()) {
+          const expected = multiply([...axes], [...motion.worlds.subarray(16 * i, 16 * i + 16)]);
+          const own = worlds[scene.nodes.findIndex(({ name }) => name === object.name)];
+          const size = Math.max(1, ...expected.map(Math.abs));
+          for (const [k, value] of own.entries()) expect(Math.abs(value - expected[k]) / size).toBeLessThan(2e-4);
+        }
+      }
+    }),
+    { numRuns: 40 },
+  );
+});
+
+it('random FBX files are the same as texts and as bytes', () => {
+  fc.assert(
+    fc.property(randomFbx, fc.constantFrom(7400, 7500), (fbx, version) => {
+      const [a, b] = [fbxText({ ...fbx, version }), fbxBytes({ ...fbx, version })].map((own) =>
+        readWhole(fbxReader('a.fbx'), own),
+      );
+      expect(a.value).toBeDefined();
+      expect(a.value).toEqual(b.value);
+    }),
+    { numRuns: 40 },
+  );
+});
