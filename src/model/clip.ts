@@ -1,3 +1,4 @@
+import type { Marker } from './markers.ts';
 import { columnOf, rangeOfSamples, type Samples } from './samples.ts';
 
 /**
@@ -14,6 +15,8 @@ export interface ChannelClip {
   readonly channels: readonly Channel[];
   /** Drives the sampled channels. A channel with a column here is sampled or keyed, never at rest. */
   readonly samples?: Samples;
+  /** Labels of times and spans, by time; absent rather than empty. */
+  readonly markers?: readonly Marker[];
 }
 
 /** What drives one DOF, told by `kind`. */

@@ -195,6 +195,19 @@ const ARGUMENTS: Readonly<Record<string, (s: Situation) => object | undefined>> 
     atSeconds: dice.is(0.5) ? seconds(dice) : undefined,
   }),
   'takes.setTimeOffsets': ({ dice, character }) => ({ characterIds: [character.id], seconds: seconds(dice) }),
+  'markers.add': ({ dice, character }) => {
+    const [timeSeconds, endSeconds] = range(dice);
+    const marker = { timeSeconds, label: dice.pick(['step', 'turn', '']) };
+    return { characterId: character.id, markers: [dice.is(0.5) ? marker : { ...marker, endSeconds }] };
+  },
+  'markers.change': ({ dice, character, clip }) =>
+    clip.markers && {
+      characterId: character.id,
+      index: dice.below(clip.markers.length),
+      marker: { timeSeconds: time(dice), label: 'moved' },
+    },
+  'markers.remove': ({ dice, character, clip }) =>
+    clip.markers && { characterId: character.id, indices: [dice.below(clip.markers.length)] },
   'takes.setSpeed': ({ dice, character }) =>
     character.clips.length ? { takes: someTakes(dice, character), factor: dice.pick([0.5, 0.8, 2]) } : undefined,
   'takes.join': ({ dice, character }) =>

@@ -73,6 +73,17 @@ const POSED = documentOf({ ...HERO, shownClip: -1 });
 const UNKEYED = documentOf({ ...HERO, unkeyed: { timeSeconds: 1, dofs: [3], values: [0.7] } });
 const CAPTURED = documentOf(swinging());
 
+/** With a marker and a span. */
+const MARKED = documentOf(
+  swinging({
+    ...take((c, t) => c * t),
+    markers: [
+      { timeSeconds: 0.5, label: 'step' },
+      { timeSeconds: 1, endSeconds: 1.5, label: 'stand' },
+    ],
+  }),
+);
+
 const bee = (id: string, more: Partial<Character> = {}): Character =>
   character({ id, name: id, clips: [clip(`${id}_walk`, Array<number>(9).fill(0.3), [1, 2])], shownClip: 0, ...more });
 const TWO = documentOf(HERO, bee('c2'));
@@ -226,6 +237,17 @@ export const CASES: Readonly<Record<string, EditCase>> = {
     { takes: [{ path: 'gone.bvh', ...NO_REVIEW, verdict: 'good' }] },
   ),
   'takes.remove': alone({ takes: [{ ...WHO, clip: 0 }] }, { takes: [] }),
+  'markers.add': {
+    document: MARKED,
+    args: { ...WHO, markers: [{ timeSeconds: 1, label: 'turn' }] },
+    idle: { ...WHO, markers: [{ timeSeconds: 0.5, label: 'step' }] },
+  },
+  'markers.change': {
+    document: MARKED,
+    args: { ...WHO, index: 1, marker: { timeSeconds: 0, label: 'begins' } },
+    idle: { ...WHO, index: 0, marker: { timeSeconds: 0.5, label: 'step' } },
+  },
+  'markers.remove': { document: MARKED, args: { ...WHO, indices: [0] }, idle: { ...WHO, indices: [] } },
   'takes.setSpeed': captured({ takes: [{ ...WHO, clip: 0 }], factor: 2 }, { takes: [{ ...WHO, clip: 0 }], factor: 1 }),
   'takes.join': alone(
     { takes: [0, 1].map((clip) => ({ ...WHO, clip })), overlapSeconds: 0.1 },

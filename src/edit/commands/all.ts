@@ -8,6 +8,7 @@ import { ownHeights, sameHeight } from './heights.ts';
 import { holdPins } from './hold.ts';
 import { clearPins, pinPoint, setPin, setRootFree, setStiffness, unpin } from './ik.ts';
 import { addKey, insertKeys, moveKeys, removeKeys, rippleKeys, scaleKeys, setKeys, snapKeys } from './keys.ts';
+import { addMarkers, changeMarker, removeMarkers } from './markers.ts';
 import { pasteKeys } from './paste.ts';
 import {
   addToLibrary,
@@ -70,6 +71,9 @@ const FETCHED: readonly Command<never, Document | Edit>[] = [
   joinTakes,
   cutOutOfTakes,
   insertIntoTake,
+  addMarkers,
+  changeMarker,
+  removeMarkers,
   simplify,
   resample,
   eulerFilter,

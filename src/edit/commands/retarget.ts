@@ -18,6 +18,7 @@ import { finiteNumber, indexIn, listOf, oneOf, text } from '../arguments.ts';
 import { changeCharacter, requireCharacter } from '../characters.ts';
 import { sameValue } from '../delta.ts';
 import { driverSource, withoutDriver } from '../drivers.ts';
+import { retimed, withMarkers } from '../markers.ts';
 import { refuseTooMany } from '../samples/most-frames.ts';
 import { jointRotations, unrollTriples } from '../samples/rotations.ts';
 import { characterIn, cutName, SHORT_NAME } from '../step-names.ts';
@@ -136,9 +137,11 @@ export const bakeRetarget: Command<BakeRetarget> = {
       const called = given ? uniqueTakeName(c, given) : takeNameOf(c, clip.name);
       const channels = restPose(skeleton, c.morphs.length).map(() => SAMPLED);
       const plain = withoutDriver(withoutUnkeyed(c));
+      const made = { name: called, range, channels, samples };
+      const markers = retimed(clip.markers, (seconds) => seconds - timeOffsetSeconds);
       return {
         ...plain,
-        clips: [...plain.clips, { name: called, range, channels, samples }],
+        clips: [...plain.clips, withMarkers(made, markers)],
         shownClip: plain.clips.length,
       };
     }),

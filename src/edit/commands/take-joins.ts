@@ -5,9 +5,11 @@
 import { runToEnd, type Steps, within } from '../../evaluate/steps.ts';
 import type { ChannelClip } from '../../model/clip.ts';
 import type { Character, Document } from '../../model/document.ts';
-import type { Samples } from '../../model/samples.ts';
+import type { Marker } from '../../model/markers.ts';
+import { rangeOfSamples, type Samples } from '../../model/samples.ts';
 import { finiteNumber, oneOf } from '../arguments.ts';
 import { changeCharacter, requireCharacter } from '../characters.ts';
+import { markersWithin, retimed, rippledMarkers, withMarkers } from '../markers.ts';
 import { firstFrameFrom, framesBetween, lastFrameTo, requireSamples } from '../samples/frames.ts';
 import { JOIN_ALIGNMENTS, type JoinAlignment, joining } from '../samples/join.ts';
 import { refuseTooMany } from '../samples/most-frames.ts';
@@ -56,21 +58,33 @@ export function* joinSteps(document: Document, args: JoinTakes): Steps<Document>
   const skeleton = skeletonOf(character);
   const first = character.clips[refs[0].clip];
   let made = takeFrames(character, first);
+  let markers: readonly Marker[] = markersWithin(first.markers, ...rangeOfSamples(made));
   for (const [i, ref] of refs.slice(1).entries()) {
     const from = i / (refs.length - 1);
     const to = (i + 1) / (refs.length - 1);
     const next = framesLike(character, document, ref, made);
     const overlap = framesOfOverlap(how, made, next);
     const joined = { character: { ...character, skeleton }, clip: first, alignment: how.align };
+    const start = made.startSeconds + (made.frameCount - overlap) * made.frameSeconds;
+    const theirs = requireCharacter(document, ref.characterId).clips[ref.clip];
+    const range = rangeOfSamples(next);
+    const moved = retimed(markersWithin(theirs.markers, ...range), (seconds) => seconds - range[0] + start);
+    markers = [...markers, ...moved, ...fadeOf(made, start, overlap, theirs.name)];
     made = yield* within(joining(joined, made, next, overlap), from, to);
   }
   const name = uniqueTakeName(character, args.name?.trim() || `${first.name}_joined`);
-  const clip = { ...clipOfFrames(first, made), name };
+  const clip = withMarkers({ ...clipOfFrames(first, made), name }, markers);
   return changeCharacter(document, character.id, (c) => ({
     ...withoutUnkeyed(c),
     clips: [...c.clips, clip],
     shownClip: c.clips.length,
   }));
+}
+
+/** The span of a cross-fade, so that the timeline shows where it is. */
+function fadeOf({ frameSeconds }: Samples, start: number, overlap: number, name: string): readonly Marker[] {
+  if (overlap === 0) return [];
+  return [{ timeSeconds: start, endSeconds: start + (overlap - 1) * frameSeconds, label: `to ${name}` }];
 }
 
 export interface CutOut extends OfTakes, HowJoined {
@@ -101,10 +115,16 @@ export function cutOutSteps(document: Document, args: CutOut): Steps<Document> {
     }
     const before = framesBetween(samples, 0, first);
     const after = framesBetween(samples, end, samples.frameCount);
-    if (first === 0) return clipOfFrames(clip, { ...after, startSeconds: samples.startSeconds });
-    if (end === samples.frameCount) return clipOfFrames(clip, before);
+    const removed = (frames: number) =>
+      rippledMarkers(clip.markers, samples.startSeconds + first * samples.frameSeconds, -frames * samples.frameSeconds);
+    if (first === 0) {
+      return withMarkers(clipOfFrames(clip, { ...after, startSeconds: samples.startSeconds }), removed(end - first));
+    }
+    if (end === samples.frameCount) return withMarkers(clipOfFrames(clip, before), removed(end - first));
     const joined = { character: { ...character, skeleton: skeletonOf(character) }, clip, alignment: how.align };
-    return clipOfFrames(clip, yield* joining(joined, before, after, framesOfOverlap(how, before, after)));
+    const overlap = framesOfOverlap(how, before, after);
+    const made = yield* joining(joined, before, after, overlap);
+    return withMarkers(clipOfFrames(clip, made), removed(end - first + overlap));
   });
 }
 
@@ -160,7 +180,15 @@ function* insertingTake(
     const overlap = framesOfOverlap(how, made, part);
     made = yield* within(joining(joined, made, part, overlap), i / others.length, (i + 1) / others.length);
   }
-  return clipOfFrames(clip, { ...made, startSeconds: samples.startSeconds });
+  const start = samples.startSeconds + at * samples.frameSeconds;
+  const added = (made.frameCount - samples.frameCount) * samples.frameSeconds;
+  const other = requireCharacter(document, ref.characterId).clips[ref.clip];
+  const range = rangeOfSamples(middle);
+  const theirs = retimed(markersWithin(other.markers, ...range), (seconds) => seconds - range[0] + start);
+  return withMarkers(clipOfFrames(clip, { ...made, startSeconds: samples.startSeconds }), [
+    ...rippledMarkers(clip.markers, start, added),
+    ...theirs,
+  ]);
 }
 
 /** The frame at or after a time, repeated. */
@@ -179,7 +207,9 @@ function* holding(clip: ChannelClip, atSeconds: number, holdSeconds: number): St
   for (let f = 0; f <= count; f++) values.set(row, (at + f) * width);
   values.set(samples.values.subarray((at + 1) * width), (at + 1 + count) * width);
   yield 1;
-  return clipOfFrames(clip, { ...samples, frameCount, values });
+  const start = samples.startSeconds + (at + 0.5) * samples.frameSeconds;
+  const moved = rippledMarkers(clip.markers, start, count * samples.frameSeconds);
+  return withMarkers(clipOfFrames(clip, { ...samples, frameCount, values }), moved);
 }
 
 /** The frames of another take, at one's own frame rate and in one's own channels. */

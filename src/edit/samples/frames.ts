@@ -7,6 +7,7 @@
  */
 import type { ChannelClip } from '../../model/clip.ts';
 import { rangeOfSamples, type Samples } from '../../model/samples.ts';
+import { markersWithin, withMarkers } from '../markers.ts';
 import { CommandError } from '../store.ts';
 
 /** Up to this many values are copied: 8 MB. */
@@ -60,7 +61,7 @@ export function cropped(clip: ChannelClip, from: number, to: number): ChannelCli
   const kept = framesBetween(samples, first, end);
   const range = rangeOfSamples(kept);
   if (kept === samples && range[0] === clip.range[0] && range[1] === clip.range[1]) return clip;
-  return { ...clip, range, samples: kept };
+  return withMarkers({ ...clip, range, samples: kept }, markersWithin(clip.markers, ...range));
 }
 
 /** The last frame at or before a time; −1 if there is none. */
@@ -87,6 +88,9 @@ export function split(clip: ChannelClip, seconds: number): readonly [ChannelClip
     throw new CommandError('There is nothing to split here: all frames are on one side of the playhead.');
   }
   const parts = [framesBetween(samples, 0, at), framesBetween(samples, at, samples.frameCount)];
-  const [before, after] = parts.map((part) => ({ ...clip, range: rangeOfSamples(part), samples: part }));
+  const [before, after] = parts.map((part) => {
+    const range = rangeOfSamples(part);
+    return withMarkers({ ...clip, range, samples: part }, markersWithin(clip.markers, ...range));
+  });
   return [before, after];
 }

@@ -9,6 +9,7 @@ import type { Channel, ChannelClip } from '../../model/clip.ts';
 import { rangeOfSamples } from '../../model/samples.ts';
 import { sameValue } from '../delta.ts';
 import { withKeysScaled } from '../keys/scale.ts';
+import { retimed, withMarkers } from '../markers.ts';
 import { requireSamples } from './frames.ts';
 
 export function* reversing(clip: ChannelClip): Steps<ChannelClip> {
@@ -28,12 +29,13 @@ export function* reversing(clip: ChannelClip): Steps<ChannelClip> {
   }
   const [start, stop] = rangeOfSamples(samples);
   const mirror = (seconds: number) => start + stop - seconds;
-  return {
+  const reversed = {
     ...clip,
-    range: [mirror(clip.range[1]), mirror(clip.range[0])],
+    range: [mirror(clip.range[1]), mirror(clip.range[0])] as const,
     channels: clip.channels.map((channel) => reversedKeys(channel, (start + stop) / 2)),
     samples: sameValue(backwards, values) ? samples : { ...samples, values: backwards },
   };
+  return withMarkers(reversed, retimed(clip.markers, mirror));
 }
 
 function reversedKeys(channel: Channel, pivotSeconds: number): Channel {

@@ -6,6 +6,7 @@ import type { Steps } from '../../evaluate/steps.ts';
 import type { ChannelClip } from '../../model/clip.ts';
 import type { Character } from '../../model/document.ts';
 import { withKeysScaled } from '../keys/scale.ts';
+import { retimed, withMarkers } from '../markers.ts';
 import { resampling } from './resample.ts';
 
 /** @param factor greater than 0; 2 takes half the time. The same object for 1. */
@@ -19,7 +20,7 @@ export function* retiming(character: Character, clip: ChannelClip, factor: numbe
     return withKeysScaled(channel, [...channel.times.keys()], scaling, 'step').channel;
   });
   const { samples } = clip;
-  const timed: ChannelClip = { ...clip, range: [start, at(end)], channels };
+  const timed: ChannelClip = withMarkers({ ...clip, range: [start, at(end)], channels }, retimed(clip.markers, at));
   if (!samples) return timed;
   const { startSeconds, frameSeconds } = samples;
   const scaled = { ...samples, startSeconds: at(startSeconds), frameSeconds: frameSeconds / factor };

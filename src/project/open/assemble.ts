@@ -1,5 +1,7 @@
 /** Assembles a character from the files that belong to it, and reports parts that don't fit. */
+
 import { lostOver } from '../../edit/carried-over.ts';
+import { withMarkers } from '../../edit/markers.ts';
 import { withSkeleton } from '../../edit/new-character.ts';
 import { withoutUnkeyed } from '../../edit/unkeyed.ts';
 import { checkClip, checkMorph, checkSkin } from '../../evaluate/binding.ts';
@@ -59,7 +61,10 @@ export function withClip(character: Character, clip: ChannelClip, from: PartOrig
   const { clips } = character;
   const at = replacedIndex(clips, from.before?.clips, clip.name);
   const parts = withMark(character, 'clips', at, clip.name, from);
-  return { ...character, parts, clips: put(clips, at, clip), shownClip: at < 0 ? clips.length : at };
+  // Its own file holds no markers: reading it again doesn't remove them.
+  const kept = clip.markers ? undefined : clips[at]?.markers;
+  const marked = kept ? withMarkers(clip, kept) : clip;
+  return { ...character, parts, clips: put(clips, at, marked), shownClip: at < 0 ? clips.length : at };
 }
 
 /** The marks with that of a part from a file, replacing the one at `at`, or appended if `at` is -1. */
@@ -134,7 +139,7 @@ export function withWhole(
   return {
     ...next,
     ...(skins.length && { shownSkin: next.skins.indexOf(skins[0]) }),
-    ...(clips.length && { shownClip: next.clips.indexOf(clips[0]) }),
+    ...(clips.length && { shownClip: next.clips.findIndex(({ name }) => name === clips[0].name) }),
   };
 }
 

@@ -1,0 +1,97 @@
+/** Commands for the markers and labelled spans of a take. Each applies to the shown take unless another is given. */
+import type { ChannelClip } from '../../model/clip.ts';
+import type { Document } from '../../model/document.ts';
+import type { Marker } from '../../model/markers.ts';
+import { finiteNumber, indexIn, listOf } from '../arguments.ts';
+import { changeCharacter, requireCharacter } from '../characters.ts';
+import { sameValue } from '../delta.ts';
+import { withMarkers } from '../markers.ts';
+import { cutName } from '../step-names.ts';
+import { type Command, CommandError } from '../store.ts';
+import { requireTake, withTake } from '../takes.ts';
+
+interface OfTake {
+  readonly characterId: string;
+  /** Index of the character's takes; default: the shown one. */
+  readonly clip?: number | undefined;
+}
+
+/** Adds markers, or spans. One that the take has already is not added again. */
+export const addMarkers: Command<OfTake & { readonly markers: readonly Marker[] }> = {
+  id: 'markers.add',
+  label: (document, args) =>
+    `Add ${args.markers.length === 1 ? 'marker' : `${args.markers.length} markers`} to ${nameOf(document, args)}`,
+  run: (document, args) =>
+    changed(document, args, (clip) => {
+      const own = clip.markers ?? [];
+      const added = listOf(args.markers, 'The markers').map(checkedMarker);
+      const fresh = added.filter((marker) => !own.some((known) => sameValue(known, marker)));
+      return fresh.length ? withMarkers(clip, [...own, ...fresh]) : clip;
+    }),
+};
+
+export interface ChangeMarker extends OfTake {
+  /** Into the take's markers. */
+  readonly index: number;
+  readonly marker: Marker;
+}
+
+/** Moves or renames a marker, or makes it a span. */
+export const changeMarker: Command<ChangeMarker> = {
+  id: 'markers.change',
+  label: (document, args) => `Change marker of ${nameOf(document, args)}`,
+  run: (document, args) =>
+    changed(document, args, (clip) => {
+      const own = clip.markers ?? [];
+      const index = indexIn(args.index, 0, own.length, 'marker');
+      const next = checkedMarker(args.marker);
+      return sameValue(own[index], next) ? clip : withMarkers(clip, own.with(index, next));
+    }),
+};
+
+export interface RemoveMarkers extends OfTake {
+  readonly indices: readonly number[];
+}
+
+export const removeMarkers: Command<RemoveMarkers> = {
+  id: 'markers.remove',
+  label: (document, args) =>
+    `Delete ${args.indices.length === 1 ? 'marker' : `${args.indices.length} markers`} of ${nameOf(document, args)}`,
+  run: (document, args) =>
+    changed(document, args, (clip) => {
+      const own = clip.markers ?? [];
+      const gone = new Set(listOf(args.indices, '"indices"').map((i) => indexIn(i, 0, own.length, 'marker')));
+      return gone.size
+        ? withMarkers(
+            clip,
+            own.filter((_, i) => !gone.has(i)),
+          )
+        : clip;
+    }),
+};
+
+function nameOf(document: Document, { characterId, clip }: OfTake): string {
+  const character = requireCharacter(document, characterId);
+  return cutName(character.clips[clip ?? character.shownClip]?.name ?? 'take');
+}
+
+function changed(document: Document, args: OfTake, change: (clip: ChannelClip) => ChannelClip): Document {
+  return changeCharacter(document, args.characterId, (c) => {
+    if (args.clip === undefined) requireTake(c);
+    const index = args.clip === undefined ? c.shownClip : indexIn(args.clip, 0, c.clips.length, 'take');
+    return withTake(c, index, change(c.clips[index]));
+  });
+}
+
+function checkedMarker(given: unknown): Marker {
+  // Only these fields are read, and all are checked.
+  const { timeSeconds, endSeconds, label } = (given ?? {}) as Partial<Marker>;
+  const time = finiteNumber(timeSeconds, 'The time of a marker');
+  if (typeof label !== 'string') throw new CommandError('The label of a marker must be text.');
+  // A file has one line for each.
+  const plain = label.replace(/\s+/g, ' ').trim();
+  if (endSeconds === undefined) return { timeSeconds: time, label: plain };
+  const end = finiteNumber(endSeconds, 'The end of a span');
+  if (end < time) throw new CommandError(`A span ends at ${end} s, before it begins at ${time} s.`);
+  return { timeSeconds: time, endSeconds: end, label: plain };
+}
