@@ -64,8 +64,20 @@ describe('the text of files', () => {
       await note.filter({ hasText: 'Edited since it was opened: lines are those of the file as it came' }).waitFor();
       await expect.poll(() => lit.count()).toBe(0);
       await toggle.click();
-      await row('changed').waitFor();
-      await page.evaluate(() => window.marrow.run('edit.undo'));
+      // Given again, it is read again, and stays at its line, whatever rows were shown above it.
+      await row('changed').click();
+      await row('old').waitFor();
+      await page.keyboard.press('Control+g');
+      await page.keyboard.type('8');
+      await page.keyboard.press('Enter');
+      const current = page.locator('.source-line.is-current[data-line="8"]');
+      await current.waitFor();
+      await dropFiles(page, [{ name: 'figure.skel', bytes: SKEL.replace('leg', 'knee') }]);
+      await note.waitFor({ state: 'hidden' });
+      await row('old').waitFor({ state: 'detached' });
+      await current.waitFor();
+      await dropFiles(page, [{ name: 'figure.skel', bytes: SKEL }]);
+      await page.getByRole('treeitem', { name: 'leg' }).waitFor();
       await note.waitFor({ state: 'hidden' });
       await row('changed').waitFor({ state: 'detached' });
 

@@ -1,5 +1,6 @@
 /** The problems of a file by line, for its margin. */
 import type { Diagnostic, Severity } from '../../../model/diagnostic.ts';
+import { type LineHunk, lineNow } from '../../../model/text-changes.ts';
 
 const RISING: readonly Severity[] = ['info', 'warning', 'error'];
 
@@ -11,4 +12,23 @@ export function worstFirst(diagnostics: readonly Diagnostic[]): ReadonlyMap<numb
     if (!known || RISING.indexOf(found.severity) > RISING.indexOf(known.severity)) byLine.set(found.line, found);
   }
   return byLine;
+}
+
+/**
+ * Those of a file, at their lines in a text with changes; what was changed has none.
+ *
+ * @param name of the file, as they name it; undefined: no file
+ * @param hunks of the text
+ */
+export function problemsIn(
+  diagnostics: readonly Diagnostic[],
+  name: string | undefined,
+  hunks: readonly LineHunk[],
+): ReadonlyMap<number, Diagnostic> {
+  const inFile = diagnostics.filter(({ file, line }) => file === name && line > 0);
+  const shown = inFile.flatMap((found) => {
+    const line = lineNow(hunks, found.line);
+    return line === undefined ? [] : [{ ...found, line }];
+  });
+  return worstFirst(shown);
 }
