@@ -71,6 +71,9 @@ const PACKAGES: Readonly<Record<string, readonly string[]>> = {
   'idb-keyval': ['io'],
   'lil-gui': ['ui/kit', 'ui/editors'],
   fflate: ['formats', 'exchange', 'io', 'app', 'samples'],
+  // Decoders of compressed glTF.
+  meshoptimizer: ['exchange'],
+  draco3dgltf: ['exchange'],
   'node:': ['cli', 'samples'],
   vite: ['cli'],
 };

@@ -26,6 +26,11 @@ export interface Joint {
   readonly length?: number;
   /** In DOF order, at most one per DOF. Absent rather than empty. */
   readonly couples?: readonly Couple[];
+  /**
+   * The part of the body that it is, where a file says so, as VRM calls it: `leftUpperArm`. Retargeting goes by it before
+   * names.
+   */
+  readonly role?: string;
 }
 
 /**

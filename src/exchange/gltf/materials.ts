@@ -1,0 +1,169 @@
+/** Materials and textures: of each material the base colour and its image, the only ones that a skin can have. */
+import { textureMime } from '../../formats/texture/read.ts';
+import type { Vec3 } from '../../math/vec3.ts';
+import { baseName, type SourceFile, type Texture } from '../../model/files.ts';
+import { cleanName, DistinctNames } from '../clean-names.ts';
+import { counted, type Import, ImportError, type Remarks } from '../imported.ts';
+import type { SceneMaterial } from '../scene.ts';
+import { type Buffers, optional } from './buffers.ts';
+import { readDataUri, unescaped } from './data-uri.ts';
+import { countOf, type Document, extensionOf, type Json, numberOf, numbersOf, objectOf, textOf } from './json.ts';
+
+export interface Materials {
+  readonly materials: readonly SceneMaterial[];
+  readonly textures: readonly Texture[];
+  /** Of the same index as the materials. */
+  readonly mappings: readonly Mapping[];
+  /** Files that were used. */
+  readonly sources: readonly SourceFile[];
+}
+
+/** How a material finds its texture's place of a vertex. */
+export interface Mapping {
+  /** Of `TEXCOORD_0` and so on. */
+  readonly set: number;
+  /** Six numbers a b c d e f: u′ = a·u + b·v + c, v′ = d·u + e·v + f; v down. Absent: none. */
+  readonly transform?: readonly number[];
+}
+
+const NO_MAPPING: Mapping = { set: 0 };
+
+/** Those that a character can't have, with what a message calls them. */
+const OTHER_TEXTURES = {
+  normalTexture: 'normal',
+  occlusionTexture: 'occlusion',
+  emissiveTexture: 'emissive',
+} as const;
+
+export async function readMaterials(
+  document: Document,
+  buffers: Buffers,
+  given: Import,
+  remarks: Remarks,
+): Promise<Materials> {
+  const textures: Texture[] = [];
+  const sources: SourceFile[] = [];
+  const names = new DistinctNames();
+  const images = new Map<number, string | undefined>();
+  const further = new Map<string, number>();
+
+  const imageName = async (texture: Json): Promise<string | undefined> => {
+    const webp = extensionOf(texture, 'EXT_texture_webp')?.source;
+    const index = countOf(texture.source ?? webp);
+    if (index === undefined) {
+      if (extensionOf(texture, 'KHR_texture_basisu')) remarks.leaveOut('textures of Basis Universal (KTX2)');
+      if (extensionOf(texture, 'EXT_texture_avif')) remarks.leaveOut('textures of AVIF');
+      return undefined;
+    }
+    if (!images.has(index)) images.set(index, await readImage(document.at('images', index, 'A texture'), index));
+    return images.get(index);
+  };
+  const readImage = async (image: Json, index: number): Promise<string | undefined> => {
+    const uri = textOf(image.uri);
+    let bytes: Uint8Array<ArrayBuffer> | undefined;
+    let stated = textOf(image.mimeType);
+    if (uri === undefined) bytes = buffers.view(image.bufferView, `image ${index}`).bytes;
+    else {
+      const inside = readDataUri(uri);
+      if (inside) {
+        bytes = inside.bytes;
+        stated ??= inside.mime;
+      } else {
+        const found = await optional(uri, given, remarks);
+        // Named all the same: it may be opened later.
+        if (!found) return baseName(unescaped(uri));
+        bytes = found.bytes;
+        sources.push(found.source);
+      }
+    }
+    const mime = mimeOf(bytes) ?? stated;
+    const extension = EXTENSIONS[mime ?? ''];
+    if (!mime || !extension) {
+      remarks.leaveOut(`the image ${index}, which is ${mime ?? 'of no known type'}`);
+      return undefined;
+    }
+    const file = uri === undefined || uri.startsWith('data:') ? undefined : baseName(unescaped(uri));
+    const called = cleanName(file ?? textOf(image.name) ?? '') || `texture_${index}`;
+    const name = names.add(textureNamed(called, extension));
+    // A copy: the file's own bytes would all be kept with it, and passed from the worker.
+    textures.push({ name, mime, bytes: bytes.slice() });
+    return name;
+  };
+
+  const materials: SceneMaterial[] = [];
+  const mappings: Mapping[] = [];
+  for (const [index, json] of document.all('materials').entries()) {
+    const rough = objectOf(json.pbrMetallicRoughness);
+    const glossy = extensionOf(json, 'KHR_materials_pbrSpecularGlossiness');
+    const info = objectOf(rough?.baseColorTexture) ?? objectOf(glossy?.diffuseTexture);
+    const factor = numbersOf(rough?.baseColorFactor, 4) ?? numbersOf(glossy?.diffuseFactor, 4);
+    let texture: string | undefined;
+    if (info) {
+      try {
+        texture = await imageName(document.at('textures', info.index, `Material ${index}`));
+      } catch (error) {
+        // A picture is no reason to lose the character.
+        if (!(error instanceof ImportError)) throw error;
+        remarks.warn(error.code, error.message, 'drawn without it');
+      }
+    }
+    for (const [key, called] of Object.entries(OTHER_TEXTURES)) if (json[key]) count(further, called);
+    if (rough?.metallicRoughnessTexture) count(further, 'metallic');
+    const color = colorOf(factor, texture !== undefined);
+    materials.push({
+      name: textOf(json.name) ?? '',
+      ...(color && { color }),
+      ...(texture !== undefined && { texture }),
+    });
+    mappings.push(info ? mappingOf(info) : NO_MAPPING);
+  }
+  const total = [...further.values()].reduce((sum, n) => sum + n, 0);
+  if (total) remarks.leaveOut(`${counted(total, 'further texture')} of materials (${[...further.keys()].join(', ')})`);
+  return { materials, textures, mappings, sources };
+}
+
+function count(counts: Map<string, number>, key: string): void {
+  counts.set(key, (counts.get(key) ?? 0) + 1);
+}
+
+/** White, which changes nothing, is left out beside a texture. */
+function colorOf(factor: readonly number[] | undefined, isTextured: boolean): Vec3 | undefined {
+  if (!factor) return undefined;
+  const color: Vec3 = [factor[0], factor[1], factor[2]];
+  return isTextured && color.every((c) => c === 1) ? undefined : color;
+}
+
+/** The KHR_texture_transform of a texture: T(offset) · R(rotation) · S(scale). */
+function mappingOf(info: Json): Mapping {
+  const own = extensionOf(info, 'KHR_texture_transform');
+  const set = countOf(own?.texCoord) ?? countOf(info.texCoord) ?? 0;
+  if (!own) return { set };
+  const [ox, oy] = numbersOf(own.offset, 2) ?? [0, 0];
+  const [sx, sy] = numbersOf(own.scale, 2) ?? [1, 1];
+  const angle = numberOf(own.rotation) ?? 0;
+  const [c, s] = [Math.cos(angle), Math.sin(angle)];
+  return { set, transform: [sx * c, sy * s, ox, -sx * s, sy * c, oy] };
+}
+
+const EXTENSIONS: Readonly<Record<string, string>> = {
+  'image/png': 'png',
+  'image/jpeg': 'jpg',
+  'image/webp': 'webp',
+  'image/bmp': 'bmp',
+};
+
+/** By the first bytes, which are right more often than what files say. */
+function mimeOf(bytes: Uint8Array): string | undefined {
+  const text = String.fromCharCode(...bytes.subarray(0, 12));
+  if (text.startsWith('\x89PNG')) return textureMime('png');
+  if (text.startsWith('\xff\xd8\xff')) return textureMime('jpg');
+  if (text.startsWith('RIFF') && text.slice(8) === 'WEBP') return textureMime('webp');
+  if (text.startsWith('BM')) return textureMime('bmp');
+  return undefined;
+}
+
+/** The name with that extension, unless it has an equivalent one. */
+function textureNamed(name: string, extension: string): string {
+  const own = name.slice(name.lastIndexOf('.') + 1).toLowerCase();
+  return own === extension || (own === 'jpeg' && extension === 'jpg') ? name : `${name}.${extension}`;
+}

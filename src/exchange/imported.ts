@@ -1,0 +1,80 @@
+/** What reading a file of another program takes and gives: its reader may wait for other files and for decoders. */
+import { type Diagnostic, withoutPlace } from '../model/diagnostic.ts';
+import type { SourceFile } from '../model/files.ts';
+import type { Scene } from './scene.ts';
+
+export interface Import {
+  /** Without folders. */
+  readonly fileName: string;
+  readonly bytes: Uint8Array<ArrayBuffer>;
+  /**
+   * A file that this one names, by its path relative to it, `/` between folders; undefined if it was not given.
+   */
+  beside(path: string): Promise<Beside | undefined>;
+}
+
+export interface Beside {
+  readonly source: SourceFile;
+  readonly bytes: Uint8Array<ArrayBuffer>;
+}
+
+export interface Imported {
+  /** Absent if and only if there is an error. */
+  readonly scene?: Scene;
+  /** Other files that were used. */
+  readonly beside?: readonly SourceFile[];
+  readonly diagnostics: readonly Diagnostic[];
+}
+
+/** Thrown inside a reader when nothing of the file can be used; what it says is told as an error. */
+export class ImportError extends Error {
+  override readonly name = 'ImportError';
+  constructor(
+    /** As of a diagnostic. */
+    readonly code: string,
+    message: string,
+  ) {
+    super(message);
+  }
+}
+
+/** What is wrong with or lost of a file, while it is read. Each sentence is told once. */
+export class Remarks {
+  private readonly told: Diagnostic[] = [];
+  private readonly lost = new Set<string>();
+
+  constructor(private readonly fileName: string) {}
+
+  /** @param assumed what is used instead */
+  warn(code: string, message: string, assumed: string): void {
+    if (this.told.some((d) => d.code === code && d.message === message)) return;
+    this.told.push(withoutPlace('warning', code, message, this.fileName, assumed));
+  }
+
+  /** Names something that a character can't hold: "2 cameras". */
+  leaveOut(what: string): void {
+    this.lost.add(what);
+  }
+
+  /** What a thrown error says. */
+  error({ code, message }: ImportError): Diagnostic {
+    return withoutPlace('error', code, message, this.fileName);
+  }
+
+  /** All of it; what is left out in one message. */
+  finish(): readonly Diagnostic[] {
+    const shown = this.told.slice(0, MOST_SHOWN);
+    const more = this.told.length - shown.length;
+    if (more > 0) shown.push(withoutPlace('warning', 'more-warnings', `And ${more} more warnings.`, this.fileName));
+    if (this.lost.size === 0) return shown;
+    const message = `Not read: ${[...this.lost].join(', ')}.`;
+    return [...shown, withoutPlace('info', 'content-left-out', message, this.fileName, 'left out')];
+  }
+}
+
+const MOST_SHOWN = 20;
+
+/** "1 camera", "2 cameras". */
+export function counted(count: number, one: string, many = `${one}s`): string {
+  return `${count} ${count === 1 ? one : many}`;
+}
