@@ -1,0 +1,56 @@
+/** What is done to rows of the outliner: selecting, activating, renaming. */
+import { renameCharacter, showClip, showSkin } from '../../../edit/commands/characters.ts';
+import { renameClip } from '../../../edit/commands/clips.ts';
+import { withJoints, withJointToggled } from '../../../model/selected-joints.ts';
+import { selectedJointsOf } from '../../state/selected-joint.ts';
+import type { Uses } from '../../state/workbench.ts';
+import type { OutlineRow } from './outline-rows.ts';
+
+export function select(wb: Uses<'store'>, { kind, characterId, index }: OutlineRow): void {
+  if (kind === 'joint') wb.store.select({ characterId, joint: index });
+  else if (kind === 'character' || wb.store.selection.characterId !== characterId) wb.store.select({ characterId });
+}
+
+export function isSelected(wb: Uses<'store'>, { kind, characterId, index }: OutlineRow): boolean {
+  return kind === 'joint' && selectedJointsOf(wb, characterId).includes(index);
+}
+
+/** Only joints can be selected together. */
+export function toggleSelected(wb: Uses<'store'>, row: OutlineRow): void {
+  const { kind, characterId, index } = row;
+  if (kind === 'joint') wb.store.select(withJointToggled(wb.store.selection, { characterId, joint: index }));
+  else select(wb, row);
+}
+
+/** The joints among these rows that belong to the character of the last one. */
+export function selectRange(wb: Uses<'store'>, rows: readonly OutlineRow[]): void {
+  const last = rows.at(-1);
+  if (last?.kind === 'joint') {
+    const { characterId } = last;
+    const joints = rows.filter((row) => row.kind === 'joint' && row.characterId === characterId);
+    const indices = joints.map(({ index }) => index);
+    wb.store.select(withJoints({ characterId }, indices));
+  } else if (last) select(wb, last);
+}
+
+export function activate(wb: Uses<'store' | 'viewport'>, row: OutlineRow): void {
+  const { kind, characterId, index } = row;
+  if (kind === 'skin') wb.store.apply(showSkin, { characterId, skin: index });
+  else if (kind === 'clip') wb.store.apply(showClip, { characterId, clip: index });
+  else if (kind === 'character') wb.viewport.frameSelection({ characterId });
+  else if (kind === 'joint') wb.viewport.frameSelection({ characterId, joint: index });
+}
+
+export function canRename({ kind }: OutlineRow): boolean {
+  return kind === 'character' || kind === 'clip' || kind === 'joint';
+}
+
+export function rename(
+  wb: Uses<'store' | 'transport' | 'posing' | 'messages'>,
+  { kind, characterId, index }: OutlineRow,
+  name: string,
+): void {
+  if (kind === 'joint') void import('../rig/rig-edits.ts').then((m) => m.renameIt(wb, characterId, index, name));
+  else if (kind === 'clip') wb.store.apply(renameClip, { characterId, clip: index, name });
+  else wb.store.apply(renameCharacter, { characterId, name });
+}
