@@ -1,6 +1,7 @@
 /** Results of reading: one model per file, whatever its format. */
 import type { ChannelClip } from './clip.ts';
 import type { Dump } from './dump.ts';
+import type { Marker } from './markers.ts';
 import type { Morph } from './morph.ts';
 import type { PoseByNames } from './pose-by-names.ts';
 import type { PoseLibrary } from './poses.ts';
@@ -50,6 +51,8 @@ interface Contents {
   /** Whole characters, with everything they need inside the file. */
   readonly character: { readonly file: { readonly characters: readonly WholeCharacter[] } };
   readonly texture: { readonly file: { readonly texture: Texture } };
+  /** Labels of times of a take, which it is called after. */
+  readonly markers: { readonly file: { readonly markers: readonly Marker[] } };
   /** Numbers of another program, to be compared with a character. */
   readonly dump: { readonly file: { readonly dump: Dump } };
 }

@@ -12,6 +12,7 @@ import { type ChannelClip, keysOf } from '../model/clip.ts';
 import { type Character, isBvh, shownClip, shownSkin } from '../model/document.ts';
 import { jointDofCount } from '../model/dofs.ts';
 import type { ContentOf, FileContent, FileKind, WholeCharacter } from '../model/files.ts';
+import { MARKERS_EXTENSION } from '../model/markers.ts';
 import { withPositions } from '../model/position-channels.ts';
 import { rangeOfSamples } from '../model/samples.ts';
 import type { Skeleton } from '../model/skeleton.ts';
@@ -136,6 +137,18 @@ export const KINDS = {
     label: 'image',
     content: 'texture',
   },
+  markers: {
+    extensions: [MARKERS_EXTENSION],
+    label: 'markers',
+    content: 'markers',
+    isRare: true,
+    save: {
+      label: 'Markers (.markers.json)',
+      has: ({ clips }) => clips.some(({ markers }) => markers !== undefined),
+      // They are kept with their takes.
+      isOwn: () => false,
+    },
+  },
   // Told by content; other texts with these extensions are read as dumps without numbers.
   dump: {
     extensions: DUMP_EXTENSIONS,
@@ -171,9 +184,9 @@ export const WRITABLE_EXTENSIONS: readonly string[] = SAVED_KINDS.flatMap((kind)
 
 /** The kind of a file by its extension, in any case; undefined for other files. */
 export function formatKindOf(fileName: string): FormatKind | undefined {
-  const dot = fileName.lastIndexOf('.');
-  const extension = dot < 0 ? '' : fileName.slice(dot + 1).toLowerCase();
-  return FORMAT_KINDS.find((kind) => KINDS[kind].extensions.some((own) => own === extension));
+  const name = fileName.toLowerCase();
+  // Kinds with a longer extension come first: `.markers.json` is no `.json`.
+  return FORMAT_KINDS.find((kind) => KINDS[kind].extensions.some((own) => name.endsWith(`.${own}`)));
 }
 
 /** What opening makes of the content of a file (`open/open-files.ts`). */
@@ -202,7 +215,7 @@ export interface PartOpening<C> {
  * of their own. One more gets its rules in `open/grouping.ts` and `open/open-files.ts`.
  */
 export interface OtherOpening {
-  readonly as: 'rig' | 'poses' | 'texture' | 'dump';
+  readonly as: 'rig' | 'poses' | 'texture' | 'dump' | 'markers';
 }
 
 /** What a file is in an opening. */
@@ -236,6 +249,7 @@ const OPENINGS: { readonly [K in FileKind]: Opening<ContentOf<K>> } = {
   character: { as: 'characters', characters: ({ characters }) => characters, takesParts: false },
   texture: { as: 'texture' },
   dump: { as: 'dump' },
+  markers: { as: 'markers' },
 };
 
 function bare(skeleton: Skeleton, clip?: ChannelClip): WholeCharacter {
@@ -309,6 +323,7 @@ const FACTS: { readonly [K in FileKind]: (content: ContentOf<K>) => Facts } = {
     textures: characters.flatMap(({ textures }) => textures.map(({ name }) => name)),
   }),
   texture: ({ texture: { mime, bytes } }) => ({ mime, bytes: bytes.length }),
+  markers: ({ markers }) => ({ markers: markers.length, labels: markers.map(({ label }) => label) }),
   dump: ({ dump: { blocks, time: stated } }) => ({
     blocks: blocks.map(({ holds, time = stated, values, lines }) => ({
       ...(holds && { holds }),

@@ -4,6 +4,7 @@ import { bvhReader } from '../formats/bvh/read.ts';
 import { diagnose } from '../formats/diagnose/diagnose.ts';
 import { TEXT_LAYOUTS, type TextLayout } from '../formats/diagnose/layouts.ts';
 import { dumpReader } from '../formats/dump/read.ts';
+import { markersReader } from '../formats/markers/read.ts';
 import { morphReader } from '../formats/morph/read.ts';
 import { poseReader } from '../formats/pose/read.ts';
 import type { Reader } from '../formats/reader.ts';
@@ -32,6 +33,7 @@ const READERS: { readonly [K in FormatKind]: MakeReader<HeldBy<K>> } = {
   bvh: captured,
   pose: (name) => mapped(poseReader(name), (poses) => ({ kind: 'pose', poses })),
   texture: (name) => mapped(textureReader(name), (texture) => ({ kind: 'texture', texture })),
+  markers: (name) => mapped(markersReader(name), (markers) => ({ kind: 'markers', markers })),
   dump: (name) => mapped(dumpReader(name), (dump) => ({ kind: 'dump', dump })),
 };
 

@@ -1,6 +1,7 @@
 /** The writer of each kind of file, fetched when something is saved; readers are in `readers.ts`. */
 import { writeAnim } from '../formats/anim/write.ts';
 import { writeBvh } from '../formats/bvh/write.ts';
+import { writeMarkers } from '../formats/markers/write.ts';
 import { writeMorph } from '../formats/morph/write.ts';
 import { writePoses } from '../formats/pose/write.ts';
 import type { WriteResult, WrittenPieces } from '../formats/reader.ts';
@@ -17,6 +18,7 @@ import {
   bvhCopies,
   type ConversionOptions,
   type Copy,
+  markersCopies,
   rigCopies,
   skelCopies,
 } from './save/copies.ts';
@@ -105,6 +107,13 @@ export const WRITERS: { readonly [K in SavedKind]: Writer<HeldBy<K>> } = {
   pose: {
     write: ({ poses }, name) => writePoses(poses, name),
     detail: ({ poses }) => [{ count: poses?.length ?? 0, one: 'pose' }],
+  },
+  markers: {
+    write: ({ markers }) => writeMarkers(markers),
+    detail: ({ clips }) => [
+      { count: clips.reduce((sum, { markers }) => sum + (markers?.length ?? 0), 0), one: 'marker' },
+    ],
+    copies: markersCopies,
   },
 };
 

@@ -43,6 +43,13 @@ const EXAMPLES: Readonly<Record<FormatKind, FileContent | GivenFile>> = {
     figures: [bvhFigure({ name: 'x', joints: [bvhJoint(-1, ['rx'], { name: 'hips' })] }, [[0], [5]])],
   },
   pose: { kind: 'pose', poses: [{ name: 'x', joints: [], weights: [] }] },
+  markers: {
+    kind: 'markers',
+    markers: [
+      { timeSeconds: 0.5, label: 'step' },
+      { timeSeconds: 1, endSeconds: 2.5, label: 'a "quote"' },
+    ],
+  },
   dump: {
     bytes: 'world\n0 1 2\n',
     content: {

@@ -101,7 +101,7 @@ export function groupFiles(files: readonly ReadFile[], called: FileNaming): Grou
   }
 
   // Poses are matched to characters by their joints, images by the names in skins.
-  const loose: Record<LooseRole, ReadFile[]> = { part: [], poses: [], texture: [], dump: [] };
+  const loose: Record<LooseRole, ReadFile[]> = { part: [], markers: [], poses: [], texture: [], dump: [] };
   for (const file of files) {
     const { as } = openingOf(file.kind);
     if (as === 'characters' || as === 'rig' || taken.has(file)) continue;

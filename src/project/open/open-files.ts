@@ -6,6 +6,7 @@
  * them is opened and the character is unchanged. Other characters in the same drop are not affected.
  */
 
+import { withMarkers } from '../../edit/markers.ts';
 import { newCharacter } from '../../edit/new-character.ts';
 import { placeBeside } from '../../edit/place-beside.ts';
 import { sameJoints } from '../../edit/pose/same-joints.ts';
@@ -16,6 +17,7 @@ import { type Character, type Document, EMPTY_DOCUMENT, findCharacter, type Unus
 import {
   type BrokenFile,
   byFileName,
+  type ContentOf,
   type FileContent,
   type FileKind,
   type FileNaming,
@@ -26,6 +28,7 @@ import {
   stemOf,
   type WholeCharacter,
 } from '../../model/files.ts';
+import { MARKERS_EXTENSION } from '../../model/markers.ts';
 import { skeletonKey } from '../../model/skeleton-key.ts';
 import type { GuessedSpace, Space } from '../../model/space.ts';
 import { openingOf, type PartOpening } from '../kinds.ts';
@@ -118,6 +121,9 @@ class Opening {
       // After all characters, each of which they can apply to.
       poses: (loose) => {
         for (const file of loose) if (file.kind === 'pose') this.openPoses(file);
+      },
+      markers: (loose) => {
+        for (const file of loose) if (file.kind === 'markers') this.openMarkers(file);
       },
       // Given to skins at the end, together with those that were waiting.
       texture: () => undefined,
@@ -243,6 +249,21 @@ class Opening {
     this.used.add(file);
   }
 
+  /** Gives markers to the take that they are called after: one from the same folder, just opened, or any. */
+  private openMarkers(file: ContentOf<'markers'> & { readonly source: SourceFile }): void {
+    const { characters } = this;
+    const found = takeCalled(file.source, [...characters.filter((c) => this.opened.has(c.id)), ...characters]);
+    if (!found) {
+      this.unused.push({ file, why: 'No open take has the name of these markers.' });
+      return;
+    }
+    const { character, clip } = found;
+    const clips = character.clips.with(clip, withMarkers(character.clips[clip], file.markers));
+    this.characters = characters.map((c) => (c === character ? { ...c, clips } : c));
+    this.opened.add(character.id);
+    this.used.add(file);
+  }
+
   /** Gives waiting files to characters that were just opened, matched by name; the others keep waiting. */
   private takeUpWaiting(): void {
     for (const waiting of this.waiting) {
@@ -250,6 +271,10 @@ class Opening {
       if (this.used.has(file) || file.kind === 'texture' || this.unused.some((u) => u.file === file)) continue;
       if (file.kind === 'pose') {
         this.openPoses(file);
+        continue;
+      }
+      if (file.kind === 'markers') {
+        this.openMarkers(file);
         continue;
       }
       const fresh = this.characters.filter((c) => this.opened.has(c.id));
@@ -320,7 +345,7 @@ class Opening {
 
 /** Whether the files are poses or dumps only, which show nothing by themselves. */
 function isForCharacters(files: readonly { readonly kind: FileKind }[]): boolean {
-  return files.length > 0 && files.every(({ kind }) => kind === 'pose' || kind === 'dump');
+  return files.length > 0 && files.every(({ kind }) => kind === 'pose' || kind === 'dump' || kind === 'markers');
 }
 
 function charactersIn(file: ParsedFile): readonly WholeCharacter[] {
@@ -358,6 +383,18 @@ function bySkinName(source: SourceFile, characters: readonly Character[]): Chara
     }
   }
   return best;
+}
+
+/** `walk.markers.json` → the take `walk`, first of a character from the same folder. */
+function takeCalled(source: SourceFile, characters: readonly Character[]) {
+  const name = source.name.slice(0, -MARKERS_EXTENSION.length - 1);
+  const folder = folderOf(source);
+  const isNear = (c: Character) => c.sources.some((own) => folderOf(own) === folder);
+  for (const character of [...characters.filter(isNear), ...characters]) {
+    const clip = character.clips.findIndex((own) => sameName(own.name, name));
+    if (clip >= 0) return { character, clip };
+  }
+  return undefined;
 }
 
 /** Whether the character has a file of that name from the same folder; a file without a folder matches any. */

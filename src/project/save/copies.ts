@@ -8,6 +8,7 @@ import { partsOf } from '../../model/character-parts.ts';
 import type { Diagnostic } from '../../model/diagnostic.ts';
 import type { Character } from '../../model/document.ts';
 import type { FileContent } from '../../model/files.ts';
+import { MARKERS_EXTENSION } from '../../model/markers.ts';
 import { newFileName } from '../../model/part.ts';
 import type { Rig } from '../../model/rig.ts';
 import type { Skeleton } from '../../model/skeleton.ts';
@@ -67,6 +68,13 @@ export function bvhCopy(name: string, figures: readonly NamedFigure[]): Copy {
     content: () => ({ kind: 'bvh', figures: figures.map(({ figure }) => figure) }),
     diagnostics: figures.flatMap(({ diagnostics }) => diagnostics),
   };
+}
+
+/** A file for each take that has markers, called after it. */
+export function markersCopies({ clips }: Pick<Character, 'clips'>): readonly Copy[] {
+  return clips.flatMap(({ name, markers }) =>
+    markers ? [{ name: `${name}.${MARKERS_EXTENSION}`, content: () => ({ kind: 'markers', markers }) }] : [],
+  );
 }
 
 /** The names of the files of its own parts. */

@@ -3,8 +3,9 @@ import { partsOf } from '../../model/character-parts.ts';
 import { type Character, type Document, findCharacter } from '../../model/document.ts';
 import { fileNameOf, type Part } from '../../model/part.ts';
 import type { SavedKind } from '../kinds.ts';
+import { markersCopies } from './copies.ts';
 import { distinctNames } from './distinct-names.ts';
-import type { Output } from './output.ts';
+import { type Output, outputOf } from './output.ts';
 import type { Owned, PoseOf } from './owned.ts';
 import type { UnsavedPart } from './saved-parts.ts';
 import { jointPose } from './saved-poses.ts';
@@ -26,9 +27,15 @@ export function changedFiles(document: Document, unsaved: readonly UnsavedPart[]
     const character = findCharacter(document, characterId);
     const part = character && partsOf(character).filter((own) => own.kind === kind)[index];
     if (!part || jobs.some((job) => job.holds.some((held) => held.part.id === part.id))) continue;
-    jobs.push(fileOf(document, character, part, poseOf));
+    jobs.push(fileOf(document, character, part, poseOf), ...markersBeside(part));
   }
   return jobs;
+}
+
+/** The markers of a take, beside its file. */
+function markersBeside(part: Part): readonly Job[] {
+  const clip = part.kind === 'bvh' ? part.content.clip : part.kind === 'anim' ? part.content : undefined;
+  return clip ? markersCopies({ clips: [{ ...clip, name: part.name }] }).map((copy) => copyJob(outputOf(copy))) : [];
 }
 
 /** The files of a character in one format. */
