@@ -259,7 +259,8 @@ function inside(curve: FbxCurve, time: number): number {
   if (key + 1 >= times.length || time <= times[key]) return values[key];
   const duration = times[key + 1] - times[key];
   const part = (time - times[key]) / duration;
-  const [v0, v1] = [values[key], values[key + 1]];
+  const v0 = values[key];
+  const v1 = values[key + 1];
   switch (spans[key]) {
     case HOLD:
       return v0;
@@ -268,14 +269,20 @@ function inside(curve: FbxCurve, time: number): number {
     case LINE:
       return v0 + (v1 - v0) * part;
     default: {
-      const [w0, w1] = [curve.weightsOut[key], curve.weightsIn[key + 1]];
-      const t = bezierParameter(w0, 1 - w1, part);
+      const w0 = curve.weightsOut[key];
+      const w1 = curve.weightsIn[key + 1];
+      // With handles of a third, time is even along the curve.
+      const t = isThird(w0) && isThird(w1) ? part : bezierParameter(w0, 1 - w1, part);
       const u = 1 - t;
       const a = v0 + curve.slopesOut[key] * w0 * duration;
       const b = v1 - curve.slopesIn[key + 1] * w1 * duration;
       return u * u * u * v0 + 3 * u * t * (u * a + t * b) + t * t * t * v1;
     }
   }
+}
+
+function isThird(weight: number): boolean {
+  return Math.abs(weight - THIRD) < 1e-9;
 }
 
 /** Where x(t) of a Bézier curve from 0 to 1 with handles at `a` and `b`, both within, is `x`: by bisected Newton steps. */

@@ -11,7 +11,7 @@ export type Fitted = (time: number, near: Float64Array, out: Float64Array) => vo
 /** Cuts of a span; real motion needs few. */
 const MAX_CUTS = 8;
 /** Where a span is compared with the function. */
-const CHECKED = [0.08, 0.21, 0.36, 0.5, 0.64, 0.79, 0.92];
+const CHECKED = [0.1, 0.3, 0.5, 0.7, 0.9];
 /** How far from its end, as part of a span, slopes are measured. */
 const STEP = 1e-4;
 

@@ -2,11 +2,12 @@
  * Where the nodes of an FBX scene are at a time of a take: the reference for what takes become as curves of joints, and
  * what they are computed from where pivots or layers stand between the two.
  */
+import { RADIANS_PER_DEGREE } from '../../math/degrees.ts';
 import { writeRotation } from '../../math/quaternion.ts';
 import { slerp } from '../../math/slerp.ts';
-import { type Driven, drivenKey, type FbxTake, layerWeight } from './animation.ts';
+import { type Driven, drivenKey, type FbxLayer, type FbxTake, layerWeight } from './animation.ts';
 import { evaluateCurve } from './curve.ts';
-import { type FbxNode, inRadians, writeNodeRotation, writeNodeTranslation } from './nodes.ts';
+import { type FbxNode, writeNodeRotation, writeNodeTranslation } from './nodes.ts';
 import { multiplyQuaternions, writeAnglesNear, writeQuaternion } from './rotation.ts';
 
 export type MovedProperty = 'Lcl Translation' | 'Lcl Rotation' | 'Lcl Scaling';
@@ -24,6 +25,7 @@ export class NodeMotion {
   readonly translation = new Float64Array(3);
   readonly angles = new Float64Array(3);
   readonly scale = new Float64Array(3);
+  private readonly layers: readonly FbxLayer[];
   private readonly translating: (Driven | undefined)[];
   private readonly rotating: (Driven | undefined)[];
   private readonly scaling: (Driven | undefined)[];
@@ -33,8 +35,9 @@ export class NodeMotion {
 
   constructor(
     private readonly node: FbxNode,
-    private readonly take: FbxTake | undefined,
+    take: FbxTake | undefined,
   ) {
+    this.layers = take?.layers ?? [];
     const { id } = node.object;
     this.translating = driversOf(take, id, 'Lcl Translation');
     this.rotating = driversOf(take, id, 'Lcl Rotation');
@@ -46,7 +49,8 @@ export class NodeMotion {
     this.translation.set(this.node.translation);
     this.angles.set(this.node.angles);
     this.scale.set(this.node.scale);
-    for (const [l, layer] of (this.take?.layers ?? []).entries()) {
+    for (let l = 0; l < this.layers.length; l++) {
+      const layer = this.layers[l];
       const weight = l === 0 ? 1 : layerWeight(layer, time);
       const translating = this.translating[l];
       const rotating = this.rotating[l];
@@ -55,7 +59,7 @@ export class NodeMotion {
       if (translating) this.blend(this.translation, this.read(translating, time), mode, weight);
       if (rotating) {
         this.read(rotating, time);
-        this.value.set(inRadians([this.value[0], this.value[1], this.value[2]]));
+        for (let k = 0; k < 3; k++) this.value[k] *= RADIANS_PER_DEGREE;
         if (mode !== 'override' && layer.composesRotation) this.turn(mode, weight);
         else this.blend(this.angles, this.value, mode, weight);
       }

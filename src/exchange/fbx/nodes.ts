@@ -137,7 +137,10 @@ export function writeNodeTranslation(
   const x = scalingOffset[0] + scalingPivot[0] * (1 - scale[0]) - rotationPivot[0];
   const y = scalingOffset[1] + scalingPivot[1] * (1 - scale[1]) - rotationPivot[1];
   const z = scalingOffset[2] + scalingPivot[2] * (1 - scale[2]) - rotationPivot[2];
-  const [qx, qy, qz, qw] = rotation;
+  const qx = rotation[0];
+  const qy = rotation[1];
+  const qz = rotation[2];
+  const qw = rotation[3];
   const cx = qy * z - qz * y + qw * x;
   const cy = qz * x - qx * z + qw * y;
   const cz = qx * y - qy * x + qw * z;
