@@ -39,6 +39,10 @@ export class JointTransforms {
   private readonly eulerDofs: Int32Array;
   private readonly eulerAxes: Int32Array;
   private readonly eulerSigns: Float64Array;
+  /** DOFs along an axis of these joints; which of `ways` they move, and from where. */
+  private readonly slidingDofs: Int32Array;
+  private readonly slidingWays: Int32Array;
+  private readonly slidingOffsets: Float64Array;
   /** All other joints. */
   private readonly otherJoints: Int32Array;
   private readonly halves: Float64Array;
@@ -61,7 +65,7 @@ export class JointTransforms {
     this.local = new Float64Array(4 * count);
     this.world = new Float64Array(4 * count);
     this.positions = new Float64Array(3 * count);
-    this.ways = new Float64Array(3 * count);
+    this.ways = Float64Array.from(compiled.offsets);
     const eulers: number[] = [];
     const others: number[] = [];
     for (let j = 0; j < count; j++) (compiled.turns[3 * j] >= 0 ? eulers : others).push(j);
@@ -74,6 +78,10 @@ export class JointTransforms {
     this.eulerDofs = Int32Array.from(rules.flatMap(({ dofs }) => dofs));
     this.eulerAxes = Int32Array.from(rules.flatMap(({ axes }) => axes));
     this.eulerSigns = Float64Array.from(rules, ({ sign }) => sign);
+    const sliding = eulers.flatMap((j) => [3 * j, 3 * j + 1, 3 * j + 2]).filter((way) => compiled.slides[way] >= 0);
+    this.slidingDofs = Int32Array.from(sliding, (way) => compiled.slides[way]);
+    this.slidingWays = Int32Array.from(sliding);
+    this.slidingOffsets = Float64Array.from(sliding, (way) => compiled.offsets[way]);
     this.otherJoints = Int32Array.from(others);
     this.halves = new Float64Array(3 * eulers.length);
     this.turned = new Float64Array(6 * eulers.length);
@@ -111,9 +119,9 @@ export class JointTransforms {
   }
 
   private poseEulers(dofs: Float64Array): void {
-    const { compiled, eulerJoints, eulerDofs, eulerAxes, eulerSigns, halves, turned, ways, isFirst } = this;
+    const { eulerJoints, eulerDofs, eulerAxes, eulerSigns, halves, turned, isFirst } = this;
+    const { ways, slidingDofs, slidingWays, slidingOffsets } = this;
     const q = this.local;
-    const { offsets, slides } = compiled;
     for (let r = 0; r < eulerJoints.length; r++) {
       const half = eulerSigns[r] / 2;
       halves[3 * r] = half * dofs[eulerDofs[3 * r]];
@@ -149,11 +157,8 @@ export class JointTransforms {
       q[b] = sign * y;
       q[c] = sign * z;
       q[o + 3] = w;
-      for (let k = 0; k < 3; k++) {
-        const slide = slides[3 * j + k];
-        ways[3 * j + k] = offsets[3 * j + k] + (slide < 0 ? 0 : dofs[slide]);
-      }
     }
+    for (let i = 0; i < slidingDofs.length; i++) ways[slidingWays[i]] = slidingOffsets[i] + dofs[slidingDofs[i]];
   }
 
   private poseOthers(dofs: Float64Array): void {
@@ -168,7 +173,12 @@ export class JointTransforms {
       put(local, 4 * j, quaternion[0], quaternion[1], quaternion[2], quaternion[3], isFirst);
     }
     if (!compiled.hasRootTranslation) return;
-    for (let k = 0; k < 3; k++) ways[k] += dofs[k];
+    // Of a root with three angles nothing has been computed yet in this frame.
+    const isEuler = compiled.turns[0] >= 0;
+    for (let k = 0; k < 3; k++) {
+      const slide = compiled.slides[k];
+      ways[k] = dofs[k] + (isEuler ? offsets[k] + (slide < 0 ? 0 : dofs[slide]) : ways[k]);
+    }
   }
 
   /** World rotations and positions, from the root down. */

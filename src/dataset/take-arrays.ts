@@ -23,11 +23,9 @@ import { applySpace } from '../evaluate/space.ts';
 import type { Skeleton } from '../model/skeleton.ts';
 import type { Space } from '../model/space.ts';
 import type { DataArray, Floats } from './data-array.ts';
+import type { FloatPool, Precision } from './float-pool.ts';
 import { JointTransforms } from './joint-transforms.ts';
 import type { Take } from './take.ts';
-
-export const PRECISIONS = ['float32', 'float64'] as const;
-export type Precision = (typeof PRECISIONS)[number];
 
 /** Numbers per joint and frame: positions, two quaternions, 6D, velocities. */
 const PER_JOINT = 3 + 4 + 4 + 6 + 3;
@@ -57,14 +55,18 @@ export interface TakeArrays {
   readonly carrier: number;
 }
 
-/** @throws CommandError if they would be too large */
-export function takeArrays(take: Take, precision: Precision): TakeArrays {
+/**
+ * @param pool of which the floats are taken: those of one take are overwritten by the next
+ * @throws CommandError if they would be too large
+ */
+export function takeArrays(take: Take, pool: FloatPool): TakeArrays {
   const { character, skeleton, space, frames, first, count, fps } = take;
   const { joints } = skeleton;
   const J = joints.length;
   const ends = joints.flatMap(({ endSites = [] }, joint) => endSites.map((at) => ({ joint, at })));
-  refuseTooLarge(count, PER_JOINT * J + 3 * ends.length + 3, precision);
-  const floats = (size: number): Floats => (precision === 'float64' ? new Float64Array(size) : new Float32Array(size));
+  pool.reset();
+  refuseTooLarge(count, PER_JOINT * J + 3 * ends.length + 3, pool.precision);
+  const floats = (size: number) => pool.take(size);
   const positions = floats(3 * J * count);
   const worldQuat = floats(4 * J * count);
   const localQuat = floats(4 * J * count);
@@ -229,8 +231,11 @@ class Speeds {
 
   end(count: number): void {
     const { out, width, before, last, fps } = this;
-    if (count < 2) return;
     const o = (count - 1) * width;
+    if (count < 2) {
+      out.fill(0, o, o + width);
+      return;
+    }
     for (let i = 0; i < width; i++) out[o + i] = (last[i] - before[i]) * fps;
   }
 }

@@ -216,6 +216,49 @@ describe('marrow export', () => {
     });
   });
 
+  it('--only takes the listed files, but for bad ones, and says which are not there', async () => {
+    writeFileSync(
+      join(folder, 'list.csv'),
+      'path,verdict\ntakes/walk.bvh,good\ntakes/two.bvh,bad\nb/walk.bvh,\ngone.bvh,\n',
+    );
+    const { code, err } = await exported('takes', '--only', 'list.csv', '--to', 'npz', '--out', 'out');
+    expect([code, err]).toEqual([0, 'marrow: list.csv lists gone.bvh, which is not among the files.\n']);
+    expect(filesIn('out')).toEqual(['b/walk.npz', 'manifest.ndjson', 'walk.npz']);
+    writeFileSync(join(folder, 'list.csv'), 'takes/walk.bvh\n');
+    await exported('--only', 'list.csv', '--to', 'npz', '--out', 'alone');
+    expect(filesIn('alone')).toEqual(['manifest.ndjson', 'takes/walk.npz']);
+    const again = await exported('takes', '--only', 'list.csv', '--to', 'npz', '--out', 'out', '--resume');
+    expect(again.out).toBe('out: nothing to do, all 1 take is exported\n');
+    expect(again.err).toMatch(
+      /^marrow: 1 output of earlier runs is no longer listed, and is still there: b\/walk\.npz\.\n$/,
+    );
+    writeFileSync(join(folder, 'list.csv'), 'path,verdict\ntakes/walk.bvh,bad\n');
+    const bad = await exported('takes', '--only', 'list.csv', '--to', 'npz', '--out', 'no');
+    expect([bad.code, bad.err]).toEqual([
+      2,
+      expect.stringContaining('--only: all takes of list.csv have the verdict bad.'),
+    ]);
+  });
+
+  it('paths come from the standard input too, a line each', async () => {
+    const input = async () => 'takes/walk.bvh\ntakes/b/walk.bvh\n';
+    const { code } = await command(['export', '--files-from', '-', '--to', 'npz', '--out', 'out'], folder, input);
+    expect(code).toBe(0);
+    expect(filesIn('out')).toEqual(['manifest.ndjson', 'takes/b/walk.npz', 'takes/walk.npz']);
+    const none = await command(['export', '--files-from', '-', '--to', 'npz', '--out', 'no'], folder, async () => '');
+    expect([none.code, none.err]).toEqual([2, expect.stringContaining('expected a path in each line, found none.')]);
+  });
+
+  it('flags of the review’s checks are in the manifest, of the take as it was read', async () => {
+    const rows = Array.from({ length: 61 }, (_, f) => `${f === 30 ? 400 : f} 90 0 0 0 0 0 0 0`);
+    writeFileSync(join(folder, 'spike.bvh'), bvh('Hips', rows));
+    await exported('spike.bvh', 'takes', '--to', 'npz', '--out', 'out', '--crop', '0,1');
+    const flags = manifest()[0].flags;
+    expect(flags).toEqual(expect.arrayContaining([expect.stringMatching(/^spike 3 Hips$/)]));
+    await exported('spike.bvh', '--to', 'npz', '--out', 'out2', '--no-checks');
+    expect(manifest('out2/manifest.ndjson')[0].flags).toBeUndefined();
+  });
+
   it('what is called wrongly is told before anything is written', async () => {
     const wrong = async (...args: string[]) => {
       const { code, err } = await exported(...args);
@@ -226,7 +269,9 @@ describe('marrow export', () => {
     expect(await wrong('takes', '--out', 'out')).toBe('marrow: --to is missing: one of npz.');
     expect(await wrong('takes', '--to', 'xlsx', '--out', 'out')).toBe('marrow: --to takes one of npz, found "xlsx".');
     expect(await wrong('takes', '--to', 'npz')).toMatch('--out is missing');
-    expect(await wrong('--to', 'npz', '--out', 'out')).toMatch('Give files or folders with takes, or --files-from.');
+    expect(await wrong('--to', 'npz', '--out', 'out')).toMatch(
+      'Give files or folders with takes, --files-from or --only.',
+    );
     expect(await wrong(...all, '--shard', '5/4')).toMatch('--shard takes a part and their number');
     expect(await wrong(...all, '--crop', '3')).toMatch('--crop takes two times');
     expect(await wrong(...all, '--crop', '3,1')).toMatch('found 3 and 1');

@@ -1,6 +1,7 @@
 import fc from 'fast-check';
 import { beforeAll, describe, expect, it } from 'vitest';
 import { loadFiles, openLoaded } from '../../src/cli/load.ts';
+import { FloatPool } from '../../src/dataset/float-pool.ts';
 import { type TakeOptions, takeOf } from '../../src/dataset/take.ts';
 import { type TakeArrays, takeArrays } from '../../src/dataset/take-arrays.ts';
 import { eachFrame } from '../../src/evaluate/bake.ts';
@@ -25,7 +26,8 @@ function opened(name: string): readonly Character[] {
   return openLoaded(loadFiles([sharedPath(`data/bvh/${name}`)], '/')).document.characters;
 }
 
-const of = (character: Character, options: TakeOptions = {}) => takeArrays(takeOf(character, options), 'float64');
+const of = (character: Character, options: TakeOptions = {}) =>
+  takeArrays(takeOf(character, options), new FloatPool('float64'));
 
 /** Every number of a take, from the evaluator's matrices, compared with the arrays. */
 function expectEvaluated(character: Character, options: TakeOptions, got: TakeArrays, tolerance: number): void {

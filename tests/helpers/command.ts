@@ -9,11 +9,19 @@ export interface CommandResult {
   readonly err: string;
 }
 
-/** @param folder absolute; paths in the arguments are relative to it */
-export async function command(args: readonly string[], folder = process.cwd()): Promise<CommandResult> {
+/**
+ * @param folder absolute; paths in the arguments are relative to it
+ * @param input the standard input
+ */
+export async function command(
+  args: readonly string[],
+  folder = process.cwd(),
+  input?: () => Promise<string>,
+): Promise<CommandResult> {
   let out = '';
   let err = '';
   const code = await run(args, {
+    ...(input && { input }),
     folder: folder.endsWith(sep) ? folder.slice(0, -1) : folder,
     out: async (text) => {
       out += text;

@@ -3,8 +3,8 @@ import { resolve } from 'node:path';
 import { parseArguments, UsageError } from '../arguments.ts';
 import { exportTakes } from '../export/export-takes.ts';
 import { type ExportFormat, FORMATS } from '../export/formats.ts';
-import { cropOf, jobsOf, pathsOf, positive, shardOf } from '../export/switches.ts';
-import { takeInputs } from '../export/take-inputs.ts';
+import { inputsOf } from '../export/inputs.ts';
+import { cropOf, jobsOf, positive, shardOf } from '../export/switches.ts';
 import { loadTarget } from '../export/target.ts';
 import { timeLeft } from '../export/time-left.ts';
 import type { CliCommand } from '../io.ts';
@@ -33,11 +33,14 @@ what is done before
   --crop FROM,TO         seconds of the take; either may be left out
 
 which takes, and where
+  --only LIST            takes of a list, but for those with the verdict bad: CSV or JSON of a review, or plain paths;
+                         without PATHS, the paths of the list
   --files-from FILE      paths from the lines of FILE, or of the standard input for -
   --shard I/N            part I of N: every N-th take; all parts may run at once, on any machine
   --jobs N               threads; default: as many as cores
   --resume               skips takes whose input, options and version are those of an earlier run
   --force                replaces files that exist
+  --no-checks            leaves the flags out of the manifest; the checks take about as long as all the rest
   --no-times             leaves milliseconds out of the manifest: its bytes then depend on inputs and options only
   --json                 prints the summary as JSON
 `,
@@ -46,8 +49,8 @@ which takes, and where
     const given = parseArguments(args, {
       ...{ to: 'value', out: 'value', float64: 'flag', raw: 'flag', space: 'value' },
       ...{ retarget: 'value', map: 'value', fps: 'value', crop: 'value' },
-      ...{ 'files-from': 'value', shard: 'value', jobs: 'value' },
-      ...{ resume: 'flag', force: 'flag', 'no-times': 'flag', json: 'flag' },
+      ...{ only: 'value', 'files-from': 'value', shard: 'value', jobs: 'value' },
+      ...{ resume: 'flag', force: 'flag', 'no-checks': 'flag', 'no-times': 'flag', json: 'flag' },
     });
     const to = formatOf(given.value('to'));
     const out = given.value('out');
@@ -63,10 +66,7 @@ which takes, and where
     const crop = cropOf(given);
     const [shard, threads] = [shardOf(given), jobsOf(given)];
     const resumes = given.flag('resume');
-    const paths = await pathsOf(given, io);
-    if (paths.length === 0) throw new UsageError('Give files or folders with takes, or --files-from.');
-    const inputs = takeInputs(paths, io.folder);
-    if (inputs.length === 0) throw new UsageError(`There are no takes in ${paths.join(' ')}.`);
+    const inputs = await inputsOf(given, io);
     // Also by each thread; here so that a wrong file is told before anything is written.
     loadTarget(files, io.folder);
     const left = timeLeft();
@@ -80,6 +80,7 @@ which takes, and where
           ...(fps !== undefined && { fps }),
           ...(crop && { crop }),
           replaces: resumes || given.flag('force'),
+          isChecked: !given.flag('no-checks'),
           isTimed: !given.flag('no-times'),
         },
         ...{ inputs, shard, resumes, threads },
@@ -92,8 +93,9 @@ which takes, and where
     const { written, kept, bytes, warned, failures, stale } = summary;
     for (const { input, error } of failures) io.err(`${input}: ${error}\n`);
     if (stale.length > 0) {
+      const [verb, s] = stale.length === 1 ? ['is', ''] : ['are', 's'];
       io.err(
-        `marrow: ${stale.length} outputs of earlier runs are no longer listed, and are still there: ${few(stale)}.\n`,
+        `marrow: ${stale.length} output${s} of earlier runs ${verb} no longer listed, and ${verb} still there: ${few(stale)}.\n`,
       );
     }
     if (given.flag('json')) await printJson(summary, io);

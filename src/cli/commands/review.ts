@@ -2,7 +2,6 @@
  * `marrow review`: takes as a list, with what looks wrong in them; the same list as the page's *Review* tab saves.
  * Motion capture is read one file at a time, so that memory is bounded by the largest take.
  */
-import { readFileSync } from 'node:fs';
 import { resolve } from 'node:path';
 import type { Diagnostic } from '../../model/diagnostic.ts';
 import { hasErrors } from '../../model/diagnostic.ts';
@@ -10,7 +9,6 @@ import { NO_REVIEW } from '../../model/review.ts';
 import { refusal } from '../../project/save/conversion.ts';
 import { type ListedTake, listedTake } from '../../review/list.ts';
 import { matchPaths } from '../../review/match-paths.ts';
-import { readList } from '../../review/read-list.ts';
 import { takeFacts } from '../../review/take-facts.ts';
 import { listAsCsv, listAsJson } from '../../review/write-list.ts';
 import { parseArguments, UsageError } from '../arguments.ts';
@@ -19,6 +17,7 @@ import type { CliCommand, CommandIo } from '../io.ts';
 import { loadFiles, openLoaded } from '../load.ts';
 import { findGiven } from '../paths.ts';
 import { report } from '../report.ts';
+import { takeListOf } from '../take-list.ts';
 import { writeOutput } from '../write-output.ts';
 
 export const review: CliCommand = {
@@ -39,7 +38,8 @@ export const review: CliCommand = {
     if (out !== undefined && !/\.(csv|json)$/i.test(out)) {
       throw new UsageError(`--out takes a name that ends in .csv or .json; found "${out}".`);
     }
-    const before = listGiven(given.value('list'), io);
+    const list = given.value('list');
+    const before = list === undefined ? [] : takeListOf(list, 'list', io);
     const { takes, diagnostics } = takesIn(given.files, io);
     const known = matchPaths(
       before,
@@ -62,21 +62,6 @@ export const review: CliCommand = {
     return hasErrors(diagnostics) ? 1 : 0;
   },
 };
-
-/** @throws UsageError if the list can't be read */
-function listGiven(path: string | undefined, io: CommandIo): readonly ListedTake[] {
-  if (path === undefined) return [];
-  let text: string;
-  try {
-    text = readFileSync(resolve(io.folder, path), 'utf8');
-  } catch (error) {
-    throw new UsageError(`--list could not be read: ${error instanceof Error ? error.message : String(error)}.`);
-  }
-  const { takes, diagnostics } = readList(text, path);
-  report(diagnostics, io);
-  if (hasErrors(diagnostics)) throw new UsageError(`--list takes a list of takes; ${path} has errors.`);
-  return takes;
-}
 
 function takesIn(args: readonly string[], io: CommandIo) {
   const { files, missing } = findGiven(args, io.folder);

@@ -2,14 +2,18 @@
 import { createHash } from 'node:crypto';
 import { closeSync, mkdirSync, openSync, readSync, statSync } from 'node:fs';
 import { dirname, join } from 'node:path';
-import { type Take, takeOf } from '../../dataset/take.ts';
-import { takeArrays } from '../../dataset/take-arrays.ts';
+import { FloatPool } from '../../dataset/float-pool.ts';
+import { takeOf } from '../../dataset/take.ts';
+import { type TakeArrays, takeArrays } from '../../dataset/take-arrays.ts';
 import { CommandError } from '../../edit/store.ts';
 import type { Diagnostic } from '../../model/diagnostic.ts';
+import type { Character } from '../../model/document.ts';
+import { checkTake } from '../../review/check-take.ts';
+import { flagText } from '../../review/flags.ts';
 import { loadGiven, openLoaded } from '../load.ts';
 import type { Work } from '../threads.ts';
 import { writeOutput } from '../write-output.ts';
-import { FORMATS } from './formats.ts';
+import { FORMATS, type Meta } from './formats.ts';
 import { metaOf } from './meta.ts';
 import { isWritten, type TakeRecord, type WrittenTake } from './records.ts';
 import type { ExportSettings } from './settings.ts';
@@ -30,15 +34,19 @@ export interface ExportResult {
 
 /** For the threads (`threads.ts`). */
 export const exportWork: Work<ExportSettings, ExportPiece, ExportResult> = (settings) => {
-  const target = loadTarget(settings, settings.folder);
-  return (piece) => exportInput(piece, settings, target);
+  const exporter = { settings, target: loadTarget(settings, settings.folder), pool: new FloatPool(settings.precision) };
+  return (piece) => exportInput(piece, exporter);
 };
 
-async function exportInput(
-  { input, before }: ExportPiece,
-  settings: ExportSettings,
-  target: Target,
-): Promise<ExportResult> {
+/** What a thread keeps from one input to the next. */
+interface Exporter {
+  readonly settings: ExportSettings;
+  readonly target: Target;
+  readonly pool: FloatPool;
+}
+
+async function exportInput({ input, before }: ExportPiece, exporter: Exporter): Promise<ExportResult> {
+  const { settings } = exporter;
   const failed = (error: string, hash?: string): ExportResult => ({
     records: [{ input: input.path, ...(hash !== undefined && { hash }), error }],
     isKept: false,
@@ -52,7 +60,7 @@ async function exportInput(
     if (written.length > 0 && written.length === before.length && written.every((w) => isThere(w, key, settings))) {
       return { records: written, isKept: true };
     }
-    return { records: await takesOf(input, { hash, key }, settings, target), isKept: false };
+    return { records: await takesOf(input, { hash, key }, exporter), isKept: false };
   } catch (error) {
     if (error instanceof CommandError) return failed(error.message, hash);
     const reason = error instanceof Error ? error.message : String(error);
@@ -95,8 +103,7 @@ export function hashOf(path: string): string {
 async function takesOf(
   input: TakeInput,
   { hash, key }: Identity,
-  settings: ExportSettings,
-  target: Target,
+  { settings, target, pool }: Exporter,
 ): Promise<readonly TakeRecord[]> {
   const begun = performance.now();
   const { document, diagnostics } = openLoaded(loadGiven([...(input.skeleton ? [input.skeleton] : []), input]));
@@ -115,11 +122,13 @@ async function takesOf(
   for (const [i, character] of takes.entries()) {
     const stem = takes.length > 1 ? `${input.stem}.${i + 1}` : input.stem;
     const take = takeOf(character, { ...settings, ...(target.retarget && { target: target.retarget }) });
-    const { output, bytes } = await writeTake(take, stem, metaOf(character, take, input, hash, settings), settings);
+    const meta = metaOf(character, take, input, hash, settings);
+    const { output, bytes } = await writeTake(stem, takeArrays(take, pool), meta, settings);
     const now = performance.now();
     records.push({
       ...{ input: input.path, hash, output, bytes },
-      ...{ frames: take.count, fps: take.fps, joints: take.skeleton.joints.length, flags: [] },
+      ...{ frames: take.count, fps: take.fps, joints: take.skeleton.joints.length },
+      ...(settings.isChecked && { flags: flagsOf(character) }),
       ...(warnings.length > 0 && { warnings }),
       key,
       ...(settings.isTimed && { ms: Math.round(now - since) }),
@@ -129,6 +138,11 @@ async function takesOf(
   return records;
 }
 
+/** What the review's checks find in a take as it was read. */
+function flagsOf({ skeleton, clips, shownClip, space }: Character): readonly string[] {
+  return skeleton ? checkTake(skeleton, clips[shownClip], space).map(flagText) : [];
+}
+
 /** In one line, without the file's name: `Line 128: Expected 3069 frames as declared, found 3070. (used 3070)` */
 function sentenceOf({ line, message, assumed }: Diagnostic): string {
   return `${line > 0 ? `Line ${line}: ` : ''}${message}${assumed === undefined ? '' : ` (${assumed})`}`;
@@ -136,12 +150,12 @@ function sentenceOf({ line, message, assumed }: Diagnostic): string {
 
 /** @throws CommandError if it can't be written */
 async function writeTake(
-  take: Take,
   stem: string,
-  meta: Readonly<Record<string, unknown>>,
-  { out, scratch, to, precision, replaces }: ExportSettings,
+  arrays: TakeArrays,
+  meta: Meta,
+  { out, scratch, to, replaces }: ExportSettings,
 ): Promise<Pick<WrittenTake, 'output' | 'bytes'>> {
-  const files = await FORMATS[to].write(takeArrays(take, precision), meta);
+  const files = await FORMATS[to].write(arrays, meta);
   const named = files.map(({ ending, pieces }) => ({ name: `${stem}.${ending}`, pieces }));
   let bytes = 0;
   // What is beside comes first: an output that is there is complete.

@@ -12,8 +12,8 @@ export interface WrittenTake {
   readonly frames: number;
   readonly fps: number;
   readonly joints: number;
-  /** What the review's checks found: `spike 1.233 LeftHand`. */
-  readonly flags: readonly string[];
+  /** What the review's checks found: `spike 1.233 LeftHand`; absent if it was not checked. */
+  readonly flags?: readonly string[];
   /** What was assumed in reading it; absent rather than empty. */
   readonly warnings?: readonly string[];
   /** Of the input, the options and the version: `--resume` skips what has the same. */

@@ -1,5 +1,5 @@
+import type { Precision } from '../../dataset/float-pool.ts';
 import type { TakeOptions } from '../../dataset/take.ts';
-import type { Precision } from '../../dataset/take-arrays.ts';
 import type { ExportFormat } from './formats.ts';
 import type { TargetFiles } from './target.ts';
 
@@ -14,6 +14,8 @@ export interface ExportSettings extends TargetFiles, Omit<TakeOptions, 'target'>
   readonly precision: Precision;
   /** Whether existing outputs are overwritten. */
   readonly replaces: boolean;
+  /** Whether takes are checked for flags. */
+  readonly isChecked: boolean;
   /** Whether records say how long a take took. */
   readonly isTimed: boolean;
   /** Of the options and the version: two exports with the same give the same for an input. */

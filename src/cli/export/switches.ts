@@ -1,9 +1,6 @@
 /** Switches that say which takes are meant and what is done to them, of `export` and `convert`. */
-import { readFileSync } from 'node:fs';
-import { resolve } from 'node:path';
 import type { Crop } from '../../dataset/take.ts';
 import { type Arguments, numberOf, UsageError } from '../arguments.ts';
-import type { CommandIo } from '../io.ts';
 
 /** One of several processes that share a list: number `index`, from 1, of `count`. */
 export interface Shard {
@@ -54,24 +51,4 @@ export function jobsOf(given: Arguments): number | undefined {
 /** The items of one part: every n-th, so that large and small ones are spread over all. */
 export function inShard<T>(items: readonly T[], shard: Shard | undefined): readonly T[] {
   return shard ? items.filter((_, i) => i % shard.count === shard.index - 1) : items;
-}
-
-/** The paths given as arguments and by `--files-from`: lines of a file, or of the standard input for `-`. */
-export async function pathsOf(given: Arguments, io: CommandIo): Promise<readonly string[]> {
-  const from = given.value('files-from');
-  if (from === undefined) return given.files;
-  const listed = from === '-' ? await io.input?.() : textOf(resolve(io.folder, from), from);
-  // `find -print0` separates names by zeros, since they may contain line ends.
-  const names = (listed ?? '').split(listed?.includes('\0') ? '\0' : /\r?\n/).filter((name) => name !== '');
-  if (names.length === 0) throw new UsageError(`--files-from ${from}: expected a path in each line, found none.`);
-  return [...given.files, ...names];
-}
-
-function textOf(path: string, name: string): string {
-  try {
-    return readFileSync(path, 'utf8');
-  } catch (error) {
-    const reason = error instanceof Error ? error.message : String(error);
-    throw new UsageError(`--files-from: ${name} could not be read: ${reason}.`);
-  }
 }

@@ -1,0 +1,68 @@
+/** Which takes are meant: by arguments, by `--files-from`, and by `--only`. */
+import { readFileSync } from 'node:fs';
+import { resolve } from 'node:path';
+import type { ListedTake } from '../../review/list.ts';
+import { matchPaths } from '../../review/match-paths.ts';
+import { type Arguments, UsageError } from '../arguments.ts';
+import type { CommandIo } from '../io.ts';
+import { takeListOf } from '../take-list.ts';
+import { type TakeInput, takeInputs } from './take-inputs.ts';
+
+/** Sorted by path. @throws UsageError if there are none */
+export async function inputsOf(given: Arguments, io: CommandIo): Promise<readonly TakeInput[]> {
+  const only = given.value('only');
+  const list = only === undefined ? undefined : takeListOf(only, 'only', io);
+  const wanted = list?.filter(isWanted);
+  if (wanted?.length === 0) throw new UsageError(`--only: all takes of ${only} have the verdict bad.`);
+  const named = await pathsOf(given, io);
+  const paths = named.length === 0 && wanted ? wanted.map(({ path }) => path) : named;
+  if (paths.length === 0) throw new UsageError('Give files or folders with takes, --files-from or --only.');
+  const inputs = takeInputs(paths, io.folder);
+  if (inputs.length === 0) throw new UsageError(`There are no takes in ${paths.join(' ')}.`);
+  return list ? listedIn(inputs, list, only ?? '', io) : inputs;
+}
+
+function isWanted({ verdict }: ListedTake): boolean {
+  return verdict !== 'bad';
+}
+
+/** Those of the list that are not bad; says which of the list no file is. */
+function listedIn(inputs: readonly TakeInput[], list: readonly ListedTake[], name: string, io: CommandIo) {
+  const { found, missing } = matchPaths(
+    list,
+    inputs.map(({ path }) => path),
+  );
+  const kept = inputs.filter(({ path }) => {
+    const take = found.get(path);
+    return take !== undefined && isWanted(take);
+  });
+  const absent = missing.filter(isWanted);
+  if (kept.length === 0) throw new UsageError(`--only: none of the takes of ${name} is among these files.`);
+  if (absent.length > 0) {
+    const some = absent.length === 1 ? '' : ` and ${absent.length - 1} more`;
+    io.err(
+      `marrow: ${name} lists ${absent[0].path}${some}, which ${absent.length === 1 ? 'is' : 'are'} not among the files.\n`,
+    );
+  }
+  return kept;
+}
+
+/** The paths given as arguments and by `--files-from`: lines of a file, or of the standard input for `-`. */
+async function pathsOf(given: Arguments, io: CommandIo): Promise<readonly string[]> {
+  const from = given.value('files-from');
+  if (from === undefined) return given.files;
+  const listed = from === '-' ? await io.input?.() : textOf(resolve(io.folder, from), from);
+  // `find -print0` separates names by zeros, since they may contain line ends.
+  const names = (listed ?? '').split(listed?.includes('\0') ? '\0' : /\r?\n/).filter((name) => name !== '');
+  if (names.length === 0) throw new UsageError(`--files-from ${from}: expected a path in each line, found none.`);
+  return [...given.files, ...names];
+}
+
+function textOf(path: string, name: string): string {
+  try {
+    return readFileSync(path, 'utf8');
+  } catch (error) {
+    const reason = error instanceof Error ? error.message : String(error);
+    throw new UsageError(`--files-from: ${name} could not be read: ${reason}.`);
+  }
+}
