@@ -3,7 +3,7 @@ import { isExplained, statesNoTime } from '../lesson/assumed-times.ts';
 import type { Compared, Comparison, FirstWrong, FrameComparison } from '../lesson/compare.ts';
 import { areEqual, comparedText, explainedNoun, subjectText } from '../lesson/compared-text.ts';
 import type { NamedDump } from '../lesson/fit-dump.ts';
-import type { Cause } from '../lesson/search.ts';
+import type { Cause } from '../lesson/found-causes.ts';
 import type { Targets } from '../lesson/targets.ts';
 import { type Character, shownClip } from '../model/document.ts';
 

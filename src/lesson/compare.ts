@@ -7,10 +7,11 @@ import { type Character, shownClip, shownSkin } from '../model/document.ts';
 import { characterDofs } from '../model/dofs.ts';
 import { DEFAULT_TOLERANCE, diagonalOf, matrixError, pointError } from './errors.ts';
 import { Evaluator, type FrameNumbers, type FrameTime } from './evaluator.ts';
+import type { Cause, CauseSubject, FoundCauses } from './found-causes.ts';
 import { ownValues } from './own-values.ts';
 import { RIGHT_PROGRAM } from './program.ts';
 import { relativeMatrices } from './relative.ts';
-import { type Cause, type CauseSubject, type FoundCauses, findCauses } from './search.ts';
+import { findCauses } from './search.ts';
 import { FRAME_KINDS, type FrameTarget, type MatrixLayout, type Targets } from './targets.ts';
 
 /** How many items of each kind were compared. */

@@ -1,7 +1,7 @@
 /** What the banner says: whether all agrees, what is wrong first, and which mistake explains it. */
 import type { Comparison, FirstWrong } from '../../../lesson/compare.ts';
 import { comparedText, explainedNoun, subjectText } from '../../../lesson/compared-text.ts';
-import type { Cause } from '../../../lesson/search.ts';
+import type { Cause } from '../../../lesson/found-causes.ts';
 import { type Diagnostic, hasErrors } from '../../../model/diagnostic.ts';
 import type { Character } from '../../../model/document.ts';
 import { jointName } from '../../../model/joint-name.ts';
