@@ -22,6 +22,11 @@ const GROUPS: Readonly<Record<DumpKind, CellGroup>> = {
   channels: 'channels',
 };
 
+/** What is counted of some kinds: joints, if there are any, else vertices. */
+export function groupOf(kinds: readonly DumpKind[]): CellGroup {
+  return CELL_GROUPS.find((group) => kinds.some((kind) => GROUPS[kind] === group)) ?? 'joints';
+}
+
 export interface Cell {
   /** Into the dumps. */
   readonly dump: number;

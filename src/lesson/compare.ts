@@ -3,8 +3,8 @@
  * themselves, and which mistake explains them.
  */
 import { runToEnd, type Steps, within } from '../evaluate/steps.ts';
-import { type Character, shownClip, shownSkin } from '../model/document.ts';
-import { characterDofs } from '../model/dofs.ts';
+import type { Character } from '../model/document.ts';
+import { nameOfChannel } from './channel-name.ts';
 import { DEFAULT_TOLERANCE, diagonalOf, matrixError, pointError } from './errors.ts';
 import { Evaluator, type FrameNumbers, type FrameTime } from './evaluator.ts';
 import type { Cause, CauseSubject, FoundCauses } from './found-causes.ts';
@@ -44,6 +44,8 @@ export interface FrameComparison {
   readonly agrees: boolean;
   readonly worst: number;
   readonly first?: FirstWrong;
+  /** The first wrong of joints, of vertices and of normals, in that order; those that agree have none. */
+  readonly firsts: readonly FirstWrong[];
   /** Where the error is largest, if any is wrong. */
   readonly largest?: FirstWrong;
   /** Joints whose own local matrix is wrong. */
@@ -183,13 +185,11 @@ function compareFrame(
     const name = what === 'joint' && joints[index].name ? { name: joints[index].name } : {};
     return { what, index, ...name, error, ...(isLength && { length: error * size }) };
   };
-  const firstIn = lists.find(([, errors]) => !largestWithin(errors, tolerance));
-  const first =
-    firstIn &&
-    placed(
-      firstIn,
-      firstIn[1].findIndex((error) => !(error <= tolerance)),
-    );
+  const firsts = lists.flatMap((list) => {
+    const index = list[1].findIndex((error) => !(error <= tolerance));
+    return index < 0 ? [] : [placed(list, index)];
+  });
+  const first = firsts.at(0);
   const worstIn = first && lists.find(([, errors]) => errors.includes(worst));
   const largest = worstIn && placed(worstIn, worstIn[1].indexOf(worst));
   const own = ownWrong(character, target, ours, size, tolerance, jointErrors);
@@ -200,6 +200,7 @@ function compareFrame(
     agrees: worst <= tolerance,
     worst,
     ...(first && { first }),
+    firsts,
     ...(largest && { largest }),
     own,
     inherited,
@@ -260,12 +261,4 @@ function compareChannels(character: Character, { channels: target }: Targets, to
     if (isLargest) largest = place;
   });
   return { own, worst, first, largest };
-}
-
-function nameOfChannel(character: Character, index: number): { readonly name?: string } {
-  if (!character.skeleton || !shownClip(character)) return {};
-  const dof = characterDofs(character.skeleton, shownSkin(character) ? character.morphs : [])[index];
-  if (!dof) return {};
-  const joint = character.skeleton.joints[dof.joint]?.name;
-  return { name: joint ? `${joint}.${dof.name}` : dof.name };
 }

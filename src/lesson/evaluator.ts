@@ -5,6 +5,7 @@
  * What depends on few rules is kept from one program to the next: the DOFs of each set of curve rules, skeletons and
  * attachments as read by others.
  */
+
 import { applyConstraints, type CompiledSkeleton } from '../evaluate/kinematics.ts';
 import { dofCountOf, poseFrom, poseSource } from '../evaluate/pose.ts';
 import { invertAffine, multiplyAffine } from '../math/mat4.ts';
@@ -12,6 +13,7 @@ import { type Character, isBvh, shownClip } from '../model/document.ts';
 import { restPose, rootDofCount } from '../model/dofs.ts';
 import { dofsOf, replacesOffset } from '../model/joint-types.ts';
 import { type CurveRules, channelValue, RIGHT_CURVES } from './curve-rules.ts';
+import { inFilePose } from './file-pose.ts';
 import type { Breadth, JointRules, Program, Wanted, WorldMap } from './program.ts';
 import { hasThreeAngles, isFor, ProgramSkeletons, turns } from './skeleton-rules.ts';
 import { SkinRun } from './skin-run.ts';
@@ -110,7 +112,7 @@ export class Evaluator {
   private makeDofs(curves: CurveRules, time: FrameTime): Float64Array {
     const { character } = this;
     const out = new Float64Array(this.dofs.length);
-    const source = poseSource(time === undefined ? { ...character, shownClip: -1 } : character);
+    const source = poseSource(time === undefined ? inFilePose(character) : character);
     // Without a skeleton nothing is limited yet.
     poseFrom({ ...source, skeleton: undefined }, time ?? 0, out);
     const clip = shownClip(character);

@@ -4,7 +4,7 @@
  */
 import { DUMP_KINDS, type DumpKind } from '../model/dump.ts';
 import type { Candidate } from './candidates.ts';
-import type { Cell } from './cells.ts';
+import { CELL_GROUPS, type Cell, groupOf } from './cells.ts';
 import { outcomeOf, type Part, type PartOutcome, partsOf } from './parts.ts';
 import type { Targets } from './targets.ts';
 import type { CellOutcome } from './trial.ts';
@@ -30,6 +30,8 @@ export interface Cause {
   /** Joints that are explained, of all; of vertices or channels if there are no joints. */
   readonly explains: number;
   readonly of: number;
+  /** Of those counted items: indices of the frames that they are of, ascending; empty for channels. */
+  readonly frames: readonly number[];
   /** The largest remaining error. */
   readonly residual: number;
   /** Absent: all numbers that it touches. Else it explains these alone, and is counted in them. */
@@ -164,7 +166,7 @@ export class Finder {
   /** Of several ways to make the same mistakes the nearest; of those as near the first, and the others with it. */
   private keep(found: Map<string, Cause>, by: readonly Candidate[], outcome: PartOutcome): void {
     const { tolerance } = this;
-    const { residual, agree, of } = outcome;
+    const { residual, agree, of, frames } = outcome;
     const code = by.map(({ mistake }) => mistake.code).join('+');
     const known = found.get(code);
     const details = by.map(({ variant }) => variant.detail).filter((detail) => detail !== '');
@@ -182,6 +184,7 @@ export class Finder {
       formulas: by.map(({ mistake }) => mistake.formula),
       explains: agree,
       of,
+      frames,
       residual,
     });
   }
@@ -196,14 +199,23 @@ function addCause(causes: Cause[], cause: Cause): void {
 
 function joined(a: Cause, b: Cause): Cause {
   const both = (key: keyof CauseSubject) => [...new Set([...(a.about?.[key] ?? []), ...(b.about?.[key] ?? [])])];
+  // Joints aren't counted with vertices: what is counted is what `compared-text.ts` calls it.
+  const [first, second] = groupRank(b) < groupRank(a) ? [b, a] : [a, b];
+  const isSame = groupRank(a) === groupRank(b);
   return {
     ...a,
-    explains: a.explains + b.explains,
-    of: a.of + b.of,
+    explains: first.explains + (isSame ? second.explains : 0),
+    of: first.of + (isSame ? second.of : 0),
+    frames: isSame ? [...new Set([...a.frames, ...b.frames])].sort((x, y) => x - y) : first.frames,
     residual: Math.max(a.residual, b.residual),
     alternatives: a.alternatives.filter((each) => b.alternatives.includes(each)),
     about: { kinds: DUMP_KINDS.filter((kind) => both('kinds').includes(kind)), files: both('files') },
   };
+}
+
+/** Of what is counted. */
+function groupRank({ about }: Cause): number {
+  return CELL_GROUPS.indexOf(groupOf(about?.kinds ?? []));
 }
 
 function subjectOf({ origins }: Targets, cells: readonly Cell[]): CauseSubject {

@@ -16,6 +16,8 @@ export interface Part {
   /** What a cause's numbers count: joints, if there are any. */
   readonly counted: CellGroup;
   readonly isAll: boolean;
+  /** Of those items: indices of the frames that they are of, ascending; empty for channels. */
+  readonly frames: readonly number[];
   /** Whether it has all that its dumps have: as good as compared alone. */
   readonly isEntire: boolean;
 }
@@ -31,6 +33,8 @@ export interface PartOutcome {
   readonly residual: number;
   readonly agree: number;
   readonly of: number;
+  /** Of the part. */
+  readonly frames: readonly number[];
 }
 
 export function partsOf(cells: readonly Cell[]): readonly Part[] {
@@ -45,8 +49,11 @@ export function partsOf(cells: readonly Cell[]): readonly Part[] {
     known.add(own.join());
     const counts = (isAll ? own : of).map((c) => cells[c].group);
     const counted = CELL_GROUPS.find((group) => counts.includes(group)) ?? 'joints';
+    const isCounted = (c: number) => cells[c].group === counted && (isAll || of.includes(c));
+    const frames = new Set(own.filter(isCounted).flatMap((c) => cells[c].pieces.map(({ frame }) => frame)));
     const isEntire = all.every((c) => own.includes(c) || !dumps.has(cells[c].dump));
-    parts.push({ cells: own, wrong: of, counted, isAll, isEntire });
+    const ascending = [...frames].sort((a, b) => a - b);
+    parts.push({ cells: own, wrong: of, counted, frames: ascending, isAll, isEntire });
   };
   add(wrong, true);
   for (const dump of new Set(wrong.map((c) => cells[c].dump))) add(wrong.filter((c) => cells[c].dump === dump));
@@ -74,5 +81,13 @@ export function outcomeOf(part: Part, cells: readonly Cell[], outcomes: readonly
     agree += outcome.agree;
     of += outcome.of;
   }
-  return { isWhole: agrees && touches, isPartial: isPartial && touches, evidence, residual, agree, of };
+  return {
+    isWhole: agrees && touches,
+    isPartial: isPartial && touches,
+    evidence,
+    residual,
+    agree,
+    of,
+    frames: part.frames,
+  };
 }

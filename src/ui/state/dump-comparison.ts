@@ -85,6 +85,8 @@ export type ComparePhase =
 export interface CompareState {
   /** In the order in which they were given. Those without a time have an assumed one, of the clip. */
   readonly dumps: readonly NamedDump[];
+  /** Names of those that were given last: the banner is about them. */
+  readonly newest: readonly string[];
   readonly tolerance: number;
   readonly phase: ComparePhase;
   readonly result?: ComparedResult;
@@ -141,6 +143,7 @@ export class DumpComparison {
     this.fresh = this.timed(dumps);
     this.state = observable<CompareState>({
       dumps: this.fresh,
+      newest: dumps.map(({ fileName }) => fileName),
       tolerance: DEFAULT_TOLERANCE,
       phase: { kind: 'working', share: 0 },
     });
@@ -164,7 +167,7 @@ export class DumpComparison {
     const names = new Set(dumps.map(({ fileName }) => fileName));
     const others = this.state.get().dumps.filter(({ fileName }) => !names.has(fileName));
     this.fresh = this.timed(dumps);
-    this.change({ dumps: [...others, ...this.fresh] });
+    this.change({ dumps: [...others, ...this.fresh], newest: [...names] });
     return this.start();
   }
 

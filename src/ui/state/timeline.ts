@@ -138,6 +138,8 @@ export class Timeline {
   readonly scaling: Observable<boolean> = observable(false);
   /** The last place that was asked to be shown in the tab *Source*. */
   readonly sourceAsked: Observable<SourcePlace | undefined> = observable<SourcePlace | undefined>(undefined);
+  /** Whether *Steps* shows the file pose rather than the displayed one. Not remembered: finding it would be a surprise. */
+  readonly stepsOfFile: Observable<boolean> = observable(false);
   /** The list of takes, and the comparison. */
   readonly takes: Takes = new Takes();
   readonly review: ReviewState = new ReviewState();

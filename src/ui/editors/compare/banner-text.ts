@@ -1,12 +1,13 @@
 /** What the banner says: whether all agrees, what is wrong first, and which mistake explains it. */
-import type { Comparison, FirstWrong } from '../../../lesson/compare.ts';
+import type { Comparison, FirstWrong, FrameComparison } from '../../../lesson/compare.ts';
 import { comparedText, explainedNoun, subjectText } from '../../../lesson/compared-text.ts';
+import { firstWrongOf, type PlacedFirst } from '../../../lesson/first-wrong.ts';
 import type { Cause } from '../../../lesson/found-causes.ts';
 import { type Diagnostic, hasErrors } from '../../../model/diagnostic.ts';
 import type { Character } from '../../../model/document.ts';
 import { jointName } from '../../../model/joint-name.ts';
 import { plural, shown } from '../../kit/number-text.ts';
-import type { CompareState } from '../../state/dump-comparison.ts';
+import type { ComparedResult, CompareState } from '../../state/dump-comparison.ts';
 
 export interface BannerText {
   readonly tone: 'agrees' | 'differs' | 'trouble' | 'working';
@@ -57,46 +58,58 @@ export function bannerText({ state, character, frame, time, isNamed = false }: B
   }
   const share = phase.kind === 'working' ? { share: phase.share } : {};
   if (!result) return { tone: 'working', text: `Comparing with ${character.name}`, ...share };
-  const told = resultText(result.comparison, result.tolerance, character, frame, time);
+  const told = resultText({ result, newest: state.newest }, frame, time);
   return { ...told, ...(isNamed && { text: `${character.name}: ${told.text}` }), ...share };
 }
 
 function resultText(
-  comparison: Comparison,
-  tolerance: number,
-  character: Character,
+  { result, newest }: { readonly result: ComparedResult; readonly newest: readonly string[] },
   frame: number,
   time: number | undefined,
 ): BannerText {
+  const { comparison, targets, character, tolerance } = result;
   const { agrees, frames, compared, worst } = comparison;
   const now = frames[frame];
-  const wrong = now && !now.agrees ? now : frames.find((f) => !f.agrees);
-  const told = wrong ?? frames[0];
-  const isElsewhere = told !== undefined && told !== now;
-  const toldTime = told?.time;
-  const goTo = isElsewhere && toldTime !== undefined ? { goTo: toldTime } : {};
-  const at = whenText(comparison, time);
   if (agrees) {
     const what = comparedText(compared, frames.length);
+    const at = whenText(comparison, time);
     const text = `All agree: ${what}${at}, within ${numberText(tolerance)}. The largest error is ${numberText(worst)}.`;
-    return { tone: 'agrees', text, ...goTo };
+    return { tone: 'agrees', text, ...goToFrame(frames[0], now) };
   }
-  const first = wrong?.first ?? comparison.first;
-  const firstTime = wrong?.time ?? first?.time;
+  const names = targets.origins?.fileNames ?? [];
+  const isOfSeveral = names.length > 1;
+  const asked = new Set(names.flatMap((name, dump) => (newest.includes(name) ? [dump] : [])));
+  const isOfSome = asked.size > 0 && asked.size < names.length;
+  const ofAsked = firstWrongOf(result, isOfSome ? asked : undefined, frame);
+  const placed = ofAsked ?? firstWrongOf(result, undefined, frame);
+  const wrong = placed && frames[placed.frame];
+  const firstTime = wrong ? wrong.time : placed?.first.time;
   const hereAgrees = now?.agrees === true && wrong !== undefined;
+  const of = isOfSeveral && placed ? ` in ${names[placed.dump]}` : '';
   const sentences = [
-    ...(hereAgrees ? [`Agrees at ${timeText(now.time)}.`] : !now && frames.length > 0 ? [`Compared${at}.`] : []),
-    ...(first ? [`First wrong${whereFirst(comparison, firstTime, hereAgrees)}: ${placeText(first, character)}.`] : []),
-    causeText(comparison),
+    ...(isOfSome && !ofAsked ? [`${newest.filter((name) => names.includes(name)).join(', ')}: all agree.`] : []),
+    ...(hereAgrees
+      ? [`Agrees at ${timeText(now.time)}.`]
+      : !now && frames.length > 0
+        ? [`Compared${whenText(comparison, time)}.`]
+        : []),
+    ...(placed
+      ? [
+          `First wrong${of}${whereFirst(comparison, firstTime, hereAgrees, wrong)}: ${placeText(placed.first, character)}.`,
+        ]
+      : []),
+    causeText(comparison, placed, placed && names[placed.dump]),
   ];
-  const channelTime =
-    first?.what === 'channel' && first.time !== undefined && first.time !== time ? first.time : undefined;
+  const channelTime = placed?.frame === -1 && placed.first.time !== time ? placed.first.time : undefined;
   return {
     tone: 'differs',
     text: sentences.join(' '),
-    ...goTo,
-    ...(frames.length === 0 && channelTime !== undefined && { goTo: channelTime }),
+    ...(channelTime === undefined ? goToFrame(wrong, now) : { goTo: channelTime }),
   };
+}
+
+function goToFrame(told: FrameComparison | undefined, now: FrameComparison | undefined): { readonly goTo?: number } {
+  return told && told !== now && told.time !== undefined ? { goTo: told.time } : {};
 }
 
 /** ` at 1.5 s`, ` at 5 times`; empty for channels, which have times of their own, and the pose that is shown. */
@@ -108,8 +121,14 @@ function whenText({ frames }: Comparison, time: number | undefined): string {
   return ` at ${timeText(own)}`;
 }
 
-function whereFirst({ frames }: Comparison, time: number | undefined, isElsewhere: boolean): string {
-  return (frames.length > 1 || isElsewhere) && time !== undefined ? ` at ${timeText(time)}` : '';
+function whereFirst(
+  { frames }: Comparison,
+  time: number | undefined,
+  isElsewhere: boolean,
+  frame: FrameComparison | undefined,
+): string {
+  if (!frame || !(frames.length > 1 || isElsewhere)) return '';
+  return time === undefined ? ' in the file pose' : ` at ${timeText(time)}`;
 }
 
 function timeText(time: number | undefined): string {
@@ -117,33 +136,56 @@ function timeText(time: number | undefined): string {
 }
 
 /** `hip_03_r`, `vertex 12`, `channel 3 (hip.rx) at 0.4 s`. */
-function placeText({ what, index, name, time }: FirstWrong, { skeleton }: Character): string {
+export function placeText({ what, index, name, time }: FirstWrong, { skeleton }: Character): string {
   if (what === 'joint') return jointName(skeleton, index);
   const named = `${what === 'normal' ? 'the normal of vertex' : what} ${index}${name ? ` (${name})` : ''}`;
   return time === undefined ? named : `${named} at ${timeText(time)}`;
 }
 
-function causeText(comparison: Comparison): string {
+/**
+ * The cause of what is wrong first: other parts of the numbers may have other causes.
+ *
+ * @param file the dump that it is in, of several
+ */
+function causeText(comparison: Comparison, placed: PlacedFirst | undefined, file: string | undefined): string {
   const { causes, own, inherited } = comparison;
-  const [best] = causes;
+  const isOfPlaced = ({ about }: Cause) =>
+    !about ||
+    (about.kinds.some((kind) => placed?.kinds.includes(kind)) &&
+      (file === undefined || about.files.length === 0 || about.files.includes(file)));
+  const best = causes.find(isOfPlaced);
+  const others = causes.filter(({ about }) => !best || subjectKey(about) !== subjectKey(best.about)).length;
+  const more = others > 0 ? ` ${plural(others, 'more cause')} in Compare.` : '';
   if (best) {
-    const others = comparison.causes.filter(({ about }) => JSON.stringify(about) !== JSON.stringify(best.about)).length;
     const about = best.about ? `In the ${subjectText(best.about, best.about.files.length > 0)}: ` : '';
-    const more = others > 0 ? ` ${plural(others, 'more cause')} in Compare.` : '';
-    return `${about}${best.sentences.join(' ')} ${explainsText(best, comparison)}${more}`;
+    return `${about}${best.sentences.join(' ')} ${explainsText(best, comparison)}${equalText(best, causes)}${more}`;
   }
-  const isTold = own.length + inherited.length > 1;
+  const isTold = own.length + inherited.length > 1 && placed?.first.what === 'joint';
   const of = isTold ? ` Wrong by themselves: ${plural(own.length, 'joint')}; only inherited: ${inherited.length}.` : '';
-  return `No known mistake, nor two together, explains it.${of}`;
+  return `No known mistake, nor two together, explains it.${of}${more}`;
+}
+
+function subjectKey(about: Cause['about']): string {
+  return JSON.stringify(about ?? null);
+}
+
+/** Other causes and ways that explain the same numbers as well; a few are told, more are counted. */
+function equalText(best: Cause, causes: readonly Cause[]): string {
+  const isWhole = ({ explains, of }: Cause) => explains === of;
+  const equal = causes.filter(
+    (cause) => cause !== best && isWhole(cause) && isWhole(best) && subjectKey(cause.about) === subjectKey(best.about),
+  );
+  const told = [...best.alternatives.map((other) => `${other}.`), ...equal.map(({ sentences }) => sentences.join(' '))];
+  if (told.length === 0) return '';
+  return told.length === 1 ? ` Equally: ${told[0]}` : ` ${told.length} others explain it equally: Compare lists them.`;
 }
 
 /** `Explains all 23 joints.`, `Explains 20 of 23 joints.` */
-export function explainsText(cause: Cause, { compared, frames }: Comparison): string {
-  const { explains, of } = cause;
+export function explainsText(cause: Cause, { compared }: Comparison): string {
+  const { explains, of, frames } = cause;
   const noun = explainedNoun(cause, compared);
   const many = noun === 'vertex' ? 'vertices' : `${noun}s`;
-  // A part may be of one of the times.
-  const times = noun === 'channel' || cause.about ? 1 : frames.length;
+  const times = frames.length;
   // Items of all times are counted; whole ones are told as there are in the character.
   const isEven = times > 1 && of % times === 0;
   const at = times > 1 ? ` at ${isEven && explains === of ? 'all ' : ''}${times} times` : '';

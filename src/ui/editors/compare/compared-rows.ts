@@ -18,8 +18,8 @@ export interface ComparedRow {
   readonly mark: JointMark;
   /** The largest, as `FirstWrong.error`. */
   readonly error: number;
-  /** Of a channel: where that error is, in seconds of the clip. */
-  readonly time?: number;
+  /** Of a channel: where it is wrong first, in seconds of the clip; absent if it agrees. */
+  readonly firstTime?: number;
 }
 
 export type RowColumn = 'index' | 'name' | 'mark' | 'error';
@@ -29,8 +29,14 @@ export interface RowOrder {
   readonly descending: boolean;
 }
 
-/** Vertices listed at most: the worst. */
+/** Vertices listed at most: the first that is wrong, and the worst. */
 export const MAX_VERTICES = 100;
+
+/** Whether a frame has such numbers. Channels are of no frame. */
+export function hasRows(kind: RowKind, { jointErrors, vertexErrors, normalErrors }: FrameComparison): boolean {
+  const errors = { joints: jointErrors, vertices: vertexErrors, normals: normalErrors };
+  return kind !== 'channels' && errors[kind].length > 0;
+}
 
 /** What the dumps have. */
 export function kindsIn({ comparison: { compared } }: ComparedResult): readonly RowKind[] {
@@ -44,7 +50,11 @@ export function kindsIn({ comparison: { compared } }: ComparedResult): readonly 
   return ROW_KINDS.filter((kind) => counts[kind] > 0);
 }
 
-/** Unordered; of vertices the worst. @param frame undefined where channels alone were compared */
+/**
+ * Unordered; of vertices the worst, with the first that is wrong.
+ *
+ * @param frame undefined where channels alone were compared
+ */
 export function rowsOf(
   kind: RowKind,
   result: ComparedResult,
@@ -64,7 +74,7 @@ export function rowsOf(
     }));
   }
   const errors = kind === 'vertices' ? frame.vertexErrors : frame.normalErrors;
-  return worstOf(errors, MAX_VERTICES).map((index) => ({
+  return listedOf(errors, tolerance).map((index) => ({
     index,
     name: followedBy(character, index),
     mark: errors[index] <= tolerance ? 'agrees' : 'differs',
@@ -80,6 +90,21 @@ function followedBy(character: Character, vertex: number): string {
   let most = start[vertex];
   for (let a = most; a < start[vertex + 1]; a++) if (weights[a] > weights[most]) most = a;
   return most < start[vertex + 1] ? jointName(character.skeleton, joints[most]) : '';
+}
+
+/** How many of the vertices or normals differ, and how many there are. */
+export function countsOf(kind: RowKind, frame: FrameComparison, tolerance: number): { wrong: number; of: number } {
+  const errors = kind === 'vertices' ? frame.vertexErrors : frame.normalErrors;
+  return { wrong: errors.reduce((sum, error) => sum + (error <= tolerance ? 0 : 1), 0), of: errors.length };
+}
+
+/** The worst of those that differ and the first of them; if all agree the worst. */
+function listedOf(errors: Float64Array, tolerance: number): readonly number[] {
+  const first = errors.findIndex((error) => !(error <= tolerance));
+  const worst = worstOf(errors, MAX_VERTICES);
+  if (first < 0) return worst;
+  const wrong = worst.filter((index) => !(errors[index] <= tolerance));
+  return wrong.includes(first) ? wrong : [...wrong.slice(0, MAX_VERTICES - 1), first];
 }
 
 /** How a row is called where it is alone. */
@@ -111,11 +136,18 @@ function channelRows({ comparison, targets, tolerance }: ComparedResult, charact
     const difference = Math.abs(ourChannels[i] - values[i]);
     const error = Number.isNaN(difference) ? Number.POSITIVE_INFINITY : difference;
     const known = rows.get(index);
-    if (known && !(error > known.error)) return;
+    const isWrong = !(error <= tolerance);
+    const before = known?.firstTime;
+    const firstTime = isWrong && !(before !== undefined && before <= times[i]) ? times[i] : before;
+    const time = firstTime === undefined ? {} : { firstTime };
+    if (known && !(error > known.error)) {
+      if (firstTime !== before) rows.set(index, { ...known, ...time });
+      return;
+    }
     const dof = dofs[index];
     const joint = dof && dof.joint >= 0 ? `${jointName(character.skeleton, dof.joint)}.` : '';
     const name = dof ? `${joint}${dof.name}` : `channel ${index}`;
-    rows.set(index, { index, name, mark: error <= tolerance ? 'agrees' : 'differs', error, time: times[i] });
+    rows.set(index, { index, name, mark: isWrong ? 'differs' : 'agrees', error, ...time });
   });
   return [...rows.values()];
 }

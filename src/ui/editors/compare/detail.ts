@@ -3,11 +3,11 @@ import { relativeMatrices } from '../../../lesson/relative.ts';
 import type { FrameTarget } from '../../../lesson/targets.ts';
 import { perObject } from '../../../model/per-object.ts';
 import type { Joint } from '../../../model/skeleton.ts';
-import { element } from '../../kit/dom.ts';
+import { button, element, setAttribute, setText } from '../../kit/dom.ts';
 import { NumberGrid } from '../../kit/number-grid.ts';
 import { aligned, decimalsWithin } from '../../kit/number-text.ts';
 import type { ComparedResult } from '../../state/dump-comparison.ts';
-import { powerText } from './banner-text.ts';
+import { numberText, powerText } from './banner-text.ts';
 import type { RowKind } from './compared-rows.ts';
 
 /** What of a joint is shown. */
@@ -24,8 +24,9 @@ export interface DetailSubject {
   readonly numbers: JointNumbers;
 }
 
-/** Samples of a channel listed at most: those that are wrong first. */
+/** Samples of a channel listed at most: those that are wrong; all that were compared, if that is asked for. */
 const MAX_SAMPLES = 60;
+const MAX_ALL_SAMPLES = 600;
 
 /** Which numbers of joints a dump gives, or lets be computed. */
 export function jointNumbersIn(theirs: FrameTarget | undefined): readonly JointNumbers[] {
@@ -37,12 +38,29 @@ export function jointNumbersIn(theirs: FrameTarget | undefined): readonly JointN
 }
 
 export class Detail {
-  readonly element = element('div', { class: 'compare-grids' });
+  readonly element = element('div', { class: 'compare-detail-body' });
+  private readonly cards = element('div', { class: 'compare-grids' });
+  private readonly note = element('span', { class: 'faint' });
+  private readonly all: HTMLButtonElement;
+  /** Whether samples that agree are listed too. */
+  private showsAll = false;
+  private subject: DetailSubject | undefined;
   private shape = '';
   private grids: readonly NumberGrid[] = [];
 
+  constructor() {
+    this.all = button('List all', { class: 'link', tooltip: undefined }, 'List all', () => {
+      this.showsAll = !this.showsAll;
+      if (this.subject) this.show(this.subject);
+    });
+    this.element.append(element('div', { class: 'compare-note' }, this.note, this.all), this.cards);
+  }
+
   show(subject: DetailSubject): void {
     const { kind, numbers } = subject;
+    this.subject = subject;
+    this.all.hidden = true;
+    setText(this.note, '');
     if (kind === 'channels') this.showChannel(subject);
     else if (kind === 'joints' && numbers !== 'positions') this.showMatrix(subject, numbers);
     else this.showPoint(subject);
@@ -106,10 +124,19 @@ export class Detail {
       grid.mark(0, k, isWrong);
       grid.mark(2, k, isWrong);
     }
+    const apart = Math.hypot(...[0, 1, 2].map((k) => (theirs?.[3 * index + k] ?? Number.NaN) - own[o + k]));
+    const part = kind === 'normals' ? '' : `, ${numberText(apart / size)} of the size ${numberText(size)}`;
+    setText(this.note, `${numberText(apart)} apart${part}.`);
   }
 
   private showChannel({ result, index }: DetailSubject): void {
-    const samples = samplesOf(result, index);
+    const { samples, wrong, of } = samplesOf(result, index, this.showsAll);
+    setText(this.note, samplesText(samples.length, wrong, of, this.showsAll));
+    const canChoose = wrong > 0 && wrong < of;
+    this.all.hidden = !canChoose;
+    const label = this.showsAll ? 'List those that differ' : 'List all';
+    setText(this.all, label);
+    setAttribute(this.all, 'aria-label', label);
     this.build(`channel ${samples.length}`, () => [
       cardOf(
         'Samples',
@@ -135,7 +162,7 @@ export class Detail {
     this.shape = shape;
     const made = make();
     this.grids = made.map(({ grid }) => grid);
-    this.element.replaceChildren(...made.map(({ card }) => card));
+    this.cards.replaceChildren(...made.map(({ card }) => card));
   }
 }
 
@@ -173,8 +200,19 @@ interface Sample {
   readonly isWrong: boolean;
 }
 
-/** By time: all that are wrong, as many as are listed, else the first ones. */
-export function samplesOf({ comparison, targets, tolerance }: ComparedResult, channel: number): readonly Sample[] {
+export interface ListedSamples {
+  readonly samples: readonly Sample[];
+  /** How many differ, and how many there are. */
+  readonly wrong: number;
+  readonly of: number;
+}
+
+/** By time, as many as are listed: those that are wrong; all if none is, or if that is asked for. */
+export function samplesOf(
+  { comparison, targets, tolerance }: ComparedResult,
+  channel: number,
+  showsAll = false,
+): ListedSamples {
   const { channels, times, values } = targets.channels;
   const all: Sample[] = [];
   channels.forEach((c, i) => {
@@ -183,7 +221,18 @@ export function samplesOf({ comparison, targets, tolerance }: ComparedResult, ch
     all.push({ time: times[i], theirs: values[i], ours, isWrong: !(Math.abs(values[i] - ours) <= tolerance) });
   });
   const wrong = all.filter(({ isWrong }) => isWrong);
-  return (wrong.length > 0 ? wrong : all).slice(0, MAX_SAMPLES);
+  const listed = showsAll || wrong.length === 0 ? all : wrong;
+  const samples = listed.slice(0, showsAll ? MAX_ALL_SAMPLES : MAX_SAMPLES);
+  return { samples, wrong: wrong.length, of: all.length };
+}
+
+/** What is listed, and what isn't. */
+export function samplesText(listed: number, wrong: number, of: number, showsAll: boolean): string {
+  const isOfAll = showsAll || wrong === 0;
+  const cut = (many: number) => (listed < many ? `; the first ${listed} are listed` : '');
+  if (wrong === 0) return `All ${of} agree${cut(of)}.`;
+  if (isOfAll) return `${wrong} of ${of} differ${cut(of)}.`;
+  return `${wrong} of ${of} differ${cut(wrong)}${wrong < of ? `; matching ones aren’t listed` : ''}.`;
 }
 
 /** Small ones as powers of ten: they tell rounding from a mistake. */

@@ -14,8 +14,9 @@ import {
   statesTime,
 } from '../../state/dump-comparison.ts';
 import type { Uses } from '../../state/workbench.ts';
-import { numberText } from './banner-text.ts';
 import { causesList } from './causes.ts';
+import { isOfChannels } from './dump-kinds.ts';
+import { largestText } from './largest-text.ts';
 
 /** Times listed at most. */
 const MAX_TIMES = 60;
@@ -62,7 +63,8 @@ export class Findings {
     this.of = comparing;
     if (state.result !== this.state?.result) this.showResult(state.result);
     const isMoved = clipTimeShown(this.wb, comparing.character) !== undefined;
-    if (state.dumps !== this.state?.dumps || isMoved !== this.isMoved) this.showDumps(state, isMoved);
+    const isOther = state.dumps !== this.state?.dumps || state.result !== this.state?.result;
+    if (isOther || isMoved !== this.isMoved) this.showDumps(state, isMoved);
     this.isMoved = isMoved;
     this.state = state;
     this.tolerance.show(state.tolerance);
@@ -80,14 +82,14 @@ export class Findings {
     this.facts.replaceChildren();
     if (!result) return;
     const { comparison } = result;
-    const { frames, layout, compared, worst } = comparison;
+    const { frames, layout, compared } = comparison;
     this.found.append(causesList(comparison));
     if (frames.length > 1)
       this.times.append(...frames.slice(0, MAX_TIMES).map((_, i) => this.timeButton(comparison, i)));
     this.facts.append(
       factRow('Compared', comparedText(compared, frames.length)),
       layout ? factRow('Read as', `${layout.order}, ${layout.numbers} numbers`) : '',
-      factRow('Largest error', `${numberText(worst)}${sizeText(comparison)}`),
+      factRow('Largest error', largestText(result)),
     );
   }
 
@@ -102,14 +104,19 @@ export class Findings {
     return made;
   }
 
-  private showDumps({ dumps }: CompareState, isMoved: boolean): void {
-    this.files.replaceChildren(...dumps.map((dump) => this.fileRow(dump, dumps.length > 1, isMoved)));
+  private showDumps({ dumps, result }: CompareState, isMoved: boolean): void {
+    this.files.replaceChildren(...dumps.map((dump) => this.fileRow(dump, result, dumps.length > 1, isMoved)));
   }
 
-  private fileRow(dump: NamedDump, canRemove: boolean, isMoved: boolean): HTMLElement {
+  private fileRow(
+    dump: NamedDump,
+    result: ComparedResult | undefined,
+    canRemove: boolean,
+    isMoved: boolean,
+  ): HTMLElement {
     const { fileName } = dump;
     const row = element('div', { class: 'compare-file' }, fileName);
-    if (isMoved && !statesTime(dump)) row.append(...this.timeOf(dump));
+    if (isMoved && !statesTime(dump) && !(result && isOfChannels(result, fileName))) row.append(...this.timeOf(dump));
     if (canRemove) {
       const remove = () => this.of?.remove(fileName);
       row.append(button(`Remove ${fileName}`, { class: 'tool small' }, icon('close'), remove));
@@ -147,9 +154,4 @@ function factRow(name: string, ...values: (HTMLElement | string)[]): HTMLElement
     element('span', { class: 'faint' }, name),
     element('span', { class: 'fact-value' }, ...values),
   );
-}
-
-/** Errors of lengths are relative to it. */
-function sizeText({ frames }: Comparison): string {
-  return frames.length > 0 ? `, of a size of ${numberText(frames[0].size)}` : '';
 }

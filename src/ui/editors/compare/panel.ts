@@ -8,11 +8,25 @@ import { isTextField } from '../../kit/focus.ts';
 import { oncePerFrame } from '../../kit/frame.ts';
 import { shown } from '../../kit/number-text.ts';
 import { toolbar } from '../../kit/roving.ts';
-import type { ComparedResult, CompareState, DumpComparison } from '../../state/dump-comparison.ts';
+import {
+  type ComparedResult,
+  type CompareState,
+  clipTimeShown,
+  type DumpComparison,
+} from '../../state/dump-comparison.ts';
 import { endComparison } from '../../state/shown-comparison.ts';
 import type { TimelineTab } from '../../state/timeline.ts';
 import type { Uses } from '../../state/workbench.ts';
-import { type ComparedRow, kindsIn, type RowKind, rowsOf, rowTitle } from './compared-rows.ts';
+import {
+  type ComparedRow,
+  countsOf,
+  hasRows,
+  kindsIn,
+  MAX_VERTICES,
+  type RowKind,
+  rowsOf,
+  rowTitle,
+} from './compared-rows.ts';
 import { Detail, type JointNumbers, jointNumbersIn } from './detail.ts';
 import { Findings } from './findings.ts';
 import { compareText, startPage } from './start.ts';
@@ -157,23 +171,19 @@ class ComparePanel implements TimelineTab {
     setAttribute(this.paste, 'aria-pressed', String(this.asksForNumbers));
     if (!comparing || !state) return;
     const { result } = state;
-    const told = result ? toldFrame(comparing, result) : -1;
+    const kinds = result ? kindsIn(result) : [];
+    if (kinds.length > 0 && !kinds.includes(this.kind)) this.setKind(kinds[0]);
+    const told = result ? toldFrame(comparing, result, this.kind) : -1;
     this.findings.show(comparing, told);
-    const hasRows = result !== undefined && character !== undefined;
-    this.body.classList.toggle('no-rows', !hasRows);
-    if (!hasRows) return;
-    const kinds = kindsIn(result);
-    if (!kinds.includes(this.kind)) this.setKind(kinds[0]);
+    const isListed = result !== undefined && character !== undefined;
+    this.body.classList.toggle('no-rows', !isListed);
+    if (!isListed) return;
     fillChoices(this.kinds, kinds, this.kind, KIND_LABELS, (kind) => {
       this.setKind(kind);
       this.showSoon();
     });
     const frame: FrameComparison | undefined = result.comparison.frames[told];
-    const frameTime = frame?.time;
-    setText(
-      this.when,
-      this.kind === 'channels' || !frame ? '' : frameTime === undefined ? 'file pose' : `at ${shown(frameTime, 4)} s`,
-    );
+    setText(this.when, this.kind === 'channels' || !frame ? '' : listText(this.kind, frame, result.tolerance));
     const key = [result, this.kind, told];
     if (!this.listed || key.some((part, i) => part !== this.listed?.key[i])) {
       this.listed = { key, rows: rowsOf(this.kind, result, frame, character) };
@@ -215,6 +225,7 @@ class ComparePanel implements TimelineTab {
     const explains = this.kind === 'channels' ? 'Why this curve' : 'See its steps';
     setText(this.steps, explains);
     setAttribute(this.steps, 'aria-label', `${explains}: ${title}`);
+    if (row.index !== this.explained?.index) this.right.scrollTop = 0;
     this.detail.show({ result, frame, kind: this.kind, index: row.index, numbers: this.numbers });
     this.explained = row;
   }
@@ -247,12 +258,15 @@ class ComparePanel implements TimelineTab {
     if (!row || !comparing) return;
     const { characterId, character } = comparing;
     if (this.kind === 'channels') {
-      if (row.time !== undefined) comparing.goToTime(row.time);
+      if (row.firstTime !== undefined) comparing.goToTime(row.firstTime);
       void import('./show-channel.ts').then(({ showChannel }) => character && showChannel(wb, character, row.index));
       return;
     }
     const { result } = comparing.state.get();
-    if (result && !comparing.shown.get()) comparing.goTo(toldFrame(comparing, result));
+    const frame = result ? toldFrame(comparing, result, this.kind) : -1;
+    if (result && comparing.shown.get()?.index !== frame) comparing.goTo(frame);
+    const time = result?.comparison.frames[frame]?.time;
+    wb.timeline.stepsOfFile.set(time === undefined && clipTimeShown(wb, character) !== undefined);
     const isJoint = this.kind === 'joints';
     wb.store.select({ characterId, ...(isJoint ? { joint: row.index } : { vertex: row.index }) });
     wb.timeline.change({ tab: 'steps' });
@@ -268,12 +282,23 @@ class ComparePanel implements TimelineTab {
   }
 }
 
-/** The frame shown, else the first that differs, else the first; −1 if there are none. */
-function toldFrame(comparing: DumpComparison, { comparison: { frames } }: ComparedResult): number {
+/**
+ * The frame shown, else the first that differs, else the first, of those that have such numbers; −1 if there are none.
+ */
+function toldFrame(comparing: DumpComparison, { comparison: { frames } }: ComparedResult, kind: RowKind): number {
+  const isFit = (frame: FrameComparison) => kind === 'channels' || hasRows(kind, frame);
   const shownIndex = comparing.shown.get()?.index;
-  if (shownIndex !== undefined) return shownIndex;
-  const wrong = frames.findIndex(({ agrees }) => !agrees);
-  return wrong < 0 && frames.length > 0 ? 0 : wrong;
+  if (shownIndex !== undefined && isFit(frames[shownIndex])) return shownIndex;
+  const wrong = frames.findIndex((frame) => !frame.agrees && isFit(frame));
+  return wrong < 0 ? frames.findIndex(isFit) : wrong;
+}
+
+/** `100 of 347 that differ · at 1.5 s` */
+function listText(kind: RowKind, frame: FrameComparison, tolerance: number): string {
+  const at = frame.time === undefined ? 'file pose' : `at ${shown(frame.time, 4)} s`;
+  if (kind === 'joints') return at;
+  const { wrong } = countsOf(kind, frame, tolerance);
+  return wrong > MAX_VERTICES ? `${MAX_VERTICES} of ${wrong} that differ · ${at}` : at;
 }
 
 /** Buttons of which one is pressed. */

@@ -2,14 +2,16 @@
  * *Steps*: how the numbers of the selected joint or vertex come about, from the file to where it is drawn. The slider
  * beside the tabs applies the steps one after another in the viewport; nothing in the document changes.
  */
+import { inFilePose } from '../../../lesson/file-pose.ts';
 import { stepsOfPose } from '../../../lesson/steps/dof-steps.ts';
 import type { Character } from '../../../model/document.ts';
 import { shownSkin } from '../../../model/document.ts';
 import { vertexCount } from '../../../model/skin.ts';
 import { PinOverlay } from '../../../view/pins/pin-overlay.ts';
-import { element, setText } from '../../kit/dom.ts';
+import { button, element, setAttribute, setText } from '../../kit/dom.ts';
 import { atMostEvery, oncePerFrame } from '../../kit/frame.ts';
 import { currentCharacter } from '../../state/action.ts';
+import { clipTimeShown } from '../../state/dump-comparison.ts';
 import type { TimelineTab } from '../../state/timeline.ts';
 import type { Uses } from '../../state/workbench.ts';
 import { FormulaView } from './formula-view.ts';
@@ -23,7 +25,7 @@ const NOTHING = 'Select a joint, or a vertex of the skin, to see how its numbers
 /** While playing: the eye can't read faster. */
 const FILL_EVERY_MS = 100;
 
-type Parts = Uses<'store' | 'viewport' | 'transport' | 'posing'>;
+type Parts = Uses<'store' | 'viewport' | 'transport' | 'posing' | 'timeline'>;
 
 export function stepsPanel(wb: Parts): TimelineTab {
   return new StepsPanel(wb);
@@ -35,6 +37,7 @@ class StepsPanel implements TimelineTab {
   private readonly empty = element('p', { class: 'empty' }, NOTHING);
   private readonly slider = element('input', { type: 'range', class: 'steps-slider', min: 0, max: 0, step: 1 });
   private readonly label = element('output', { class: 'steps-stage' });
+  private readonly filePose: HTMLButtonElement;
   private readonly formulas: FormulaView;
   private visible = false;
   private key: readonly unknown[] = [];
@@ -55,7 +58,15 @@ class StepsPanel implements TimelineTab {
       this.showStage();
       this.cardNow()?.scrollIntoView({ block: 'nearest', inline: 'nearest' });
     });
-    this.tools = element('div', { class: 'steps-tools' }, this.slider, this.label);
+    const { stepsOfFile } = wb.timeline;
+    this.filePose = button(
+      'File pose',
+      { class: 'tool text-tool', tooltip: 'Steps of the pose in the file, without the take' },
+      'File pose',
+      () => stepsOfFile.update((is) => !is),
+    );
+    stepsOfFile.subscribe(() => this.showSoon());
+    this.tools = element('div', { class: 'steps-tools' }, this.filePose, this.slider, this.label);
     wb.store.subscribe(() => this.showSoon());
     wb.transport.subscribe((now, before) => {
       if (now.timeSeconds !== before.timeSeconds || now.playing !== before.playing) this.showSoon();
@@ -88,8 +99,16 @@ class StepsPanel implements TimelineTab {
     this.build();
     const { view, character } = this;
     if (!view || !character) return;
-    this.stages = view.follow(stepsOfPose(character, wb.transport.get().timeSeconds));
-    if (wb.transport.get().playing) this.fillSoon();
+    const { transport, timeline } = wb;
+    // Without a take it is shown anyway.
+    const isMoved = clipTimeShown(wb, character) !== undefined;
+    const isOfFile = isMoved && timeline.stepsOfFile.get();
+    this.filePose.hidden = !isMoved;
+    setAttribute(this.filePose, 'aria-pressed', String(isOfFile));
+    this.stages = view.follow(
+      isOfFile ? stepsOfPose(inFilePose(character), 0) : stepsOfPose(character, transport.get().timeSeconds),
+    );
+    if (transport.get().playing) this.fillSoon();
     else view.fill();
     this.showStage();
   }

@@ -13,7 +13,7 @@ export type Stages =
 export function jointStages(steps: JointSteps): Stages {
   const { parent, factors } = steps;
   const start = parent < 0 ? 'origin' : `W${subscript(parent)}`;
-  const labels = [start, ...factors.map(({ symbol }) => `· ${formulaText(symbol)}`)];
+  const labels = [start, ...factors.map(({ symbol }) => `times ${formulaText(symbol)}`)];
   return { kind: 'frames', labels, frames: framesOf(steps) };
 }
 

@@ -1,7 +1,8 @@
 import { describe, expect, it } from 'vitest';
-import { bannerText, numberText } from '../../../../src/ui/editors/compare/banner-text.ts';
+import type { Cause } from '../../../../src/lesson/found-causes.ts';
+import { bannerText, explainsText, numberText } from '../../../../src/ui/editors/compare/banner-text.ts';
 import { describeShared } from '../../../helpers/shared.ts';
-import { comparedCase } from './compare-cases.ts';
+import { comparedCase, comparedDumps, printedMatrices } from './compare-cases.ts';
 
 const WASP = ['cse169/wasp.skel', 'cse169/wasp_walk.anim'];
 const NINE = ['synthetic/nine.skel', 'synthetic/nine.skin'];
@@ -17,21 +18,69 @@ describeShared('the banner of a comparison', () => {
     expect(bannerText({ ...wrong, isNamed: true }).text).toMatch(/^wasp: First wrong: hip_03_r\./);
   });
 
-  it('the banner says which numbers a mistake explains, and that others have other causes', () => {
+  it('the banner of several dumps is about that given last, with its own mistake, and says how many others there are', () => {
+    const [anna, ben] = [{ name: 'd008.txt', time: 1.5 }, { name: 'd009.txt' }];
+    const skinned = [...WASP, 'cse169/wasp.skin'];
+    const ofBen = bannerText(comparedDumps(skinned, [anna, ben], 1.5)).text;
+    expect(ofBen).toMatch(/^First wrong in d009\.txt at 0\.8 s: vertex \d+\. In the vertices of d009\.txt: /);
+    expect(ofBen).toContain('1 more cause in Compare.');
+    const ofAnna = bannerText(comparedDumps(skinned, [ben, anna], 1.5)).text;
+    expect(ofAnna).toMatch(
+      /^First wrong in d008\.txt at 1\.5 s: hip_03_r\. In the world matrices of d008\.txt: You multiply Rx·Ry·Rz/,
+    );
+    expect(ofAnna).toContain('Explains all 23 joints.');
+  });
+
+  it('the banner says that the newest dump agrees, and what is wrong in others', () => {
+    const wrong = { name: 'd008.txt', time: 1.5 };
+    const right = { name: 'right.txt', bytes: printedMatrices(comparedCase(WASP, 'd008.txt', 1.5).character, [0.5]) };
+    expect(bannerText(comparedDumps(WASP, [wrong, right], 1.5)).text).toMatch(
+      /^right\.txt: all agree\. First wrong in d008\.txt at 1\.5 s: hip_03_r\./,
+    );
+  });
+
+  it('the banner counts the items of the times that have them, and of all times', () => {
+    const of = (frames: readonly number[], items: number): Cause => ({
+      code: 'no-parent',
+      detail: '',
+      alternatives: [],
+      sentences: [],
+      formulas: [],
+      explains: items,
+      of: items,
+      frames,
+      residual: 0,
+    });
+    const { result } = comparedCase([...WASP, 'cse169/wasp.skin'], 'd009.txt', 1.5);
+    if (!result) throw new Error('Nothing was compared.');
+    // Beside vertices of one time, others are compared at another.
+    expect(explainsText(of([1], 694), result.comparison)).toBe('Explains all 694 vertices.');
+    expect(explainsText(of([0, 1], 694), result.comparison)).toBe('Explains all 347 vertices at all 2 times.');
+    expect(explainsText({ ...of([0, 1], 694), explains: 600 }, result.comparison)).toBe(
+      'Explains 600 of 694 vertices at 2 times.',
+    );
+  });
+
+  it('the banner tells another cause of the same numbers, and counts several', () => {
     const wrong = comparedCase(WASP, 'd008.txt', 1.5);
     const { result } = wrong;
-    if (!result) throw new Error('Expected a result.');
+    if (!result) throw new Error('Nothing was compared.');
     const { comparison } = result;
     const [cause] = comparison.causes;
-    const causes = [
-      { ...cause, about: { kinds: ['world' as const], files: ['anna.txt'] } },
-      { ...cause, about: { kinds: ['channels' as const], files: ['dan.csv'] } },
-    ];
-    const frames = [...comparison.frames, ...comparison.frames];
-    const partly = { ...wrong.state, result: { ...result, comparison: { ...comparison, causes, frames } } };
-    expect(bannerText({ ...wrong, state: partly }).text).toContain(
-      'In the world matrices of anna.txt: You multiply Rx·Ry·Rz; it should be Rz·Ry·Rx. Explains all 23 joints. 1 more cause',
+    const told = (causes: readonly Cause[]) =>
+      bannerText({ ...wrong, state: { ...wrong.state, result: { ...result, comparison: { ...comparison, causes } } } })
+        .text;
+    expect(told([cause, { ...cause, code: 'other', sentences: ['You do another thing.'] }])).toContain(
+      'Explains all 23 joints. Equally: You do another thing.',
     );
+    expect(told([{ ...cause, alternatives: ['z before x'] }])).toContain('Equally: z before x.');
+    expect(
+      told([
+        { ...cause, alternatives: ['a', 'b'] },
+        { ...cause, code: 'other' },
+      ]),
+    ).toContain('3 others explain it equally: Compare lists them.');
+    expect(told([cause, { ...cause, code: 'part', explains: 20 }])).not.toMatch(/equally/i);
   });
 
   it('the banner offers to go to the compared time when another is shown', () => {
@@ -73,17 +122,9 @@ describeShared('the banner of a comparison', () => {
   });
 
   it('the banner of several times tells which differs, and where the shown one agrees', () => {
-    const right = comparedCase(WASP, 'd000.txt', 1.5);
-    const wrong = comparedCase(WASP, 'd008.txt', 1.5);
-    if (!right.result || !wrong.result) throw new Error('Nothing was compared.');
-    const frames = [{ ...right.result.comparison.frames[0], time: 1 }, ...wrong.result.comparison.frames];
-    const comparison = {
-      ...wrong.result.comparison,
-      frames,
-      compared: { ...wrong.result.comparison.compared, world: 46 },
-    };
-    const result = { ...wrong.result, comparison };
-    const both = { ...wrong, state: { ...wrong.state, result } };
+    const { character } = comparedCase(WASP, 'd000.txt', 1.5);
+    const bytes = printedMatrices(character, [1]) + printedMatrices(character, [1.5], 7);
+    const both = comparedCase(WASP, 'mine.txt', 1.5, 1e-4, bytes);
     expect(bannerText({ ...both, frame: 0, time: 1 })).toMatchObject({
       goTo: 1.5,
       text: expect.stringContaining('Agrees at 1 s. First wrong at 1.5 s: hip_03_r.'),

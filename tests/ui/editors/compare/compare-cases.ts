@@ -1,5 +1,7 @@
 /** The reference's dumps, compared as the page does. */
 import { readDump } from '../../../../src/formats/dump/read.ts';
+import { Evaluator } from '../../../../src/lesson/evaluator.ts';
+import { RIGHT_PROGRAM } from '../../../../src/lesson/program.ts';
 import type { Character } from '../../../../src/model/document.ts';
 import type { BannerSubject } from '../../../../src/ui/editors/compare/banner-text.ts';
 import type { ComparedResult } from '../../../../src/ui/state/dump-comparison.ts';
@@ -12,6 +14,13 @@ export interface ComparedCase extends BannerSubject {
   readonly result: ComparedResult | undefined;
 }
 
+/** A dump, as text or by its name in the reference; its time if it states none. */
+export interface CaseDump {
+  readonly name: string;
+  readonly bytes?: Uint8Array | string;
+  readonly time?: number;
+}
+
 /** @param files in `data/` @param time shown, of the clip; undefined: the file pose */
 export function comparedCase(
   files: readonly string[],
@@ -20,15 +29,28 @@ export function comparedCase(
   tolerance = 1e-4,
   bytes: Uint8Array | string = sharedBytes(`conformance/compare/${dumpName}`),
 ): ComparedCase {
+  return comparedDumps(files, [{ name: dumpName, bytes, ...(time !== undefined && { time }) }], time, tolerance);
+}
+
+/** Several dumps, the last of which was given last. */
+export function comparedDumps(
+  files: readonly string[],
+  given: readonly CaseDump[],
+  time?: number,
+  tolerance = 1e-4,
+): ComparedCase {
   const character = characterOf(...files.map((file) => `data/${file}`));
-  const { value } = readDump(bytes, dumpName);
-  if (!value) throw new Error(`${dumpName} can't be read.`);
-  const dumps = [{ fileName: dumpName, dump: value, assumed: { time } }];
+  const dumps = given.map(({ name, time: own, bytes = sharedBytes(`conformance/compare/${name}`) }) => {
+    const { value } = readDump(bytes, name);
+    if (!value) throw new Error(`${name} can't be read.`);
+    return { fileName: name, dump: value, assumed: { time: own } };
+  });
   const { comparison, targets, diagnostics } = compareDumps({ character, dumps, tolerance }, () => undefined);
   const result = comparison && targets && { comparison, targets, character, tolerance };
   return {
     state: {
       dumps,
+      newest: given.slice(-1).map(({ name }) => name),
       tolerance,
       phase: result ? { kind: 'done' } : { kind: 'misfit', diagnostics },
       ...(result && { result }),
@@ -38,4 +60,19 @@ export function comparedCase(
     frame: comparison?.frames.findIndex((frame) => frame.time === time) ?? -1,
     time,
   };
+}
+
+/** World matrices as a program prints them, right or with one joint moved by 1 along x. */
+export function printedMatrices(character: Character, times: readonly number[], moved?: number): string {
+  const evaluator = new Evaluator(character);
+  const blocks = times.map((time) => {
+    const { world } = evaluator.frame(RIGHT_PROGRAM, time, { local: false, vertices: false, normals: false });
+    const rows = Array.from({ length: world.length / 16 }, (_, j) => {
+      const row = [...world.subarray(16 * j, 16 * j + 16)];
+      if (j === moved) row[12] += 1;
+      return row.join(' ');
+    });
+    return `time ${time}\n${rows.join('\n')}\n`;
+  });
+  return blocks.join('');
 }

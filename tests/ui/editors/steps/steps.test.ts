@@ -22,9 +22,9 @@ function stagesOf(joint: number): Stages {
 describe('the slider of Steps', () => {
   it('the slider goes from the parent’s frame over each factor to the joint', () => {
     const stages = stagesOf(1);
-    expect(stages.labels).toEqual(['W₀', '· T(offset)', '· Rz(rz)', '· Ry(ry)', '· Rx(rx)']);
+    expect(stages.labels).toEqual(['W₀', 'times T(offset)', 'times Rz(rz)', 'times Ry(ry)', 'times Rx(rx)']);
     expect(stages.kind === 'frames' && stages.frames).toHaveLength(5);
-    expect(stagesOf(0).labels.slice(0, 3)).toEqual(['origin', '· T(tx, ty, tz)', '· T(offset)']);
+    expect(stagesOf(0).labels.slice(0, 3)).toEqual(['origin', 'times T(tx, ty, tz)', 'times T(offset)']);
   });
 
   it('the slider goes from a vertex in the file over its morphs and each attachment to where it is drawn', () => {

@@ -45,6 +45,7 @@ export class WhyPane {
   private readonly segment: HTMLElement;
   private readonly empty = element('p', { class: 'empty' }, NOTHING);
   private readonly body: HTMLElement;
+  private channel: number | undefined;
 
   constructor(private readonly wb: Uses<'store' | 'settings'>) {
     this.segment = element(
@@ -75,6 +76,9 @@ export class WhyPane {
     const why = take && subject && whyValue(take.clip, subject.channel, subject.time);
     this.empty.hidden = why !== undefined;
     this.body.hidden = why === undefined;
+    // Another curve is read from its beginning.
+    if (subject?.channel !== this.channel) this.element.scrollTop = 0;
+    this.channel = subject?.channel;
     if (!take || !subject || !why) return;
     const { character, clip } = take;
     const named = namedChannel(character, subject.channel);
