@@ -11,7 +11,7 @@ import { characterOf, SHARED } from '../lesson/lesson-files.ts';
 const WASP = ['wasp.skel', 'wasp_walk.anim'];
 
 /** World matrices of the wasp at some times, the joints moved that are given. */
-function printed(times: readonly number[], moved: readonly number[] = []): string {
+function printed(times: readonly (number | undefined)[], moved: readonly number[] = []): string {
   const evaluator = new Evaluator(characterOf(...SHARED.wasp));
   return times
     .map((time) => {
@@ -21,7 +21,7 @@ function printed(times: readonly number[], moved: readonly number[] = []): strin
         if (moved.includes(j)) row[12] += 1;
         return row.join(' ');
       });
-      return `time ${time}\n${rows.join('\n')}`;
+      return `${time === undefined ? '' : `time ${time}\n`}${rows.join('\n')}`;
     })
     .join('\n');
 }
@@ -133,16 +133,16 @@ describeShared('another program’s numbers', () => {
       await dropFiles(page, [{ name: 'mine@1.5.txt', bytes: printed([1.5]) }]);
       await says(page, /^All agree: 23 world matrices at 1.5 s/);
       await dropFiles(page, [{ name: 'more.txt', bytes: printed([0.5, 1], [7, 8]) }]);
-      await says(page, /^Agrees at 1.5 s\. First wrong at 0.5 s: hip_03_r\. No known mistake/);
+      await says(page, /^Agrees at 1.5 s\. First wrong in more\.txt at 0.5 s: hip_03_r\. No known mistake/);
       await banner(page).getByRole('button', { name: 'Details' }).click();
       await panel.getByRole('button', { name: '1 s, differs' }).click();
       await marked(page, 'knee_03_r', 'inherited');
 
       // An edit compares again.
       await page.evaluate(() => window.marrow.run('pose.resetToZero'));
-      await says(page, /^First wrong at 1 s: root/);
+      await says(page, /^First wrong in more\.txt at 1 s: root/);
       await page.keyboard.press('ControlOrMeta+z');
-      await says(page, /^First wrong at 1 s: hip_03_r/);
+      await says(page, /^First wrong in more\.txt at 1 s: hip_03_r/);
 
       await panel.getByRole('grid', { name: 'Joints' }).focus();
       await page.keyboard.press('Escape');
@@ -164,6 +164,20 @@ describeShared('another program’s numbers', () => {
       await line.getByText(/^short\.txt:2: not compared\. Expected 12 or 16 numbers for each of 23 joints/).waitFor();
       await line.getByRole('button', { name: 'Show line 2 of short.txt in Source' }).click();
       await page.locator('.source-lines').getByText('1 2 3').waitFor();
+      await page.evaluate(() => window.marrow.run('compare.stop'));
+
+      // Steps of the pose that was compared, not of the one shown.
+      await dropFiles(page, [{ name: 'still.txt', bytes: printed([undefined]) }]);
+      await says(page, /^All agree: 23 world matrices in the file pose/);
+      await page.locator('#timeline-tab-compare').click();
+      await panel.locator('.compare-row', { hasText: 'knee_03_r' }).click();
+      await panel.getByRole('button', { name: /^See its steps/ }).click();
+      await page.getByRole('button', { name: 'File pose', pressed: true }).waitFor();
+      const still = printed([undefined]).split('\n')[8].split(' ').map(Number);
+      const steps = page.locator('.step-card[aria-label="W₈"] .grid').first().locator('.number');
+      await expect
+        .poll(async () => (await steps.allTextContents()).map((text) => Number(text.replace('−', '-'))).slice(0, 4))
+        .toEqual([0, 4, 8, 12].map((at) => expect.closeTo(still[at], 2)));
       await page.evaluate(() => window.marrow.run('compare.stop'));
 
       await expectDrawn(page);

@@ -95,6 +95,15 @@ describe('a comparison with dumps', () => {
     expect(store.undoLabel).toBeUndefined();
   });
 
+  it('says which dumps were given last', async () => {
+    const { comparing, settled } = comparisonOf(crawler, [dump('mine.txt', [0.3])], 0.3);
+    expect(comparing.state.get().newest).toEqual(['mine.txt']);
+    await settled();
+    await comparing.add([dump('more.txt', [0.6])]);
+    const { newest, dumps } = comparing.state.get();
+    expect([newest, dumps.map(({ fileName }) => fileName)]).toEqual([['more.txt'], ['mine.txt', 'more.txt']]);
+  });
+
   it('shows the frame nearest to the time shown, within half a frame, while time moves', async () => {
     const { comparing, settled, at } = comparisonOf(crawler, [dump('all.txt', [0, 0.5, 1], NO_PARENT)], 0.25);
     await settled();

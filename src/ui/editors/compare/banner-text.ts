@@ -90,7 +90,7 @@ function resultText(
     ...(isOfSome && !ofAsked ? [`${newest.filter((name) => names.includes(name)).join(', ')}: all agree.`] : []),
     ...(hereAgrees
       ? [`Agrees at ${timeText(now.time)}.`]
-      : !now && frames.length > 0
+      : !now && frames.length > 0 && !isOfSeveral
         ? [`Compared${whenText(comparison, time)}.`]
         : []),
     ...(placed
@@ -157,7 +157,9 @@ function causeText(comparison: Comparison, placed: PlacedFirst | undefined, file
   const others = causes.filter(({ about }) => !best || subjectKey(about) !== subjectKey(best.about)).length;
   const more = others > 0 ? ` ${plural(others, 'more cause')} in Compare.` : '';
   if (best) {
-    const about = best.about ? `In the ${subjectText(best.about, best.about.files.length > 0)}: ` : '';
+    // The dump was just named.
+    const isNamed = file !== undefined && best.about?.files.join() === file;
+    const about = best.about && !isNamed ? `In the ${subjectText(best.about, best.about.files.length > 0)}: ` : '';
     return `${about}${best.sentences.join(' ')} ${explainsText(best, comparison)}${equalText(best, causes)}${more}`;
   }
   const isTold = own.length + inherited.length > 1 && placed?.first.what === 'joint';

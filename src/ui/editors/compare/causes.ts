@@ -5,9 +5,12 @@ import type { Cause } from '../../../lesson/found-causes.ts';
 import { element } from '../../kit/dom.ts';
 import { explainsText, numberText } from './banner-text.ts';
 
-export function causesList(comparison: Comparison): HTMLElement {
+/** @param newest names of the dumps that were given last: what is about them comes first */
+export function causesList(comparison: Comparison, newest: readonly string[]): HTMLElement {
   const list = element('div', { class: 'compare-causes' });
-  const { causes, agrees } = comparison;
+  const { agrees } = comparison;
+  const isNew = ({ about }: Cause) => about?.files.some((file) => newest.includes(file)) ?? false;
+  const causes = [...comparison.causes.filter(isNew), ...comparison.causes.filter((cause) => !isNew(cause))];
   if (areEqual(causes)) {
     list.append(element('p', { class: 'faint' }, 'Each of these explains it; these numbers can’t tell them apart.'));
   }

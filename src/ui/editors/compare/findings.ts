@@ -61,7 +61,7 @@ export class Findings {
   show(comparing: DumpComparison, told: number): void {
     const state = comparing.state.get();
     this.of = comparing;
-    if (state.result !== this.state?.result) this.showResult(state.result);
+    if (state.result !== this.state?.result) this.showResult(state);
     const isMoved = clipTimeShown(this.wb, comparing.character) !== undefined;
     const isOther = state.dumps !== this.state?.dumps || state.result !== this.state?.result;
     if (isOther || isMoved !== this.isMoved) this.showDumps(state, isMoved);
@@ -73,17 +73,18 @@ export class Findings {
 
   forget(): void {
     this.of = this.state = undefined;
-    this.showResult(undefined);
+    this.showResult({});
   }
 
-  private showResult(result: ComparedResult | undefined): void {
+  private showResult({ result, newest = [] }: Partial<Pick<CompareState, 'result' | 'newest'>>): void {
     this.found.replaceChildren();
     this.times.replaceChildren();
     this.facts.replaceChildren();
     if (!result) return;
     const { comparison } = result;
     const { frames, layout, compared } = comparison;
-    this.found.append(causesList(comparison));
+    this.found.append(causesList(comparison, newest));
+    this.element.scrollTop = 0;
     if (frames.length > 1)
       this.times.append(...frames.slice(0, MAX_TIMES).map((_, i) => this.timeButton(comparison, i)));
     this.facts.append(

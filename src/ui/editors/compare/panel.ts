@@ -2,7 +2,8 @@
  * *Compare*: where another program's numbers differ from ours, and which mistakes explain it. Follows the comparison at
  * the time shown; where none was compared near it, the first that differs is told. Escape ends the comparison.
  */
-import type { FrameComparison } from '../../../lesson/compare.ts';
+import type { FirstWrong, FrameComparison } from '../../../lesson/compare.ts';
+import { firstWrongOf } from '../../../lesson/first-wrong.ts';
 import { button, element, setAttribute, setText } from '../../kit/dom.ts';
 import { isTextField } from '../../kit/focus.ts';
 import { oncePerFrame } from '../../kit/frame.ts';
@@ -43,6 +44,12 @@ const KIND_LABELS: Readonly<Record<RowKind, string>> = {
   vertices: 'Worst vertices',
   normals: 'Worst normals',
   channels: 'Channels',
+};
+const KIND_OF: Readonly<Record<FirstWrong['what'], RowKind>> = {
+  joint: 'joints',
+  vertex: 'vertices',
+  normal: 'normals',
+  channel: 'channels',
 };
 const NUMBER_LABELS: Readonly<Record<JointNumbers, string>> = {
   world: 'World',
@@ -150,6 +157,7 @@ class ComparePanel implements TimelineTab {
     };
     this.stops = comparing ? [comparing.state.subscribe(ofDumps), comparing.shown.subscribe(this.showSoon)] : [];
     this.listed = undefined;
+    this.told = undefined;
     this.picked = undefined;
     this.asksForNumbers = false;
     this.findings.forget();
@@ -171,6 +179,9 @@ class ComparePanel implements TimelineTab {
     setAttribute(this.paste, 'aria-pressed', String(this.asksForNumbers));
     if (!comparing || !state) return;
     const { result } = state;
+    const hasCome = result && state.phase.kind === 'done';
+    if (hasCome && state.newest !== this.told)
+      this.showNewest(result, state.newest, comparing.shown.get()?.index ?? -1);
     const kinds = result ? kindsIn(result) : [];
     if (kinds.length > 0 && !kinds.includes(this.kind)) this.setKind(kinds[0]);
     const told = result ? toldFrame(comparing, result, this.kind) : -1;
@@ -198,6 +209,16 @@ class ComparePanel implements TimelineTab {
     );
   }
 
+  /** What is wrong first in dumps that were just given is what is listed. */
+  private showNewest(result: ComparedResult, newest: readonly string[], frame: number): void {
+    this.told = newest;
+    const names = result.targets.origins?.fileNames ?? [];
+    const dumps = names.flatMap((name, dump) => (newest.includes(name) ? [dump] : []));
+    const placed = firstWrongOf(result, dumps.length > 0 ? new Set(dumps) : undefined, frame);
+    if (placed) this.setKind(KIND_OF[placed.first.what]);
+  }
+  private told: readonly string[] | undefined;
+
   /** The row that is shown in detail: the selected one, else the first that differs. */
   private indexIn(rows: readonly ComparedRow[], { characterId }: DumpComparison): number | undefined {
     const { selection } = this.wb.store;
@@ -207,7 +228,8 @@ class ComparePanel implements TimelineTab {
     for (const index of [isOwn ? vertex : undefined, asked]) {
       if (index !== undefined && rows.some((row) => row.index === index)) return index;
     }
-    return (rows.find(({ mark }) => mark !== 'agrees') ?? rows[0])?.index;
+    const wrong = rows.filter(({ mark }) => mark !== 'agrees').map((row) => row.index);
+    return wrong.length > 0 ? Math.min(...wrong) : rows.at(0)?.index;
   }
 
   private showDetail(result: ComparedResult, frame: number, row: ComparedRow | undefined): void {
