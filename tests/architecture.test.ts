@@ -42,7 +42,7 @@ const MAY_IMPORT: Readonly<Record<string, readonly string[]>> = {
   'ui/shell': ['ui/styles', 'ui/editors', 'ui/state', 'ui/kit', 'view', 'project', 'edit', 'evaluate', ...BASE],
   // Files that tell mistakes apart, with their answers.
   kit: ['project', 'lesson', 'formats', 'evaluate', ...BASE],
-  cli: ['dataset', 'kit', 'project', 'review', 'lesson', 'formats', 'evaluate', 'edit', ...BASE],
+  cli: ['dataset', 'exchange', 'kit', 'project', 'review', 'lesson', 'formats', 'evaluate', 'edit', ...BASE],
   samples: ['formats', 'evaluate', ...BASE],
   // What `main.ts` wires together, where it takes more than a line.
   app: [

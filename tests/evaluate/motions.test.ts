@@ -1,8 +1,10 @@
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
 import { direction } from '../../src/evaluate/motions/axis.ts';
+import type { MotionPart } from '../../src/evaluate/motions/motion.ts';
 import { jointMotion } from '../../src/evaluate/motions.ts';
-import { determinant3 } from '../../src/math/mat4.ts';
+import { determinant3, multiplyAffine, setIdentity as writeIdentity } from '../../src/math/mat4.ts';
+import { writeRotation } from '../../src/math/quaternion.ts';
 import { dofsOf } from '../../src/model/joint-types.ts';
 import { skelMotionOf } from '../../src/model/skel-motion.ts';
 import type { Motion } from '../../src/model/skeleton.ts';
@@ -20,6 +22,23 @@ const derivative = (of: Motion, values: readonly number[], dof: number) => {
   jointMotion(of).writeDerivative(Float64Array.of(9, ...values), 1, dof, out, 1);
   expect([out[0], out[17]]).toEqual([7, 7]);
   return out.slice(1, 17);
+};
+
+const setIdentity = (m: Float64Array) => {
+  writeIdentity(m);
+  return m;
+};
+const times = (a: Float64Array, b: Float64Array) => {
+  const out = new Float64Array(16);
+  multiplyAffine(a, 0, b, 0, out, 0);
+  return out;
+};
+const partMatrix = (kind: MotionPart['kind'], [x, y, z, w]: Float64Array) => {
+  const m = setIdentity(new Float64Array(16));
+  if (kind === 'rotation') writeRotation(x, y, z, w, m, 0, 4);
+  else if (kind === 'translation') m.set([x, y, z], 12);
+  else [m[0], m[5], m[10]] = [x, y, z];
+  return m;
 };
 
 /** Away from 0, which scales that keep their volume and quaternions do not like. */
@@ -51,6 +70,35 @@ describe('any motion', () => {
       }),
       { numRuns: 1000 },
     );
+  });
+
+  it('any motion that stretches is the product of its parts, which change smoothly with its DOFs', () => {
+    let compared = 0;
+    fc.assert(
+      fc.property(posed, ([of, values]) => {
+        const { parts, stretches } = jointMotion(of);
+        expect(parts !== undefined).toBe(stretches === true);
+        if (!parts) return;
+        const numbers = (by: number) =>
+          parts.map((part) => {
+            const out = new Float64Array(4);
+            part.write(Float64Array.of(9, ...values.map((v) => v + by)), 1, out);
+            return out;
+          });
+        let product = setIdentity(new Float64Array(16));
+        numbers(0).forEach((n, i) => {
+          product = times(product, partMatrix(parts[i].kind, n));
+        });
+        expectClose(at(of, values), product, 1e-12, of.kind);
+        const moved = numbers(1e-6);
+        numbers(0).forEach((n, i) => {
+          expectClose(n, moved[i], 1e-4, `part ${i}`);
+        });
+        compared++;
+      }),
+      { numRuns: 1000 },
+    );
+    expect(compared).toBeGreaterThan(100);
   });
 
   it('any motion does nothing with its DOFs at rest', () => {

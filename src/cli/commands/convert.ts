@@ -3,6 +3,8 @@
  * can be converted to it: `.skel` and `.anim` from motion capture, `.bvh` from any skeleton and its clip. Without a
  * `.rig` in IN, one is written that names the given files.
  *
+ * `marrow convert IN… OUT.glb`: a character with its takes (`convert-glb.ts`).
+ *
  * `marrow convert IN… --to KIND`: everything in IN, files and folders, into files of their own (`convert-many.ts`).
  */
 import { basename, resolve } from 'node:path';
@@ -22,6 +24,7 @@ import { bvhCopy, type ConversionOptions } from '../../project/save/copies.ts';
 import { type Output, outputOf } from '../../project/save/output.ts';
 import { copiesOf, isCopy } from '../../project/save/saving.ts';
 import { type Arguments, numberOf, parseArguments, UsageError } from '../arguments.ts';
+import { convertToGlb, GLB_OPTIONS, isGlb, refuseGlbOptions } from '../convert-glb.ts';
 import { convertMany, type WrittenFile } from '../convert-many.ts';
 import type { CliCommand, CommandIo, ExitCode } from '../io.ts';
 import { loadFiles } from '../load.ts';
@@ -30,7 +33,8 @@ import { writeOutput } from '../write-output.ts';
 
 export const convert: CliCommand = {
   name: 'convert',
-  usage: 'IN… OUT [--fps N] [--tolerance T] [--json]  |  IN… --to skel|anim|bvh [--out FOLDER] [--force] …',
+  usage:
+    'IN… OUT [--fps N] [--tolerance T] [--json]  |  IN… OUT.glb [--keys linear|cubic] [--influences N] [--take NAME] [--no-body] …  |  IN… --to skel|anim|bvh [--out FOLDER] [--force] …',
   summary: 'writes OUT in the format of its extension, or all of IN as files of one kind (skel: with its animations)',
   exits: {
     0: 'all was written',
@@ -46,8 +50,10 @@ export const convert: CliCommand = {
       to: 'value',
       out: 'value',
       force: 'flag',
+      ...GLB_OPTIONS,
     });
     const to = given.value('to');
+    if (to !== undefined || !isGlb(given.files.at(-1) ?? '')) refuseGlbOptions(given);
     if (to !== undefined) return toKind(given, to, io);
     if (given.value('out') !== undefined || given.flag('force')) {
       throw new UsageError('--out and --force need --to; without it, the last name is the output.');
@@ -98,9 +104,10 @@ function labelOf(path: string): string {
 async function toFile(given: Arguments, io: CommandIo): Promise<ExitCode> {
   const [ins, out] = [given.files.slice(0, -1), given.files.at(-1)];
   if (out === undefined || ins.length === 0) throw new UsageError('convert needs an input file and an output file.');
+  if (isGlb(out)) return toGlb(given, ins, out, io);
   const format = formatOf(out);
   if (!format || !isSaved(format.format)) {
-    const known = WRITABLE_EXTENSIONS.map((extension) => `.${extension}`).join(' ');
+    const known = [...WRITABLE_EXTENSIONS, 'glb'].map((extension) => `.${extension}`).join(' ');
     throw new UsageError(`The format of "${out}" is not known; its name must end in one of ${known}.`);
   }
   const options = readOptions(given);
@@ -125,6 +132,23 @@ async function toFile(given: Arguments, io: CommandIo): Promise<ExitCode> {
   if (given.flag('json'))
     await printJson({ written: failed ? null : { name, kind: format.kind, bytes }, diagnostics }, io);
   else if (!failed) await io.out(`${out}: ${format.label}, ${bytes} bytes\n`);
+  return failed ? failureOf(diagnostics) : 0;
+}
+
+async function toGlb(given: Arguments, ins: readonly string[], out: string, io: CommandIo): Promise<ExitCode> {
+  const { files, diagnostics: read } = loadFiles(ins, io.folder);
+  const diagnostics = [...read];
+  let bytes = 0;
+  if (!hasErrors(diagnostics)) {
+    const written = await convertToGlb(given, files, out, io.folder, readOptions(given));
+    diagnostics.push(...written.diagnostics);
+    bytes = written.bytes;
+  }
+  report(diagnostics, io);
+  const failed = hasErrors(diagnostics);
+  if (given.flag('json')) {
+    await printJson({ written: failed ? null : { name: basename(out), kind: 'character', bytes }, diagnostics }, io);
+  } else if (!failed) await io.out(`${out}: glTF, ${bytes} bytes\n`);
   return failed ? failureOf(diagnostics) : 0;
 }
 

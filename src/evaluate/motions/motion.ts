@@ -21,6 +21,18 @@ export interface JointMotion {
    * kinematics is fast with them; without them it uses `writeDerivative`.
    */
   readonly screws?: readonly Screw[];
+  /**
+   * J as a product of translations, rotations and scales, from left to right, for motions that stretch: each changes
+   * smoothly with the DOFs. Programs without general matrices show it by a chain of nodes.
+   */
+  readonly parts?: readonly MotionPart[];
+}
+
+/** One factor of J: a translation or a scale (x y z), or a rotation (unit quaternion x y z w). */
+export interface MotionPart {
+  readonly kind: 'translation' | 'rotation' | 'scale';
+  /** Writes the 3 or 4 numbers; φ starts at `dofs[first]`. */
+  write(dofs: Float64Array, first: number, out: Float64Array): void;
 }
 
 /** T(slide · φ · axis) · R(axis, turn · φ): rotation about an axis through the origin and sliding along it. */

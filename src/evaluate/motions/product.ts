@@ -8,7 +8,7 @@
  */
 import { setIdentity } from '../../math/mat4.ts';
 import type { AxisPair } from '../../model/skeleton.ts';
-import { type JointMotion, slideAlong, turnScrew } from './motion.ts';
+import { type JointMotion, type MotionPart, slideAlong, turnScrew } from './motion.ts';
 
 export interface Factor {
   readonly kind: 'translation' | 'rotation' | 'scale';
@@ -32,7 +32,7 @@ export function productOf(factors: readonly Factor[]): JointMotion {
   );
   return {
     stretches,
-    ...(!stretches && { screws }),
+    ...(stretches ? { parts: factors.map(partOf) } : { screws }),
     write(dofs, first, out, o) {
       setIdentity(out, o);
       for (let f = 0; f < factors.length; f++) multiply(out, o, factors[f], dofs[first + factors[f].dof]);
@@ -46,6 +46,18 @@ export function productOf(factors: readonly Factor[]): JointMotion {
         else multiply(out, o, factor, value);
       }
       out[o + 15] = 0;
+    },
+  };
+}
+
+function partOf({ kind, axis, dof }: Factor): MotionPart {
+  return {
+    kind,
+    write(dofs, first, out) {
+      const value = dofs[first + dof];
+      out.fill(kind === 'scale' ? 1 : 0);
+      out[axis] = kind === 'rotation' ? Math.sin(value / 2) : value;
+      if (kind === 'rotation') out[3] = Math.cos(value / 2);
     },
   };
 }

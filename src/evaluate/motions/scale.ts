@@ -3,8 +3,9 @@ import { setIdentity } from '../../math/mat4.ts';
 import type { Vec3 } from '../../math/vec3.ts';
 import type { ScaleMode } from '../../model/skeleton.ts';
 import { direction } from './axis.ts';
-import type { JointMotion } from './motion.ts';
+import type { JointMotion, MotionPart } from './motion.ts';
 import { factorOf, productOf } from './product.ts';
+import { shearParts } from './shear-parts.ts';
 
 /** Minimum length: preserving the volume at length 0 would need infinite width. */
 const SHORTEST = 1e-6;
@@ -24,6 +25,7 @@ export function scaleMotion(mode: ScaleMode, axis: Vec3): JointMotion {
 
 const UNIFORM: JointMotion = {
   stretches: true,
+  parts: [{ kind: 'scale', write: (dofs, first, out) => void out.fill(dofs[first]) }],
   write(dofs, first, out, o) {
     diagonal(out, o, dofs[first]);
     out[o + 15] = 1;
@@ -55,6 +57,10 @@ function stretch(axis: Vec3, mode: 'axis' | 'volume'): JointMotion {
   if (mode === 'axis') {
     return {
       stretches: true,
+      parts: partsAlong([x, y, z], (s, out) => {
+        out.fill(1);
+        out[0] = s;
+      }),
       write(dofs, first, out, o) {
         write(out, o, dofs[first], 1);
         out[o + 15] = 1;
@@ -64,6 +70,11 @@ function stretch(axis: Vec3, mode: 'axis' | 'volume'): JointMotion {
   }
   return {
     stretches: true,
+    parts: partsAlong([x, y, z], (value, out) => {
+      const s = Math.max(SHORTEST, value);
+      out.fill(1 / Math.sqrt(s));
+      out[0] = s;
+    }),
     write(dofs, first, out, o) {
       const s = Math.max(SHORTEST, dofs[first]);
       write(out, o, s, 1 / Math.sqrt(s));
@@ -77,9 +88,29 @@ function stretch(axis: Vec3, mode: 'axis' | 'volume'): JointMotion {
   };
 }
 
+/** A scale across an axis that is none of x, y, z: Q · diag · Qᵀ, where Q takes x to the axis. */
+function partsAlong([x, y, z]: Vec3, scale: (value: number, out: Float64Array) => void): readonly MotionPart[] {
+  // Half-way between x and the axis: (x × a, 1 + x·a), normalised; opposite directions scale alike.
+  const sign = x < 0 ? -1 : 1;
+  const w = Math.sqrt((1 + sign * x) / 2);
+  const across = sign / (2 * w);
+  const turn = (by: number): MotionPart => ({
+    kind: 'rotation',
+    write(_dofs, _first, out) {
+      out[0] = 0;
+      out[1] = -z * across * by + 0;
+      out[2] = y * across * by + 0;
+      out[3] = w;
+    },
+  });
+  const stretched: MotionPart = { kind: 'scale', write: (dofs, first, out) => scale(dofs[first], out) };
+  return w === 1 ? [stretched] : [turn(1), stretched, turn(-1)];
+}
+
 /** x′ = x + hxy·y + hxz·z, y′ = y + hyz·z, z′ = z. */
 export const SHEAR_MOTION: JointMotion = {
   stretches: true,
+  parts: shearParts(),
   write(dofs, first, out, o) {
     setIdentity(out, o);
     out[o + 4] = dofs[first];

@@ -1,0 +1,94 @@
+/** `marrow convert IN… OUT.glb`: one character with its takes, for programs that read glTF. */
+import { resolve } from 'node:path';
+import type { GlbOptions } from '../exchange/glb/options.ts';
+import { diagnosticsOf } from '../exchange/glb/report.ts';
+import { TakeError } from '../exchange/glb/take-motion.ts';
+import type { Diagnostic } from '../model/diagnostic.ts';
+import { type Character, EMPTY_DOCUMENT } from '../model/document.ts';
+import type { ParsedFile } from '../model/files.ts';
+import { openFiles } from '../project/open/open-files.ts';
+import { refusal } from '../project/save/conversion.ts';
+import { type Arguments, numberOf, UsageError } from './arguments.ts';
+import { writeOutput } from './write-output.ts';
+
+/** Options of `convert` for `.glb` only. */
+export const GLB_OPTIONS = { keys: 'value', influences: 'value', take: 'value', 'no-body': 'flag' } as const;
+
+export function isGlb(name: string): boolean {
+  return /\.glb$/i.test(name);
+}
+
+/** @throws UsageError if options for `.glb` are given with another output */
+export function refuseGlbOptions(given: Arguments): void {
+  const own = (['keys', 'influences', 'take'] as const).find((name) => given.value(name) !== undefined);
+  const name = own ?? (given.flag('no-body') ? 'no-body' : undefined);
+  if (name) throw new UsageError(`--${name} is for .glb files; the output must end in .glb.`);
+}
+
+export interface WrittenGlb {
+  readonly bytes: number;
+  readonly diagnostics: readonly Diagnostic[];
+}
+
+/** @param out relative to the folder */
+export async function convertToGlb(
+  given: Arguments,
+  files: readonly ParsedFile[],
+  out: string,
+  folder: string,
+  common: { readonly framesPerSecond?: number; readonly tolerance?: number },
+): Promise<WrittenGlb> {
+  const options = readOptions(given, common);
+  const name = out.slice(Math.max(out.lastIndexOf('/'), out.lastIndexOf('\\')) + 1);
+  const failed = (code: string, message: string) => ({ bytes: 0, diagnostics: [refusal(code, message, name)] });
+  const { characters } = openFiles(EMPTY_DOCUMENT, files).document;
+  const whole = characters.filter(({ skeleton, skins }) => skeleton || skins.length > 0);
+  if (whole.length === 0) {
+    const held = files.map(({ source }) => source.path).join(', ') || 'nothing';
+    return failed('part-missing', `Expected a skeleton or a skin for ${name}, found ${held}.`);
+  }
+  if (whole.length > 1) {
+    const names = whole.map((character) => character.name).join(', ');
+    return failed(
+      'part-ambiguous',
+      `Expected one character for ${name}, found ${whole.length} (${names}). Name only one.`,
+    );
+  }
+  try {
+    return await write(whole[0], options, name, resolve(folder, out));
+  } catch (error) {
+    if (!(error instanceof TakeError)) throw error;
+    return failed('conversion-refused', error.message);
+  }
+}
+
+async function write(character: Character, options: GlbOptions, name: string, path: string): Promise<WrittenGlb> {
+  const { writeGlb } = await import('../exchange/glb/write.ts');
+  const { pieces, report } = writeGlb(character, options, false);
+  const written = writeOutput(path, pieces);
+  if ('bytes' in written) return { bytes: written.bytes, diagnostics: diagnosticsOf(report, name) };
+  const message = `The file could not be written: ${written.failure}.`;
+  return { bytes: 0, diagnostics: [refusal('file-not-written', message, name)] };
+}
+
+function readOptions(
+  given: Arguments,
+  { framesPerSecond, tolerance }: { readonly framesPerSecond?: number; readonly tolerance?: number },
+): GlbOptions {
+  const keys = given.value('keys') ?? 'linear';
+  if (keys !== 'linear' && keys !== 'cubic') throw new UsageError(`--keys must be linear or cubic, found "${keys}".`);
+  const text = given.value('influences');
+  const influences = text === undefined ? undefined : numberOf('influences', text);
+  if (influences !== undefined && !(Number.isInteger(influences) && influences > 0)) {
+    throw new UsageError(`--influences must be a whole number greater than 0, found ${text}.`);
+  }
+  const take = given.value('take');
+  return {
+    keys,
+    body: !given.flag('no-body'),
+    ...(framesPerSecond !== undefined && { framesPerSecond }),
+    ...(tolerance !== undefined && { tolerance }),
+    ...(influences !== undefined && { influences }),
+    ...(take !== undefined && { take }),
+  };
+}

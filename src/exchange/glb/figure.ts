@@ -1,0 +1,55 @@
+/** A character in the pose of the file: all of a GLB file but its motion. */
+import { compileSkeleton } from '../../evaluate/kinematics.ts';
+import { dofCountOf, poseAt } from '../../evaluate/pose.ts';
+import { type Character, shownSkin } from '../../model/document.ts';
+import type { Skin } from '../../model/skin.ts';
+import { type AttachmentSets, attachmentSets } from './attachments.ts';
+import { bodyOf } from './body.ts';
+import { type JointNodes, jointNodes, NODE_WIDTH, nodeWorlds, nodeWriter } from './joint-nodes.ts';
+import { type GlbOptions, TOLERANCE_OF_SIZE } from './options.ts';
+import { sizeOf } from './size.ts';
+
+/** What of a character is written, apart from its motion. */
+export interface Figure {
+  readonly skin: Skin | undefined;
+  /** Absent without a skeleton. */
+  readonly joints: FigureJoints | undefined;
+  /** Absent without a skeleton or a skin. */
+  readonly sets: AttachmentSets | undefined;
+  /** All DOFs in the pose of the nodes. */
+  readonly restPose: readonly number[];
+  readonly size: number;
+  readonly tolerance: number;
+}
+
+export interface FigureJoints {
+  readonly skeleton: NonNullable<Character['skeleton']>;
+  readonly nodes: JointNodes;
+  /** The nodes' numbers in the pose of the file. */
+  readonly rest: Float64Array;
+  /** World matrices of the nodes in that pose. */
+  readonly worlds: Float64Array;
+}
+
+export function figureOf(character: Character, { body, influences, tolerance }: GlbOptions): Figure {
+  const { skeleton } = character;
+  const { unkeyed: _unkeyed, driver: _driver, ...plain } = character;
+  const rest = new Float64Array(dofCountOf(character));
+  poseAt({ ...plain, shownClip: -1 }, 0, rest);
+  let joints: FigureJoints | undefined;
+  if (skeleton) {
+    const compiled = compileSkeleton(skeleton);
+    const nodes = jointNodes(compiled);
+    const row = new Float64Array(NODE_WIDTH * nodes.nodes.length);
+    nodeWriter(compiled, nodes)(rest, row, 0);
+    const worlds = new Float64Array(16 * nodes.nodes.length);
+    nodeWorlds(nodes.nodes, row, 0, worlds);
+    joints = { skeleton, nodes, rest: row, worlds };
+  }
+  const own = shownSkin(character);
+  const skin =
+    own ?? (body && joints ? bodyOf(joints.skeleton, joints.worlds, joints.nodes.lastOf, 'body') : undefined);
+  const sets = skin && skeleton && attachmentSets(skin, skeleton.joints.length, skeleton.joints.length, influences);
+  const size = sizeOf(character, own, rest);
+  return { skin, joints, sets, restPose: [...rest], size, tolerance: tolerance ?? TOLERANCE_OF_SIZE * size };
+}

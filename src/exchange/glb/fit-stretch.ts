@@ -1,0 +1,213 @@
+/**
+ * Finds keys for a stretch of a take: few, and such that no point is off by more than the tolerance at any row. Errors
+ * of joints add up along the skeleton, and mostly don't: so each track gets keys by a share of the tolerance, the result
+ * is measured at all points and rows, and keys are added where it is exceeded.
+ */
+import { cubicHolds, expandCubic, fitCubic } from './fit-cubic.ts';
+import { expandLinear, type FittedKeys, fitLinear, greedyKeys, lastNotAbove, linearHolds } from './fit-linear.ts';
+import { type JointNode, nodeWorlds } from './joint-nodes.ts';
+import type { Rows } from './rows.ts';
+import type { Track } from './tracks.ts';
+import { farthestApart, nodesMoving, type Watch } from './watch.ts';
+
+export type KeyStyle = 'linear' | 'cubic';
+
+export interface StretchOptions {
+  readonly style: KeyStyle;
+  /** How far points may be off. */
+  readonly tolerance: number;
+  /** The share of the tolerance that each track gets at first, from 0 to 1. */
+  readonly share: number;
+  /** Tracks that need no keys here: they are exact anyway. */
+  readonly isExact: (track: Track) => boolean;
+}
+
+/** The tolerance of morph weights, of the whole: they add to what joints do. */
+const OF_WEIGHTS = 0.2;
+const MAX_ROUNDS = 400;
+/** Straight lines through moved keys are off by half as much, nearly. */
+const HALVED = 1.8;
+
+/** Keys of each track. */
+export function fitStretch(
+  rows: Rows,
+  tracks: readonly Track[],
+  nodes: readonly JointNode[],
+  watch: Watch,
+  { style, tolerance, share, isExact }: StretchOptions,
+): readonly FittedKeys[] {
+  const isCubic = style === 'cubic';
+  const keysFor = isCubic ? fitCubic : fitLinear;
+  const weights = tracks.find(({ path }) => path === 'weights');
+  const limit = tolerance * (weights && varies(rows, weights) ? 1 - OF_WEIGHTS : 1);
+  const keys = tracks.map((track) => {
+    if (isExact(track)) return [];
+    const own = track.path === 'weights' ? OF_WEIGHTS * tolerance : share * limit;
+    // A track that moves nothing still has its values.
+    const budget = (own * (isCubic ? 1 : HALVED)) / Math.max(track.reach, 1e-9 * tolerance);
+    return greedyKeys(rows, (isCubic ? cubicHolds : linearHolds)(rows, track, budget));
+  });
+  const fits = tracks.map((track, t) => keysFor(rows, track, keys[t]));
+  const measured = new Measured(rows, tracks, nodes, watch, isCubic, fits);
+  const refit = (t: number) => {
+    fits[t] = keysFor(rows, tracks[t], keys[t]);
+  };
+  for (let round = 0; round < MAX_ROUNDS; round++) {
+    const changed = addKeys(measured, keys, limit);
+    if (changed.size === 0) break;
+    for (const [t, added] of changed) {
+      refit(t);
+      for (const row of added) measured.update(t, ...around(keys[t], row));
+    }
+    measured.measure();
+  }
+  return fits;
+}
+
+function varies({ values, count, width }: Rows, { at, width: dims }: Track): boolean {
+  for (let m = 1; m < count; m++)
+    for (let k = at; k < at + dims; k++) if (values[m * width + k] !== values[k]) return true;
+  return false;
+}
+
+/** The rows that a key at a row, or its absence, has an effect on: two segments on either side. */
+function around(keys: readonly number[], row: number): readonly [number, number] {
+  const k = lastNotAbove(keys, row);
+  return [keys[Math.max(0, k - 2)], keys[Math.min(keys.length - 1, k + 3)]];
+}
+
+/**
+ * Adds a key at the worst row of each run of rows that are off by too much, to the track that is off most there. Returns
+ * the rows added to each track.
+ */
+function addKeys(measured: Measured, keys: number[][], limit: number): Map<number, number[]> {
+  const changed = new Map<number, number[]>();
+  const { errors } = measured;
+  const limit2 = limit * limit;
+  for (let m = 0; m < errors.length; m++) {
+    if (!(errors[m] > limit2)) continue;
+    let worst = m;
+    for (; m < errors.length && errors[m] > limit2; m++) if (errors[m] > errors[worst]) worst = m;
+    for (const t of measured.worstTracks(worst)) {
+      const row = addKey(keys[t], worst);
+      if (row === undefined) continue;
+      changed.set(t, [...(changed.get(t) ?? []), row]);
+      break;
+    }
+  }
+  return changed;
+}
+
+/** Adds a key at a row, or, if there is one, halfway in the longer segment beside it; undefined if all rows are keys. */
+function addKey(keys: number[], row: number): number | undefined {
+  const k = lastNotAbove(keys, row);
+  if (keys[k] !== row) {
+    keys.splice(k + 1, 0, row);
+    return row;
+  }
+  const before = k > 0 ? row - keys[k - 1] : 0;
+  const after = k + 1 < keys.length ? keys[k + 1] - row : 0;
+  if (Math.max(before, after) < 2) return undefined;
+  const isBefore = before > after;
+  const middle = isBefore ? row - (before >> 1) : row + (after >> 1);
+  keys.splice(isBefore ? k : k + 1, 0, middle);
+  return middle;
+}
+
+/** What programs make of the keys, compared with the rows. */
+class Measured {
+  readonly rows: Rows;
+  readonly tracks: readonly Track[];
+  /** The largest squared distance of a point at each row. */
+  readonly errors: Float64Array;
+  private readonly points: Int32Array;
+  private readonly nodes: readonly JointNode[];
+  private readonly watch: Watch;
+  private readonly isCubic: boolean;
+  private readonly fits: readonly FittedKeys[];
+  /** As the rows' values: rotations by components, and along arcs where that differs. */
+  private readonly made: readonly Float64Array[];
+  private readonly truth: Float64Array;
+  private readonly worlds: Float64Array;
+  private readonly isDirty: Uint8Array;
+  private readonly found = new Float64Array(2);
+
+  constructor(
+    rows: Rows,
+    tracks: readonly Track[],
+    nodes: readonly JointNode[],
+    watch: Watch,
+    isCubic: boolean,
+    fits: readonly FittedKeys[],
+  ) {
+    this.rows = rows;
+    this.tracks = tracks;
+    this.nodes = nodes;
+    this.watch = watch;
+    this.isCubic = isCubic;
+    this.fits = fits;
+    const { count, width } = rows;
+    this.errors = new Float64Array(count);
+    this.points = new Int32Array(count);
+    this.isDirty = new Uint8Array(count).fill(1);
+    this.made = Array.from({ length: isCubic ? 1 : 2 }, () => rows.values.slice(0, count * width));
+    this.worlds = new Float64Array(16 * nodes.length);
+    this.truth = new Float64Array(count * 16 * nodes.length);
+    for (let m = 0; m < count; m++) nodeWorlds(nodes, rows.values, m * width, this.truth, m * 16 * nodes.length);
+    fits.forEach((own, t) => {
+      if (own.rows.length > 0) this.update(t, 0, count - 1);
+    });
+    this.measure();
+  }
+
+  /** After new keys of a track: rows from one key to another, both included, are out of date. */
+  update(t: number, from: number, to: number): void {
+    const track = this.tracks[t];
+    this.made.forEach((out, bySlerp) => {
+      if (this.isCubic) expandCubic(this.rows, track, this.fits[t], out, from, to);
+      else expandLinear(this.rows, track, this.fits[t], out, bySlerp === 1, from, to);
+    });
+    this.isDirty.fill(1, from, to + 1);
+  }
+
+  /** Measures rows that are out of date; returns the largest error from one row to another, both included. */
+  measure(from = 0, to = this.rows.count - 1): number {
+    let most = 0;
+    for (let m = from; m <= to; m++) {
+      if (this.isDirty[m]) this.measureRow(m);
+      if (this.errors[m] > most) most = this.errors[m];
+    }
+    return most;
+  }
+
+  private measureRow(m: number): void {
+    const { nodes, found } = this;
+    const { width } = this.rows;
+    this.isDirty[m] = 0;
+    this.errors[m] = -1;
+    for (const values of this.made) {
+      nodeWorlds(nodes, values, m * width, this.worlds);
+      farthestApart(this.watch, this.worlds, 0, this.truth, m * 16 * nodes.length, found);
+      if (!(found[0] > this.errors[m])) continue;
+      this.errors[m] = found[0];
+      this.points[m] = found[1];
+    }
+  }
+
+  /** The tracks that displace the worst point of a row, the one that displaces it most first. */
+  worstTracks(m: number): readonly number[] {
+    const chain = nodesMoving(this.nodes, this.watch, this.points[m]);
+    const o = m * this.rows.width;
+    const off = this.tracks.map(({ node, at, width, path, reach }) => {
+      if (!chain.has(node)) return 0;
+      let most = 0;
+      for (const values of this.made) {
+        let sum = 0;
+        for (let k = o + at; k < o + at + width; k++) sum += (values[k] - this.rows.values[k]) ** 2;
+        most = Math.max(most, sum * reach * reach * (path === 'rotation' ? 4 : 1));
+      }
+      return most;
+    });
+    return [...off.keys()].filter((t) => off[t] > 0).sort((a, b) => off[b] - off[a]);
+  }
+}

@@ -1,0 +1,226 @@
+/** The keys of a take: the channels of a glTF animation. */
+import { exactKeys } from './exact-cubic.ts';
+import { fitCubic } from './fit-cubic.ts';
+import { type FittedKeys, keysAt } from './fit-linear.ts';
+import { fitStretch, type KeyStyle } from './fit-stretch.ts';
+import type { JointNode } from './joint-nodes.ts';
+import { Rows } from './rows.ts';
+import { sampleTake } from './sample-take.ts';
+import type { TakeMotion } from './take-motion.ts';
+import type { Track } from './tracks.ts';
+import type { Watch } from './watch.ts';
+
+/** The keys of one track. */
+export interface TrackKeys {
+  readonly track: Track;
+  readonly interpolation: 'LINEAR' | 'STEP' | 'CUBICSPLINE';
+  /** Since the start of the take, ascending, from 0 to its end. */
+  readonly seconds: Float32Array<ArrayBuffer>;
+  /** As glTF has them: of a spline the slope before, the value and the slope after of each key. */
+  readonly values: Float32Array<ArrayBuffer>;
+  /** Whether the value never changes. */
+  readonly isConstant: boolean;
+}
+
+export interface FitOptions {
+  readonly style: KeyStyle;
+  /** How far points may be off. */
+  readonly tolerance: number;
+  /** The character's size: what is exact is within a millionth of it. */
+  readonly size: number;
+  readonly framesPerSecond?: number;
+  /** Called from time to time with the fraction of the take that is done. */
+  readonly onProgress?: (fraction: number) => void;
+}
+
+/** What moves, and how it is seen. */
+export interface MovedNodes {
+  readonly nodes: readonly JointNode[];
+  readonly watch: Watch;
+  readonly tracks: readonly Track[];
+  /** Numbers in a row. */
+  readonly width: number;
+}
+
+/** The share of the tolerance that each track gets at first: errors along a chain rarely all add up. */
+const SHARE = 0.5;
+/** Rows of a stretch, as many as this many numbers are, within bounds. */
+const NUMBERS = 2_000_000;
+const MOST_ROWS = 4096;
+const LEAST_ROWS = 256;
+/** Fraction of the size that counts as exact. */
+const EXACT = 1e-6;
+
+export function fitTake(motion: TakeMotion, moved: MovedNodes, options: FitOptions): readonly TrackKeys[] {
+  if (options.framesPerSecond !== undefined) return framesOf(motion, moved, options.framesPerSecond, options.style);
+  const { nodes, watch, tracks, width } = moved;
+  const { style, tolerance, size, onProgress } = options;
+  const exact = new Map<Track, TrackKeys>();
+  if (style === 'cubic' && motion.isKeyed) {
+    const curves = tracks.filter(({ path }) => path !== 'rotation');
+    const allowed = curves.map(({ reach }) => (EXACT * size) / Math.max(reach, EXACT));
+    exactKeys(motion, curves, allowed, width).forEach((keys, c) => {
+      if (keys) exact.set(curves[c], keysOfTrack(curves[c], 'cubic', keys));
+    });
+  }
+  const collected = tracks.map((track) => new Collected(track.width, style));
+  const rows = new Rows(width, nodes.length);
+  const numbersPerRow = 3 * width + 16 * nodes.length;
+  const perStretch = Math.min(MOST_ROWS, Math.max(LEAST_ROWS, Math.floor(NUMBERS / numbersPerRow)));
+  const seconds = motion.end - motion.start;
+  const isExact = (track: Track) => exact.has(track);
+  sampleTake(motion, tracks, tolerance, rows, perStretch, () => {
+    fitStretch(rows, tracks, nodes, watch, { style, tolerance, share: SHARE, isExact }).forEach((fit, t) => {
+      collected[t].add(rows, fit);
+    });
+    onProgress?.(seconds > 0 ? Math.min(1, rows.seconds[rows.count - 1] / seconds) : 1);
+  });
+  return tracks.map((track, t) => exact.get(track) ?? keysOfTrack(track, style, collected[t]));
+}
+
+/** Keys of successive stretches. */
+class Collected {
+  readonly seconds: number[] = [];
+  readonly values: number[] = [];
+  readonly slopesIn: number[] = [];
+  readonly slopesOut: number[] = [];
+  /** Indices of keys whose values jump from the one before. */
+  readonly jumps = new Set<number>();
+  private readonly width: number;
+  private readonly isCubic: boolean;
+
+  constructor(width: number, style: KeyStyle) {
+    this.width = width;
+    this.isCubic = style === 'cubic';
+  }
+
+  add(rows: Rows, { rows: keys, values, slopesIn, slopesOut }: FittedKeys): void {
+    const { width } = this;
+    keys.forEach((row, k) => {
+      const o = k * width;
+      const isShared = k === 0 && this.seconds.length > 0;
+      if (isShared) {
+        // The last key of the stretch before.
+        if (slopesOut) for (let c = 0; c < width; c++) this.slopesOut[this.slopesOut.length - width + c] = slopesOut[c];
+        return;
+      }
+      if (k > 0 && rows.jumps[row]) this.jumps.add(this.seconds.length);
+      this.seconds.push(rows.seconds[row]);
+      for (let c = o; c < o + width; c++) {
+        this.values.push(values[c]);
+        if (!this.isCubic) continue;
+        this.slopesIn.push(slopesIn?.[c] ?? 0);
+        this.slopesOut.push(slopesOut?.[c] ?? 0);
+      }
+    });
+  }
+}
+
+interface KeyColumns {
+  readonly seconds: ArrayLike<number>;
+  readonly values: ArrayLike<number>;
+  readonly slopesIn: ArrayLike<number>;
+  readonly slopesOut: ArrayLike<number>;
+  readonly jumps?: ReadonlySet<number>;
+}
+
+/** Differences of values that are none: what rounding to floats hides. */
+const SAME = 1e-9;
+
+function keysOfTrack(track: Track, style: KeyStyle, keys: KeyColumns): TrackKeys {
+  const { width } = track;
+  const { seconds, values, slopesIn, slopesOut, jumps } = keys;
+  const count = seconds.length;
+  const isSame = (k: number, l: number) => {
+    for (let c = 0; c < width; c++) {
+      const a = values[k * width + c];
+      const b = values[l * width + c];
+      if (Math.abs(a - b) > SAME * Math.max(1, Math.abs(a))) return false;
+    }
+    return true;
+  };
+  const isFlat = (k: number) => {
+    if (!isSame(k, k + 1)) return false;
+    if (style === 'linear') return true;
+    const span = seconds[k + 1] - seconds[k];
+    for (let c = 0; c < width; c++) {
+      const most = Math.max(Math.abs(slopesOut[k * width + c]), Math.abs(slopesIn[(k + 1) * width + c]));
+      if (most * span > 10 * SAME * Math.max(1, Math.abs(values[k * width + c]))) return false;
+    }
+    return true;
+  };
+  const of = (
+    indices: readonly number[],
+    interpolation: TrackKeys['interpolation'],
+    isConstant: boolean,
+  ): TrackKeys => ({
+    track,
+    interpolation,
+    seconds: Float32Array.from(indices, (k) => seconds[k]),
+    values: Float32Array.from(indices.flatMap((k) => Array.from({ length: width }, (_, c) => values[k * width + c]))),
+    isConstant,
+  });
+  let flat = 0;
+  const starts: number[] = [0];
+  for (let k = 0; k + 1 < count; k++) {
+    if (jumps?.has(k + 1)) starts.push(k + 1);
+    else if (isFlat(k)) flat++;
+  }
+  const isStepped = flat + starts.length === count;
+  if (isStepped && starts.every((k) => isSame(0, k))) return of(count > 1 ? [0, count - 1] : [0], 'LINEAR', true);
+  if (isStepped) return of(starts.at(-1) === count - 1 ? starts : [...starts, count - 1], 'STEP', false);
+  if (style === 'linear')
+    return of(
+      Array.from({ length: count }, (_, k) => k),
+      'LINEAR',
+      false,
+    );
+  const triples = new Float32Array(3 * count * width);
+  for (let k = 0; k < count; k++) {
+    for (let c = 0; c < width; c++) {
+      const o = 3 * k * width + c;
+      triples[o] = k === 0 ? 0 : slopesIn[k * width + c];
+      triples[o + width] = values[k * width + c];
+      triples[o + 2 * width] = k === count - 1 ? 0 : slopesOut[k * width + c];
+    }
+  }
+  return {
+    track,
+    interpolation: 'CUBICSPLINE',
+    seconds: Float32Array.from(seconds),
+    values: triples,
+    isConstant: false,
+  };
+}
+
+/** Rows between two frames by which the slopes of a spline are found. */
+const BETWEEN = 6;
+
+/** A key at each frame, and at the end of the range. */
+function framesOf(
+  motion: TakeMotion,
+  moved: MovedNodes,
+  framesPerSecond: number,
+  style: KeyStyle,
+): readonly TrackKeys[] {
+  const { tracks, width, nodes } = moved;
+  const rows = new Rows(width, nodes.length);
+  const row = new Float64Array(width);
+  const keys: number[] = [];
+  const seconds = motion.end - motion.start;
+  const count = Math.floor(seconds * framesPerSecond + 1e-6);
+  const parts = style === 'cubic' ? BETWEEN : 1;
+  const last = count / framesPerSecond < seconds - 1e-6 / framesPerSecond ? count + 1 : count;
+  for (let frame = 0; frame <= last; frame++) {
+    for (let part = frame === 0 ? parts : 1; part <= parts; part++) {
+      const time = Math.min(seconds, (frame - 1 + part / parts) / framesPerSecond);
+      motion.write(motion.start + time, row);
+      if (rows.add(time, row, false) && part === parts) keys.push(rows.count - 1);
+    }
+  }
+  return tracks.map((track) => {
+    const collected = new Collected(track.width, style);
+    collected.add(rows, style === 'cubic' ? fitCubic(rows, track, keys) : keysAt(rows, track, keys));
+    return keysOfTrack(track, style, collected);
+  });
+}

@@ -1,0 +1,47 @@
+/** What a GLB file has, and what of the character it hasn't. */
+import { type Diagnostic, withoutPlace } from '../../model/diagnostic.ts';
+
+export interface GlbReport {
+  readonly bytes: number;
+  readonly joints: number;
+  readonly vertices: number;
+  readonly morphs: number;
+  readonly takes: readonly TakeReport[];
+  /** The character's size, and how far a point may be off, in the file's units. */
+  readonly size: number;
+  readonly tolerance: number;
+  readonly losses: readonly Loss[];
+}
+
+export interface TakeReport {
+  readonly name: string;
+  readonly seconds: number;
+  /** Animated properties of nodes, and keys of all of them together. */
+  readonly channels: number;
+  readonly keys: number;
+}
+
+/** Something that the file, or a program that reads it, doesn't have as the character has it. */
+export interface Loss {
+  /** Stable: `influences-four`. */
+  readonly code: string;
+  /** A sentence. */
+  readonly message: string;
+  readonly severity: 'info' | 'warning';
+  /** The largest distance of a vertex from where it should be, where that is known; in the file's units. */
+  readonly displacement?: number;
+}
+
+/** A length as it is printed: three digits that count. */
+export function lengthText(length: number): string {
+  return `${Number(length.toPrecision(3))}`;
+}
+
+/** A displacement with its fraction of the size: `0.0213 (0.8 % of the size)`. */
+export function displacementText(length: number, size: number): string {
+  return `${lengthText(length)} (${Number(((100 * length) / size).toPrecision(2))} % of the size)`;
+}
+
+export function diagnosticsOf({ losses }: GlbReport, fileName: string): readonly Diagnostic[] {
+  return losses.map(({ severity, code, message }) => withoutPlace(severity, code, message, fileName));
+}

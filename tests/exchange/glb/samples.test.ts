@@ -1,0 +1,52 @@
+/** Characters of every kind, as other programs show what was written. */
+import { describe, expect, it } from 'vitest';
+import type { Character } from '../../../src/model/document.ts';
+import { filePose } from '../../../src/model/dofs.ts';
+import type { Sample } from '../../../src/samples/sample.ts';
+import { makeSamples } from '../../../src/samples/samples.ts';
+import { character } from '../../helpers/builders.ts';
+import { complaintsOf, type Glb, glbOf, inBabylon, inThree, offBy } from '../../helpers/glb.ts';
+
+const SAMPLES = makeSamples();
+
+function characterOf({ skeleton, skin, morphs, clip, textures }: Sample): Character {
+  return character({
+    name: skeleton.name,
+    skeleton,
+    skins: skin ? [skin] : [],
+    morphs,
+    clips: [clip],
+    shownClip: 0,
+    pose: filePose(skeleton, morphs.length),
+    textures: textures.map(({ name, bytes }) => ({ name, mime: 'image/png', bytes: Uint8Array.from(bytes) })),
+  });
+}
+
+/** Times of a take that are no frames. */
+function timesOf(seconds: number, count: number): number[] {
+  return Array.from({ length: count }, (_, i) => ((i + 0.37) * seconds) / count);
+}
+
+describe.each(SAMPLES.map((sample) => [sample.id, sample] as const))('the example %s as GLB', (_, sample) => {
+  const own = characterOf(sample);
+  const written = new Map<string, Glb>();
+  const glb = (keys: 'linear' | 'cubic') => {
+    const made = written.get(keys) ?? glbOf(own, { keys });
+    written.set(keys, made);
+    return made;
+  };
+
+  it.each(['linear', 'cubic'] as const)('the Khronos validator has no complaint about %s keys', async (keys) => {
+    expect(await complaintsOf(glb(keys).bytes)).toEqual([]);
+  });
+
+  it.each(['linear', 'cubic'] as const)('three.js and Babylon show %s keys within the tolerance', async (keys) => {
+    const made = glb(keys);
+    const { tolerance, takes } = made.report;
+    for (const player of [await inThree(made), await inBabylon(made)]) {
+      const off = offBy(own, made, player, 0, timesOf(takes[0].seconds, 60));
+      expect(off.joints).toBeLessThanOrEqual(tolerance);
+      expect(off.vertices).toBeLessThanOrEqual(tolerance);
+    }
+  });
+});
