@@ -26,24 +26,9 @@ export function npzPieces(arrays: readonly DataArray[], crc32: Crc32): readonly 
     const [header, content] = npyPieces(array);
     const name = asciiOf(`${array.name}.npy`);
     const size = header.length + content.length;
-    const common = fields([
-      2,
-      VERSION,
-      2,
-      UTF8,
-      2,
-      0,
-      2,
-      0,
-      2,
-      DATE,
-      4,
-      crc32(content, crc32(header)),
-      4,
-      size,
-      4,
-      size,
-    ]);
+    // Of no bytes at all zlib's own result is 0, whatever came before.
+    const crc = content.length > 0 ? crc32(content, crc32(header)) : crc32(header);
+    const common = fields([2, VERSION, 2, UTF8, 2, 0, 2, 0, 2, DATE, 4, crc, 4, size, 4, size]);
     const named = [...common, ...fields([2, name.length, 2, 0])];
     const start = at;
     const local = Uint8Array.from([...fields([4, 0x04034b50]), ...named, ...name]);

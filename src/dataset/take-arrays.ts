@@ -3,6 +3,7 @@
  *
  *     names, parents, offsets           J texts; J, −1 for the root; J × 3, the pivot in the parent's space at rest
  *     end_names, end_parents            E
+ *     end_offsets                       E × 3, in the space of the joint
  *     positions, end_positions          T × J × 3, T × E × 3, world
  *     world_quat, local_quat            T × J × 4, x y z w; local: without the offset
  *     local_6d                          T × J × 6, the first two columns of the local rotation: x0 y0 z0 x1 y1 z1
@@ -39,6 +40,7 @@ export interface TakeArrays {
   readonly endNames: readonly string[];
   /** The joint of each End Site. */
   readonly endParents: Int32Array;
+  readonly endOffsets: Floats;
   readonly positions: Floats;
   readonly endPositions: Floats;
   readonly worldQuat: Floats;
@@ -76,6 +78,9 @@ export function takeArrays(take: Take, pool: FloatPool): TakeArrays {
   const rootPositions = floats(3 * count);
   const offsets = floats(3 * J);
   offsets.set(offsetsOf(skeleton, space));
+  const metres = space ? metresPerUnit(space) : 1;
+  const endOffsets = floats(3 * ends.length);
+  ends.forEach(({ at: [x, y, z] }, e) => void endOffsets.set([metres * x, metres * y, metres * z], 3 * e));
   const carrier = carrierOf(take);
   const feet = new FootPaths(take);
   const transforms = new JointTransforms(skeleton, space);
@@ -111,6 +116,7 @@ export function takeArrays(take: Take, pool: FloatPool): TakeArrays {
     offsets,
     endNames: endNamesOf(skeleton),
     endParents: Int32Array.from(ends, ({ joint }) => joint),
+    endOffsets,
     positions,
     endPositions,
     worldQuat,
@@ -136,6 +142,7 @@ export function namedArrays(a: TakeArrays): readonly DataArray[] {
     { name: 'offsets', type: 'float', shape: [J, 3], data: a.offsets },
     { name: 'end_names', type: 'text', shape: [E], data: a.endNames },
     { name: 'end_parents', type: 'int', shape: [E], data: a.endParents },
+    { name: 'end_offsets', type: 'float', shape: [E, 3], data: a.endOffsets },
     { name: 'positions', type: 'float', shape: [T, J, 3], data: a.positions },
     { name: 'end_positions', type: 'float', shape: [T, E, 3], data: a.endPositions },
     { name: 'world_quat', type: 'float', shape: [T, J, 4], data: a.worldQuat },

@@ -1,10 +1,12 @@
 /** A take ready to be made numbers of: what is sampled, in which space, at which frames. */
 import { driverSource } from '../edit/drivers.ts';
 import { frameRateOf } from '../edit/frame-rate.ts';
+import { mirroringTake } from '../edit/samples/take-mirror.ts';
 import { CommandError } from '../edit/store.ts';
 import { type Frames, framesOf, MAX_FRAMES, ownFrames, playedClip } from '../evaluate/bake.ts';
 import { keyFrames } from '../evaluate/key-frames.ts';
 import { automaticPairs } from '../evaluate/retarget/match.ts';
+import { runToEnd } from '../evaluate/steps.ts';
 import type { Character } from '../model/document.ts';
 import { DEFAULT_RETARGET } from '../model/retarget.ts';
 import type { Skeleton } from '../model/skeleton.ts';
@@ -29,6 +31,8 @@ export interface TakeOptions {
   /** Frames per second; absent: the take's own, or 60 for keys at uneven times. */
   readonly fps?: number;
   readonly crop?: Crop;
+  /** Exchanges left and right, before anything else. */
+  readonly isMirrored?: boolean;
   readonly target?: RetargetTarget;
   /** Keeps the file's unit, axes and origin. */
   readonly isRaw?: boolean;
@@ -54,11 +58,12 @@ const DEFAULT_FPS = 60;
 const SAME_RATE = 1e-6;
 
 /**
- * The take that a character plays, with the options applied: retargeted first, then sampled, then cropped.
+ * The take that a character plays, with the options applied: mirrored first, then retargeted, sampled, and cropped.
  * @throws CommandError, in a sentence, if there is nothing to export
  */
 export function takeOf(source: Character, options: TakeOptions): Take {
-  const character = options.target ? retargeted(source, options.target) : source;
+  const played = options.isMirrored ? mirrored(source) : source;
+  const character = options.target ? retargeted(played, options.target) : played;
   const { skeleton, space } = character;
   const clip = playedClip(character);
   if (!skeleton) throw new CommandError(`${source.name} has no skeleton.`);
@@ -80,8 +85,16 @@ export function takeOf(source: Character, options: TakeOptions): Take {
   };
 }
 
+/** The character with its shown take mirrored, over the ground of its space. @throws CommandError if it can't be */
+function mirrored(character: Character): Character {
+  const { skeleton, morphs, pose, clips, shownClip, space } = character;
+  if (!skeleton || !clips[shownClip]) return character;
+  const clip = runToEnd(mirroringTake({ skeleton, morphs, pose }, clips[shownClip], space?.up));
+  return { ...character, clips: clips.map((each, i) => (i === shownClip ? clip : each)) };
+}
+
 /** @throws CommandError */
-export function retargeted(from: Character, { character, map }: RetargetTarget): Character {
+function retargeted(from: Character, { character, map }: RetargetTarget): Character {
   const source = driverSource(from);
   if (!character.skeleton) throw new CommandError(`${character.name} has no skeleton to retarget to.`);
   if (!source) throw new CommandError(`${from.name} has no motion to retarget.`);

@@ -266,8 +266,10 @@ describe('marrow export', () => {
       return err.split('\n')[0];
     };
     const all = ['takes', '--to', 'npz', '--out', 'out'];
-    expect(await wrong('takes', '--out', 'out')).toBe('marrow: --to is missing: one of npz.');
-    expect(await wrong('takes', '--to', 'xlsx', '--out', 'out')).toBe('marrow: --to takes one of npz, found "xlsx".');
+    expect(await wrong('takes', '--out', 'out')).toBe('marrow: --to is missing: one of npz, parquet, csv, json.');
+    expect(await wrong('takes', '--to', 'xlsx', '--out', 'out')).toBe(
+      'marrow: --to takes one of npz, parquet, csv, json, found "xlsx".',
+    );
     expect(await wrong('takes', '--to', 'npz')).toMatch('--out is missing');
     expect(await wrong('--to', 'npz', '--out', 'out')).toMatch(
       'Give files or folders with takes, --files-from or --only.',

@@ -9,9 +9,26 @@ export interface NpyArray {
 
 export type Npz = Readonly<Record<string, NpyArray>>;
 
+/** @throws Error if a checksum is wrong, which fflate does not look at */
 export function readNpz(bytes: Uint8Array): Npz {
+  const view = new DataView(bytes.buffer, bytes.byteOffset, bytes.byteLength);
   const entries = Object.entries(unzipSync(bytes));
+  let at = 0;
+  for (const [name, content] of entries) {
+    if (view.getUint32(at + 14, true) !== crcOf(content)) throw new Error(`${name} has a wrong checksum.`);
+    at += 30 + view.getUint16(at + 26, true) + view.getUint16(at + 28, true) + content.length;
+  }
   return Object.fromEntries(entries.map(([name, content]) => [name.replace(/\.npy$/, ''), readNpy(content)]));
+}
+
+/** CRC-32, bit by bit. */
+function crcOf(bytes: Uint8Array): number {
+  let crc = 0xffffffff;
+  for (const byte of bytes) {
+    crc ^= byte;
+    for (let bit = 0; bit < 8; bit++) crc = crc & 1 ? (crc >>> 1) ^ 0xedb88320 : crc >>> 1;
+  }
+  return ~crc >>> 0;
 }
 
 function readNpy(bytes: Uint8Array): NpyArray {

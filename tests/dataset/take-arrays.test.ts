@@ -218,6 +218,19 @@ describeShared('the arrays of the real takes', () => {
     }
   });
 
+  it('mirrored, a take has its left foot on the ground when the right one was', () => {
+    const [character] = opened('cmu-01_01.bvh');
+    const [plain, mirrored] = [of(character), of(character, { isMirrored: true })];
+    const swapped = plain.contacts.map((_, i) => plain.contacts[i ^ 1]);
+    const same = mirrored.contacts.filter((c, i) => c === swapped[i]).length / swapped.length;
+    expect(same).toBeGreaterThan(0.99);
+    const left = plain.names.indexOf('LeftHand');
+    const right = plain.names.indexOf('RightHand');
+    const height = (a: TakeArrays, j: number, t: number) => a.positions[3 * (t * a.names.length + j) + 1];
+    // The arms of this person are not equally long.
+    for (const t of [0, 1000, 2000]) expect(height(mirrored, left, t)).toBeCloseTo(height(plain, right, t), 1);
+  });
+
   it('retargeted to another skeleton, a take has that one’s joints and size, and its own length', () => {
     const [source] = opened('rokoko-dance.bvh');
     const [target] = opened('cmu-01_01.bvh');

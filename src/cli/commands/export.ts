@@ -16,11 +16,12 @@ export const exportCommand: CliCommand = {
   name: 'export',
   usage: `PATHS… --to ${NAMES.join('|')} --out DIR [options]`,
   summary: 'the takes of files and folders as arrays of numbers, a file each, with a manifest; options: export --help',
-  details: `PATHS are motion capture, or skeletons with their animations. Each take becomes DIR/PATH.${NAMES[0]}, at its path below
-the folder that was named; several in one file become PATH.1.${NAMES[0]}, PATH.2.${NAMES[0]}. DIR/manifest.ndjson has a line for each.
+  details: `PATHS are motion capture, or skeletons with their animations. Each take becomes DIR/PATH.npz, at its path below
+the folder that was named; several in one file become PATH.1.npz, PATH.2.npz. DIR/manifest.ndjson has a line for each.
 
 what is exported
-  --to FORMAT            ${NAMES.join(', ')}
+  --to FORMAT            npz: numpy arrays; parquet, csv: a row a frame, world positions and quaternions of each joint, the
+                         rest in the file's metadata, or in a .json beside it; json: all arrays as text
   --out DIR              made if it is not there
   --float64              numbers in double precision; default: single
   --raw                  the file's own unit, axes and origin; default: metres, y up, on the ground, as guessed
@@ -30,6 +31,7 @@ what is done before
   --retarget FILE        onto the skeleton in FILE
   --map FILE             joint pairs for it, lines "target,source"; default: matched by name and shape
   --fps N                frames per second; default: the take's own, or 60 for keys at uneven times
+  --mirror               left and right exchanged, before --retarget
   --crop FROM,TO         seconds of the take; either may be left out
 
 which takes, and where
@@ -48,7 +50,7 @@ which takes, and where
   async run(args, io) {
     const given = parseArguments(args, {
       ...{ to: 'value', out: 'value', float64: 'flag', raw: 'flag', space: 'value' },
-      ...{ retarget: 'value', map: 'value', fps: 'value', crop: 'value' },
+      ...{ retarget: 'value', map: 'value', mirror: 'flag', fps: 'value', crop: 'value' },
       ...{ only: 'value', 'files-from': 'value', shard: 'value', jobs: 'value' },
       ...{ resume: 'flag', force: 'flag', 'no-checks': 'flag', 'no-times': 'flag', json: 'flag' },
     });
@@ -77,6 +79,7 @@ which takes, and where
           ...{ folder: io.folder, out: resolve(io.folder, out), to },
           precision: given.flag('float64') ? 'float64' : 'float32',
           isRaw: given.flag('raw'),
+          isMirrored: given.flag('mirror'),
           ...(fps !== undefined && { fps }),
           ...(crop && { crop }),
           replaces: resumes || given.flag('force'),

@@ -16,7 +16,7 @@ export function metaOf(
   { character, space, skeleton }: Take,
   input: TakeInput,
   hash: string,
-  { fps, crop, isRaw, retarget, map }: ExportSettings,
+  { fps, crop, isRaw, isMirrored, retarget, map }: ExportSettings,
 ): Meta {
   const { space: read } = character;
   return {
@@ -34,6 +34,7 @@ export function metaOf(
     // How numbers of the file became those of the arrays, or how they would have.
     ...(read && { file: { up: read.up, metresPerUnit: metresPerUnit(read), lift: read.lift } }),
     raw: isRaw ?? false,
+    mirror: isMirrored ?? false,
     ...(fps !== undefined && { fps }),
     ...(crop && { crop: [crop.from ?? null, crop.to ?? null] }),
     ...(retarget !== undefined && { retarget: { to: retarget, ...(map !== undefined && { map }) } }),

@@ -45,7 +45,7 @@ interface Exporter {
   readonly pool: FloatPool;
 }
 
-async function exportInput({ input, before }: ExportPiece, exporter: Exporter): Promise<ExportResult> {
+function exportInput({ input, before }: ExportPiece, exporter: Exporter): ExportResult {
   const { settings } = exporter;
   const failed = (error: string, hash?: string): ExportResult => ({
     records: [{ input: input.path, ...(hash !== undefined && { hash }), error }],
@@ -60,7 +60,7 @@ async function exportInput({ input, before }: ExportPiece, exporter: Exporter): 
     if (written.length > 0 && written.length === before.length && written.every((w) => isThere(w, key, settings))) {
       return { records: written, isKept: true };
     }
-    return { records: await takesOf(input, { hash, key }, exporter), isKept: false };
+    return { records: takesOf(input, { hash, key }, exporter), isKept: false };
   } catch (error) {
     if (error instanceof CommandError) return failed(error.message, hash);
     const reason = error instanceof Error ? error.message : String(error);
@@ -100,11 +100,11 @@ export function hashOf(path: string): string {
 }
 
 /** A record for each take that the input has. @throws CommandError */
-async function takesOf(
+function takesOf(
   input: TakeInput,
   { hash, key }: Identity,
   { settings, target, pool }: Exporter,
-): Promise<readonly TakeRecord[]> {
+): readonly TakeRecord[] {
   const begun = performance.now();
   const { document, diagnostics } = openLoaded(loadGiven([...(input.skeleton ? [input.skeleton] : []), input]));
   const error = diagnostics.find(({ severity }) => severity === 'error');
@@ -123,7 +123,7 @@ async function takesOf(
     const stem = takes.length > 1 ? `${input.stem}.${i + 1}` : input.stem;
     const take = takeOf(character, { ...settings, ...(target.retarget && { target: target.retarget }) });
     const meta = metaOf(character, take, input, hash, settings);
-    const { output, bytes } = await writeTake(stem, takeArrays(take, pool), meta, settings);
+    const { output, bytes } = writeTake(stem, takeArrays(take, pool), meta, settings);
     const now = performance.now();
     records.push({
       ...{ input: input.path, hash, output, bytes },
@@ -149,13 +149,13 @@ function sentenceOf({ line, message, assumed }: Diagnostic): string {
 }
 
 /** @throws CommandError if it can't be written */
-async function writeTake(
+function writeTake(
   stem: string,
   arrays: TakeArrays,
   meta: Meta,
   { out, scratch, to, replaces }: ExportSettings,
-): Promise<Pick<WrittenTake, 'output' | 'bytes'>> {
-  const files = await FORMATS[to].write(arrays, meta);
+): Pick<WrittenTake, 'output' | 'bytes'> {
+  const files = FORMATS[to].write(arrays, meta);
   const named = files.map(({ ending, pieces }) => ({ name: `${stem}.${ending}`, pieces }));
   let bytes = 0;
   // What is beside comes first: an output that is there is complete.
