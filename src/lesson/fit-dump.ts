@@ -10,6 +10,9 @@ import { type Diagnostic, withoutPlace } from '../model/diagnostic.ts';
 import { type Character, shownClip, shownSkin } from '../model/document.ts';
 import type { Dump, DumpBlock, DumpKind, DumpLabel } from '../model/dump.ts';
 import { vertexCount } from '../model/skin.ts';
+import { type Entry, entriesOf, evenly, isCount, isUnit, Misfit, oddRow, widthOf } from './dump-entries.ts';
+import { placesOf } from './dump-places.ts';
+import { readSamples } from './dump-samples.ts';
 import { Evaluator, type FrameTime } from './evaluator.ts';
 import { joinedBlocks } from './joined-blocks.ts';
 import { matricesOf } from './matrix-layout.ts';
@@ -42,27 +45,6 @@ export function onlyTime(dumps: readonly NamedDump[]): FrameTime {
   const stated = new Set(dumps.flatMap(({ dump }) => [dump.time, ...dump.blocks.map((block) => block.time)]));
   stated.delete(undefined);
   return stated.size === 1 ? [...stated][0] : undefined;
-}
-
-/** Numbers of one joint, vertex or time. */
-interface Entry {
-  readonly numbers: Float64Array;
-  readonly line: number;
-  readonly label: DumpLabel | null;
-}
-
-/** Of rows: if they have the same length, another length is a mistake. */
-const NEARLY_ALL = 0.75;
-
-/** Thrown when a block fits nothing; caught for each block. */
-class Misfit extends Error {
-  constructor(
-    readonly code: string,
-    message: string,
-    readonly line: number,
-  ) {
-    super(message);
-  }
 }
 
 class Fit {
@@ -128,12 +110,12 @@ class Fit {
     const holds = block.holds ?? kindOfName(dump.name);
     const isTimed = block.columns?.some((name) => /^(time|t|seconds)$/.test(name)) ?? false;
     if (block.channel !== undefined || holds === 'channels' || isTimed) {
-      this.channelBlock(block, time);
+      this.samplesOf(block, time);
       return;
     }
     const entries = entriesOf(block);
     const kind = this.kindOf(block, entries, holds, time);
-    if (kind === 'channels') this.channelBlock(block, time);
+    if (kind === 'channels') this.samplesOf(block, time);
     else if (kind === 'matrices') this.matrices(block, entries, holds === 'local' ? 'local' : 'world', time);
     else if (kind === 'joints') this.points('positions', entries, this.names.length, time, block);
     else if (kind === 'both') this.pairs(entries, time, block);
@@ -299,224 +281,19 @@ class Fit {
     const width = (entries[0]?.numbers.length ?? 0) - (isIndexed ? 1 : 0);
     const out = new Float64Array(width * count);
     const labels = entries.map(({ label, numbers }): DumpLabel | null => (isIndexed ? { index: numbers[0] } : label));
-    const places = this.placesOf(labels, count, entries, block);
+    const places = placesOf(labels, count, entries, block, this.names);
     entries.forEach(({ numbers }, e) => {
       out.set(isIndexed ? numbers.subarray(1) : numbers, width * places[e]);
     });
     return out;
   }
 
-  private placesOf(
-    labels: readonly (DumpLabel | null)[],
-    count: number,
-    entries: readonly Entry[],
-    block: DumpBlock,
-  ): readonly number[] {
-    const inOrder = labels.map((_, i) => i);
-    if (labels.every((label) => label === null)) return inOrder;
-    const indices = labels.map((label) => label?.index);
-    if (indices.every((index) => index !== undefined)) {
-      const least = Math.min(...indices.slice(0, 1), ...indices.filter((index) => index < 2));
-      const from = least === 1 && indices.includes(count) ? 1 : 0;
-      const places = indices.map((index) => index - from);
-      if (isCount(indices)) return places;
-      const wrong = places.findIndex(
-        (place, i) => place < 0 || place >= count || !Number.isInteger(place) || places.indexOf(place) < i,
-      );
-      if (labels.every((label) => !label?.name)) {
-        const found = `found ${indices[wrong]}`;
-        throw new Misfit(
-          'dump-index',
-          `Expected each index from 0 to ${count - 1} once, ${found}.`,
-          entries[wrong]?.line ?? block.lines[0],
-        );
-      }
-    }
-    return this.byNames(labels, entries) ?? inOrder;
-  }
-
-  /** By the names of joints; undefined if none is one. */
-  private byNames(labels: readonly (DumpLabel | null)[], entries: readonly Entry[]): readonly number[] | undefined {
-    const plain = (name: string) =>
-      name
-        .trim()
-        .toLowerCase()
-        .replace(/[\s_]+/g, '_');
-    const free = new Map<string, number[]>();
-    this.names.forEach((name, j) => {
-      free.set(plain(name), [...(free.get(plain(name)) ?? []), j]);
-    });
-    const places = labels.map((label) =>
-      label?.name === undefined ? undefined : free.get(plain(label.name))?.shift(),
-    );
-    if (places.every((place) => place !== undefined)) return places;
-    if (places.every((place) => place === undefined)) {
-      // `joint7` of joints with other names.
-      const numbers = labels.map((label) => Number(/(\d+)\D*$/.exec(label?.name ?? '')?.[1] ?? Number.NaN));
-      return isCount(numbers) ? numbers.map((n) => n - Math.min(...numbers.slice(0, 2), numbers[0])) : undefined;
-    }
-    const wrong = places.indexOf(undefined);
-    const name = labels[wrong]?.name;
-    const found = name === undefined ? 'found numbers without a name' : `found "${name}"`;
-    throw new Misfit(
-      'dump-name',
-      `Expected the name of each of ${this.names.length} joints once, ${found}.`,
-      entries[wrong].line,
-    );
-  }
-
-  // ——— channels ———
-
-  private channelBlock(block: DumpBlock, time: FrameTime): void {
-    const { channels } = this;
-    const { values, starts, lines, times, channel, columns, labels } = block;
-    const line = lines[0] ?? 0;
-    if (channels === 0)
-      throw new Misfit(
-        'dump-length',
-        'Expected an animation whose channels these are, found none among the files.',
-        line,
-      );
-    const rows = lines.length;
-    const width = widthOf(block);
-    const known = (c: number, at: number) => {
-      if (Number.isInteger(c) && c >= 0 && c < channels) return c;
-      throw new Misfit('dump-index', `Expected a channel from 0 to ${channels - 1}, found ${c}.`, lines[at] ?? line);
-    };
+  private samplesOf(block: DumpBlock, time: FrameTime): void {
     const dump = this.fileNames.length - 1;
-    const put = (c: number, t: number, value: number) => void this.samples.push({ channel: c, time: t, value, dump });
-    if (times && times.length > 0) {
-      const count = times.length;
-      const isByTime = rows === count && width === channels && width !== count;
-      if (isByTime) {
-        for (let i = 0; i < values.length; i++) put(i % channels, times[Math.floor(i / channels)], values[i]);
-        return;
-      }
-      const asked = labels?.every((label) => label?.index !== undefined)
-        ? labels.map((label) => label?.index ?? 0)
-        : undefined;
-      if (values.length % count !== 0 || (asked ? asked.length : values.length / count) > channels)
-        throw this.misfitChannels(block, count);
-      if (rows > 1 && width !== count) throw this.misfitChannels(block, count);
-      for (let i = 0; i < values.length; i++) {
-        const row = Math.floor(i / count);
-        put(known(channel ?? asked?.[row] ?? row, row), times[i % count], values[i]);
-      }
-      return;
-    }
-    if (channel !== undefined) {
-      if (values.length % 2 !== 0) throw this.misfitChannels(block, 1);
-      known(channel, 0);
-      for (let i = 0; i < values.length; i += 2) put(channel, values[i], values[i + 1]);
-      return;
-    }
-    if (labels && labels.length === rows && time !== undefined && width === 1) {
-      for (let r = 0; r < rows; r++) put(known(labels[r]?.index ?? r, r), time, values[starts[r]]);
-      return;
-    }
-    if (time !== undefined && block.time !== undefined && values.length === channels) {
-      values.forEach((value, c) => {
-        put(c, time, value);
-      });
-      return;
-    }
-    const numbered = columns?.slice(1).map((name) => /(\d+)\D*$/.exec(name)?.[1]);
-    const listed = numbered?.every((n) => n !== undefined) ? numbered.map(Number) : undefined;
-    const each = listed ? listed.length + 1 : channels + 1;
-    if (values.length % each !== 0 || (rows > 1 && width !== each)) throw this.misfitChannels(block, 0);
-    for (let i = 0; i < values.length; i += each) {
-      for (let c = 0; c + 1 < each; c++)
-        put(known(listed ? listed[c] : c, Math.floor(i / each)), values[i], values[i + 1 + c]);
-    }
-  }
-
-  private misfitChannels({ values, starts, lines }: DumpBlock, times: number): Misfit {
-    const wrong = lines.findIndex((_, r) => starts[r + 1] - starts[r] !== this.channels + 1);
-    const row = Math.max(0, wrong);
-    const expected =
-      times > 1
-        ? `${times} values per channel, as many as times, of up to ${this.channels} channels`
-        : times === 1
-          ? 'rows of a time and a value'
-          : `rows of a time and ${this.channels} ${this.channels === 1 ? 'value' : 'values'}`;
-    const found = times > 1 ? `${values.length} values` : `${starts[row + 1] - starts[row]} numbers`;
-    return new Misfit(
-      'dump-length',
-      `Expected ${expected}, found ${found}. Single channels can be headed "channel N".`,
-      lines[row] ?? 0,
+    readSamples(block, time, this.channels, (channel, t, value) =>
+      this.samples.push({ channel, time: t, value, dump }),
     );
   }
-}
-
-/** With labels, all numbers up to the next one; else the rows. */
-function entriesOf({ values, starts, lines, labels }: DumpBlock): Entry[] {
-  const entries: Entry[] = [];
-  for (let r = 0; r < lines.length; r++) {
-    const label = labels?.[r] ?? null;
-    const last = entries.at(-1);
-    if (labels && label === null && last) {
-      const from = last.numbers.byteOffset / 8 - values.byteOffset / 8;
-      entries[entries.length - 1] = { ...last, numbers: values.subarray(from, starts[r + 1]) };
-    } else entries.push({ numbers: values.subarray(starts[r], starts[r + 1]), line: lines[r], label });
-  }
-  return entries;
-}
-
-/** Entries of the same number of values: as they are, or all numbers cut anew. */
-function evenly({ values, lines, starts }: DumpBlock, entries: readonly Entry[], each: number): readonly Entry[] {
-  if (entries.every(({ numbers }) => numbers.length === each)) return entries;
-  const isLabelled = entries.length > 1 && entries.every(({ label }) => label !== null);
-  if (isLabelled) {
-    const wrong = entries.find(({ numbers }) => numbers.length !== each) ?? entries[0];
-    throw new Misfit(
-      'dump-length',
-      `Expected ${each} numbers as for the others, found ${wrong.numbers.length}.`,
-      wrong.line,
-    );
-  }
-  let row = 0;
-  return Array.from({ length: values.length / each }, (_, i): Entry => {
-    while (starts[row + 1] <= i * each) row++;
-    return { numbers: values.subarray(i * each, (i + 1) * each), line: lines[row], label: null };
-  });
-}
-
-/** The number of values of every row; 0 if they differ. */
-function widthOf({ starts }: DumpBlock): number {
-  const width = starts[1] - starts[0];
-  for (let r = 1; r + 1 < starts.length; r++) if (starts[r + 1] - starts[r] !== width) return 0;
-  return width;
-}
-
-/** The first row of another length than nearly all; undefined if there is none. */
-function oddRow({ starts, lines }: DumpBlock): { line: number; found: number; others: number } | undefined {
-  const counts = new Map<number, number>();
-  const widthAt = (r: number) => starts[r + 1] - starts[r];
-  for (let r = 0; r < lines.length; r++) counts.set(widthAt(r), (counts.get(widthAt(r)) ?? 0) + 1);
-  for (const [others, count] of counts) {
-    if (count === lines.length || count < NEARLY_ALL * lines.length) continue;
-    const row = lines.findIndex((_, r) => widthAt(r) !== others);
-    return { line: lines[row], found: widthAt(row), others };
-  }
-  return undefined;
-}
-
-/** Whether they are 0 … n − 1 or 1 … n, each once, in any order. */
-function isCount(numbers: readonly number[]): boolean {
-  const from = numbers.includes(0) ? 0 : 1;
-  const seen = new Set(numbers);
-  return (
-    seen.size === numbers.length && numbers.every((n) => Number.isInteger(n) && n >= from && n < numbers.length + from)
-  );
-}
-
-/** Whether all points have length 1. */
-function isUnit(values: Float64Array, width: number): boolean {
-  const from = width === 4 ? 1 : 0;
-  for (let i = from; i < values.length; i += 3 + from) {
-    if (Math.abs(Math.hypot(values[i], values[i + 1], values[i + 2]) - 1) > 1e-3) return false;
-  }
-  return true;
 }
 
 function kindOfName(name: string): DumpKind | undefined {

@@ -1,0 +1,66 @@
+/** Which joint or vertex each entry of a dump is of: by its index, by its name, or in order. */
+import type { DumpBlock, DumpLabel } from '../model/dump.ts';
+import { type Entry, isCount, Misfit } from './dump-entries.ts';
+
+/** The place of each entry. Throws a `Misfit` where labels name one twice, or none. @param names of the joints */
+export function placesOf(
+  labels: readonly (DumpLabel | null)[],
+  count: number,
+  entries: readonly Entry[],
+  block: DumpBlock,
+  names: readonly string[],
+): readonly number[] {
+  const inOrder = labels.map((_, i) => i);
+  if (labels.every((label) => label === null)) return inOrder;
+  const indices = labels.map((label) => label?.index);
+  if (indices.every((index) => index !== undefined)) {
+    const least = Math.min(...indices.slice(0, 1), ...indices.filter((index) => index < 2));
+    const from = least === 1 && indices.includes(count) ? 1 : 0;
+    const places = indices.map((index) => index - from);
+    if (isCount(indices)) return places;
+    const wrong = places.findIndex(
+      (place, i) => place < 0 || place >= count || !Number.isInteger(place) || places.indexOf(place) < i,
+    );
+    if (labels.every((label) => !label?.name)) {
+      const found = `found ${indices[wrong]}`;
+      throw new Misfit(
+        'dump-index',
+        `Expected each index from 0 to ${count - 1} once, ${found}.`,
+        entries[wrong]?.line ?? block.lines[0],
+      );
+    }
+  }
+  return byNames(labels, entries, names) ?? inOrder;
+}
+
+/** By the names of joints; undefined if none is one. */
+function byNames(
+  labels: readonly (DumpLabel | null)[],
+  entries: readonly Entry[],
+  names: readonly string[],
+): readonly number[] | undefined {
+  const plain = (name: string) =>
+    name
+      .trim()
+      .toLowerCase()
+      .replace(/[\s_]+/g, '_');
+  const free = new Map<string, number[]>();
+  names.forEach((name, j) => {
+    free.set(plain(name), [...(free.get(plain(name)) ?? []), j]);
+  });
+  const places = labels.map((label) => (label?.name === undefined ? undefined : free.get(plain(label.name))?.shift()));
+  if (places.every((place) => place !== undefined)) return places;
+  if (places.every((place) => place === undefined)) {
+    // `joint7` of joints with other names.
+    const numbers = labels.map((label) => Number(/(\d+)\D*$/.exec(label?.name ?? '')?.[1] ?? Number.NaN));
+    return isCount(numbers) ? numbers.map((n) => n - Math.min(...numbers.slice(0, 2), numbers[0])) : undefined;
+  }
+  const wrong = places.indexOf(undefined);
+  const name = labels[wrong]?.name;
+  const found = name === undefined ? 'found numbers without a name' : `found "${name}"`;
+  throw new Misfit(
+    'dump-name',
+    `Expected the name of each of ${names.length} joints once, ${found}.`,
+    entries[wrong].line,
+  );
+}

@@ -1,0 +1,93 @@
+/** Blocks of a dump that are values of channels. */
+import type { DumpBlock } from '../model/dump.ts';
+import { Misfit, widthOf } from './dump-entries.ts';
+import type { FrameTime } from './evaluator.ts';
+
+/**
+ * Reads a block as values of channels: rows of a time and its values, lists with their times, pairs of one channel.
+ * Throws a `Misfit` where it is none of these.
+ *
+ * @param channels how many there are
+ * @param put called for each value
+ */
+export function readSamples(
+  block: DumpBlock,
+  time: FrameTime,
+  channels: number,
+  put: (channel: number, time: number, value: number) => void,
+): void {
+  const { values, starts, lines, times, channel, columns, labels } = block;
+  const line = lines[0] ?? 0;
+  if (channels === 0)
+    throw new Misfit(
+      'dump-length',
+      'Expected an animation whose channels these are, found none among the files.',
+      line,
+    );
+  const rows = lines.length;
+  const width = widthOf(block);
+  const known = (c: number, at: number) => {
+    if (Number.isInteger(c) && c >= 0 && c < channels) return c;
+    throw new Misfit('dump-index', `Expected a channel from 0 to ${channels - 1}, found ${c}.`, lines[at] ?? line);
+  };
+  if (times && times.length > 0) {
+    const count = times.length;
+    const isByTime = rows === count && width === channels && width !== count;
+    if (isByTime) {
+      for (let i = 0; i < values.length; i++) put(i % channels, times[Math.floor(i / channels)], values[i]);
+      return;
+    }
+    const asked = labels?.every((label) => label?.index !== undefined)
+      ? labels.map((label) => label?.index ?? 0)
+      : undefined;
+    if (values.length % count !== 0 || (asked ? asked.length : values.length / count) > channels)
+      throw misfitOf(block, count, channels);
+    if (rows > 1 && width !== count) throw misfitOf(block, count, channels);
+    for (let i = 0; i < values.length; i++) {
+      const row = Math.floor(i / count);
+      put(known(channel ?? asked?.[row] ?? row, row), times[i % count], values[i]);
+    }
+    return;
+  }
+  if (channel !== undefined) {
+    if (values.length % 2 !== 0) throw misfitOf(block, 1, channels);
+    known(channel, 0);
+    for (let i = 0; i < values.length; i += 2) put(channel, values[i], values[i + 1]);
+    return;
+  }
+  if (labels && labels.length === rows && time !== undefined && width === 1) {
+    for (let r = 0; r < rows; r++) put(known(labels[r]?.index ?? r, r), time, values[starts[r]]);
+    return;
+  }
+  if (time !== undefined && block.time !== undefined && values.length === channels) {
+    values.forEach((value, c) => {
+      put(c, time, value);
+    });
+    return;
+  }
+  const numbered = columns?.slice(1).map((name) => /(\d+)\D*$/.exec(name)?.[1]);
+  const listed = numbered?.every((n) => n !== undefined) ? numbered.map(Number) : undefined;
+  const each = listed ? listed.length + 1 : channels + 1;
+  if (values.length % each !== 0 || (rows > 1 && width !== each)) throw misfitOf(block, 0, channels);
+  for (let i = 0; i < values.length; i += each) {
+    for (let c = 0; c + 1 < each; c++)
+      put(known(listed ? listed[c] : c, Math.floor(i / each)), values[i], values[i + 1 + c]);
+  }
+}
+
+function misfitOf({ values, starts, lines }: DumpBlock, times: number, channels: number): Misfit {
+  const wrong = lines.findIndex((_, r) => starts[r + 1] - starts[r] !== channels + 1);
+  const row = Math.max(0, wrong);
+  const expected =
+    times > 1
+      ? `${times} values per channel, as many as times, of up to ${channels} channels`
+      : times === 1
+        ? 'rows of a time and a value'
+        : `rows of a time and ${channels} ${channels === 1 ? 'value' : 'values'}`;
+  const found = times > 1 ? `${values.length} values` : `${starts[row + 1] - starts[row]} numbers`;
+  return new Misfit(
+    'dump-length',
+    `Expected ${expected}, found ${found}. Single channels can be headed "channel N".`,
+    lines[row] ?? 0,
+  );
+}
