@@ -3,29 +3,9 @@ import { expect, it } from 'vitest';
 import { fbxReader } from '../../../src/exchange/fbx/read.ts';
 import type { Scene } from '../../../src/exchange/scene.ts';
 import { readWhole } from '../../../src/formats/reader.ts';
-import { conformance, describeShared, sharedBytes } from '../../helpers/shared.ts';
+import { describeShared, sharedBytes } from '../../helpers/shared.ts';
 import { verticesAt, worldsAt } from '../scene-at.ts';
-
-interface Expected {
-  readonly nodes: readonly (readonly [string, number])[];
-  readonly takes: readonly {
-    readonly name: string;
-    readonly at: readonly {
-      readonly t: number;
-      readonly nodes: readonly number[];
-      readonly vertices?: readonly number[];
-    }[];
-  }[];
-}
-
-const FILES = [
-  'maya_game_sausage_7500_binary_combined',
-  'maya_pivot_offset_7700_ascii',
-  'maya_anim_layers_7500_ascii',
-  'blender_279_sausage_7400_binary',
-  'maya_blend_shape_cube_7700_binary',
-  '91_48',
-];
+import { distance, expectedOf, FBX_FILES, takeSize } from './expected.ts';
 
 function sceneOf(name: string): Scene {
   const { value, diagnostics } = readWhole(fbxReader(`${name}.fbx`), sharedBytes(`data/fbx/${name}.fbx`));
@@ -34,28 +14,11 @@ function sceneOf(name: string): Scene {
   return value;
 }
 
-function sizeOf(numbers: readonly number[]): number {
-  const spans = [0, 1, 2].map((k) => {
-    const own = numbers.filter((_, i) => i % 3 === k);
-    return own.reduce((a, b) => Math.max(a, b)) - own.reduce((a, b) => Math.min(a, b));
-  });
-  return Math.hypot(...spans);
-}
-
-/** Of all that the file says about a take. */
-function takeSize({ at }: Expected['takes'][number]): number {
-  return Math.max(...at.map(({ nodes, vertices = [] }) => sizeOf([...nodes, ...vertices])));
-}
-
-function distance(a: ArrayLike<number>, i: number, b: ArrayLike<number>, j: number): number {
-  return Math.hypot(a[3 * i] - b[3 * j], a[3 * i + 1] - b[3 * j + 1], a[3 * i + 2] - b[3 * j + 2]);
-}
-
 describeShared('the public FBX files', () => {
-  for (const name of FILES) {
+  for (const name of FBX_FILES) {
     it(`${name}: nodes are where ufbx has them at all times`, () => {
       const scene = sceneOf(name);
-      const expected = conformance<Expected>(`fbx/${name}.json`);
+      const expected = expectedOf(name);
       for (const stated of expected.takes) {
         const take = scene.takes.find((own) => own.name === stated.name);
         expect(take).toBeDefined();
@@ -72,7 +35,7 @@ describeShared('the public FBX files', () => {
 
     it(`${name}: vertices are where ufbx has them, and each stays itself`, () => {
       const scene = sceneOf(name);
-      const expected = conformance<Expected>(`fbx/${name}.json`);
+      const expected = expectedOf(name);
       for (const stated of expected.takes) {
         const { at } = stated;
         const take = scene.takes.find((own) => own.name === stated.name);
