@@ -95,6 +95,7 @@ const workbench: Workbench = {
     timeline,
     worker,
     reviewWorker: new WorkerClient(spawnWorker),
+    pictured: { viewport, transport },
   }),
   kept: observable<KeptOffer | undefined>(undefined),
   offline: observable<Offline>(NOT_OFFLINE),

@@ -69,6 +69,8 @@ const MAY_IMPORT: Readonly<Record<string, readonly string[]>> = {
 const PACKAGES: Readonly<Record<string, readonly string[]>> = {
   three: ['view', 'io'],
   'idb-keyval': ['io'],
+  mediabunny: ['io'],
+  gifenc: ['io'],
   'lil-gui': ['ui/kit', 'ui/editors'],
   fflate: ['formats', 'exchange', 'io', 'app', 'samples'],
   // Decoders of compressed glTF.

@@ -3,7 +3,7 @@ import { pickFiles, pickFolder, readAgain } from '../io/disk-files.ts';
 import { fromDataTransfer, type GivenFile } from '../io/given.ts';
 import { onDemand } from '../ui/state/on-demand.ts';
 import { MOST_OPENED } from '../ui/state/review.ts';
-import type { FileActions, SampleEntry } from '../ui/state/workbench.ts';
+import type { FileActions, SampleEntry, Uses } from '../ui/state/workbench.ts';
 import type { Runs } from '../worker/client.ts';
 import type { DiskHandles } from './disk-handles.ts';
 import type { Opener } from './opening.ts';
@@ -25,6 +25,8 @@ interface Parts extends Pick<ReloadParts, 'store' | 'messages'>, ReviewingParts 
   readonly handles: DiskHandles;
   readonly disk: Disk;
   readonly framesPerSecond: () => number;
+  /** What is in pictures. */
+  readonly pictured: Uses<'viewport' | 'transport'>;
   readonly kitWorker: Runs<'kit'>;
   /** For work that may be cancelled any time. */
   readonly sourceWorker: SourceTextsParts['worker'];
@@ -110,5 +112,9 @@ export function fileActions(parts: Parts): FileActions {
     reload: (characterId) => void reload(reloading, characterId),
     canReload: (characterId) => canReload(parts, characterId),
     source,
+    async pictures() {
+      const module = await onDemand(parts.messages, 'The export of pictures', () => import('./pictures.ts'));
+      return module?.picturesOf(parts.pictured, (name, content) => parts.disk.download(name, content));
+    },
   };
 }

@@ -14,6 +14,7 @@ import { type Character, shownClip } from '../model/document.ts';
 import { formatKindOf, isSaved, WRITABLE_EXTENSIONS } from '../project/kinds.ts';
 import type { RestOfPage } from '../ui/shell/rest-of-page.ts';
 import { type CharacterRef, resolveCharacter } from '../ui/state/character-ref.ts';
+import type { PictureOptions, VideoOptions } from '../ui/state/pictures.ts';
 import type { Uses } from '../ui/state/workbench.ts';
 import type { FrameStats } from '../view/viewport.ts';
 import type { GivenBlob } from '../worker/protocol.ts';
@@ -105,6 +106,10 @@ export interface MarrowApi {
   /** False if there is nothing to undo. */
   undo(): boolean;
   redo(): boolean;
+  /** The viewport as a PNG: by default at its size on screen, without tools. */
+  picture(options?: PictureOptions): Promise<Blob | undefined>;
+  /** The playback range as a video, GIF or zip of PNGs, at the frame rate of the transport if no other is given. */
+  video(options?: VideoOptions): Promise<Blob | undefined>;
   /** The file of that name (`wasp.skel`) as text. The writers are loaded on first use. */
   save(name: string): Promise<string>;
 }
@@ -116,7 +121,7 @@ declare global {
 }
 
 export function scriptingApi(
-  workbench: Uses<'store' | 'actions' | 'viewport' | 'transport' | 'timeline'>,
+  workbench: Uses<'store' | 'actions' | 'viewport' | 'transport' | 'timeline' | 'files'>,
   opener: Opener,
   rest: RestOfPage,
 ): MarrowApi {
@@ -170,6 +175,8 @@ export function scriptingApi(
     steps: () => ({ undo: store.undoLabel, redo: store.redoLabel }),
     undo: () => store.undo(),
     redo: () => store.redo(),
+    picture: async (options) => (await workbench.files.pictures())?.picture(options),
+    video: async (options) => (await workbench.files.pictures())?.video(options),
     save: (name) => saveByName(store, name),
   };
 }

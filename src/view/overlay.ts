@@ -2,7 +2,7 @@
  * What tools draw over the scene (gizmos, pins): objects that are added and removed with their tool. The viewport
  * updates them each frame and doesn't know what they are.
  */
-import type { Object3D, OrthographicCamera, PerspectiveCamera, Scene } from 'three';
+import type { Object3D, OrthographicCamera, PerspectiveCamera } from 'three';
 import type { StageTheme } from './theme.ts';
 
 export interface Overlay {
@@ -17,16 +17,16 @@ export interface Overlay {
 export class Overlays {
   private readonly list = new Set<Overlay>();
 
-  constructor(private readonly scene: Scene) {}
+  constructor(private readonly parent: Object3D) {}
 
   /** @returns removes and disposes of it */
   add(overlay: Overlay, theme: StageTheme): () => void {
     this.list.add(overlay);
-    this.scene.add(overlay.object);
+    this.parent.add(overlay.object);
     overlay.setTheme(theme);
     return () => {
       if (!this.list.delete(overlay)) return;
-      this.scene.remove(overlay.object);
+      this.parent.remove(overlay.object);
       overlay.dispose();
     };
   }

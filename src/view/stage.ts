@@ -90,6 +90,12 @@ export class Stage {
     this.ground.material.opacity = theme.shadowOpacity;
   }
 
+  /** Without it pictures are transparent. */
+  setBackground(on: boolean, renderer: WebGLRenderer): void {
+    this.background.visible = on;
+    renderer.setClearAlpha(on ? 1 : 0);
+  }
+
   setShadow(on: boolean): void {
     this.ground.visible = on;
     this.key.castShadow = on;

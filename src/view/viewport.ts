@@ -6,7 +6,7 @@
  *
  * It reports facts (what was hit, where joints are) and never edits the document.
  */
-import { Box3, SRGBColorSpace, Vector3, WebGLRenderer } from 'three';
+import { Box3, Group, SRGBColorSpace, Vector3, WebGLRenderer } from 'three';
 import type { Vec3 } from '../math/vec3.ts';
 import type { Character, Document } from '../model/document.ts';
 import { characterIdOf } from '../model/drawn-id.ts';
@@ -58,6 +58,32 @@ export interface ViewportEvents {
   textureFailed?(characterId: string, texture: Texture, message: string): void;
 }
 
+/** What is drawn into a picture besides the characters, and its size in pixels. */
+export interface ShotOptions {
+  readonly width: number;
+  readonly height: number;
+  /** Otherwise it is transparent. */
+  readonly hasBackground: boolean;
+  /** Also if the grid is shown. */
+  readonly hasGrid: boolean;
+  /** Gizmos, pins, names and what marks the selection. */
+  readonly hasTools: boolean;
+}
+
+/** Pictures being drawn: see `Viewport.beginShots`. */
+export interface Shots {
+  /** What a picture consists of, the lowest first. */
+  readonly canvases: readonly HTMLCanvasElement[];
+  /**
+   * Draws characters at a time of the transport. What is on the canvases must be read before the task ends.
+   *
+   * @throws Error if the browser has lost the canvas
+   */
+  draw(timeSeconds: number): void;
+  /** Shows everything as before. */
+  end(): void;
+}
+
 /** Of the last frame drawn. */
 export interface FrameStats {
   readonly drawCalls: number;
@@ -68,6 +94,7 @@ export interface FrameStats {
 }
 
 const MAX_PIXELS_PER_PIXEL = 2;
+const EVERYTHING = { hasBackground: true, hasGrid: true, hasTools: true };
 
 export class Viewport {
   readonly canvas: HTMLCanvasElement;
@@ -86,6 +113,8 @@ export class Viewport {
   private readonly orientation: Orientation;
   private readonly picker: Picker;
   private readonly overlays: Overlays;
+  /** What tools draw, and the marked vertex. */
+  private readonly tools = new Group();
   /** Converts between points of the page and of the scene. */
   readonly eye: Eye;
   private readonly resizing: ResizeObserver;
@@ -105,6 +134,7 @@ export class Viewport {
   private width = 0;
   private height = 0;
   private isStale = false;
+  private shooting: ShotOptions | undefined;
   private readonly requestDraw: () => void;
   private disposed = false;
   /** Poses or the set of characters have changed since the last frame. */
@@ -123,7 +153,7 @@ export class Viewport {
    * @throws Error if the browser has no WebGL2
    */
   constructor(
-    container: HTMLElement,
+    private readonly container: HTMLElement,
     inFrame: (draw: (nowMs: number) => void) => () => void,
     private readonly events: ViewportEvents = {},
   ) {
@@ -133,7 +163,8 @@ export class Viewport {
     this.renderer = new WebGLRenderer({ antialias: true, stencil: false, powerPreference: 'high-performance' });
     const { renderer } = this;
     this.canvas = renderer.domElement;
-    this.canvas.style.cssText = 'display:block;position:absolute;inset:0;width:100%;height:100%;touch-action:none';
+    this.canvas.style.cssText =
+      'display:block;position:absolute;inset:0;width:100%;height:100%;object-fit:contain;touch-action:none';
     renderer.outputColorSpace = SRGBColorSpace;
     // Counted over a whole frame, which has several passes.
     renderer.info.autoReset = false;
@@ -143,21 +174,22 @@ export class Viewport {
     this.orientation = new Orientation((side) => this.lookFrom(side));
     this.eye = new Eye(this.canvas, this.rig);
     const { scene, content } = this.stage;
-    this.overlays = new Overlays(scene);
+    this.overlays = new Overlays(this.tools);
     this.characters = new ShownCharacters(
       content,
       (id) => this.createView(id),
       (entry) => this.prepare(entry),
     );
     this.framer = new Framer(this.rig, this.characters, this.skeletons, this.picked);
-    scene.add(this.grid.object, this.skeletons.object, this.trail.object, this.ghosts.object, this.vertexMarker.object);
+    this.tools.add(this.vertexMarker.object);
+    scene.add(this.grid.object, this.skeletons.object, this.trail.object, this.ghosts.object, this.tools);
 
     if (getComputedStyle(container).position === 'static') container.style.position = 'relative';
     container.append(this.canvas, this.labels.canvas, this.orientation.element);
     this.setTheme('dark');
-    this.resizing = new ResizeObserver(() => this.resize(container.clientWidth, container.clientHeight));
+    this.resizing = new ResizeObserver(() => this.fitContainer());
     this.resizing.observe(container);
-    this.resize(container.clientWidth, container.clientHeight);
+    this.fitContainer();
     this.listen();
   }
 
@@ -414,6 +446,54 @@ export class Viewport {
     return this.grid.object.visible ? this.grid.step : undefined;
   }
 
+  /**
+   * Begins to draw pictures: at another size, in the same view, which keeps its height. Until `end`, characters and display must not change.
+   *
+   * @throws Error if the graphics card can't draw at that size
+   */
+  beginShots(options: ShotOptions): Shots {
+    const { canvas, labels, renderer, rig, timeSeconds, height } = this;
+    const { view } = rig;
+    const ratio = options.height / height;
+    const shoot = (shooting: ShotOptions | undefined) => {
+      this.shooting = shooting;
+      const { hasBackground, hasGrid, hasTools } = shooting ?? EVERYTHING;
+      this.stage.setBackground(hasBackground, renderer);
+      this.grid.object.visible = this.display.grid && hasGrid;
+      this.tools.visible = hasTools;
+      this.showSkeletons();
+    };
+    const end = () => {
+      this.width = 0;
+      shoot(undefined);
+      this.seek(timeSeconds);
+      this.update();
+      // It may have followed a joint.
+      if (!isSameView(rig.view, view)) rig.view = view;
+      this.fitContainer();
+    };
+    this.hover(undefined);
+    shoot(options);
+    // Else rounding may lose a pixel.
+    this.resize((options.width + 0.01) / ratio, (options.height + 0.01) / ratio, ratio);
+    const { drawingBufferWidth, drawingBufferHeight } = renderer.getContext();
+    if (drawingBufferWidth !== options.width || drawingBufferHeight !== options.height) {
+      end();
+      throw new Error(
+        `This graphics card can't draw ${options.width} × ${options.height} pixels. Choose a smaller size.`,
+      );
+    }
+    return {
+      canvases: options.hasTools ? [canvas, labels.canvas] : [canvas],
+      draw: (seconds) => {
+        this.seek(seconds);
+        this.draw(performance.now());
+        if (renderer.getContext().isContextLost()) throw new Error('The browser has lost the canvas. Try again.');
+      },
+      end,
+    };
+  }
+
   dispose(): void {
     this.disposed = true;
     this.isStale = false;
@@ -479,20 +559,25 @@ export class Viewport {
     );
   }
 
-  private resize(width: number, height: number): void {
-    if (width === 0 || height === 0) return;
+  private fitContainer(): void {
+    const { clientWidth: width, clientHeight: height } = this.container;
+    if (width === 0 || height === 0 || this.shooting) return;
     const ratio = Math.min(window.devicePixelRatio || 1, MAX_PIXELS_PER_PIXEL);
     if (width === this.width && height === this.height && ratio === this.renderer.getPixelRatio()) return;
+    this.resize(width, height, ratio);
+    // Draw at once: a resized canvas is empty, and would flash.
+    if (this.document) this.draw(performance.now());
+  }
+
+  /** CSS pixels, and pixels of the canvas for each. */
+  private resize(width: number, height: number, ratio: number): void {
     this.width = width;
     this.height = height;
-    this.renderer.setPixelRatio(ratio);
-    this.renderer.setSize(width, height, false);
+    this.renderer.setDrawingBufferSize(width, height, ratio);
     LINE_RESOLUTION.value.set(width, height);
     this.grid.setPixelRatio(ratio);
     this.labels.resize(width, height, ratio);
     this.rig.resize(width, height);
-    // Draw at once: a resized canvas is empty, and would flash.
-    if (this.document) this.draw(performance.now());
   }
 
   private showSkeletons(): void {
@@ -505,7 +590,8 @@ export class Viewport {
     if (hovered && !haveSameJoints(ofHovered(skeletons.drawn), ofHovered(posed))) {
       this.highlight(undefined);
     }
-    skeletons.show(posed, display, selection, STAGE_THEMES[this.themeName]);
+    const marked = this.shooting?.hasTools === false ? NOTHING_SELECTED : selection;
+    skeletons.show(posed, display, marked, STAGE_THEMES[this.themeName]);
     this.labels.show(skeletons.drawn, display, selection, hovering.joint);
     this.posesChanged = true;
   }
@@ -615,4 +701,9 @@ export class Viewport {
     hovering.changed();
     return true;
   }
+}
+
+function isSameView(a: CameraView, b: CameraView): boolean {
+  const isSame = a.azimuth === b.azimuth && a.polar === b.polar && a.distance === b.distance;
+  return isSame && a.target.every((x, i) => x === b.target[i]);
 }

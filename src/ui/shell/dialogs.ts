@@ -21,6 +21,8 @@ const LOAD: Readonly<Record<DialogName, () => Promise<MakeDialog>>> = {
   shortcuts: async () => (await import('./shortcuts-page.ts')).shortcutsPage,
   search: async () => (await import('./command-search.ts')).commandSearch,
   save: async () => (await import('./save-list.ts')).saveList,
+  picture: async () => (await import('./picture-dialogs.ts')).pictureDialog,
+  video: async () => (await import('./picture-dialogs.ts')).videoDialog,
   about: async () => (await import('./about.ts')).aboutDialog,
   simplify: async () => (await curveTools()).simplifyDialog,
   resample: async () => (await curveTools()).resampleDialog,

@@ -100,6 +100,26 @@ export const FILE_ACTIONS: readonly Action[] = [
       if (character) wb.files.saveAll(character.id);
     },
   },
+  {
+    id: 'save.picture',
+    label: 'Picture (PNG)…',
+    also: 'screenshot image snapshot render transparent',
+    group: 'Files',
+    menu: 'Save',
+    section: 3,
+    enabled: hasCharacters,
+    run: (wb) => wb.dialog.set('picture'),
+  },
+  {
+    id: 'save.video',
+    label: 'Video…',
+    also: 'movie animation record playblast mp4 webm gif png sequence',
+    group: 'Files',
+    menu: 'Save',
+    section: 3,
+    enabled: hasCharacters,
+    run: (wb) => wb.dialog.set('video'),
+  },
 ];
 
 const KIT_ACTION: Action = {

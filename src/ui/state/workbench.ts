@@ -14,6 +14,7 @@ import type { KeptOffer } from './kept-offer.ts';
 import type { GroupName, MenuName } from './menus.ts';
 import type { Messages } from './messages.ts';
 import type { Offline } from './offline.ts';
+import type { Pictures } from './pictures.ts';
 import type { Posing } from './posing.ts';
 import type { Settings } from './settings.ts';
 import type { Bindable } from './shortcuts.ts';
@@ -53,6 +54,7 @@ export type WorkbenchStage = Pick<
   | 'heatSkin'
   | 'canvas'
   | 'stats'
+  | 'beginShots'
 >;
 
 export interface Workbench {
@@ -141,6 +143,8 @@ export type DialogName =
   | 'skinWeights'
   | 'outsideCycle'
   | TakeToolName
+  | 'picture'
+  | 'video'
   | CurveToolName;
 /** The curve tools with a dialog. */
 export type CurveToolName = 'simplify' | 'resample' | 'bake' | 'scaleKeys' | SampleToolName;
@@ -195,4 +199,6 @@ export interface FileActions {
   saveText(name: string, text: string): void;
   /** Saves a character as one zip. */
   saveAll(characterId: string): void;
+  /** What makes pictures and videos; undefined, with a message, if it can't be loaded. */
+  pictures(): Promise<Pictures | undefined>;
 }
