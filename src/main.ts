@@ -93,6 +93,7 @@ const workbench: Workbench = {
     editWorker: new WorkerClient(spawnWorker),
     kitWorker: worker,
     timeline,
+    settings,
     worker,
     reviewWorker: new WorkerClient(spawnWorker),
     pictured: { viewport, transport },

@@ -11,10 +11,12 @@ import { openFiles } from '../project/open/open-files.ts';
 import type { TakeDigest } from '../review/digest.ts';
 import { matchPaths } from '../review/match-paths.ts';
 import { isTakeList, readList } from '../review/read-list.ts';
-import { observable } from '../ui/kit/observable.ts';
+import { type Observable, observable } from '../ui/kit/observable.ts';
 import { attempt } from '../ui/state/attempt.ts';
 import type { Messages } from '../ui/state/messages.ts';
+import { openPanel } from '../ui/state/panels.ts';
 import { MOST_OPENED, type ReviewFiles, type ReviewProgress } from '../ui/state/review.ts';
+import type { Settings } from '../ui/state/settings.ts';
 import type { Timeline } from '../ui/state/timeline.ts';
 import type { Runs } from '../worker/client.ts';
 import type { Opener } from './opening.ts';
@@ -30,6 +32,7 @@ export interface ReviewingParts {
   readonly store: Store;
   readonly messages: Pick<Messages, 'note' | 'report'>;
   readonly timeline: Timeline;
+  readonly settings: Observable<Settings>;
   readonly opener: Pick<Opener, 'open'>;
   /** Reads what is shown, beside the others. */
   readonly worker: Runs<'parse'>;
@@ -93,8 +96,9 @@ function read(parts: ReviewingParts, path: string, text: string): void {
   messages.note(`${found.size} takes have what ${baseName(path)} says of them${left}.`);
 }
 
-function showTab({ timeline }: ReviewingParts): void {
-  timeline.change({ tab: 'review' });
+function showTab(parts: ReviewingParts): void {
+  openPanel(parts, 'timeline', true);
+  parts.timeline.change({ tab: 'review' });
 }
 
 function filesOf(parts: ReviewingParts): TakeFiles {

@@ -125,10 +125,12 @@ export class Spikes implements Check {
 
   /** The 80th percentile of a point's deviations, metres; the upper end of its bin. */
   private usual(point: number): number {
+    // A spike shows in five frames, which are many of a short take.
+    const part = Math.min(USUAL, Math.max(0.2, 1 - 6 / this.count));
     let below = 0;
     for (let b = 0; b < BINS; b++) {
       below += this.histogram[BINS * point + b];
-      if (below >= USUAL * this.count) return 1e-6 * 2 ** (b / BINS_PER_DOUBLING);
+      if (below >= part * this.count) return 1e-6 * 2 ** (b / BINS_PER_DOUBLING);
     }
     return Infinity;
   }

@@ -168,8 +168,8 @@ function whatIsLoaded(wb: Uses<'store' | 'loading'>): HTMLElement {
 
 /** `wasp · 31 joints · 1,042 vertices · wasp_walk`. */
 function loadedText(document: Document): string {
-  const { characters } = document;
-  if (!characters.length) return 'Nothing is open';
+  const { characters, review } = document;
+  if (!characters.length) return review ? `${plural(review.length, 'take')} in review` : 'Nothing is open';
   const joints = characters.reduce((sum, c) => sum + (c.skeleton?.joints.length ?? 0), 0);
   const vertices = characters.reduce((sum, c) => sum + (shownSkinSize(c) ?? 0), 0);
   const parts = [characters.length === 1 ? characters[0].name : plural(characters.length, 'character')];

@@ -72,11 +72,15 @@ export class ReviewDetail {
     const made = button(
       `${text}, ${momentText(flag)}, ${amountText(flag)}`,
       { class: 'review-flag', tooltip: `${text}: go to ${momentText(flag)}` },
-      element('span', { class: 'review-flag-kind' }, FLAG_NAMES[flag.kind]),
+      element(
+        'span',
+        { class: 'review-flag-what' },
+        FLAG_NAMES[flag.kind],
+        joint !== '' && element('span', { class: 'faint' }, ` ${joint}`),
+      ),
       () => this.events.seek(flag),
     );
     made.append(
-      element('span', { class: 'review-flag-joint' }, joint),
       element('span', { class: 'number' }, amountText(flag)),
       element('span', { class: 'number' }, momentText(flag)),
     );

@@ -59,7 +59,8 @@ export class ReviewTable {
   private readonly isStill = window.matchMedia('(prefers-reduced-motion: reduce)');
 
   constructor(private readonly events: ReviewTableEvents) {
-    this.element.append(this.head(), this.space);
+    const head = this.head();
+    this.element.append(head, this.space);
     this.element.addEventListener('keydown', (event) => this.onKey(event));
     this.element.addEventListener('scroll', () => this.tellSeen());
     this.element.addEventListener('focus', () => this.refill());
@@ -76,7 +77,7 @@ export class ReviewTable {
       space: this.space,
       rowHeight: ['--review-row', 36],
       rowsAbove: 1,
-      headHeight: () => this.heads.get('name')?.offsetHeight ?? 0,
+      headHeight: () => head.offsetHeight,
       keyOf: (index) => this.rows[index].take.path,
       make: () => new ReviewRowView(),
       fill: (row, index) => this.fill(row, this.rows[index]),

@@ -31,10 +31,10 @@ export function amountText({ kind, amount }: Flag): string {
   return amount < 1 ? `${shown(100 * amount, 1)} cm` : `${shown(amount, 2)} m`;
 }
 
-/** `1.23 s`, or `2.1 to 2.65 s`. */
+/** `1.23 s`, or `2.1–2.65 s`. */
 export function momentText({ from, to }: Flag): string {
   const [start, end] = [shown(from, 2), shown(to, 2)];
-  return start === end ? `${start} s` : `${start} to ${end} s`;
+  return start === end ? `${start} s` : `${start}–${end} s`;
 }
 
 export function starsText(stars: number): string {
