@@ -36,7 +36,10 @@ interface Answer {
   readonly result?: unknown;
 }
 
-/** @param program what a thread runs, which calls `worksInThread`; absent: all is done here */
+/**
+ * @param program what a thread runs, which calls `worksInThread`; absent: all is done here
+ * @throws what `done` throws; no more pieces are begun then
+ */
 export async function shareWork<Shared, Piece, Result>(
   { name, work, shared, pieces, threads = availableParallelism(), few, done, lost }: SharedWork<Shared, Piece, Result>,
   program: URL | undefined,
@@ -49,13 +52,21 @@ export async function shareWork<Shared, Piece, Result>(
   let next = 0;
   const task: Task = { isSharedWork: true, name, shared };
   const start = (): Promise<void> =>
-    new Promise((resolve) => {
+    new Promise((resolve, reject) => {
       const worker = new Worker(program, { workerData: task });
       let current: number | undefined;
       let reason = 'the thread ended';
       worker.on('message', (answer: Answer) => {
-        // The other end is this very work, made with the same types.
-        if (current !== undefined) done(pieces[current], answer.result as Result, current);
+        try {
+          // The other end is this very work, made with the same types.
+          if (current !== undefined) done(pieces[current], answer.result as Result, current);
+        } catch (error) {
+          next = pieces.length;
+          current = undefined;
+          void worker.terminate();
+          reject(error);
+          return;
+        }
         current = next < pieces.length ? next++ : undefined;
         worker.postMessage(current === undefined ? { isOver: true } : { piece: pieces[current] });
       });

@@ -1,6 +1,16 @@
 /** The built command as a process: exit codes, pipes and npm's folders. */
 import { execFile, spawn } from 'node:child_process';
-import { accessSync, constants, existsSync, mkdirSync, mkdtempSync, rmSync, writeFileSync } from 'node:fs';
+import {
+  accessSync,
+  constants,
+  existsSync,
+  mkdirSync,
+  mkdtempSync,
+  readdirSync,
+  readFileSync,
+  rmSync,
+  writeFileSync,
+} from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { fileURLToPath } from 'node:url';
@@ -53,6 +63,51 @@ describe('the built command', () => {
     expect(broken).toMatchObject({ code: 1, err: expect.stringContaining('broken.skel:1:') });
     expect(JSON.parse(broken.out).diagnostics).toHaveLength(1);
     expect(wrong).toMatchObject({ code: 2, out: '', err: expect.stringContaining('usage: marrow info') });
+  });
+
+  it('exports takes in several threads as in one, byte for byte, and in parts, one of which was killed', async () => {
+    const rows = Array.from({ length: 40 }, (_, f) => `${f} 90 ${-f} ${3 * f} ${f} ${2 * f}`).join('\n');
+    mkdirSync(join(folder, 'takes'), { recursive: true });
+    for (let i = 0; i < 12; i++) {
+      const hips = `OFFSET 0 ${90 + i} 0 CHANNELS 6 Xposition Yposition Zposition Zrotation Xrotation Yrotation`;
+      const text = `HIERARCHY ROOT Hips { ${hips} End Site { OFFSET 0 9 0 } } MOTION Frames: 40 Frame Time: 0.01\n${rows}\n`;
+      writeFileSync(join(folder, 'takes', `t${i}.bvh`), i === 7 ? text.replace('90', 'ninety') : text);
+    }
+    const args = (out: string, ...more: string[]) => [
+      'export',
+      'takes',
+      '--to',
+      'npz',
+      '--out',
+      out,
+      '--no-times',
+      ...more,
+    ];
+    const [one, two] = await Promise.all([
+      marrow(...args('one', '--jobs', '1')),
+      marrow(...args('two', '--jobs', '2')),
+    ]);
+    expect([one.code, two.code]).toEqual([1, 1]);
+    expect(one.err).toMatch(/^takes\/t7\.bvh: /);
+    // What a killed process leaves: a file half written, and a journal with half a line.
+    const left = join(folder, 'parts', '.marrow-1-of-2', 'abc');
+    mkdirSync(left, { recursive: true });
+    writeFileSync(join(left, 't3.npz.1-abc.tmp'), 'half');
+    writeFileSync(join(left, 'journal.ndjson'), '{"input":"takes/t0.bvh","has');
+    for (const part of ['1/2', '2/2']) await marrow(...args('parts', '--shard', part, '--resume'));
+    const names = readdirSync(join(folder, 'one')).sort();
+    expect(names).toHaveLength(12);
+    const bytes = (out: string, name: string) => readFileSync(join(folder, out, name)).toString('latin1');
+    for (const name of names) {
+      expect(bytes('two', name) === bytes('one', name), name).toBe(true);
+      expect(bytes('parts', name) === bytes('one', name), name).toBe(true);
+    }
+    expect(readdirSync(join(folder, 'two')).sort()).toEqual(names);
+    expect(
+      readdirSync(join(folder, 'parts'))
+        .filter((name) => !/^manifest\.\d-of-2/.test(name))
+        .sort(),
+    ).toEqual(names);
   });
 
   it('grades a class in several threads as in one, and goes on after a broken submission', async () => {

@@ -3,7 +3,7 @@ import { createHash } from 'node:crypto';
 import { mkdirSync } from 'node:fs';
 import { VERSION } from '../../model/version.ts';
 import { shareWork } from '../threads.ts';
-import { earlierRecords, Manifest, scratchFolder } from './manifest.ts';
+import { earlierRecords, Manifest } from './manifest.ts';
 import { LAYOUT } from './meta.ts';
 import { type ExportPiece, type ExportResult, exportWork, hashOf } from './one-take.ts';
 import { type FailedTake, isWritten } from './records.ts';
@@ -60,7 +60,7 @@ export async function exportTakes(
     {
       name: 'export',
       work: exportWork,
-      shared: { ...settings, scratch: scratchFolder(out, shard), key: keyOf(settings, dependsOn) },
+      shared: { ...settings, scratch: manifest.scratch, key: keyOf(settings, dependsOn) },
       pieces,
       ...(threads !== undefined && { threads }),
       few: FEW,

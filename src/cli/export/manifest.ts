@@ -3,12 +3,15 @@
  *
  *     manifest.ndjson            of all takes; written once all are done
  *     manifest.2-of-4.ndjson     of part 2 of 4; the part that is done last joins all four to manifest.ndjson
- *     .marrow, .marrow-2-of-4    while it runs: unfinished files, and the journal: lines in the order of being done
+ *     .marrow/, .marrow-2-of-4/  while it runs, a folder for the run: unfinished files, and the journal: lines in the
+ *                                order of being done. A new run removes those of runs that were killed
  *
  * Lines begin with the input, so `LC_ALL=C sort` of the parts is the whole.
  */
+import { randomBytes } from 'node:crypto';
 import { appendFileSync, existsSync, mkdirSync, readdirSync, readFileSync, rmSync } from 'node:fs';
 import { join } from 'node:path';
+import { CommandError } from '../../edit/store.ts';
 import { writeOutput } from '../write-output.ts';
 import { lineOf, recordsIn, type TakeRecord } from './records.ts';
 import type { Shard } from './switches.ts';
@@ -23,8 +26,10 @@ function partName({ index, count }: Shard): string {
   return `manifest.${index}-of-${count}.ndjson`;
 }
 
-/** Absolute path of the folder for unfinished files. */
-export function scratchFolder(out: string, shard: Shard | undefined): string {
+const SCRATCH = /^\.marrow(-\d+-of-\d+)?$/;
+
+/** Of all runs of a part. */
+function scratchFolder(out: string, shard: Shard | undefined): string {
   return join(out, shard ? `.marrow-${shard.index}-of-${shard.count}` : '.marrow');
 }
 
@@ -32,7 +37,9 @@ export function scratchFolder(out: string, shard: Shard | undefined): string {
 export function earlierRecords(out: string): ReadonlyMap<string, readonly TakeRecord[]> {
   const names = existsSync(out) ? readdirSync(out) : [];
   const manifests = [WHOLE, ...names.filter((name) => PART.test(name))];
-  const journals = names.filter((name) => /^\.marrow(-\d+-of-\d+)?$/.test(name)).map((name) => join(name, JOURNAL));
+  const journals = names
+    .filter((name) => SCRATCH.test(name))
+    .flatMap((name) => readdirSync(join(out, name)).map((run) => join(name, run, JOURNAL)));
   const byInput = new Map<string, readonly TakeRecord[]>();
   for (const name of [...manifests, ...journals]) {
     const path = join(out, name);
@@ -50,7 +57,8 @@ export function earlierRecords(out: string): ReadonlyMap<string, readonly TakeRe
 
 /** The journal of a run, and in the end its manifest. */
 export class Manifest {
-  private readonly scratch: string;
+  /** The run's own folder, for unfinished files; absolute. */
+  readonly scratch: string;
   private readonly name: string;
   private readonly records: TakeRecord[] = [];
 
@@ -63,9 +71,10 @@ export class Manifest {
     private readonly shard: Shard | undefined,
     earlier: readonly TakeRecord[],
   ) {
-    this.scratch = scratchFolder(out, shard);
+    const folder = scratchFolder(out, shard);
+    this.scratch = join(folder, randomBytes(4).toString('hex'));
     this.name = shard ? partName(shard) : WHOLE;
-    rmSync(this.scratch, { recursive: true, force: true });
+    rmSync(folder, { recursive: true, force: true });
     mkdirSync(this.scratch, { recursive: true });
     this.append(earlier);
     rmSync(join(out, this.name), { force: true });
@@ -80,12 +89,17 @@ export class Manifest {
   /** @throws Error if it can't be written */
   finish(): void {
     const { out, shard, scratch, records, name } = this;
+    this.append([]);
     write(join(out, name), records.map(lineOf), scratch);
     if (!shard || joinParts(out, shard, scratch)) removeOtherParts(out, shard);
-    rmSync(scratch, { recursive: true, force: true });
+    rmSync(scratchFolder(out, shard), { recursive: true, force: true });
   }
 
   private append(records: readonly TakeRecord[]): void {
+    if (!existsSync(this.scratch)) {
+      // A scheduler that took this process for dead has started its part again.
+      throw new CommandError(`Another export of the same takes to ${this.out} has begun; this one ends.`);
+    }
     appendFileSync(join(this.scratch, JOURNAL), records.map(lineOf).join(''));
   }
 }
