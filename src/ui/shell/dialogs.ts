@@ -31,6 +31,7 @@ const LOAD: Readonly<Record<DialogName, () => Promise<MakeDialog>>> = {
   convertToKeys: async () => (await sampleTools()).convertDialog,
   smoothSamples: async () => (await sampleTools()).smoothDialog,
   resampleSamples: async () => (await sampleTools()).resampleSamplesDialog,
+  markers: async () => (await import('../editors/timeline/markers-dialog.ts')).markersDialog,
   joinTakes: async () => (await takeTools()).joinDialog,
   insertTake: async () => (await takeTools()).insertDialog,
   cutOut: async () => (await takeTools()).cutOutDialog,

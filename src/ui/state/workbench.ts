@@ -145,6 +145,7 @@ export type DialogName =
   | TakeToolName
   | 'picture'
   | 'video'
+  | 'markers'
   | CurveToolName;
 /** The curve tools with a dialog. */
 export type CurveToolName = 'simplify' | 'resample' | 'bake' | 'scaleKeys' | SampleToolName;

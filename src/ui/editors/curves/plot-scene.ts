@@ -2,6 +2,7 @@
  * The current scene, from document, selection and settings. Unchanged parts keep their identity, by which the picture
  * knows what to redraw.
  */
+
 import { compileClip } from '../../../evaluate/compiled-clip.ts';
 import type { ChannelClip } from '../../../model/clip.ts';
 import type { Character } from '../../../model/document.ts';
@@ -10,6 +11,7 @@ import type { TimelineView } from '../../state/timeline.ts';
 import type { Uses } from '../../state/workbench.ts';
 import { drawnChannels, type ListedChannel, listedChannels, selectedChannels } from '../timeline/channels.ts';
 import { currentTake, selectedKeysInView } from '../timeline/current-take.ts';
+import { markersAt } from '../timeline/shown-markers.ts';
 import { type CurveLine, type CurveScene, NO_CHANNELS, sceneLines } from './scene/scene.ts';
 import { type CurveSpace, DEFAULT_AXES } from './scene/space.ts';
 import { type TheirChannel, type TheirChannels, theirChannels } from './scene/their-channels.ts';
@@ -91,6 +93,7 @@ export class PlotScene {
       range: wb.transport.get().range,
       framesPerSecond,
       inFrames: settings.timeDisplay === 'frames',
+      markers: markersAt(clip, offsetSeconds),
       degrees: settings.angles === 'degrees',
     };
     this.made = made;

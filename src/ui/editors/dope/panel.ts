@@ -3,6 +3,7 @@
  * keys on canvases to the right; both follow the document, the selection and the timeline's view, and redraw once a
  * frame what has changed, only while visible.
  */
+
 import { keyCount, selectedCount, spanOf } from '../../../edit/keys/row-keys.ts';
 import { allKeys, NO_KEY_SELECTION, unionKeys } from '../../../edit/keys/selection.ts';
 import { withSelectedKeys } from '../../../edit/store.ts';
@@ -17,6 +18,7 @@ import type { Uses } from '../../state/workbench.ts';
 import { currentTake, selectedKeys, selectedKeysInView, selectKeys, type Take } from '../timeline/current-take.ts';
 import { allFolds, type DopeRow, dopeRows, sameRows } from '../timeline/dope-rows.ts';
 import { selectedText } from '../timeline/key-edits.ts';
+import { markersAt } from '../timeline/shown-markers.ts';
 import { emptyText } from './empty-text.ts';
 import type { SheetKeys } from './hit.ts';
 import { rowMenu, sheetMenu } from './menus.ts';
@@ -321,6 +323,7 @@ class DopePanel implements TimelineTab, SheetPointerHost {
       range,
       framesPerSecond,
       inFrames: this.wb.settings.get().timeDisplay === 'frames',
+      ...(take && { markers: markersAt(take.clip, take.character.timeOffsetSeconds) }),
     };
   }
 

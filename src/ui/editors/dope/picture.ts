@@ -163,6 +163,7 @@ export class DopePicture {
   }
 }
 
-function timeView({ sheet, range, framesPerSecond, inFrames }: DopeScene): TimeView {
-  return { window: sheet.window, width: sheet.width, range, framesPerSecond, inFrames };
+function timeView({ sheet, range, framesPerSecond, inFrames, markers }: DopeScene): TimeView {
+  const view = { window: sheet.window, width: sheet.width, range, framesPerSecond, inFrames };
+  return markers ? { ...view, markers } : view;
 }

@@ -49,6 +49,7 @@ export function timeEntries(wb: Page, timeSeconds: number): MenuEntry[] {
         'play.wholeRange',
         'take.rangeFromPlayed',
       ],
+      isNow ? ['marker.add'] : [item('Add marker here', runThere('marker.add'))],
       ['play.previousKey', 'play.nextKey'],
       ['View/Time', 'Play/Loop', 'Play/Speed'],
     ]),

@@ -2,6 +2,8 @@
  * Draws time: ruler, grid, range and playhead on a canvas, the same for the curve editor and the dope sheet, which
  * share the time window. Everything is in CSS pixels: the context is scaled by the caller.
  */
+
+import { drawMarkers, type MarkerColours, type ShownMarker } from '../../kit/markers-picture.ts';
 import { aligned, shown } from '../../kit/number-text.ts';
 import { drawPlayheadAt } from '../../kit/playhead.ts';
 import { rulerTicks } from '../../kit/ruler.ts';
@@ -20,9 +22,11 @@ export interface TimeView {
   readonly framesPerSecond: number;
   /** Frames instead of seconds. */
   readonly inFrames: boolean;
+  /** Of the take that is shown; drawn below the ruler. */
+  readonly markers?: readonly ShownMarker[];
 }
 
-export interface TimeColours {
+export interface TimeColours extends MarkerColours {
   readonly faint: string;
   /** Grid lines at labels, and between them. */
   readonly line: string;
@@ -33,7 +37,6 @@ export interface TimeColours {
   readonly edge: string;
   readonly playhead: string;
   readonly playheadText: string;
-  readonly font: string;
 }
 
 /** The stylesheet's colours for this element. */
@@ -42,6 +45,8 @@ export function readTimeColours(target: Element): TimeColours {
   const colour = (name: string) => style.getPropertyValue(name).trim();
   return {
     faint: colour('--text-faint'),
+    marker: colour('--warning'),
+    markerText: colour('--text'),
     line: colour('--plot-line'),
     fineLine: translucent(colour('--plot-line'), 0.5),
     ruler: colour('--surface'),
@@ -134,6 +139,8 @@ export function drawTimeRuler(g: CanvasRenderingContext2D, view: TimeView, colou
     const x = timeX(view, end);
     if (x >= -1 && x <= view.width) g.fillRect(Math.round(x) - 1, 0, 2, TIME_RULER_HEIGHT);
   }
+  const { markers, width } = view;
+  if (markers) drawMarkers(g, markers, (seconds) => timeX(view, seconds), width, TIME_RULER_HEIGHT, colours);
 }
 
 /** A line down to `bottom`, and its time in the ruler. */

@@ -2,12 +2,15 @@
 
 import { LOOP_MODES, type LoopMode, type Playback, pause, play, stepFrames } from '../../../edit/playback.ts';
 import { clipsRange, nextKey, previousKey, shownKeys } from '../../../evaluate/plot/shown-keys.ts';
-import { playingCharacters } from '../../../model/document.ts';
+import { playingCharacters, shownClip } from '../../../model/document.ts';
 import { shown } from '../../kit/number-text.ts';
+import { currentCharacter } from '../../state/action.ts';
 import { needs } from '../../state/needs.ts';
+import { onDemand } from '../../state/on-demand.ts';
 import { stopsOnFrame } from '../../state/pause-playback.ts';
 import type { Action, Uses } from '../../state/workbench.ts';
 import { switchKinematics } from '../posing/actions.ts';
+import { shownMarkers } from '../timeline/shown-markers.ts';
 import { sayRange } from './range-edits.ts';
 
 export const LOOP_LABELS: Readonly<Record<LoopMode, string>> = {
@@ -23,6 +26,11 @@ const hasKeys = needs(
   'There are no keys to step to.',
   (wb: Uses<'store'>) => shownKeys(wb.store.document, wb.store.selection).length > 0,
 );
+
+const hasTake = needs('Show a take first: markers belong to one.', (wb: Uses<'store'>) => {
+  const character = currentCharacter(wb);
+  return character !== undefined && shownClip(character) !== undefined;
+});
 
 /** As in Maya, the playback range belongs to the page. */
 const ONLY_PLAYED = 'Of playback; the take is saved with its own range';
@@ -98,6 +106,39 @@ export const PLAY_ACTIONS: readonly Action[] = [
       sayRange(wb);
     },
   },
+  {
+    id: 'marker.add',
+    label: 'Add marker',
+    group: 'Play',
+    menu: 'Play/Markers',
+    section: 2,
+    shortcuts: ['M'],
+    enabled: hasTake,
+    run: async (wb) => (await markerEdits(wb))?.addMarkerHere(wb),
+  },
+  {
+    id: 'marker.addSpan',
+    label: 'Add span of playback range',
+    group: 'Play',
+    menu: 'Play/Markers',
+    section: 2,
+    enabled: hasTake,
+    run: async (wb) => (await markerEdits(wb))?.addSpanOfRange(wb),
+  },
+  {
+    id: 'marker.list',
+    label: 'Markers…',
+    also: 'rename delete move labels spans',
+    group: 'Play',
+    menu: 'Play/Markers',
+    section: 2,
+    enabled: hasTake,
+    run: (wb) => wb.dialog.set('markers'),
+  },
+  toMarker('marker.previous', 'Go to previous marker', (times, now) =>
+    times.findLast((time) => time < now - SAME_TIME),
+  ),
+  toMarker('marker.next', 'Go to next marker', (times, now) => times.find((time) => time > now + SAME_TIME)),
   {
     id: 'play.nextLoop',
     label: 'Next loop mode',
@@ -189,6 +230,35 @@ function rangeEnd(
     run(wb) {
       wb.transport.update((p) => ({ ...p, range: rangeOf(p) }));
       sayRange(wb);
+    },
+  };
+}
+
+const markerEdits = (wb: Uses<'messages'>) =>
+  onDemand(wb.messages, 'Markers', () => import('../timeline/marker-edits.ts'));
+
+/** Times closer than this are the same; seconds. */
+const SAME_TIME = 1e-6;
+
+function toMarker(
+  id: string,
+  label: string,
+  find: (times: readonly number[], now: number) => number | undefined,
+): Action {
+  return {
+    id,
+    label,
+    group: 'Play',
+    menu: 'Play/Markers',
+    section: 3,
+    unchanged: 'There is no marker in that direction.',
+    enabled: needs('The take has no markers. M adds one.', (wb: Uses<'store'>) => shownMarkers(wb).length > 0),
+    run(wb) {
+      const times = shownMarkers(wb).map(({ timeSeconds }) => timeSeconds);
+      wb.transport.update((p) => {
+        const timeSeconds = find(times, p.timeSeconds);
+        return timeSeconds === undefined ? p : { ...p, timeSeconds, playing: false };
+      });
     },
   };
 }

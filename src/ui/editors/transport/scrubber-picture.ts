@@ -4,11 +4,12 @@
  */
 import { bucketKeys, MEANT_KEY, NO_KEY } from '../../../evaluate/plot/key-buckets.ts';
 import type { ShownChannel } from '../../../evaluate/plot/shown-keys.ts';
+import { drawMarkers, type MarkerColours, type ShownMarker } from '../../kit/markers-picture.ts';
 import { drawPlayheadAt } from '../../kit/playhead.ts';
 import { rulerTicks } from '../../kit/ruler.ts';
 import type { TimeWindow } from '../../kit/time-window.ts';
 
-export interface ScrubberColours {
+export interface ScrubberColours extends MarkerColours {
   readonly text: string;
   readonly faint: string;
   readonly line: string;
@@ -18,7 +19,6 @@ export interface ScrubberColours {
   readonly otherKey: string;
   readonly playhead: string;
   readonly playheadText: string;
-  readonly font: string;
 }
 
 export interface ScrubberPicture {
@@ -26,6 +26,7 @@ export interface ScrubberPicture {
   readonly range: readonly [number, number];
   readonly timeSeconds: number;
   readonly channels: readonly ShownChannel[];
+  readonly markers: readonly ShownMarker[];
   /** Counts in frames if given. */
   readonly framesPerSecond: number | undefined;
   /** At the playhead. */
@@ -33,7 +34,7 @@ export interface ScrubberPicture {
 }
 
 /** Heights in CSS pixels. */
-const RULER_HEIGHT = 20;
+export const RULER_HEIGHT = 20;
 const LABEL_SPACING = 64;
 /** Half a diamond; keys closer than this are merged. */
 const DIAMOND = 4;
@@ -56,6 +57,7 @@ export class ScrubberBackground {
     drawRuler(g, picture, x, width, height, colours);
     if (this.buckets.length !== Math.ceil(width)) this.buckets = new Uint8Array(Math.max(1, Math.ceil(width)));
     bucketKeys(picture.channels, window.from, 1 / pixelsPerSecond, this.buckets);
+    drawMarkers(g, picture.markers, x, width, RULER_HEIGHT, colours);
     drawKeys(g, this.buckets, RULER_HEIGHT + (height - RULER_HEIGHT) / 2, colours);
   }
 

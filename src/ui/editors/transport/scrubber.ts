@@ -10,14 +10,18 @@ import { element } from '../../kit/dom.ts';
 import { followPointer } from '../../kit/drag.ts';
 import { oncePerFrame } from '../../kit/frame.ts';
 import { buttonMeant, isMac } from '../../kit/keyboard.ts';
+import { MARKER_HEIGHT, type ShownMarker } from '../../kit/markers-picture.ts';
 import { asksForMenu } from '../../kit/menu.ts';
 import { aligned, shown } from '../../kit/number-text.ts';
 import { fitWindow, panWindow, revealTime, snapTime, type TimeWindow, zoomWindow } from '../../kit/time-window.ts';
 import type { Uses } from '../../state/workbench.ts';
+import type { MarkerDrag } from '../timeline/marker-drag.ts';
 import { scrubFrames } from '../timeline/scrub-frames.ts';
+import { shownMarkers } from '../timeline/shown-markers.ts';
 import { openTimeMenu } from '../timeline/time-menu.ts';
 import {
   drawScrubberPlayhead,
+  RULER_HEIGHT,
   ScrubberBackground,
   type ScrubberColours,
   type ScrubberPicture,
@@ -28,6 +32,12 @@ const GRAB_PIXELS = 6;
 const ZOOM_STEP = 1.15;
 
 type Handle = 'time' | 'in' | 'out' | 'pan';
+
+interface MarkerHit {
+  readonly index: number;
+  /** The end of a span. */
+  readonly isEnd: boolean;
+}
 
 export class Scrubber {
   readonly element: HTMLCanvasElement = element('canvas', {
@@ -42,6 +52,7 @@ export class Scrubber {
   /** Follows the range until the user zooms or pans. */
   private fitted = true;
   private channels: readonly ShownChannel[] = [];
+  private markers: readonly ShownMarker[];
   private colours: ScrubberColours | undefined;
   private stale = true;
   /** CSS pixels. Updated on resize only: reading them every frame would force a layout. */
@@ -49,9 +60,10 @@ export class Scrubber {
   private height = 0;
   private readonly drawSoon = oncePerFrame(() => this.draw());
 
-  constructor(private readonly wb: Uses<'store' | 'actions' | 'transport' | 'timeline' | 'settings'>) {
+  constructor(private readonly wb: Uses<'store' | 'actions' | 'transport' | 'timeline' | 'settings' | 'dialog'>) {
     this.window = this.whole();
     this.channels = shownKeys(wb.store.document, wb.store.selection);
+    this.markers = shownMarkers(wb);
     wb.transport.subscribe((now, before) => {
       if (now.range !== before.range) this.onRange();
       if (now.framesPerSecond !== before.framesPerSecond) this.stale = true;
@@ -66,6 +78,7 @@ export class Scrubber {
     wb.store.subscribe((now, before) => {
       if (now.document === before.document && now.selection === before.selection) return;
       this.channels = shownKeys(now.document, now.selection);
+      this.markers = shownMarkers(wb);
       // The window of another character means nothing for this one.
       if (!now.document.characters.some((c) => findCharacter(before.document, c.id))) this.fit();
       this.redraw();
@@ -130,6 +143,7 @@ export class Scrubber {
       range,
       timeSeconds,
       channels: this.channels,
+      markers: this.markers,
       framesPerSecond,
       timeText,
     };
@@ -165,10 +179,14 @@ export class Scrubber {
     const { element: canvas } = this;
     canvas.addEventListener('pointerdown', (event) => this.onPointerDown(event));
     canvas.addEventListener('pointermove', (event) => {
-      if (!this.dragging) canvas.style.cursor = this.handleAt(event) === 'time' ? '' : 'ew-resize';
+      if (this.dragging) return;
+      canvas.style.cursor = this.markerAt(event) || this.handleAt(event) !== 'time' ? 'ew-resize' : '';
     });
     canvas.addEventListener('wheel', (event) => this.onWheel(event), { passive: false });
-    canvas.addEventListener('dblclick', () => this.fit());
+    canvas.addEventListener('dblclick', (event) => {
+      if (this.markerAt(event)) this.wb.dialog.set('markers');
+      else this.fit();
+    });
     canvas.addEventListener('keydown', (event) => this.onKey(event));
     canvas.addEventListener('contextmenu', (event) => this.onMenu(event));
   }
@@ -214,12 +232,62 @@ export class Scrubber {
     return near(range[0]) <= GRAB_PIXELS ? 'in' : 'time';
   }
 
+  /** The marker whose flag, or the end of whose span, is under the pointer. */
+  private markerAt(event: MouseEvent): MarkerHit | undefined {
+    const y = event.clientY - this.element.getBoundingClientRect().top - RULER_HEIGHT;
+    if (y < 0 || y > MARKER_HEIGHT) return undefined;
+    const at = this.timeAt(event.clientX);
+    const near = (time: number) => Math.abs(time - at) / this.secondsPerPixel <= GRAB_PIXELS;
+    const index = this.markers.findLastIndex(({ timeSeconds, endSeconds = timeSeconds }) => {
+      return near(timeSeconds) || near(endSeconds);
+    });
+    if (index < 0) return undefined;
+    const { timeSeconds, endSeconds } = this.markers[index];
+    return { index, isEnd: endSeconds !== undefined && !near(timeSeconds) };
+  }
+
+  /** The script of edits is fetched with the first drag. */
+  private dragMarker(event: PointerEvent, { index, isEnd }: MarkerHit, grabbed: number): void {
+    this.dragging = true;
+    let drag: MarkerDrag | undefined;
+    let isOver = false;
+    let last: PointerEvent | undefined;
+    const grabbedOff = grabbed - this.timeOfMarker(index, isEnd);
+    const move = (e: PointerEvent) => {
+      last = e;
+      drag?.move(snapTime(this.timeAt(e.clientX) - grabbedOff, this.secondsPerPixel, scrubFrames(this.wb, e.shiftKey)));
+    };
+    void import('../timeline/marker-drag.ts').then(({ MarkerDrag: Made }) => {
+      drag = new Made(this.wb, index, isEnd);
+      if (last) move(last);
+      if (isOver) drag.end();
+    });
+    followPointer(this.element, event, {
+      move,
+      over: () => {
+        this.dragging = false;
+        isOver = true;
+        drag?.end();
+      },
+    });
+  }
+
+  private timeOfMarker(index: number, isEnd: boolean): number {
+    const { timeSeconds, endSeconds = timeSeconds } = this.markers[index];
+    return isEnd ? endSeconds : timeSeconds;
+  }
+
   private onPointerDown(event: PointerEvent): void {
     if (event.button > 1) return;
     event.preventDefault();
     this.element.focus({ preventScroll: true });
-    const handle = this.handleAt(event);
     const grabbed = this.timeAt(event.clientX);
+    const marker = event.button === 0 ? this.markerAt(event) : undefined;
+    if (marker) {
+      this.dragMarker(event, marker, grabbed);
+      return;
+    }
+    const handle = this.handleAt(event);
     this.dragging = true;
     if (handle !== 'pan') this.drag(handle, grabbed, event.shiftKey);
     followPointer(this.element, event, {
@@ -304,6 +372,8 @@ function readColours(target: Element): ScrubberColours {
     range: colour('--range'),
     edge: colour('--range-edge'),
     key: colour('--key'),
+    marker: colour('--warning'),
+    markerText: colour('--text'),
     otherKey: colour('--key-other'),
     playhead: colour('--accent'),
     playheadText: colour('--on-accent'),

@@ -23,8 +23,9 @@ const UNITS: Readonly<Record<AxisName, string>> = {
 };
 
 export function timeView(scene: CurveScene): TimeView {
-  const { space, range, framesPerSecond, inFrames } = scene;
-  return { window: space.window, width: space.width, range, framesPerSecond, inFrames };
+  const { space, range, framesPerSecond, inFrames, markers } = scene;
+  const view = { window: space.window, width: space.width, range, framesPerSecond, inFrames };
+  return markers ? { ...view, markers } : view;
 }
 
 /** The axes of the lines: the first is labelled on the left and has the grid. */

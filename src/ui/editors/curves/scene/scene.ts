@@ -1,4 +1,5 @@
 /** What the curve editor shows: everything that drawing and hit testing need, read-only. */
+
 import type { CompiledClip } from '../../../../evaluate/compiled-clip.ts';
 import { extremesOfColumn } from '../../../../evaluate/plot/sample-extremes.ts';
 import type { ChannelClip, KeyedChannel } from '../../../../model/clip.ts';
@@ -11,6 +12,7 @@ import { perObject } from '../../../../model/per-object.ts';
 import { columnOf } from '../../../../model/samples.ts';
 import type { ChannelKeys } from '../../../../model/session.ts';
 import { type DofUnit, isUnlimited, type Limit } from '../../../../model/skeleton.ts';
+import type { ShownMarker } from '../../../kit/markers-picture.ts';
 import { axisColour, followingColour, type LineColour, otherColour } from './colours.ts';
 import type { AxisName, CurveSpace, Normalise } from './space.ts';
 import type { TheirChannels } from './their-channels.ts';
@@ -52,6 +54,8 @@ export interface CurveScene {
   readonly range: readonly [number, number];
   readonly framesPerSecond: number;
   readonly inFrames: boolean;
+  /** Of the take. */
+  readonly markers?: readonly ShownMarker[];
   /** Angles are labelled in degrees. */
   readonly degrees: boolean;
 }

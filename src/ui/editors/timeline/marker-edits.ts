@@ -1,0 +1,27 @@
+/** Adds markers at the current time, or a span over the playback range, and goes from one to the next. */
+import { addMarkers } from '../../../edit/commands/markers.ts';
+import type { Uses } from '../../state/workbench.ts';
+import { clipTime, currentTake } from './current-take.ts';
+
+type Page = Uses<'store' | 'transport' | 'messages' | 'dialog'>;
+
+export function addMarkerHere(wb: Page): void {
+  const take = currentTake(wb);
+  if (!take) return;
+  const { character, clip } = take;
+  const label = String((clip.markers?.length ?? 0) + 1);
+  const marker = { timeSeconds: clipTime(wb, character), label };
+  wb.store.apply(addMarkers, { characterId: character.id, markers: [marker] });
+  wb.messages.note(`Marker ${label} added to ${clip.name}. Markers… names it.`);
+}
+
+export function addSpanOfRange(wb: Page): void {
+  const take = currentTake(wb);
+  if (!take) return;
+  const { character, clip } = take;
+  const [from, to] = wb.transport.get().range.map((seconds) => seconds + character.timeOffsetSeconds);
+  const label = String((clip.markers?.length ?? 0) + 1);
+  const span = { timeSeconds: from, endSeconds: to, label };
+  wb.store.apply(addMarkers, { characterId: character.id, markers: [span] });
+  wb.dialog.set('markers');
+}

@@ -1,0 +1,23 @@
+/** The markers of the current character's take, at times of the transport. */
+import type { ChannelClip } from '../../../model/clip.ts';
+import { shownClip } from '../../../model/document.ts';
+import { NO_MARKERS, type ShownMarker } from '../../kit/markers-picture.ts';
+import { currentCharacter } from '../../state/action.ts';
+import type { Uses } from '../../state/workbench.ts';
+
+/** In the order of the take's markers. */
+export function shownMarkers(wb: Uses<'store'>): readonly ShownMarker[] {
+  const character = currentCharacter(wb);
+  const clip = character && shownClip(character);
+  return clip ? markersAt(clip, character.timeOffsetSeconds) : NO_MARKERS;
+}
+
+export function markersAt({ markers }: Pick<ChannelClip, 'markers'>, offsetSeconds: number): readonly ShownMarker[] {
+  if (!markers) return NO_MARKERS;
+  if (offsetSeconds === 0) return markers;
+  return markers.map(({ timeSeconds, endSeconds, label }) => ({
+    timeSeconds: timeSeconds - offsetSeconds,
+    ...(endSeconds !== undefined && { endSeconds: endSeconds - offsetSeconds }),
+    label,
+  }));
+}
