@@ -7,6 +7,7 @@ import { availableParallelism } from 'node:os';
 import type { Plugin, UserConfig } from 'vite';
 import { defineConfig, type TestProjectInlineConfiguration } from 'vitest/config';
 import { givenFiles } from './src/cli/given-files.ts';
+import { draco } from './vite.draco.ts';
 import { offline } from './vite.offline.ts';
 import { leanThree } from './vite.three.ts';
 
@@ -87,8 +88,8 @@ export default defineConfig(({ mode }) => {
     // Relative addresses: the built page works under any path.
     base: './',
     ...building,
-    worker: { format: 'es' },
-    plugins: [givenFiles(), ...(building.plugins ?? [])],
+    worker: { format: 'es', plugins: () => [draco()] },
+    plugins: [givenFiles(), draco(), ...(building.plugins ?? [])],
     test: {
       reporters: ['default', './tests/helpers/count-reporter.ts'],
       projects: [

@@ -27,7 +27,7 @@ const MAY_IMPORT: Readonly<Record<string, readonly string[]>> = {
   dataset: ['edit', 'evaluate', ...BASE],
   // Opening and saving, the same for page and command.
   project: ['exchange', 'formats', 'evaluate', 'edit', ...BASE],
-  worker: ['kit', 'project', 'review', 'lesson', 'formats', 'evaluate', ...BASE],
+  worker: ['kit', 'project', 'exchange', 'review', 'lesson', 'formats', 'evaluate', ...BASE],
   io: ['worker', 'formats', ...BASE],
   view: ['evaluate', ...BASE],
   // The service worker.
@@ -75,7 +75,7 @@ const PACKAGES: Readonly<Record<string, readonly string[]>> = {
   fflate: ['formats', 'exchange', 'io', 'app', 'samples'],
   // Decoders of compressed glTF.
   meshoptimizer: ['exchange'],
-  draco3dgltf: ['exchange'],
+  'virtual:draco': ['exchange'],
   'node:': ['cli', 'samples'],
   vite: ['cli'],
 };

@@ -13,9 +13,9 @@ import { type Character, EMPTY_DOCUMENT } from '../model/document.ts';
 import { openingOf } from '../project/kinds.ts';
 import { openFiles } from '../project/open/open-files.ts';
 import { formatOf } from '../project/readers.ts';
-import { outputsOf, refusal, sourceFor, type Target } from '../project/save/conversion.ts';
+import { outputsOf, refusal, sourceFor, type Target, withOwnNames } from '../project/save/conversion.ts';
 import type { ConversionOptions } from '../project/save/copies.ts';
-import { loadFiles } from './load.ts';
+import { loadAny } from './load.ts';
 import { findGiven, type GivenPath } from './paths.ts';
 import { writeOutput } from './write-output.ts';
 
@@ -57,7 +57,8 @@ export async function convertMany(
   const whole = files.filter((file) => openingOfFile(file) === 'whole');
   const others = files.filter((file) => openingOfFile(file) === 'with others');
   const groups = [...whole.map(({ path }) => [path]), others.map(({ path }) => path)].filter((g) => g.length > 0);
-  if (missing.length) many.tell(loadFiles(missing, folder).diagnostics);
+  if (missing.length) many.tell((await loadAny(missing, folder)).diagnostics);
+  many.isOfMany = groups.length > 1;
   for (const group of groups) await many.convert(group);
   many.tellKept();
   if (groups.length === 0 && missing.length === 0) {
@@ -76,6 +77,8 @@ export function openingOfFile({ absolute }: GivenPath): 'whole' | 'with others' 
 
 class Many {
   hasFailed = false;
+  /** Whether the files of several characters may go to one folder. */
+  isOfMany = false;
   /** Sources that are of the target's kind already, relative to the caller's folder. */
   private readonly kept: string[] = [];
   /** Paths written in this run: two sources of one name don't overwrite each other's output. */
@@ -99,7 +102,7 @@ class Many {
   }
 
   async convert(paths: readonly string[]): Promise<void> {
-    const loaded = loadFiles(paths, this.folder);
+    const loaded = await loadAny(paths, this.folder);
     const { document, diagnostics } = openFiles(EMPTY_DOCUMENT, loaded.files, loaded.broken);
     this.tell([...loaded.diagnostics, ...diagnostics]);
     const { characters } = document;
@@ -111,6 +114,7 @@ class Many {
     }
     const posed = characters.filter(({ skeleton }) => skeleton);
     // Roots of one file stay in one file.
+    if (posed.length > 1) this.isOfMany = true;
     const groups = posed.length > 1 && paths.length === 1 ? [posed] : posed.map((character) => [character]);
     for (const group of groups) {
       try {
@@ -124,7 +128,8 @@ class Many {
 
   private async write(characters: readonly Character[]): Promise<void> {
     const { options, folder } = this;
-    for (const output of outputsOf(characters, options.target, options)) {
+    const named = options.target === 'rig' && this.isOfMany ? characters.map(withOwnNames) : characters;
+    for (const output of outputsOf(named, options.target, options)) {
       const stem = output.name.slice(0, output.name.lastIndexOf('.'));
       const source = sourceFor(characters[0], stem);
       const read = source ? resolve(folder, source.path) : folder;

@@ -3,7 +3,8 @@
  * model, not the file.
  */
 import { closeSync, openSync, readFileSync, readSync, statSync } from 'node:fs';
-import { basename } from 'node:path';
+import { basename, dirname, isAbsolute, relative, resolve, sep } from 'node:path';
+import type { Beside } from '../exchange/imported.ts';
 import { isWorthDiagnosing } from '../formats/diagnose/diagnose.ts';
 import { foldUnreadable } from '../formats/diagnose/fold.ts';
 import { type Diagnostic, withoutPlace } from '../model/diagnostic.ts';
@@ -48,12 +49,18 @@ export interface Loaded {
 /**
  * @param args files and folders, relative to `folder`
  * @param otherwise the format of files whose names have none
+ * @param imported files that were read already
  * @throws UsageError if there are none
  */
-export function loadFiles(args: readonly string[], folder: string, otherwise?: Format): Loaded {
+export function loadFiles(
+  args: readonly string[],
+  folder: string,
+  otherwise?: Format,
+  imported?: ImportedPaths,
+): Loaded {
   if (args.length === 0) throw new UsageError('Give at least one file.');
   const given = findGiven(args, folder);
-  const found = loadGiven(given.files, otherwise);
+  const found = loadGiven(given.files, otherwise, imported);
   const missing = given.missing.map((path): LoadedFile => ({ name: basename(path), path, kind: kindOf(path) }));
   const diagnostics = missing.map(({ path }) =>
     withoutPlace('error', 'file-missing', `There is no file "${path}" in ${folder}.`, path),
@@ -69,8 +76,50 @@ export function loadFiles(args: readonly string[], folder: string, otherwise?: F
   };
 }
 
+/** As `loadFiles`, and files of other programs too, whose readers are fetched and look for further files. */
+export async function loadAny(args: readonly string[], folder: string, otherwise?: Format): Promise<Loaded> {
+  if (args.length === 0) throw new UsageError('Give at least one file.');
+  const imported = await importGiven(findGiven(args, folder).files, folder);
+  return loadFiles(args, folder, otherwise, imported);
+}
+
+/** Files that were imported, and those that are parts of them, by their paths. */
+type ImportedPaths = ReadonlyMap<string, LoadedOne | 'part'>;
+
+async function importGiven(given: readonly GivenPath[], folder: string): Promise<ImportedPaths> {
+  const out = new Map<string, LoadedOne | 'part'>();
+  for (const { path, absolute, bytes: held } of given) {
+    const name = basename(path);
+    const format = formatOf(name);
+    if (!format?.imports) continue;
+    try {
+      const bytes = held ? new Uint8Array(held) : new Uint8Array(readFileSync(absolute));
+      const { value, diagnostics, beside } = await format.imports({
+        fileName: name,
+        bytes,
+        beside: async (wanted) => besideOnDisk(absolute, wanted, folder),
+      });
+      out.set(path, { bytes: bytes.length, diagnostics, ...(value && { content: value }), beside });
+      for (const part of beside) out.set(part.path, 'part');
+    } catch (error) {
+      out.set(path, unreadable(name, error));
+    }
+  }
+  return out;
+}
+
+/** A file next to another one on disk; names of other places, such as web addresses, are never looked up. */
+function besideOnDisk(absolute: string, wanted: string, folder: string): Beside | undefined {
+  if (isAbsolute(wanted) || /^[a-z][a-z0-9+.-]*:/i.test(wanted)) return undefined;
+  const found = resolve(dirname(absolute), wanted);
+  if (!statSync(found, { throwIfNoEntry: false })?.isFile()) return undefined;
+  const bytes = new Uint8Array(readFileSync(found));
+  const path = relative(folder, found).split(sep).join('/');
+  return { bytes, source: { name: basename(found), path, bytes: bytes.length } };
+}
+
 /** Reads files that were found, on disk or in archives. @param otherwise as for `loadFiles` */
-export function loadGiven(given: readonly GivenPath[], otherwise?: Format): Loaded {
+export function loadGiven(given: readonly GivenPath[], otherwise?: Format, imported?: ImportedPaths): Loaded {
   const all: LoadedFile[] = [];
   const files: ParsedFile[] = [];
   const broken: BrokenFile[] = [];
@@ -79,13 +128,15 @@ export function loadGiven(given: readonly GivenPath[], otherwise?: Format): Load
     const name = basename(path.path);
     const format = formatOf(name) ?? otherwise;
     const kind = format?.kind ?? 'unknown';
-    const { content, bytes, diagnostics: found } = loadOne(path, name, format);
+    const known = imported?.get(path.path);
+    if (known === 'part') continue;
+    const { content, bytes, diagnostics: found, beside } = known ?? loadOne(path, name, format);
     // Readers know the name alone, which files of many folders share.
     diagnostics.push(...found.map((diagnostic) => ({ ...diagnostic, file: path.path })));
     all.push({ name, path: path.path, kind, ...(content && { content }) });
     const source: SourceFile = { name, path: path.path, bytes };
     if (content && isEmptyDump(content)) diagnostics.push(withoutNumbers(path.path, bytes));
-    else if (content) files.push({ ...content, source });
+    else if (content) files.push({ ...content, source, ...(beside && { beside }) });
     else if (kind !== 'unknown') broken.push({ kind, source });
   }
   return { all, files, broken, diagnostics };
@@ -95,6 +146,8 @@ interface LoadedOne {
   readonly content?: FileContent;
   readonly bytes: number;
   readonly diagnostics: readonly Diagnostic[];
+  /** Other files that are in it. */
+  readonly beside?: readonly SourceFile[];
 }
 
 function loadOne({ absolute, bytes: held }: GivenPath, name: string, format: Format | undefined): LoadedOne {
@@ -103,10 +156,14 @@ function loadOne({ absolute, bytes: held }: GivenPath, name: string, format: For
     if (!format) return { bytes, diagnostics: [unknownFormat(name)] };
     return { bytes, ...(held ? readBytes(held, name, format) : readFile(absolute, bytes, name, format)) };
   } catch (error) {
-    const reason = error instanceof Error ? error.message : String(error);
-    const message = `The file could not be read: ${reason}.`;
-    return { bytes: 0, diagnostics: [withoutPlace('error', 'file-unreadable', message, name)] };
+    return unreadable(name, error);
   }
+}
+
+function unreadable(name: string, error: unknown): LoadedOne {
+  const reason = error instanceof Error ? error.message : String(error);
+  const message = `The file could not be read: ${reason}.`;
+  return { bytes: 0, diagnostics: [withoutPlace('error', 'file-unreadable', message, name)] };
 }
 
 function readFile(path: string, bytes: number, name: string, format: Format): Omit<LoadedOne, 'bytes'> {

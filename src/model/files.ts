@@ -95,7 +95,11 @@ export interface WholeCharacter {
 }
 
 /** A file that was read without an error. */
-export type ParsedFile = FileContent & { readonly source: SourceFile };
+export type ParsedFile = FileContent & {
+  readonly source: SourceFile;
+  /** Other files that are in it: buffers and textures. */
+  readonly beside?: readonly SourceFile[];
+};
 
 /**
  * A file with errors: it still helps to decide which files belong together, and keeps its group from opening in part.

@@ -132,6 +132,16 @@ export const KINDS = {
       isOwn: isAnyones,
     },
   },
+  gltf: {
+    extensions: ['gltf', 'glb', 'vrm', 'vrma'],
+    label: 'glTF',
+    content: 'character',
+  },
+  fbx: {
+    extensions: ['fbx'],
+    label: 'FBX',
+    content: 'character',
+  },
   texture: {
     extensions: TEXTURE_EXTENSIONS,
     label: 'image',

@@ -1,4 +1,5 @@
 /** The reader of each kind of file. Only the worker and the command need them; writers are in `writers.ts`. */
+import type { Import } from '../exchange/imported.ts';
 import { animReader } from '../formats/anim/read.ts';
 import { bvhReader } from '../formats/bvh/read.ts';
 import { diagnose } from '../formats/diagnose/diagnose.ts';
@@ -6,8 +7,9 @@ import { TEXT_LAYOUTS, type TextLayout } from '../formats/diagnose/layouts.ts';
 import { dumpReader } from '../formats/dump/read.ts';
 import { markersReader } from '../formats/markers/read.ts';
 import { morphReader } from '../formats/morph/read.ts';
+import { NO_PLACE } from '../formats/places.ts';
 import { poseReader } from '../formats/pose/read.ts';
-import type { Reader } from '../formats/reader.ts';
+import { bytesReader, type Reader } from '../formats/reader.ts';
 import { rigReader } from '../formats/rig/read.ts';
 import { skelReader } from '../formats/skel/read.ts';
 import { skinReader } from '../formats/skin/read.ts';
@@ -15,6 +17,7 @@ import { textureReader } from '../formats/texture/read.ts';
 import type { Diagnostic } from '../model/diagnostic.ts';
 import type { ContentOf, FileContent, FileKind } from '../model/files.ts';
 import { capturedContent } from './captured.ts';
+import type { ImportedFile, ImportedKind } from './imports.ts';
 import { type FormatKind, formatKindOf, type HeldBy, KINDS } from './kinds.ts';
 
 /** @param byteLength the file's size, if known; only a hint */
@@ -32,6 +35,8 @@ const READERS: { readonly [K in FormatKind]: MakeReader<HeldBy<K>> } = {
   rig: (name) => mapped(rigReader(name), (rig) => ({ kind: 'rig', rig })),
   bvh: captured,
   pose: (name) => mapped(poseReader(name), (poses) => ({ kind: 'pose', poses })),
+  gltf: notStreamed,
+  fbx: notStreamed,
   texture: (name) => mapped(textureReader(name), (texture) => ({ kind: 'texture', texture })),
   markers: (name) => mapped(markersReader(name), (markers) => ({ kind: 'markers', markers })),
   dump: (name) => mapped(dumpReader(name), (dump) => ({ kind: 'dump', dump })),
@@ -43,6 +48,8 @@ export interface Format {
   readonly kind: FileKind;
   readonly label: string;
   readonly reader: MakeReader<FileContent>;
+  /** Reads such files instead of `reader`, which can't: they need other files, or decoders that are fetched. */
+  readonly imports?: (given: Import) => Promise<ImportedFile>;
   /**
    * The problems that a reading told, each where it really is, and without what follows from others; from the bytes of
    * the whole file. Absent if it is no text.
@@ -62,6 +69,9 @@ export function formatOf(fileName: string): Format | undefined {
     kind: KINDS[format].content,
     label: KINDS[format].label,
     reader,
+    ...(isImported(format) && {
+      imports: async (given: Import) => (await import('./imports.ts')).importFile(format, given),
+    }),
     ...(layout && {
       diagnose: (name: string, bytes: Uint8Array, told: readonly Diagnostic[]) =>
         diagnose(bytes, told, layout, () => reader(name, bytes.length)),
@@ -75,6 +85,18 @@ export function formatOf(fileName: string): Format | undefined {
  */
 export function dumpFormat(): Format {
   return { format: 'dump', kind: 'dump', label: KINDS.dump.label, reader: READERS.dump };
+}
+
+function isImported(format: FormatKind): format is ImportedKind & FormatKind {
+  return READERS[format] === notStreamed;
+}
+
+/** For files that `imports` reads. */
+function notStreamed(name: string): Reader<ContentOf<'character'>> {
+  return bytesReader<ContentOf<'character'>>(name, (_, report) => {
+    report.error('import-needed', 'Files of other programs are not read here. Convert it to text first.', NO_PLACE);
+    return undefined;
+  });
 }
 
 function captured(name: string, byteLength?: number): Reader<ContentOf<'bvh'>> {

@@ -31,8 +31,16 @@ export async function parse(input: ParseInput, onProgress: (progress: Progress) 
   let bytesDone = 0;
   let told = 0;
 
+  const imported = await importedFrom(given, diagnostics);
+
   for (const { path, blob } of given) {
     const source = sourceOf(path, blob.size);
+    const whole = imported.get(path);
+    if (whole) {
+      files.push(...whole.files);
+      broken.push(...whole.broken);
+      continue;
+    }
     const count = (bytes: number) => {
       bytesDone += bytes;
       if (bytesDone - told < PROGRESS_STEP_BYTES && told > 0) return;
@@ -71,6 +79,52 @@ export async function parse(input: ParseInput, onProgress: (progress: Progress) 
   return { files, broken, diagnostics, facts: factsOf(files) };
 }
 
+interface ImportedBlob {
+  readonly files: readonly ParsedFile[];
+  readonly broken: readonly BrokenFile[];
+}
+
+/** What becomes of the files of other programs, and of those that are parts of them, by their paths. */
+async function importedFrom(
+  given: readonly GivenBlob[],
+  diagnostics: Diagnostic[],
+): Promise<ReadonlyMap<string, ImportedBlob>> {
+  const out = new Map<string, ImportedBlob>();
+  for (const { path, blob } of given) {
+    const source = sourceOf(path, blob.size);
+    const format = formatOf(source.name);
+    if (!format?.imports) continue;
+    const { besideIn } = await import('../project/imports.ts');
+    const find = besideIn(path, given, (file) => file.path);
+    try {
+      const {
+        value,
+        diagnostics: told,
+        beside,
+      } = await format.imports({
+        fileName: source.name,
+        bytes: new Uint8Array(await blob.arrayBuffer()),
+        beside: async (relative) => {
+          const found = find(relative);
+          if (!found) return undefined;
+          const bytes = new Uint8Array(await found.blob.arrayBuffer());
+          return { bytes, source: sourceOf(found.path, found.blob.size) };
+        },
+      });
+      diagnostics.push(...told);
+      for (const part of beside) out.set(part.path, { files: [], broken: [] });
+      const tooLarge = value && tooLargeToPost(source, transferables(value));
+      if (tooLarge) diagnostics.push(tooLarge);
+      if (value && !tooLarge) out.set(path, { files: [{ ...value, source, beside }], broken: [] });
+      else out.set(path, { files: [], broken: [{ kind: format.kind, source }] });
+    } catch (error) {
+      diagnostics.push(unreadable(source, error));
+      out.set(path, { files: [], broken: [{ kind: format.kind, source }] });
+    }
+  }
+  return out;
+}
+
 /**
  * Of each skin, with the morphs given with it: whether they belong to it is not known yet, so some may be superfluous.
  */
@@ -101,7 +155,8 @@ function sourceOf(path: string, bytes: number): SourceFile {
 }
 
 function isReadable(name: string): boolean {
-  return formatOf(name) !== undefined;
+  // Buffers of glTF files.
+  return formatOf(name) !== undefined || name.toLowerCase().endsWith('.bin');
 }
 
 /** The given files, with zips replaced by their content. */

@@ -6,7 +6,7 @@ import { type ChannelClip, keysOf, TANGENT_KINDS } from '../../model/clip.ts';
 import { hasErrors } from '../../model/diagnostic.ts';
 import { numbersOf, parseArguments, UsageError } from '../arguments.ts';
 import { type CliCommand, FILE_EXITS } from '../io.ts';
-import { loadFiles } from '../load.ts';
+import { loadAny } from '../load.ts';
 import { printJson, report } from '../report.ts';
 
 export const channels: CliCommand = {
@@ -19,7 +19,7 @@ export const channels: CliCommand = {
     const text = given.value('times');
     if (text === undefined) throw new UsageError('--times is missing: --times t,t,…');
     const times = numbersOf('times', text);
-    const { all, diagnostics } = loadFiles(given.files, io.folder);
+    const { all, diagnostics } = await loadAny(given.files, io.folder);
     if (all.length !== 1 || all[0].kind !== 'anim') throw new UsageError('channels takes one .anim file.');
     report(diagnostics, io);
     const { content } = all[0];

@@ -16,7 +16,7 @@ import { dumpFormat } from '../../project/readers.ts';
 import { type Arguments, numberOf, numbersOf, parseArguments, UsageError } from '../arguments.ts';
 import { comparisonJson, comparisonText } from '../compare-text.ts';
 import type { CliCommand } from '../io.ts';
-import { loadFiles, openLoaded } from '../load.ts';
+import { loadAny, openLoaded } from '../load.ts';
 import { printJson, report } from '../report.ts';
 
 export const compareCommand: CliCommand = {
@@ -30,7 +30,7 @@ export const compareCommand: CliCommand = {
     const toleranceText = given.value('tolerance');
     const tolerance = toleranceText === undefined ? DEFAULT_TOLERANCE : numberOf('tolerance', toleranceText);
     if (!(tolerance > 0)) throw new UsageError(`--tolerance takes a number above 0, not ${tolerance}.`);
-    const { document, dumps, diagnostics: opened } = openLoaded(loadFiles(given.files, io.folder, dumpFormat()));
+    const { document, dumps, diagnostics: opened } = openLoaded(await loadAny(given.files, io.folder, dumpFormat()));
     const diagnostics = [...opened];
     const named = dumps.map(({ dump, source }): NamedDump => ({ fileName: source.path, dump }));
     const { fitted, character, dumps: fittedDumps } = fitBest(document.characters, named, times, tolerance);

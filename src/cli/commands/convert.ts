@@ -27,15 +27,16 @@ import { type Arguments, numberOf, parseArguments, UsageError } from '../argumen
 import { convertToGlb, GLB_OPTIONS, isGlb, refuseGlbOptions } from '../convert-glb.ts';
 import { convertMany, type WrittenFile } from '../convert-many.ts';
 import type { CliCommand, CommandIo, ExitCode } from '../io.ts';
-import { loadFiles } from '../load.ts';
+import { loadAny } from '../load.ts';
 import { printJson, report } from '../report.ts';
 import { writeOutput } from '../write-output.ts';
 
 export const convert: CliCommand = {
   name: 'convert',
   usage:
-    'IN… OUT [--fps N] [--tolerance T] [--json]  |  IN… OUT.glb [--keys linear|cubic] [--influences N] [--take NAME] [--no-body] …  |  IN… --to skel|anim|bvh [--out FOLDER] [--force] …',
-  summary: 'writes OUT in the format of its extension, or all of IN as files of one kind (skel: with its animations)',
+    'IN… OUT [--fps N] [--tolerance T] [--json]  |  IN… OUT.glb [--keys linear|cubic] [--influences N] [--take NAME] [--no-body] …  |  IN… --to skel|anim|bvh|rig [--out FOLDER] [--force] …',
+  summary:
+    'writes OUT in the format of its extension, or all of IN as files of one kind (skel: with its animations; rig: with all parts)',
   exits: {
     0: 'all was written',
     1: 'a file has errors, is missing or cannot be converted',
@@ -112,7 +113,7 @@ async function toFile(given: Arguments, io: CommandIo): Promise<ExitCode> {
   }
   const options = readOptions(given);
   const name = basename(out);
-  const { files, diagnostics: read } = loadFiles(ins, io.folder);
+  const { files, diagnostics: read } = await loadAny(ins, io.folder);
   const diagnostics = [...read];
   let bytes = 0;
   if (!hasErrors(diagnostics)) {

@@ -17,7 +17,7 @@ import { jointDofCount, rootDofCount } from '../../model/dofs.ts';
 import type { Skeleton } from '../../model/skeleton.ts';
 import { numbersOf, parseArguments, UsageError } from '../arguments.ts';
 import { type CliCommand, FILE_EXITS } from '../io.ts';
-import { loadFiles, openLoaded } from '../load.ts';
+import { loadAny, openLoaded } from '../load.ts';
 import { printJson, report } from '../report.ts';
 
 export const ik: CliCommand = {
@@ -31,7 +31,7 @@ export const ik: CliCommand = {
     if (asked.length === 0) throw new UsageError('ik needs at least one pin: --pin JOINT=x,y,z');
     const dofs = given.value('dofs');
     const start = dofs === undefined ? undefined : numbersOf('dofs', dofs);
-    const opened = openLoaded(loadFiles(given.files, io.folder));
+    const opened = openLoaded(await loadAny(given.files, io.folder));
     const { diagnostics } = opened;
     report(diagnostics, io);
     const posable = opened.document.characters.filter((character) => character.skeleton);

@@ -5,7 +5,7 @@ import { factsOf } from '../../project/kinds.ts';
 import { refusal } from '../../project/save/conversion.ts';
 import { parseArguments } from '../arguments.ts';
 import { type CliCommand, FILE_EXITS } from '../io.ts';
-import { type LoadedFile, loadFiles, openLoaded, withoutSkeleton } from '../load.ts';
+import { type LoadedFile, loadAny, openLoaded, withoutSkeleton } from '../load.ts';
 import { printJson, report } from '../report.ts';
 
 export const info: CliCommand = {
@@ -15,7 +15,7 @@ export const info: CliCommand = {
   exits: FILE_EXITS,
   async run(args, io) {
     const given = parseArguments(args, { json: 'flag' });
-    const loaded = loadFiles(given.files, io.folder);
+    const loaded = await loadAny(given.files, io.folder);
     const opened = openLoaded(loaded);
     const diagnostics = [...opened.diagnostics, ...withoutSkeleton(opened.document.characters)];
     // A folder counts by its content.

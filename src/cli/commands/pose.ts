@@ -16,7 +16,7 @@ import { jointDofCount, rootDofCount } from '../../model/dofs.ts';
 import { jointTypeOf } from '../../model/joint-types.ts';
 import { type Arguments, numberOf, numbersOf, parseArguments, UsageError } from '../arguments.ts';
 import { type CliCommand, FILE_EXITS } from '../io.ts';
-import { loadFiles, openLoaded, withoutSkeleton } from '../load.ts';
+import { loadAny, openLoaded, withoutSkeleton } from '../load.ts';
 import { printJson, report } from '../report.ts';
 
 export const pose: CliCommand = {
@@ -38,7 +38,7 @@ export const pose: CliCommand = {
     });
     const asked = readAsked(given);
     const times = readTimes(given);
-    const opened = openLoaded(loadFiles(given.files, io.folder));
+    const opened = openLoaded(await loadAny(given.files, io.folder));
     const { characters } = opened.document;
     const diagnostics = [...opened.diagnostics, ...withoutSkeleton(characters)];
     // Reported first: a broken file explains why a list doesn't match.

@@ -14,7 +14,7 @@ import { listAsCsv, listAsJson } from '../../review/write-list.ts';
 import { parseArguments, UsageError } from '../arguments.ts';
 import { openingOfFile } from '../convert-many.ts';
 import type { CliCommand, CommandIo } from '../io.ts';
-import { loadFiles, openLoaded } from '../load.ts';
+import { loadAny, openLoaded } from '../load.ts';
 import { findGiven } from '../paths.ts';
 import { report } from '../report.ts';
 import { takeListOf } from '../take-list.ts';
@@ -40,7 +40,7 @@ export const review: CliCommand = {
     }
     const list = given.value('list');
     const before = list === undefined ? [] : takeListOf(list, 'list', io);
-    const { takes, diagnostics } = takesIn(given.files, io);
+    const { takes, diagnostics } = await takesIn(given.files, io);
     const known = matchPaths(
       before,
       takes.map(({ path }) => path),
@@ -63,23 +63,23 @@ export const review: CliCommand = {
   },
 };
 
-function takesIn(args: readonly string[], io: CommandIo) {
+async function takesIn(args: readonly string[], io: CommandIo) {
   const { files, missing } = findGiven(args, io.folder);
   const diagnostics: Diagnostic[] = [];
   const tell = (told: readonly Diagnostic[]) => {
     report(told, io);
     diagnostics.push(...told);
   };
-  if (missing.length > 0) tell(loadFiles(missing, io.folder).diagnostics);
+  if (missing.length > 0) tell((await loadAny(missing, io.folder)).diagnostics);
   const whole = files.filter((file) => openingOfFile(file) === 'whole');
   const others = files.filter((file) => openingOfFile(file) === 'with others');
   const groups = [...whole.map(({ path }) => [path]), others.map(({ path }) => path)].filter((g) => g.length > 0);
-  const takes = groups.flatMap((group) => {
-    const loaded = loadFiles(group, io.folder);
-    const opened = openLoaded(loaded);
+  const takes: ListedTake[] = [];
+  for (const group of groups) {
+    const opened = openLoaded(await loadAny(group, io.folder));
     tell(opened.diagnostics);
-    return takesOf(opened.document.characters);
-  });
+    takes.push(...takesOf(opened.document.characters));
+  }
   if (takes.length === 0 && missing.length === 0) {
     tell([refusal('nothing-to-review', 'There is no take here.', args.join(' '))]);
   }

@@ -19,7 +19,7 @@ export function readDataUri(uri: string): DataUri | undefined {
   if (!uri.startsWith('data:') || comma < 0) return undefined;
   const [mime, ...parameters] = uri.slice(5, comma).split(';');
   const isBase64 = parameters.some((p) => p.toLowerCase() === 'base64');
-  const bytes = isBase64 ? decoded(uri, comma + 1) : new TextEncoder().encode(unescaped(uri.slice(comma + 1)));
+  const bytes = isBase64 ? fromBase64(uri, comma + 1) : new TextEncoder().encode(unescaped(uri.slice(comma + 1)));
   return { mime, bytes };
 }
 
@@ -32,7 +32,8 @@ export function unescaped(uri: string): string {
   }
 }
 
-function decoded(text: string, from: number): Uint8Array<ArrayBuffer> {
+/** The bytes of a text, from one of its characters on. */
+export function fromBase64(text: string, from = 0): Uint8Array<ArrayBuffer> {
   const out = new Uint8Array(Math.floor(((text.length - from) * 3) / 4));
   let written = 0;
   let bits = 0;

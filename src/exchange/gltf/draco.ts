@@ -5,7 +5,7 @@
 import { ImportError } from '../imported.ts';
 import type { Numbers } from './accessors.ts';
 import type { Buffers } from './buffers.ts';
-import { readDataUri } from './data-uri.ts';
+import { fromBase64 } from './data-uri.ts';
 import { type Document, extensionOf, type Json, listOf, objectOf } from './json.ts';
 import type { Unpacked } from './meshes.ts';
 
@@ -41,13 +41,8 @@ export async function unpackDraco(document: Document, buffers: Buffers): Promise
 }
 
 async function loadModule() {
-  const [{ default: make }, { default: uri }] = await Promise.all([
-    import('draco3dgltf/draco_decoder_gltf_nodejs.js'),
-    import('draco3dgltf/draco_decoder_gltf.wasm?inline'),
-  ]);
-  const wasmBinary = readDataUri(uri)?.bytes;
-  if (!wasmBinary) throw new Error('The decoder of Draco could not be loaded.');
-  return await make({ wasmBinary });
+  const { make, wasm } = await import('virtual:draco');
+  return await make({ wasmBinary: fromBase64(wasm) });
 }
 
 function unpacked(

@@ -365,7 +365,8 @@ function needsCharacter(file: ParsedFile): boolean {
 
 /** Adds a file of a group: its content, if it is a part. */
 function withFile(character: Character, file: ParsedFile, before: Character | undefined): Character {
-  const next = withSource(character, file.source, before);
+  let next = character;
+  for (const source of [...(file.beside ?? []), file.source]) next = withSource(next, source, before);
   return partOpening(file)?.add(next, file, { ...file, before }) ?? next;
 }
 

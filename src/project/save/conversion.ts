@@ -12,11 +12,11 @@ import { type SourceFile, stemOf } from '../../model/files.ts';
 import type { Skeleton } from '../../model/skeleton.ts';
 import { formatKindOf } from '../kinds.ts';
 import { bvhOf } from './character-files.ts';
-import { animCopies, bvhCopy, type ConversionOptions, skelCopies } from './copies.ts';
+import { animCopies, bvhCopy, type ConversionOptions, rigCopies, skelCopies } from './copies.ts';
 import { type Output, outputOf } from './output.ts';
 
 /** Formats to which any character with a skeleton can be converted. */
-export const TARGETS = ['skel', 'anim', 'bvh'] as const;
+export const TARGETS = ['skel', 'anim', 'bvh', 'rig'] as const;
 export type Target = (typeof TARGETS)[number];
 
 /** The file from which something of this name was read: the skeleton's, or a clip's. */
@@ -40,11 +40,34 @@ export function outputsOf(
     if (!character.skeleton) return [];
     const clips = animCopies(character, options).map(outputOf);
     if (target === 'anim') return clips;
+    if (target === 'rig') return [...skelCopies(character, options).map(outputOf), ...partOutputs(character), ...clips];
     // A different extension asks for the hierarchy form of all `.skel` files.
     const readAs = formatKindOf(character.parts?.skeleton?.file?.source.name ?? '');
     const inForm = readAs === 'axskel' ? inHierarchyForm : (skeleton: Skeleton) => skeleton;
     return [...skelCopies(character, options, inForm).map(outputOf), ...clips];
   });
+}
+
+/** All that a `.rig` names besides the skeleton and the clips, with textures, and the `.rig` itself. */
+function partOutputs(character: Character): readonly Output[] {
+  const { skins, morphs, textures } = character;
+  const parts = [
+    ...skins.map((skin) => ({ name: `${skin.name}.skin`, content: () => ({ kind: 'skin', skin }) as const })),
+    ...morphs.map((morph) => ({ name: `${morph.name}.morph`, content: () => ({ kind: 'morph', morph }) as const })),
+    ...rigCopies(character),
+  ].map(outputOf);
+  const images = textures.map(({ name, bytes }): Output => ({ name, pieces: () => [bytes], diagnostics: () => [] }));
+  return [...parts, ...images];
+}
+
+/**
+ * The character with its name before those of its clips and morphs, for folders with files of many characters: each has
+ * a take called Idle.
+ */
+export function withOwnNames(character: Character): Character {
+  const own = <T extends { readonly name: string }>(part: T): T =>
+    part.name.startsWith(character.name) ? part : { ...part, name: `${character.name}_${part.name}` };
+  return { ...character, clips: character.clips.map(own), morphs: character.morphs.map(own) };
 }
 
 /** A clip of each character, as roots of one file if they have the same frames. */

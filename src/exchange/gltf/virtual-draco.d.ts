@@ -1,5 +1,5 @@
-/** As much of Draco's decoder as is used; the package has no types. */
-declare module 'draco3dgltf/draco_decoder_gltf_nodejs.js' {
+/** As much of Draco's decoder as is used, by `vite.draco.ts`. */
+declare module 'virtual:draco' {
   interface Status {
     ok(): boolean;
     error_msg(): string;
@@ -27,7 +27,9 @@ declare module 'draco3dgltf/draco_decoder_gltf_nodejs.js' {
       pointer: number,
     ): boolean;
   }
-  export default function make(options: { wasmBinary: Uint8Array }): Promise<{
+  /** Base64. */
+  export const wasm: string;
+  export function make(options: { wasmBinary: Uint8Array }): Promise<{
     readonly Decoder: new () => Decoder;
     readonly DecoderBuffer: new () => DecoderBuffer;
     readonly Mesh: new () => Mesh;
@@ -39,9 +41,4 @@ declare module 'draco3dgltf/draco_decoder_gltf_nodejs.js' {
     _free(pointer: number): void;
     destroy(object: unknown): void;
   }>;
-}
-
-declare module 'draco3dgltf/draco_decoder_gltf.wasm?inline' {
-  const uri: string;
-  export default uri;
 }

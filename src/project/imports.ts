@@ -1,0 +1,64 @@
+/** Characters of other programs: fetched when a file needs them, since few do. */
+import { fbxReader } from '../exchange/fbx/read.ts';
+import { readGltf } from '../exchange/gltf/read.ts';
+import type { Import, Imported } from '../exchange/imported.ts';
+import { toCharacter } from '../exchange/to-character.ts';
+import { readWhole } from '../formats/reader.ts';
+import { type Diagnostic, withoutPlace } from '../model/diagnostic.ts';
+import type { ContentOf, SourceFile } from '../model/files.ts';
+
+export type ImportedKind = 'gltf' | 'fbx';
+
+export interface ImportedFile {
+  /** Absent if and only if there is an error. */
+  readonly value?: ContentOf<'character'>;
+  readonly diagnostics: readonly Diagnostic[];
+  /** Other files that were used. */
+  readonly beside: readonly SourceFile[];
+}
+
+const SCENES: { readonly [K in ImportedKind]: (given: Import) => Promise<Imported> } = {
+  gltf: readGltf,
+  fbx: async ({ fileName, bytes }) => {
+    const { value, diagnostics } = readWhole(fbxReader(fileName), bytes);
+    return value ? { scene: value, diagnostics } : { diagnostics };
+  },
+};
+
+/** Never throws for anything that the file holds. */
+export async function importFile(kind: ImportedKind, given: Import): Promise<ImportedFile> {
+  const { scene, diagnostics, beside = [] } = await SCENES[kind](given);
+  if (!scene) return { diagnostics, beside };
+  const character = toCharacter(scene);
+  if (character) return { value: { kind: 'character', characters: [character] }, diagnostics, beside };
+  const message = 'Expected a mesh, a skin or an animation, found none.';
+  return { diagnostics: [...diagnostics, withoutPlace('error', 'file-empty', message, given.fileName)], beside };
+}
+
+/** How a file that names others finds them among those that were given with it. */
+export function besideIn<T>(
+  path: string,
+  given: readonly T[],
+  pathOf: (file: T) => string,
+): (relative: string) => T | undefined {
+  const folder = path.slice(0, path.lastIndexOf('/') + 1);
+  return (relative) => {
+    const wanted = resolved(folder + relative.replaceAll('\\', '/')).toLowerCase();
+    const name = wanted.slice(wanted.lastIndexOf('/') + 1);
+    const nameOf = (file: T) => pathOf(file).toLowerCase().split('/').at(-1);
+    // Files picked one by one have no folders.
+    return (
+      given.find((file) => resolved(pathOf(file)).toLowerCase() === wanted) ??
+      given.find((file) => nameOf(file) === name)
+    );
+  };
+}
+
+function resolved(path: string): string {
+  const parts: string[] = [];
+  for (const part of path.split('/')) {
+    if (part === '..') parts.pop();
+    else if (part !== '.' && part !== '') parts.push(part);
+  }
+  return parts.join('/');
+}
