@@ -137,7 +137,7 @@ async function toFile(given: Arguments, io: CommandIo): Promise<ExitCode> {
 }
 
 async function toGlb(given: Arguments, ins: readonly string[], out: string, io: CommandIo): Promise<ExitCode> {
-  const { files, diagnostics: read } = loadFiles(ins, io.folder);
+  const { files, diagnostics: read } = await loadAny(ins, io.folder);
   const diagnostics = [...read];
   let bytes = 0;
   if (!hasErrors(diagnostics)) {
