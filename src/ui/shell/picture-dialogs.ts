@@ -1,5 +1,6 @@
 /** The dialogs *Picture* and *Video*: size, what is in the picture, format, and progress while it is made. */
 import { FRAME_RATES } from '../../edit/playback.ts';
+import { countUnkeyed } from '../../edit/unkeyed.ts';
 import { videoFrames } from '../../edit/video-frames.ts';
 import { shownClip } from '../../model/document.ts';
 import type { DialogContent } from '../kit/dialog.ts';
@@ -77,7 +78,11 @@ export function videoDialog(wb: Needs, close: () => void): DialogContent {
       const answers = asked();
       const { count } = videoFrames({ range, loop, framesPerSecond: answers.framesPerSecond, rate: answers.speed });
       const seconds = shown(count / answers.framesPerSecond);
-      form.say(`${plural(count, 'frame')}, ${seconds} s. Playback range: ${shown(range[0])} to ${shown(range[1])} s.`);
+      const lost = countUnkeyed(wb.store.document, null);
+      const note = lost > 0 ? ` ${plural(lost, 'unkeyed change')} will show in one frame only.` : '';
+      form.say(
+        `${plural(count, 'frame')}, ${seconds} s. Playback range: ${shown(range[0])} to ${shown(range[1])} s.${note}`,
+      );
     } catch (error) {
       form.say(messageOf(error), true);
     }

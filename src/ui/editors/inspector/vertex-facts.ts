@@ -1,8 +1,8 @@
 /** Details of one vertex of a skin: its position in the file and now, and its attachments. */
 import { vertexDeformer } from '../../../evaluate/one-vertex.ts';
 import type { Character } from '../../../model/document.ts';
-import { type Skin, vertexCount } from '../../../model/skin.ts';
-import { count, errorSize } from '../../kit/number-text.ts';
+import { type Material, type Skin, vertexCount } from '../../../model/skin.ts';
+import { count, errorSize, shown } from '../../kit/number-text.ts';
 import type { Uses } from '../../state/workbench.ts';
 import { FactList, type FactView } from './fact-list.ts';
 
@@ -23,6 +23,7 @@ export function vertexFacts(wb: Uses<'viewport'>, character: Character, skin: Sk
     const texture = list.grid({ label: 'Texture', rows: 1, columns: 2, columnLabels: ['u', 'v'] });
     texture.grid.setRow(0, skin.texcoords, 2 * vertex);
   }
+  for (const material of materialsAt(skin, vertex)) list.fact('Material', materialText(material));
   addAttachments(list, character, skin, vertex);
   const deform = vertexDeformer(skin, morphs, vertex);
   const fill = () => {
@@ -33,6 +34,20 @@ export function vertexFacts(wb: Uses<'viewport'>, character: Character, skin: Sk
     if (now.normal) normal?.setRow(1, now.normal);
   };
   return { element: list.element, fill };
+}
+
+/** Of the triangles around it. */
+export function materialsAt({ surfaces, triangles }: Skin, vertex: number): readonly Material[] {
+  const around = surfaces.filter(({ triangleStart, triangleCount }) =>
+    triangles.subarray(3 * triangleStart, 3 * (triangleStart + triangleCount)).includes(vertex),
+  );
+  return [...new Set(around.flatMap(({ material }) => material ?? []))];
+}
+
+/** `cloth: cloth.png × 1 0.5 0` */
+export function materialText({ name, texture, color }: Material): string {
+  const looks = [texture, color?.map((part) => shown(part)).join(' ')].filter((look) => look !== undefined);
+  return [name, looks.join(' × ')].filter((part) => part !== '').join(': ') || 'without a name';
 }
 
 function addAttachments(list: FactList, character: Character, skin: Skin, vertex: number): void {

@@ -6,6 +6,7 @@ import { setIdentity } from '../../../../src/math/mat4.ts';
 import type { Morph } from '../../../../src/model/morph.ts';
 import { movedVertices } from '../../../../src/model/moved-vertices.ts';
 import { oneSurface, type Skin } from '../../../../src/model/skin.ts';
+import { materialsAt, materialText } from '../../../../src/ui/editors/inspector/vertex-facts.ts';
 import { skeleton } from '../../builders.ts';
 
 const bindings = new Float64Array(32);
@@ -70,5 +71,24 @@ describe('vertexDeformer', () => {
     const { position, normal } = vertexDeformer(bare, [], 1)(new Float64Array(3), undefined);
     expect([...position]).toEqual([1, 0, 0]);
     expect(normal).toBeUndefined();
+  });
+});
+
+describe('the materials of a vertex', () => {
+  it('the materials of a vertex are those of the triangles around it, each once, with texture and colour', () => {
+    const cloth = { name: 'cloth', texture: 'cloth.png', color: [1, 0.5, 0] } as const;
+    const glass = { name: 'glass', color: [0, 0, 0.25] } as const;
+    const triangles = Uint32Array.of(0, 1, 2, 1, 2, 3, 0, 1, 2);
+    const surfaces = [cloth, glass, cloth].map((material, i) => ({ material, triangleStart: i, triangleCount: 1 }));
+    const at = (vertex: number) => materialsAt({ ...patch, triangles, surfaces }, vertex).map(materialText);
+    expect(at(0)).toEqual(['cloth: cloth.png × 1 0.5 0']);
+    expect(at(1)).toEqual(['cloth: cloth.png × 1 0.5 0', 'glass: 0 0 0.25']);
+    expect(at(3)).toEqual(['glass: 0 0 0.25']);
+    expect(materialsAt(patch, 0)).toEqual([]);
+    expect([{ name: '' }, { name: 'fur' }, { name: '', texture: 'a.png' }].map(materialText)).toEqual([
+      'without a name',
+      'fur',
+      'a.png',
+    ]);
   });
 });
