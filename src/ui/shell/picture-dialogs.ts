@@ -60,9 +60,7 @@ export function videoDialog(wb: Needs, close: () => void): DialogContent {
     SPEEDS.map((each) => [String(each), `${shown(each)}×`]),
     '1',
   );
-  const rateRow = row('Frame rate', rate);
-  rateRow.append(element('span', { class: 'faint' }, 'fps'));
-  form.fields.append(row('Format', format), rateRow, row('Speed', speed), ...inPicture.rows);
+  form.fields.append(row('Format', format), row('Frame rate (fps)', rate), row('Speed', speed), ...inPicture.rows);
 
   const asked = () => {
     const typed = parseNumber(rate.value);
@@ -122,7 +120,7 @@ function pictureFields(wb: Needs) {
   const all: Size[] = [...TIMES.map((n): Size => [n * clientWidth, n * clientHeight]), ...USUAL_SIZES];
   const labels = all.map(([width, height], i) => {
     const pixels = `${width} × ${height}`;
-    return i >= TIMES.length ? pixels : `${pixels} (${i === 0 ? 'as shown' : `${TIMES[i]}×`})`;
+    return i >= TIMES.length ? pixels : `${pixels} (${TIMES[i]}×)`;
   });
   const sizes = select(labels.map((label, i) => [String(i), label]));
   const background = select([
