@@ -127,7 +127,7 @@ export function keysAt(rows: Rows, { at, width }: Track, keys: readonly number[]
   keys.forEach((row, k) => {
     values.set(rows.values.subarray(row * rows.width + at, row * rows.width + at + width), k * width);
   });
-  return { rows: keys, values };
+  return { rows: keys.slice(), values };
 }
 
 /**
@@ -136,15 +136,44 @@ export function keysAt(rows: Rows, { at, width }: Track, keys: readonly number[]
  * s and t is moved by (s + t)/4. The first and last key and those beside jumps stay on the curve.
  */
 export function fitLinear(rows: Rows, track: Track, keys: readonly number[]): FittedKeys {
-  const { at, width, path } = track;
-  const { values } = keysAt(rows, track, keys);
-  for (let k = 1; k + 1 < keys.length; k++) {
-    if (rows.jumps[keys[k]] || rows.jumps[keys[k + 1]]) continue;
-    addSag(rows, at, width, keys[k - 1], keys[k], values, k * width);
-    addSag(rows, at, width, keys[k], keys[k + 1], values, k * width);
-    if (path === 'rotation') normalise(values, k * width);
+  const fitted = keysAt(rows, track, keys);
+  for (let k = 1; k + 1 < keys.length; k++) moveKey(rows, track, fitted, k);
+  return fitted;
+}
+
+/** The same after some keys were added: only those, and their neighbours, are computed. */
+export function refitLinear(
+  rows: Rows,
+  track: Track,
+  keys: readonly number[],
+  before: FittedKeys,
+  added: readonly number[],
+): FittedKeys {
+  const { width } = track;
+  const values = new Float64Array(keys.length * width);
+  let from = 0;
+  keys.forEach((row, k) => {
+    const isOld = before.rows[from] === row;
+    if (!isOld) return;
+    for (let c = 0; c < width; c++) values[k * width + c] = before.values[from * width + c];
+    from++;
+  });
+  const fitted = { rows: keys.slice(), values };
+  for (const row of added) {
+    const at = lastNotAbove(keys, row);
+    for (let k = Math.max(1, at - 1); k <= Math.min(keys.length - 2, at + 1); k++) moveKey(rows, track, fitted, k);
   }
-  return { rows: keys, values };
+  return fitted;
+}
+
+/** Gives a key between two others its value. */
+function moveKey(rows: Rows, { at, width, path }: Track, { rows: keys, values }: FittedKeys, k: number): void {
+  const row = keys[k];
+  for (let c = 0; c < width; c++) values[k * width + c] = rows.values[row * rows.width + at + c];
+  if (rows.jumps[row] || rows.jumps[keys[k + 1]]) return;
+  addSag(rows, at, width, keys[k - 1], row, values, k * width);
+  addSag(rows, at, width, row, keys[k + 1], values, k * width);
+  if (path === 'rotation') normalise(values, k * width);
 }
 
 /** Adds a quarter of the parabola s·4u(1 − u) that fits what is left of the curve beside the straight line. */
@@ -171,6 +200,7 @@ function addSag(rows: Rows, at: number, dims: number, i: number, j: number, out:
 /**
  * Writes what programs make of the keys at each row.
  * @param out of the layout of the rows' values
+ * Says whether arcs and components differ anywhere.
  * @param bySlerp whether rotations are interpolated along the arc rather than by components
  * @param first row, a key, to `last`, another
  */
@@ -182,7 +212,8 @@ export function expandLinear(
   bySlerp: boolean,
   first: number,
   last: number,
-): void {
+): boolean {
+  let hasArcs = false;
   for (let k = lastNotAbove(keys, first); k < keys.length && keys[k] <= last; k++) {
     const o = keys[k] * width + at;
     for (let c = 0; c < dims; c++) out[o + c] = values[k * dims + c];
@@ -194,6 +225,7 @@ export function expandLinear(
     let dot = 0;
     if (path === 'rotation') for (let c = 0; c < 4; c++) dot += values[k * 4 + c] * values[k * 4 + 4 + c];
     const angle = bySlerp && path === 'rotation' && dot < APART ? Math.acos(Math.min(1, dot)) : 0;
+    if (angle > 0) hasArcs = true;
     for (let m = from + 1; m < to; m++) {
       const u = (seconds[m] - seconds[from]) / span;
       const s = angle > 0 ? Math.sin((1 - u) * angle) / Math.sin(angle) : 1 - u;
@@ -203,6 +235,7 @@ export function expandLinear(
       if (path === 'rotation') normalise(out, p);
     }
   }
+  return hasArcs;
 }
 
 /** The last of ascending numbers that is not above a value, which is not below the first. */

@@ -4,7 +4,15 @@
  * is measured at all points and rows, and keys are added where it is exceeded.
  */
 import { cubicHolds, expandCubic, fitCubic } from './fit-cubic.ts';
-import { expandLinear, type FittedKeys, fitLinear, greedyKeys, lastNotAbove, linearHolds } from './fit-linear.ts';
+import {
+  expandLinear,
+  type FittedKeys,
+  fitLinear,
+  greedyKeys,
+  lastNotAbove,
+  linearHolds,
+  refitLinear,
+} from './fit-linear.ts';
 import { type JointNode, nodeWorlds } from './joint-nodes.ts';
 import type { Rows } from './rows.ts';
 import type { Track } from './tracks.ts';
@@ -49,14 +57,11 @@ export function fitStretch(
   });
   const fits = tracks.map((track, t) => keysFor(rows, track, keys[t]));
   const measured = new Measured(rows, tracks, nodes, watch, isCubic, fits);
-  const refit = (t: number) => {
-    fits[t] = keysFor(rows, tracks[t], keys[t]);
-  };
   for (let round = 0; round < MAX_ROUNDS; round++) {
     const changed = addKeys(measured, keys, limit);
     if (changed.size === 0) break;
     for (const [t, added] of changed) {
-      refit(t);
+      fits[t] = isCubic ? fitCubic(rows, tracks[t], keys[t]) : refitLinear(rows, tracks[t], keys[t], fits[t], added);
       for (const row of added) measured.update(t, ...around(keys[t], row));
     }
     measured.measure();
@@ -130,6 +135,8 @@ class Measured {
   private readonly truth: Float64Array;
   private readonly worlds: Float64Array;
   private readonly isDirty: Uint8Array;
+  /** Whether arcs and components differ at a row. */
+  private readonly hasArcs: Uint8Array;
   private readonly found = new Float64Array(2);
 
   constructor(
@@ -150,6 +157,7 @@ class Measured {
     this.errors = new Float64Array(count);
     this.points = new Int32Array(count);
     this.isDirty = new Uint8Array(count).fill(1);
+    this.hasArcs = new Uint8Array(count);
     this.made = Array.from({ length: isCubic ? 1 : 2 }, () => rows.values.slice(0, count * width));
     this.worlds = new Float64Array(16 * nodes.length);
     this.truth = new Float64Array(count * 16 * nodes.length);
@@ -163,10 +171,12 @@ class Measured {
   /** After new keys of a track: rows from one key to another, both included, are out of date. */
   update(t: number, from: number, to: number): void {
     const track = this.tracks[t];
-    this.made.forEach((out, bySlerp) => {
-      if (this.isCubic) expandCubic(this.rows, track, this.fits[t], out, from, to);
-      else expandLinear(this.rows, track, this.fits[t], out, bySlerp === 1, from, to);
-    });
+    const [made, onArcs] = this.made;
+    if (this.isCubic) expandCubic(this.rows, track, this.fits[t], made, from, to);
+    else {
+      expandLinear(this.rows, track, this.fits[t], made, false, from, to);
+      if (expandLinear(this.rows, track, this.fits[t], onArcs, true, from, to)) this.hasArcs.fill(1, from, to + 1);
+    }
     this.isDirty.fill(1, from, to + 1);
   }
 
@@ -185,8 +195,9 @@ class Measured {
     const { width } = this.rows;
     this.isDirty[m] = 0;
     this.errors[m] = -1;
-    for (const values of this.made) {
-      nodeWorlds(nodes, values, m * width, this.worlds);
+    const ways = this.hasArcs[m] ? this.made.length : 1;
+    for (let way = 0; way < ways; way++) {
+      nodeWorlds(nodes, this.made[way], m * width, this.worlds);
       farthestApart(this.watch, this.worlds, 0, this.truth, m * 16 * nodes.length, found);
       if (!(found[0] > this.errors[m])) continue;
       this.errors[m] = found[0];
