@@ -92,6 +92,7 @@ const workbench: Workbench = {
     sourceWorker: new WorkerClient(spawnWorker),
     editWorker: new WorkerClient(spawnWorker),
     kitWorker: worker,
+    glbWorker: new WorkerClient(spawnWorker),
     timeline,
     settings,
     worker,

@@ -35,11 +35,22 @@ const MAY_IMPORT: Readonly<Record<string, readonly string[]>> = {
   // Widgets that any page could have.
   'ui/kit': [...BASE],
   // What panels share: the workbench, settings, actions found by their ids.
-  'ui/state': ['ui/kit', 'view', 'project', 'edit', 'review', 'lesson', 'evaluate', ...BASE],
+  'ui/state': ['ui/kit', 'view', 'exchange', 'project', 'edit', 'review', 'lesson', 'evaluate', ...BASE],
   // A folder a panel or tool, with its own actions.
   'ui/editors': ['ui/state', 'ui/kit', 'view', 'edit', 'review', 'lesson', 'evaluate', ...BASE],
   // What puts them together: layout, menu bar, the one list of actions, dialogs.
-  'ui/shell': ['ui/styles', 'ui/editors', 'ui/state', 'ui/kit', 'view', 'project', 'edit', 'evaluate', ...BASE],
+  'ui/shell': [
+    'ui/styles',
+    'ui/editors',
+    'ui/state',
+    'ui/kit',
+    'view',
+    'exchange',
+    'project',
+    'edit',
+    'evaluate',
+    ...BASE,
+  ],
   // Files that tell mistakes apart, with their answers.
   kit: ['project', 'lesson', 'formats', 'evaluate', ...BASE],
   cli: ['dataset', 'exchange', 'kit', 'project', 'review', 'lesson', 'formats', 'evaluate', 'edit', ...BASE],

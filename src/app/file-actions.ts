@@ -28,6 +28,7 @@ interface Parts extends Pick<ReloadParts, 'store' | 'messages'>, ReviewingParts 
   /** What is in pictures. */
   readonly pictured: Uses<'viewport' | 'transport'>;
   readonly kitWorker: Runs<'kit'>;
+  readonly glbWorker: Runs<'glb'>;
   /** For work that may be cancelled any time. */
   readonly sourceWorker: SourceTextsParts['worker'];
   readonly editWorker: FileEditsParts['worker'];
@@ -109,6 +110,13 @@ export function fileActions(parts: Parts): FileActions {
     save: (characterId, kind) => void saving((s) => s.saveAs(characterId, kind)),
     saveText: (name, text) => parts.disk.download(name, new Blob([text])),
     saveAll: (characterId) => void saving((s) => s.saveAll(characterId)),
+    makeGlb: (character, options, { signal, onProgress }) =>
+      parts.glbWorker.run(
+        'glb',
+        { character, options },
+        { signal, onProgress: ({ done, of }) => onProgress(done / of) },
+      ),
+    saveBytes: (name, bytes, mime) => void saving((s) => s.saveBytes(name, bytes, mime)),
     reload: (characterId) => void reload(reloading, characterId),
     canReload: (characterId) => canReload(parts, characterId),
     source,

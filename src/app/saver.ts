@@ -32,6 +32,8 @@ export interface Disk {
 interface DiskJob extends Job {
   /** A zip contains the parts, so it isn't their file. */
   readonly isZip?: true;
+  /** Absent: text. */
+  readonly mime?: string;
 }
 
 export interface SaverParts {
@@ -92,10 +94,24 @@ export class Saver {
       const { name, bytes } = zipCharacter(character);
       const holds = partsOf(character).map((part) => ({ character, part, pose: jointPose(character) }));
       await this.run(
-        [{ name, holds, isZip: true, write: () => ({ pieces: () => [bytes], diagnostics: () => [] }) }],
+        [
+          {
+            name,
+            holds,
+            isZip: true,
+            mime: 'application/zip',
+            write: () => ({ pieces: () => [bytes], diagnostics: () => [] }),
+          },
+        ],
         () => undefined,
       );
     });
+  }
+
+  /** Saves a file made elsewhere, which is none of the document's. Never rejects. */
+  saveBytes(name: string, bytes: Uint8Array<ArrayBuffer>, mime: string): Promise<void> {
+    const write = () => ({ pieces: () => [bytes], diagnostics: () => [] });
+    return this.inTurn(() => this.run([{ name, holds: [], mime, write }], () => undefined));
   }
 
   private inTurn(work: () => Promise<void>): Promise<void> {
@@ -128,7 +144,7 @@ export class Saver {
       }
       try {
         const written = job.write(job.name);
-        const make = () => blobOf(written.pieces(), job.isZip ? 'application/zip' : 'text/plain');
+        const make = () => blobOf(written.pieces(), job.mime ?? 'text/plain');
         const saved = await this.put(job, make, targetOf(job), wantsDialog);
         if (saved === undefined) {
           dialogs = 'cancelled';

@@ -30,6 +30,9 @@ scope.onmessage = async ({ data }) => {
     } else if (data.job === 'review') {
       const { reviewTakes } = await import('./review.ts');
       done({ id, kind: 'done', job: data.job, output: await reviewTakes(data.input) });
+    } else if (data.job === 'glb') {
+      const { glbOf } = await import('./glb.ts');
+      done({ id, kind: 'done', job: data.job, output: glbOf(data.input, onProgress) });
     } else if (data.job === 'kit') done({ id, kind: 'done', job: data.job, output: testKit() });
     else done({ id, kind: 'done', job: data.job, output: compareDumps(data.input, onProgress) });
   } catch (error) {

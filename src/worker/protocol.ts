@@ -3,6 +3,8 @@
  * another file format needs no change here (`project/kinds.ts`).
  */
 import type { SkinFacts } from '../evaluate/bounds.ts';
+import type { GlbOptions } from '../exchange/glb/options.ts';
+import type { GlbReport } from '../exchange/glb/report.ts';
 import type { Comparison } from '../lesson/compare.ts';
 import type { NamedDump } from '../lesson/fit-dump.ts';
 import type { Targets } from '../lesson/targets.ts';
@@ -23,6 +25,7 @@ export interface Jobs {
   changes: { takes: ChangesInput; gives: ChangesOutput };
   check: { takes: CheckInput; gives: CheckOutput };
   kit: { takes: undefined; gives: KitOutput };
+  glb: { takes: GlbInput; gives: GlbOutput };
   review: { takes: ReviewInput; gives: ReviewOutput };
 }
 
@@ -124,6 +127,17 @@ export interface ReviewInput {
 /** In the order of the files. */
 export interface ReviewOutput {
   readonly takes: readonly TakeDigest[];
+}
+
+/** A character, to be written as GLB where it is in the scene. */
+export interface GlbInput {
+  readonly character: Character;
+  readonly options: GlbOptions;
+}
+
+export interface GlbOutput {
+  readonly bytes: Uint8Array<ArrayBuffer>;
+  readonly report: GlbReport;
 }
 
 /** The test kit: names and texts of its files. */

@@ -2,6 +2,7 @@ import { testKit } from '../../src/kit/kit.ts';
 import { changesOf, checkText } from '../../src/worker/changes.ts';
 import { WorkerClient } from '../../src/worker/client.ts';
 import { compareDumps } from '../../src/worker/compare.ts';
+import { glbOf } from '../../src/worker/glb.ts';
 import { parse } from '../../src/worker/parse.ts';
 import type { Jobs } from '../../src/worker/protocol.ts';
 import { mapSourceOf } from '../../src/worker/source.ts';
@@ -18,6 +19,7 @@ export class InThisThread extends WorkerClient {
     if (input === undefined) return testKit();
     if ('blob' in input) return mapSourceOf(input, nobody);
     if ('file' in input) return changesOf(input);
+    if ('options' in input) return glbOf(input, nobody);
     if ('edited' in input) return checkText(input, nobody);
     return 'files' in input ? parse(input, nobody) : compareDumps(input, nobody);
   }

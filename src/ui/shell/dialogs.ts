@@ -23,6 +23,7 @@ const LOAD: Readonly<Record<DialogName, () => Promise<MakeDialog>>> = {
   save: async () => (await import('./save-list.ts')).saveList,
   picture: async () => (await import('./picture-dialogs.ts')).pictureDialog,
   video: async () => (await import('./picture-dialogs.ts')).videoDialog,
+  glb: async () => (await import('./glb-dialog.ts')).glbDialog,
   about: async () => (await import('./about.ts')).aboutDialog,
   simplify: async () => (await curveTools()).simplifyDialog,
   resample: async () => (await curveTools()).resampleDialog,

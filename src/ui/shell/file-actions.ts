@@ -89,6 +89,15 @@ export const FILE_ACTIONS: readonly Action[] = [
     }),
   ),
   {
+    id: 'save.glb',
+    label: 'GLB (.glb)…',
+    group: 'Files',
+    menu: 'Save',
+    section: 2,
+    enabled: hasCharacters,
+    run: (wb) => wb.dialog.set('glb'),
+  },
+  {
     id: 'save.all',
     label: 'Whole character (.zip)',
     group: 'Files',

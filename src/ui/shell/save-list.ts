@@ -9,7 +9,7 @@ import { plural, shown } from '../kit/number-text.ts';
 import { setTooltip } from '../kit/tooltip.ts';
 import type { Uses } from '../state/workbench.ts';
 
-export function saveList(wb: Uses<'store' | 'transport' | 'files'>, close: () => void): DialogContent {
+export function saveList(wb: Uses<'store' | 'transport' | 'files' | 'dialog'>, close: () => void): DialogContent {
   const body = element('div', { class: 'save-list' });
   for (const character of wb.store.document.characters) {
     const row = element('div', { class: 'save-files' });
@@ -26,6 +26,11 @@ export function saveList(wb: Uses<'store' | 'transport' | 'files'>, close: () =>
       row.append(button);
     }
     row.append(
+      saveButton('GLB (.glb)…', 'for other programs', () => {
+        // The dialog is about the current character.
+        if (wb.store.selection.characterId !== character.id) wb.store.select({ characterId: character.id });
+        wb.dialog.set('glb');
+      }),
       saveButton('Everything (.zip)', 'with textures', () => {
         close();
         wb.files.saveAll(character.id);

@@ -4,6 +4,9 @@
  */
 import type { Playback } from '../../edit/playback.ts';
 import type { Store } from '../../edit/store.ts';
+import type { GlbOptions } from '../../exchange/glb/options.ts';
+import type { GlbReport } from '../../exchange/glb/report.ts';
+import type { Character } from '../../model/document.ts';
 import type { SavedKind } from '../../project/kinds.ts';
 import type { UnsavedPart } from '../../project/save/saved-parts.ts';
 import type { Viewport } from '../../view/viewport.ts';
@@ -133,10 +136,23 @@ export interface Action extends Bindable {
   run(wb: Workbench, args?: unknown): void | Promise<void>;
 }
 
+/** How a long work goes on, and how it is stopped. */
+export interface GlbWork {
+  readonly signal: AbortSignal;
+  /** From 0 to 1. */
+  onProgress(fraction: number): void;
+}
+
+export interface MadeGlb {
+  readonly bytes: Uint8Array<ArrayBuffer>;
+  readonly report: GlbReport;
+}
+
 export type DialogName =
   | 'shortcuts'
   | 'search'
   | 'save'
+  | 'glb'
   | 'about'
   | 'retarget'
   | 'holdPins'
@@ -202,4 +218,8 @@ export interface FileActions {
   saveAll(characterId: string): void;
   /** What makes pictures and videos; undefined, with a message, if it can't be loaded. */
   pictures(): Promise<Pictures | undefined>;
+  /** Makes a GLB file of a character, to be looked at before it is saved. Rejects if it is cancelled or fails. */
+  makeGlb(character: Character, options: GlbOptions, work: GlbWork): Promise<MadeGlb>;
+  /** Saves bytes to a place that the user chooses. */
+  saveBytes(name: string, bytes: Uint8Array<ArrayBuffer>, mime: string): void;
 }

@@ -1,0 +1,90 @@
+/** GLB files on the command line, as scripts see them. */
+import { existsSync, mkdtempSync, readFileSync, rmSync } from 'node:fs';
+import { tmpdir } from 'node:os';
+import { join } from 'node:path';
+import { fileURLToPath } from 'node:url';
+import { afterAll, beforeAll, describe, expect, it } from 'vitest';
+import { command } from '../helpers/command.ts';
+
+const SAMPLES = fileURLToPath(new URL('../../public/samples/', import.meta.url));
+const JOINTS = ['joints.rig', 'joints.skel', 'joints.skin', 'joints_each.anim', 'joints.png'].map((n) => SAMPLES + n);
+
+let folder = '';
+beforeAll(() => {
+  folder = mkdtempSync(join(tmpdir(), 'marrow-glb-'));
+});
+afterAll(() => rmSync(folder, { recursive: true, force: true }));
+
+const jsonOf = (name: string) => {
+  const bytes = readFileSync(join(folder, name));
+  return JSON.parse(bytes.subarray(20, 20 + bytes.readUInt32LE(12)).toString('utf8'));
+};
+
+describe('marrow convert to .glb', () => {
+  it('convert writes a character as GLB, says what is not in it, and gives the same bytes again', async () => {
+    const { code, out, err } = await command(['convert', ...JOINTS, 'a.glb'], folder);
+    expect(code).toBe(0);
+    expect(out).toMatch(/^a\.glb: glTF, \d+ bytes\n$/);
+    expect(err).toContain("a.glb info joints-split: Nodes of glTF can't shear");
+    expect(err).toContain('Not in the file: limits of 16 joints (applied) and linked DOFs of 1 joint (applied).');
+    await command(['convert', ...JOINTS, 'b.glb'], folder);
+    expect(readFileSync(join(folder, 'b.glb')).equals(readFileSync(join(folder, 'a.glb')))).toBe(true);
+    const { nodes, animations, images } = jsonOf('a.glb');
+    expect(nodes[0]).toMatchObject({ name: 'joints' });
+    expect(nodes[0]).not.toHaveProperty('scale');
+    expect(animations.map(({ name }: { name: string }) => name)).toEqual(['joints_each']);
+    expect(images).toHaveLength(1);
+  });
+
+  it('convert --fps writes one key a frame', async () => {
+    expect((await command(['convert', ...JOINTS, 'fps.glb', '--fps', '10'], folder)).code).toBe(0);
+    const { animations, accessors } = jsonOf('fps.glb');
+    const counts = animations[0].samplers.map(({ input }: { input: number }) => accessors[input].count);
+    expect(Math.max(...counts)).toBe(61);
+  });
+
+  it('convert --keys cubic writes fewer keys than linear ones', async () => {
+    await command(['convert', ...JOINTS, 'linear.glb'], folder);
+    await command(['convert', ...JOINTS, 'cubic.glb', '--keys', 'cubic'], folder);
+    const keys = (name: string) => {
+      const { animations, accessors } = jsonOf(name);
+      return animations[0].samplers.reduce(
+        (sum: number, { input }: { input: number }) => sum + accessors[input].count,
+        0,
+      );
+    };
+    expect(keys('cubic.glb')).toBeLessThan(keys('linear.glb') / 2);
+  });
+
+  it('a skeleton without a skin gets bones to be seen by, unless --no-body', async () => {
+    const skeleton = JOINTS[1];
+    await command(['convert', skeleton, 'body.glb'], folder);
+    await command(['convert', skeleton, 'bare.glb', '--no-body'], folder);
+    expect(jsonOf('body.glb')).toHaveProperty('skins');
+    expect(jsonOf('bare.glb')).not.toHaveProperty('meshes');
+    expect(jsonOf('bare.glb').nodes).toHaveLength(26);
+  });
+
+  it.each([
+    [['--keys', 'bezier'], '--keys must be linear or cubic, found "bezier".'],
+    [['--influences', '0'], '--influences must be a whole number greater than 0, found 0.'],
+  ])('convert refuses %j', async (options, message) => {
+    const { code, err } = await command(['convert', ...JOINTS, 'no.glb', ...options], folder);
+    expect(code).toBe(2);
+    expect(err).toContain(message);
+    expect(existsSync(join(folder, 'no.glb'))).toBe(false);
+  });
+
+  it('convert says which takes there are when it is asked for another, and writes nothing', async () => {
+    const { code, err } = await command(['convert', ...JOINTS, 'no.glb', '--take', 'run'], folder);
+    expect(code).toBe(1);
+    expect(err).toContain('joints has no take run; its takes are joints_each.');
+    expect(existsSync(join(folder, 'no.glb'))).toBe(false);
+  });
+
+  it('options for .glb are refused for other outputs', async () => {
+    const { code, err } = await command(['convert', JOINTS[1], 'a.bvh', '--keys', 'cubic'], folder);
+    expect(code).toBe(2);
+    expect(err).toContain('--keys is for .glb files; the output must end in .glb.');
+  });
+});
