@@ -169,4 +169,17 @@ it('plays one take after the other by key, and compares two by the distance of t
     await page.getByRole('button', { name: 'Stop comparing' }).first().waitFor();
     // They are the same.
     await expect.poll(() => joints.first().textContent()).toMatch(/00$/);
+
+    // Names of a series begin alike: where one doesn't fit, its end is shown.
+    await dropFiles(page, [{ name: 'a-long-series-of-captures-in-a-studio-take-0017.bvh', bytes: TAKE }]);
+    const cut = page.locator('.file-row .middle-cut[role="img"]').first();
+    await expect
+      .poll(() =>
+        cut.evaluate((name) => {
+          const [head, tail] = [...name.children];
+          const isWhole = tail.getBoundingClientRect().right <= name.getBoundingClientRect().right;
+          return { tail: tail.textContent, isWhole, isCut: head.scrollWidth > head.clientWidth };
+        }),
+      )
+      .toEqual({ tail: '17.bvh', isWhole: true, isCut: true });
   }));

@@ -1,4 +1,5 @@
 /** The bar at the top: menus on the left, what is loaded on the right. */
+import { cutName } from '../../edit/step-names.ts';
 import { type Document, shownClip, shownSkin } from '../../model/document.ts';
 import { vertexCount } from '../../model/skin.ts';
 import { button, element, keepsFocusElsewhere, setText } from '../kit/dom.ts';
@@ -150,7 +151,7 @@ function whatIsLoaded(wb: Uses<'store' | 'loading'>): HTMLElement {
     bar.hidden = cancel.hidden = loading === undefined;
     if (!loading) {
       const sentence = loadedText(wb.store.document);
-      setText(text, sentence);
+      setText(text, loadedText(wb.store.document, cutName));
       setTooltip(text, sentence);
       return;
     }
@@ -166,18 +167,18 @@ function whatIsLoaded(wb: Uses<'store' | 'loading'>): HTMLElement {
   return element('div', { class: 'loaded', role: 'status' }, text, bar, cancel);
 }
 
-/** `wasp · 31 joints · 1,042 vertices · wasp_walk`. */
-function loadedText(document: Document): string {
+/** `wasp · 31 joints · 1,042 vertices · wasp_walk`. Long names would hide what follows them, so `cut` may shorten them. */
+function loadedText(document: Document, cut = (name: string) => name): string {
   const { characters, review } = document;
   if (!characters.length) return review ? `${plural(review.length, 'take')} in review` : 'Nothing is open';
   const joints = characters.reduce((sum, c) => sum + (c.skeleton?.joints.length ?? 0), 0);
   const vertices = characters.reduce((sum, c) => sum + (shownSkinSize(c) ?? 0), 0);
-  const parts = [characters.length === 1 ? characters[0].name : plural(characters.length, 'character')];
+  const parts = [characters.length === 1 ? cut(characters[0].name) : plural(characters.length, 'character')];
   if (document.isOpeningSample) parts[0] = `Example: ${parts[0]}`;
   if (joints) parts.push(plural(joints, 'joint'));
   if (vertices) parts.push(plural(vertices, 'vertex', 'vertices'));
   const take = characters.length === 1 ? shownClip(characters[0])?.name : undefined;
-  if (take) parts.push(take);
+  if (take) parts.push(cut(take));
   return parts.join(' · ');
 }
 

@@ -12,6 +12,7 @@ import { oncePerFrame } from '../../kit/frame.ts';
 import { icon } from '../../kit/icons.ts';
 import { buttonMeant, isMac } from '../../kit/keyboard.ts';
 import { asksForMenu, openMenu } from '../../kit/menu.ts';
+import { type MiddleCut, middleCut } from '../../kit/middle-cut.ts';
 import { plural } from '../../kit/number-text.ts';
 import { setTooltip } from '../../kit/tooltip.ts';
 import { rowAfterKey, WindowedList, type WindowedRow } from '../../kit/windowed-list.ts';
@@ -36,7 +37,7 @@ type Cell = (typeof CELLS)[number];
 interface Row extends WindowedRow {
   readonly cells: Readonly<Record<Cell, HTMLElement>>;
   readonly swatch: HTMLElement;
-  readonly joint: HTMLElement;
+  readonly joint: MiddleCut;
   readonly dof: HTMLElement;
   readonly follows: HTMLElement;
   readonly theirs: HTMLElement;
@@ -183,7 +184,7 @@ export class ChannelList {
     target.classList.toggle('not-drawn', keyed && (state.isolated ? !isolated : hidden));
     target.classList.toggle('isolated', isolated);
     target.classList.toggle('selected', state.selected.has(channel));
-    setText(row.joint, listed.joint);
+    row.joint.show(listed.joint);
     setText(row.dof, listed.dof);
     setText(row.follows, listed.follows === undefined ? '' : `← ${listed.follows}`);
     target.classList.toggle('follows', listed.follows !== undefined);
@@ -325,7 +326,7 @@ export class ChannelList {
 
 function makeRow(): Row {
   const swatch = element('span', { class: 'channel-swatch' });
-  const joint = element('span', { class: 'channel-joint' });
+  const joint = middleCut('channel-joint');
   const dof = element('span', { class: 'channel-dof' });
   // The cell's label says it too.
   const follows = element('span', { class: 'channel-follows', 'aria-hidden': 'true' });
@@ -340,7 +341,7 @@ function makeRow(): Row {
   };
   const cells = {
     eye: cell('eye', icon('eye')),
-    name: cell('name', swatch, joint, new Text(' '), dof, follows, theirs),
+    name: cell('name', swatch, joint.element, new Text(' '), dof, follows, theirs),
     in: cell('in'),
     out: cell('out'),
     pin: cell('pin', icon('pin')),

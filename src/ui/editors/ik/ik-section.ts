@@ -11,6 +11,7 @@ import { jointName } from '../../../model/joint-name.ts';
 import { jointsIn } from '../../../model/selected-joints.ts';
 import { button, element, setAttribute, setText } from '../../kit/dom.ts';
 import { icon } from '../../kit/icons.ts';
+import { middleCut } from '../../kit/middle-cut.ts';
 import { NumberField } from '../../kit/number-field.ts';
 import { shown } from '../../kit/number-text.ts';
 import { setTooltip } from '../../kit/tooltip.ts';
@@ -39,7 +40,7 @@ interface Row {
 
 export class IkSection {
   private readonly root = element('input', { type: 'checkbox', id: 'ik-root' });
-  private readonly joint = element('span', { class: 'ik-joint' });
+  private readonly joint = middleCut('ik-joint');
   private readonly bending = element(
     'select',
     { 'aria-label': 'Bending of selected joint' },
@@ -74,7 +75,7 @@ export class IkSection {
       step: 1,
     });
     const bends = element('label', { class: 'ik-bends' }, element('span', { class: 'faint' }, 'Bending'), this.bending);
-    this.jointRow = element('div', { class: 'ik-row' }, this.joint, bends, this.stiffness.element);
+    this.jointRow = element('div', { class: 'ik-row' }, this.joint.element, bends, this.stiffness.element);
     this.hold = button('Hold pins over range', { class: 'plain ik-hold' }, undefined, () =>
       runAction(wb, 'ik.holdPins'),
     );
@@ -118,8 +119,8 @@ export class IkSection {
     if (!isChosen) return;
     const own = ikOf(character).stiff.find((one) => one.joint === joint);
     const now: Bending = !own ? 'usual' : own.stiffness === undefined ? 'locked' : 'stiff';
-    setText(this.joint, jointName(character.skeleton, joint));
-    setTooltip(this.joint, `${jointName(character.skeleton, joint)}: bending`);
+    this.joint.show(jointName(character.skeleton, joint));
+    setTooltip(this.joint.element, `${jointName(character.skeleton, joint)}: bending`);
     this.bending.value = now;
     this.stiffness.element.hidden = now !== 'stiff';
     this.stiffness.show(own?.stiffness ?? Number.NaN);

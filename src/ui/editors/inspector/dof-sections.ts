@@ -1,6 +1,7 @@
 /** Sections of DOFs: the selected joints', the root translation, the morphs, and the list of all. */
 import type { GUI } from 'lil-gui';
 import { matchingDofs } from '../../../edit/pose/same-change.ts';
+import { cutName } from '../../../edit/step-names.ts';
 import type { Character } from '../../../model/document.ts';
 import { type CharacterDof, characterDofs, firstDofs, rootDofCount } from '../../../model/dofs.ts';
 import { jointName } from '../../../model/joint-name.ts';
@@ -8,6 +9,7 @@ import { dofsOf, motionHeading, motionText } from '../../../model/joint-types.ts
 import { element, setText } from '../../kit/dom.ts';
 import { plural, shown } from '../../kit/number-text.ts';
 import { removeControllers } from '../../kit/slider.ts';
+import { setTooltip } from '../../kit/tooltip.ts';
 import { jointsText } from '../../state/selected-joint.ts';
 import { keyNameOf } from '../../state/tooltips.ts';
 import { addDofRow, type DofRowContext } from './dof-rows.ts';
@@ -98,7 +100,9 @@ export class DofSections {
     const joint = index === undefined ? undefined : skeleton?.joints[index];
     const others = joints.slice(0, -1);
     this.joint.show(skeleton !== undefined);
-    this.joint.title(joint ? jointsText(skeleton, joints) : 'Joint');
+    const title = joint ? jointsText(skeleton, joints) : 'Joint';
+    this.joint.title(cutName(title));
+    setTooltip(this.joint.$title, cutName(title) === title ? undefined : title);
     this.joint.domElement.classList.toggle('is-selected', joint !== undefined);
     this.joint.$children.dataset.empty = 'Select a joint in the viewport or outliner to see its DOFs.';
     if (!joint || !skeleton || index === undefined) return;

@@ -4,6 +4,7 @@ import type { SourceFile } from '../../../model/files.ts';
 import { copyText } from '../../kit/clipboard.ts';
 import { button, element, setText, uniqueId } from '../../kit/dom.ts';
 import { type IconName, icon } from '../../kit/icons.ts';
+import { cutLabel } from '../../kit/middle-cut.ts';
 import { bytes } from '../../kit/number-text.ts';
 import { messagesText } from '../../state/messages.ts';
 import { openPanel } from '../../state/panels.ts';
@@ -135,7 +136,7 @@ function fileRow(name: IconName, source: SourceFile, why: string): HTMLElement {
     'div',
     { class: `file-row ${why ? 'is-unused' : ''}`, tooltip: source.path },
     icon(name),
-    element('span', { class: 'label' }, source.name),
+    cutLabel(source.name),
     element('span', { class: 'detail' }, bytes(source.bytes)),
     why && element('span', { class: 'why' }, `Unused: ${why}`),
   );
