@@ -11,6 +11,7 @@ import { readFbxFile } from '../../../src/exchange/fbx/read-file.ts';
 import { readWhole } from '../../../src/formats/reader.ts';
 import { Report } from '../../../src/formats/report.ts';
 import { multiply, worldsAt } from '../scene-at.ts';
+import { characterOf, posed } from './posed.ts';
 import { randomFbx } from './random-fbx.ts';
 import { fbxBytes, fbxText } from './write-fbx.ts';
 
@@ -36,6 +37,29 @@ it('random FBX files move as pivots, orders, inherited scales and layers say', (
           const own = worlds[scene.nodes.findIndex(({ name }) => name === object.name)];
           const size = Math.max(1, ...expected.map(Math.abs));
           for (const [k, value] of own.entries()) expect(Math.abs(value - expected[k]) / size).toBeLessThan(2e-4);
+        }
+      }
+    }),
+    { numRuns: 40 },
+  );
+});
+
+it('characters of random FBX files have their joints where the nodes are', () => {
+  fc.assert(
+    fc.property(randomFbx, (fbx) => {
+      const bytes = fbxBytes(fbx);
+      const { value: scene } = readWhole(fbxReader('a.fbx'), bytes);
+      if (!scene) throw new Error('not read');
+      const character = characterOf(bytes);
+      for (const time of TIMES) {
+        const expected = worldsAt(scene, scene.takes[0], time);
+        const { worlds } = posed(character, 0, time);
+        for (const [i, { name }] of scene.nodes.entries()) {
+          const joint = character.skeleton.joints.findIndex((own) => own.name === name);
+          expect(joint).toBeGreaterThanOrEqual(0);
+          const size = Math.max(1, ...expected[i].map(Math.abs));
+          for (let k = 0; k < 16; k++)
+            expect(Math.abs(worlds[16 * joint + k] - expected[i][k]) / size).toBeLessThan(1e-5);
         }
       }
     }),
