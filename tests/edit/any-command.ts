@@ -208,6 +208,8 @@ const ARGUMENTS: Readonly<Record<string, (s: Situation) => object | undefined>> 
     },
   'markers.remove': ({ dice, character, clip }) =>
     clip.markers && { characterId: character.id, indices: [dice.below(clip.markers.length)] },
+  'takes.lockFeet': ({ dice, character }) =>
+    character.clips.length ? { takes: someTakes(dice, character), easeSeconds: dice.number() / 2 } : undefined,
   'takes.setSpeed': ({ dice, character }) =>
     character.clips.length ? { takes: someTakes(dice, character), factor: dice.pick([0.5, 0.8, 2]) } : undefined,
   'takes.join': ({ dice, character }) =>

@@ -13,6 +13,7 @@ import { oneSurface } from '../../src/model/skin.ts';
 import { DEFAULT_SPACE } from '../../src/model/space.ts';
 import { tube } from '../evaluate/weights/meshes.ts';
 import { character, clip, documentOf, joint, morph, skin } from '../helpers/builders.ts';
+import { sliding } from './hold/sliding.ts';
 import { channelOf } from './keys/channels.ts';
 import { swinging, take } from './samples/made.ts';
 
@@ -248,6 +249,11 @@ export const CASES: Readonly<Record<string, EditCase>> = {
     idle: { ...WHO, index: 0, marker: { timeSeconds: 0.5, label: 'step' } },
   },
   'markers.remove': { document: MARKED, args: { ...WHO, indices: [0] }, idle: { ...WHO, indices: [] } },
+  'takes.lockFeet': {
+    document: documentOf(sliding(0.004)),
+    args: { takes: [{ ...WHO, clip: 0 }] },
+    idle: { takes: [{ ...WHO, clip: 0 }], toleranceMetres: 1 },
+  },
   'takes.setSpeed': captured({ takes: [{ ...WHO, clip: 0 }], factor: 2 }, { takes: [{ ...WHO, clip: 0 }], factor: 1 }),
   'takes.join': alone(
     { takes: [0, 1].map((clip) => ({ ...WHO, clip })), overlapSeconds: 0.1 },

@@ -84,6 +84,7 @@ export const FETCHED_IDS: ReadonlySet<string> = new Set([
   'takes.remove',
   'takes.mirror',
   'takes.setSpeed',
+  'takes.lockFeet',
   'takes.join',
   'takes.cutOut',
   'takes.insert',

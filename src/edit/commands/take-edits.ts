@@ -8,8 +8,10 @@ import type { Character, Document } from '../../model/document.ts';
 import type { Skeleton } from '../../model/skeleton.ts';
 import { finiteNumber } from '../arguments.ts';
 import { changeCharacter, requireCharacter } from '../characters.ts';
+import { type LockedContact, lockingFeet } from '../hold/foot-lock.ts';
 import { refuseMoved } from '../refuse-moved.ts';
 import { retiming } from '../samples/speed.ts';
+import { KEYED_RATE } from '../samples/take-frames.ts';
 import { mirroringTake } from '../samples/take-mirror.ts';
 import { type Command, CommandError } from '../store.ts';
 import { withTake } from '../takes.ts';
@@ -52,6 +54,50 @@ export function setSpeedSteps(document: Document, { takes, factor }: SetSpeed): 
     throw new CommandError(`The speed must be greater than 0, found ${factor}.`);
   }
   return changingTakes(document, takes, (character, clip) => retiming(character, clip, factor));
+}
+
+export interface LockFeet extends OfTakes {
+  /** Default 0.1. */
+  readonly easeSeconds?: number | undefined;
+  /** How far a foot may slide without being locked, in metres; default 0.0005. */
+  readonly toleranceMetres?: number | undefined;
+}
+
+const EASE_SECONDS = 0.1;
+const TOLERANCE_METRES = 5e-4;
+
+/** Holds feet still while they are on the ground; see `hold/foot-lock.ts`. */
+export const lockFeet: Command<LockFeet> = {
+  id: 'takes.lockFeet',
+  label: (document, args) => `Lock feet of ${namesOfTakes(document, args)}`,
+  run: (document, args) => runToEnd(lockFeetSteps(document, args)).document,
+};
+
+/** What was locked, of all takes together. */
+export interface FeetReport {
+  readonly document: Document;
+  readonly contacts: readonly LockedContact[];
+  readonly locked: number;
+  readonly unreached: number;
+}
+
+/** The same in steps, yielding progress every few milliseconds. */
+export function* lockFeetSteps(document: Document, args: LockFeet): Steps<FeetReport> {
+  const easeSeconds = finiteNumber(args.easeSeconds ?? EASE_SECONDS, 'The ease');
+  if (!(easeSeconds >= 0)) throw new CommandError(`The ease must not be negative, found ${easeSeconds} s.`);
+  const toleranceMetres = finiteNumber(args.toleranceMetres ?? TOLERANCE_METRES, 'The tolerance');
+  if (!(toleranceMetres > 0)) throw new CommandError(`The tolerance must be greater than 0, found ${toleranceMetres}.`);
+  const options = { easeSeconds, toleranceMetres, framesPerSecond: KEYED_RATE };
+  const contacts: LockedContact[] = [];
+  let [locked, unreached] = [0, 0];
+  const next = yield* changingTakes(document, args.takes, function* (character, clip) {
+    const made = yield* lockingFeet(character, skeletonOf(character), clip, options);
+    contacts.push(...made.contacts);
+    locked += made.locked;
+    unreached += made.unreached;
+    return made.clip;
+  });
+  return { document: next, contacts, locked, unreached };
 }
 
 /** `walk`, or `3 takes`. */

@@ -1,5 +1,5 @@
 /** Dialogs of the tools for whole takes: join, insert, cut out, speed. */
-import { setSpeedSteps, setTakeSpeed } from '../../../edit/commands/take-edits.ts';
+import { lockFeet, lockFeetSteps, setSpeedSteps, setTakeSpeed } from '../../../edit/commands/take-edits.ts';
 import {
   type CutOut,
   cutOutOfTakes,
@@ -168,6 +168,38 @@ export function speedDialog(wb: Page, close: () => void): DialogContent {
       return { change, text };
     },
   });
+}
+
+export function lockFeetDialog(wb: Page, close: () => void): DialogContent {
+  const takes = takesToEdit(wb);
+  if (!takes.length) return empty('Lock feet', 'There is no take to edit.');
+  const what = takes.length > 1 ? plural(takes.length, 'take') : 'the take';
+  const dialog = toolDialog(wb, close, {
+    name: 'lockFeet',
+    title: 'Lock feet',
+    about: `Finds when the feet of ${what} are on the ground, and holds them still there by the legs.`,
+    asked: [
+      { kind: 'number', name: 'slide', label: 'Leave slides below', value: 0.5, unit: 'mm' },
+      { kind: 'number', name: 'ease', label: 'Ease in and out', value: 0.1, unit: 's' },
+    ],
+    command: lockFeet,
+    args: (answers) => ({
+      takes,
+      toleranceMetres: answers.number('slide') / 1000,
+      easeSeconds: answers.number('ease'),
+    }),
+    *steps(document, args) {
+      const { document: change, contacts, locked, unreached } = yield* lockFeetSteps(document, args);
+      const worst = contacts.reduce((most, { slidesBefore }) => Math.max(most, slidesBefore), 0);
+      const found = `${plural(contacts.length, 'contact')}; feet slide up to ${shown(1000 * worst, 1)} mm in them.`;
+      const text = `${found} ${locked ? `${locked} of them locked.` : 'None slides more than that.'}`;
+      const frames = plural(unreached, 'frame');
+      return { change, text, ...(unreached > 0 && { warning: `In ${frames} a leg doesn’t reach its place.` }) };
+    },
+    result: () => '',
+  });
+  // The result is visible in the viewport.
+  return { ...dialog, kind: `${dialog.kind} is-aside` };
 }
 
 /** `3.2 s, 192 frames`: of a character's shown take. */
