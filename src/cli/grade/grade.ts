@@ -97,13 +97,19 @@ function timeText(time: number | null | undefined): string {
   return time === undefined || time === null ? 'in the file pose' : `at ${time} s`;
 }
 
-/** Of the first causes: all that explain the same numbers as well; empty if none are known. */
-export function causesText({ causes }: PartGrade): string {
+/** The first cause, and those that explain the same numbers as well. */
+export function equalCauses({ causes }: PartGrade): readonly GradedCause[] {
   const [best] = causes;
-  const equal = causes.filter(
+  return causes.filter(
     ({ about, explains, of }) => about === best.about && explains === best.explains && of === best.of,
   );
-  return equal.map(({ code, detail }) => `${code}${detail && ` (${detail})`}`).join(' or ');
+}
+
+/** Of the first causes: all that explain the same numbers as well; empty if none are known. */
+export function causesText(part: PartGrade): string {
+  return equalCauses(part)
+    .map(({ code, detail }) => `${code}${detail && ` (${detail})`}`)
+    .join(' or ');
 }
 
 /** Of errors: three digits, enough to see how large they are. */

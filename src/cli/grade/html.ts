@@ -2,7 +2,16 @@
  * Grades as one HTML file without anything outside it: an overview, and a page per submission that its address leads to
  * (`report.html#3`). Printed, all follow one another.
  */
-import { errorText, firstWrongText, type Grade, gradedText, type PartGrade, placeOf, wrongPart } from './grade.ts';
+import {
+  equalCauses,
+  errorText,
+  firstWrongText,
+  type Grade,
+  gradedText,
+  type PartGrade,
+  placeOf,
+  wrongPart,
+} from './grade.ts';
 import { STYLE } from './style.ts';
 
 export interface ReportFacts {
@@ -51,7 +60,6 @@ function skippedText(skipped: readonly string[]): string {
 function rowOf(grade: Grade, index: number): string {
   const { name, joints, jointError, vertexError, channels, problems } = grade;
   const wrong = wrongPart(grade);
-  const cause = wrong?.causes[0];
   const cells = [
     `<th scope="row"><a href="#${index + 1}">${escaped(name)}</a></th>`,
     `<td>${badge(grade)}</td>`,
@@ -60,10 +68,16 @@ function rowOf(grade: Grade, index: number): string {
     number(errorText(vertexError)),
     number(channels ? `${channels.right} of ${channels.of}` : ''),
     `<td>${escaped(wrong ? firstWrongText(wrong) : '')}</td>`,
-    `<td>${cause ? `<code>${escaped(cause.code)}</code>` : wrong ? '<span class="faint">none known</span>' : ''}</td>`,
+    `<td>${wrong ? causesOf(wrong) : ''}</td>`,
     number(String(problems.filter(({ severity }) => severity !== 'info').length || '')),
   ];
   return `<tr>${cells.join('')}</tr>`;
+}
+
+/** All that explain the first wrong part as well. */
+function causesOf(part: PartGrade): string {
+  const codes = equalCauses(part).map(({ code }) => `<code>${escaped(code)}</code>`);
+  return codes.length > 0 ? codes.join(' or ') : '<span class="faint">none known</span>';
 }
 
 function pageOf(grade: Grade, index: number, grades: readonly Grade[]): string {

@@ -24,6 +24,7 @@ const HANDLE_ICONS: Readonly<Record<HandleMode, IconName>> = {
 
 /** Groups that collapse into menus when the row is narrow (`curves.css`), with the menus' entries. */
 const YIELDING: Readonly<Record<string, readonly string[]>> = {
+  'handle-tools': ['unify', 'break', ...HANDLE_MODES.map((mode) => `handles.${mode}`)],
   'key-tools': ['insertKey', 'delete', 'onCollision.replace', 'onCollision.step'],
   'snap-tools': ['snapsToFrames', 'snapsToValues', 'scaleFrame'],
   'fit-tools': ['fitSelected', 'fitAll', 'normalised', 'showsWhy'],
@@ -99,6 +100,10 @@ export function curveToolbar(
       tangents('linear', 'Linear tangents'),
       tangents('smooth', 'Smooth tangents'),
       tangents('fixed', 'Fixed slopes'),
+    ),
+    group(
+      'Handles',
+      'handle-tools',
       tool('unify', 'Unify tangents', 'unify'),
       tool('break', 'Break tangents', 'break'),
       handles,
