@@ -257,8 +257,8 @@ class ComparePanel implements TimelineTab {
     this.kind = kind;
     this.picked = undefined;
     this.table.setLabel(KIND_LABELS[kind]);
-    const column = kind === 'vertices' || kind === 'normals' ? 'error' : 'index';
-    this.table.setOrder({ column, descending: column === 'error' });
+    // What is wrong first is above.
+    this.table.setOrder({ column: 'index', descending: false });
   }
 
   private choose(row: ComparedRow): void {

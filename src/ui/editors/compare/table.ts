@@ -78,7 +78,6 @@ export class ComparedTable {
     this.element.setAttribute('aria-label', label);
   }
 
-  /** As given at first: vertices come with the worst first. */
   setOrder(order: RowOrder): void {
     this.order = order;
     this.sort();
