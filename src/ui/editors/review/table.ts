@@ -86,8 +86,10 @@ export class ReviewTable {
 
   show(rows: readonly ReviewRow[], view: ReviewView): void {
     const focusMoved = view.focused !== this.view?.focused;
-    this.rows = rows;
-    this.places = new Map(rows.map(({ take }, i) => [take.path, i]));
+    if (rows !== this.rows) {
+      this.rows = rows;
+      this.places = new Map(rows.map(({ take }, i) => [take.path, i]));
+    }
     this.view = view;
     for (const [column, head] of this.heads) {
       const isOrder = view.order?.column === column;
