@@ -210,6 +210,8 @@ const ARGUMENTS: Readonly<Record<string, (s: Situation) => object | undefined>> 
     clip.markers && { characterId: character.id, indices: [dice.below(clip.markers.length)] },
   'takes.lockFeet': ({ dice, character }) =>
     character.clips.length ? { takes: someTakes(dice, character), easeSeconds: dice.number() / 2 } : undefined,
+  'takes.makeLoop': ({ dice, character }) =>
+    character.clips.length ? { takes: someTakes(dice, character), blendSeconds: dice.number() } : undefined,
   'takes.setSpeed': ({ dice, character }) =>
     character.clips.length ? { takes: someTakes(dice, character), factor: dice.pick([0.5, 0.8, 2]) } : undefined,
   'takes.join': ({ dice, character }) =>

@@ -254,6 +254,10 @@ export const CASES: Readonly<Record<string, EditCase>> = {
     args: { takes: [{ ...WHO, clip: 0 }] },
     idle: { takes: [{ ...WHO, clip: 0 }], toleranceMetres: 1 },
   },
+  'takes.makeLoop': captured(
+    { takes: [{ ...WHO, clip: 0 }], blendSeconds: 0.25 },
+    { takes: [{ ...WHO, clip: 0 }], blendSeconds: -1 },
+  ),
   'takes.setSpeed': captured({ takes: [{ ...WHO, clip: 0 }], factor: 2 }, { takes: [{ ...WHO, clip: 0 }], factor: 1 }),
   'takes.join': alone(
     { takes: [0, 1].map((clip) => ({ ...WHO, clip })), overlapSeconds: 0.1 },

@@ -74,6 +74,12 @@ export function travels({ values }: KeyedChannel): boolean {
   return Math.abs(values[values.length - 1] - values[0]) > (max - min) / 2;
 }
 
+/** Whether a channel keeps its offset unless told otherwise: one that goes on with it already, or a length that travels. */
+export function keepsOffset(channel: KeyedChannel, isLength: boolean): boolean {
+  const goesOn = channel.extrapolateIn === 'cycle_offset' || channel.extrapolateOut === 'cycle_offset';
+  return goesOn || (isLength && travels(channel));
+}
+
 /** Looping again must change nothing. */
 function isSame(a: KeyedChannel, b: KeyedChannel): boolean {
   const columns = ({ values, tangentsIn, tangentsOut }: KeyedChannel) => [

@@ -35,7 +35,7 @@ import {
   trimSamples,
 } from './samples.ts';
 import { autoWeights } from './skin-weights.ts';
-import { lockFeet, mirrorTakes, setTakeSpeed } from './take-edits.ts';
+import { lockFeet, loopTakes, mirrorTakes, setTakeSpeed } from './take-edits.ts';
 import { cutOutOfTakes, insertIntoTake, joinTakes } from './take-joins.ts';
 import { alignStarts, arrange, endOverlay, overlayTakes, removeTakes, setTimeOffsets, showTakes } from './takes.ts';
 import { breakTangents, setSlopes, setTangents, unifyTangents } from './tangents.ts';
@@ -69,6 +69,7 @@ const FETCHED: readonly Command<never, Document | Edit>[] = [
   mirrorTakes,
   setTakeSpeed,
   lockFeet,
+  loopTakes,
   joinTakes,
   cutOutOfTakes,
   insertIntoTake,

@@ -85,6 +85,7 @@ export const FETCHED_IDS: ReadonlySet<string> = new Set([
   'takes.mirror',
   'takes.setSpeed',
   'takes.lockFeet',
+  'takes.makeLoop',
   'takes.join',
   'takes.cutOut',
   'takes.insert',

@@ -12,7 +12,7 @@ import type { DofUnit } from '../../model/skeleton.ts';
 import { finiteNumber, oneOf } from '../arguments.ts';
 import { checkedChannels, clipOf, type OfChannels, withClipChannels } from '../channel-edits.ts';
 import { type Baked, withExtrapolationBaked } from '../channels/bake-extrapolation.ts';
-import { travels, withLoop } from '../channels/make-loop.ts';
+import { keepsOffset, withLoop } from '../channels/make-loop.ts';
 import { type Reduction, reductionOf } from '../channels/report.ts';
 import { type Resampling, resampleChannel } from '../channels/resample.ts';
 import { type Simplified, simplifyChannel } from '../channels/simplify.ts';
@@ -148,7 +148,7 @@ export const makeLoop: Command<MakeLoop, Edit> = {
     const keeps = (channel: KeyedChannel, index: number) => {
       if (named) return named.has(index);
       if (typeof keepOffset === 'boolean') return keepOffset;
-      return goesOnWithOffset(channel) || (unitOfChannel(dofs, index) === 'length' && travels(channel));
+      return keepsOffset(channel, unitOfChannel(dofs, index) === 'length');
     };
     return edited(
       document,
@@ -157,10 +157,6 @@ export const makeLoop: Command<MakeLoop, Edit> = {
     );
   },
 };
-
-function goesOnWithOffset({ extrapolateIn, extrapolateOut }: KeyedChannel): boolean {
-  return extrapolateIn === 'cycle_offset' || extrapolateOut === 'cycle_offset';
-}
 
 type Result = Channel | { readonly channel: Channel };
 

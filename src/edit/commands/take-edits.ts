@@ -5,13 +5,17 @@
 import { runToEnd, type Steps, within } from '../../evaluate/steps.ts';
 import type { ChannelClip } from '../../model/clip.ts';
 import type { Character, Document } from '../../model/document.ts';
+import { characterDofs, unitOfChannel } from '../../model/dofs.ts';
 import type { Skeleton } from '../../model/skeleton.ts';
 import { finiteNumber } from '../arguments.ts';
+import { keepsOffset, withLoop } from '../channels/make-loop.ts';
 import { changeCharacter, requireCharacter } from '../characters.ts';
 import { type LockedContact, lockingFeet } from '../hold/foot-lock.ts';
+import { markersWithin, withMarkers } from '../markers.ts';
 import { refuseMoved } from '../refuse-moved.ts';
+import { looping } from '../samples/loop.ts';
 import { retiming } from '../samples/speed.ts';
-import { KEYED_RATE } from '../samples/take-frames.ts';
+import { clipOfFrames, framesOnly, KEYED_RATE } from '../samples/take-frames.ts';
 import { mirroringTake } from '../samples/take-mirror.ts';
 import { type Command, CommandError } from '../store.ts';
 import { withTake } from '../takes.ts';
@@ -54,6 +58,51 @@ export function setSpeedSteps(document: Document, { takes, factor }: SetSpeed): 
     throw new CommandError(`The speed must be greater than 0, found ${factor}.`);
   }
   return changingTakes(document, takes, (character, clip) => retiming(character, clip, factor));
+}
+
+export interface LoopTakes extends OfTakes {
+  /** Of frames; default 0.25, at most half of the take. */
+  readonly blendSeconds?: number | undefined;
+}
+
+const BLEND_SECONDS = 0.25;
+
+/** Makes takes loop, all of the body: frames by `samples/loop.ts`, keys by `channels/make-loop.ts`. */
+export const loopTakes: Command<LoopTakes> = {
+  id: 'takes.makeLoop',
+  label: (document, args) => `Make ${namesOfTakes(document, args)} loop`,
+  run: (document, args) => runToEnd(loopTakesSteps(document, args)),
+};
+
+/** The same in steps, yielding progress every few milliseconds. */
+export function loopTakesSteps(
+  document: Document,
+  { takes, blendSeconds = BLEND_SECONDS }: LoopTakes,
+): Steps<Document> {
+  if (!(finiteNumber(blendSeconds, 'The blend') >= 0)) {
+    throw new CommandError(`The blend must not be negative, found ${blendSeconds} s.`);
+  }
+  return changingTakes(document, takes, function* (character, clip) {
+    const skeleton = skeletonOf(character);
+    if (!clip.samples) return loopedKeys(character, clip);
+    const samples = framesOnly(clip);
+    const wanted = Math.max(1, Math.round(blendSeconds / samples.frameSeconds));
+    const overlap = Math.min(wanted, Math.floor(samples.frameCount / 2));
+    const made = yield* looping({ character: { ...character, skeleton }, clip }, samples, overlap);
+    if (made === samples) return clip;
+    const round = clipOfFrames(clip, made);
+    return withMarkers(round, markersWithin(clip.markers, ...round.range));
+  });
+}
+
+function loopedKeys({ skeleton, morphs }: Character, clip: ChannelClip): ChannelClip {
+  const dofs = characterDofs(skeleton, morphs);
+  const channels = clip.channels.map((channel, c) =>
+    channel.kind === 'keys'
+      ? withLoop(channel, keepsOffset(channel, unitOfChannel(dofs, c) === 'length')).channel
+      : channel,
+  );
+  return channels.every((channel, c) => channel === clip.channels[c]) ? clip : { ...clip, channels };
 }
 
 export interface LockFeet extends OfTakes {

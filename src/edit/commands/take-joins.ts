@@ -10,12 +10,12 @@ import { rangeOfSamples, type Samples } from '../../model/samples.ts';
 import { finiteNumber, oneOf } from '../arguments.ts';
 import { changeCharacter, requireCharacter } from '../characters.ts';
 import { markersWithin, retimed, rippledMarkers, withMarkers } from '../markers.ts';
-import { firstFrameFrom, framesBetween, lastFrameTo, requireSamples } from '../samples/frames.ts';
+import { firstFrameFrom, framesBetween, lastFrameTo } from '../samples/frames.ts';
 import { JOIN_ALIGNMENTS, type JoinAlignment, joining } from '../samples/join.ts';
 import { refuseTooMany } from '../samples/most-frames.ts';
 import { resampling } from '../samples/resample.ts';
 import { inChannelsOf } from '../samples/same-channels.ts';
-import { clipOfFrames, takeFrames } from '../samples/take-frames.ts';
+import { clipOfFrames, framesOnly, takeFrames } from '../samples/take-frames.ts';
 import { type Command, CommandError } from '../store.ts';
 import { uniqueTakeName } from '../takes.ts';
 import { withoutUnkeyed } from '../unkeyed.ts';
@@ -219,14 +219,6 @@ function framesLike(character: Character, document: Document, ref: TakeRef, own:
   const frames = takeFrames(other, clip, 1 / own.frameSeconds);
   const rated = runToEnd(resampling(other, clipOfFrames(clip, frames), 1 / own.frameSeconds));
   return inChannelsOf(character, other, rated.samples ?? frames);
-}
-
-/** The samples of a take whose channels all follow them; refuses keys. */
-function framesOnly(clip: ChannelClip): Samples {
-  const samples = requireSamples(clip);
-  const isAll = samples.firstChannel === 0 && samples.scales.length >= clip.channels.length;
-  if (isAll && clip.channels.every(({ kind }) => kind === 'samples')) return samples;
-  throw new CommandError(`${clip.name} has keys beside its samples, and frames can't be moved without them.`);
 }
 
 function framesOfOverlap({ overlapSeconds }: Joined, a: Samples, b: Samples): number {

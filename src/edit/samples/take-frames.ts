@@ -6,7 +6,8 @@ import { type ChannelClip, SAMPLED } from '../../model/clip.ts';
 import type { Character } from '../../model/document.ts';
 import { characterDofs } from '../../model/dofs.ts';
 import { rangeOfSamples, type Samples } from '../../model/samples.ts';
-import { firstFrameFrom, framesBetween, lastFrameTo } from './frames.ts';
+import { CommandError } from '../store.ts';
+import { firstFrameFrom, framesBetween, lastFrameTo, requireSamples } from './frames.ts';
 import { refuseTooMany } from './most-frames.ts';
 import { takeAlone } from './take-alone.ts';
 
@@ -34,6 +35,14 @@ export function takeFrames(character: Character, clip: ChannelClip, framesPerSec
   const frames = framesOf(clip.range, own ? 1 / own.frameSeconds : framesPerSecond);
   refuseTooMany(frames.frameCount, width);
   return bakeClip(alone, frames);
+}
+
+/** The samples of a take whose channels all follow them; refuses keys. */
+export function framesOnly(clip: ChannelClip): Samples {
+  const samples = requireSamples(clip);
+  const isAll = samples.firstChannel === 0 && samples.scales.length >= clip.channels.length;
+  if (isAll && clip.channels.every(({ kind }) => kind === 'samples')) return samples;
+  throw new CommandError(`${clip.name} has keys beside its samples, and frames can't be moved without them.`);
 }
 
 /** A clip of frames, with their whole time as its range. */

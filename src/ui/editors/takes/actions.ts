@@ -177,6 +177,7 @@ export const TAKE_ACTIONS: readonly Action[] = [
   edited('joinTakes', 'Join…', 'Join takes', 'Cross-fade of the selected takes', joinsTakes),
   edited('insertTake', 'Insert take or hold…', 'Insert take or hold', 'At the current time', editsFrames),
   edited('cutOut', 'Cut out…', 'Cut out of take', 'The playback range, or any other', editsFrames),
+  edited('loopTake', 'Make loop…', 'Make take loop', 'All of the body', editsTakes),
   edited('lockFeet', 'Lock feet…', 'Lock feet', 'While they are on the ground', editsTakes),
   edited('takeSpeed', 'Change speed…', 'Change speed of take', 'Selected takes, or the current one', editsTakes),
 ];

@@ -1,5 +1,12 @@
 /** Dialogs of the tools for whole takes: join, insert, cut out, speed. */
-import { lockFeet, lockFeetSteps, setSpeedSteps, setTakeSpeed } from '../../../edit/commands/take-edits.ts';
+import {
+  lockFeet,
+  lockFeetSteps,
+  loopTakes,
+  loopTakesSteps,
+  setSpeedSteps,
+  setTakeSpeed,
+} from '../../../edit/commands/take-edits.ts';
 import {
   type CutOut,
   cutOutOfTakes,
@@ -165,6 +172,26 @@ export function speedDialog(wb: Page, close: () => void): DialogContent {
     *steps(document, args) {
       const change = yield* setSpeedSteps(document, args);
       const text = change === document ? 'At 1 nothing changes.' : `Lasts ${lengthText(change, takes[0].characterId)}.`;
+      return { change, text };
+    },
+  });
+}
+
+export function loopDialog(wb: Page, close: () => void): DialogContent {
+  const takes = takesToEdit(wb);
+  if (!takes.length) return empty('Make loop', 'There is no take to edit.');
+  const what = takes.length > 1 ? plural(takes.length, 'take') : 'the take';
+  return timeDialog(wb, close, {
+    name: 'loopTake',
+    title: 'Make loop',
+    about: `Blends the end of ${what} into its beginning; a root that travels goes on from where it is. Keys get one value and slope at both ends.`,
+    asked: [{ kind: 'number', name: 'blend', label: 'Blend', value: FADE, unit: 's' }],
+    command: loopTakes,
+    args: (answers) => ({ takes, blendSeconds: answers.number('blend') }),
+    *steps(document, args) {
+      const change = yield* loopTakesSteps(document, args);
+      const text =
+        change === document ? 'It loops already.' : `One round lasts ${lengthText(change, takes[0].characterId)}.`;
       return { change, text };
     },
   });
