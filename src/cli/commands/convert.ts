@@ -8,11 +8,12 @@
  * `marrow convert IN… --to KIND`: everything in IN, files and folders, into files of their own (`convert-many.ts`).
  */
 import { basename, resolve } from 'node:path';
+import { withEditedTakes } from '../../dataset/edited-take.ts';
 import { CommandError } from '../../edit/store.ts';
 import { fitOneBvh } from '../../formats/bvh/write.ts';
 import { axisAngleObstacle, inAxisAngleForm, inHierarchyForm } from '../../model/axis-angle.ts';
 import { type Diagnostic, hasErrors } from '../../model/diagnostic.ts';
-import { EMPTY_DOCUMENT } from '../../model/document.ts';
+import { type Character, EMPTY_DOCUMENT } from '../../model/document.ts';
 import { type FileContent, type FileKind, type ParsedFile, stemOf } from '../../model/files.ts';
 import type { Skeleton } from '../../model/skeleton.ts';
 import { formatKindOf, isSaved, KINDS, WRITABLE_EXTENSIONS } from '../../project/kinds.ts';
@@ -26,6 +27,9 @@ import { copiesOf, isCopy } from '../../project/save/saving.ts';
 import { type Arguments, numberOf, parseArguments, UsageError } from '../arguments.ts';
 import { convertToGlb, GLB_OPTIONS, isGlb, refuseGlbOptions } from '../convert-glb.ts';
 import { convertMany, type WrittenFile } from '../convert-many.ts';
+import { exportGiven } from '../export/export-given.ts';
+import { EDITING, editingOf, firstGiven, SHARING } from '../export/switches.ts';
+import { inSpaceOf, loadTarget } from '../export/target.ts';
 import type { CliCommand, CommandIo, ExitCode } from '../io.ts';
 import { loadAny } from '../load.ts';
 import { printJson, report } from '../report.ts';
@@ -37,6 +41,23 @@ export const convert: CliCommand = {
     'IN… OUT [--fps N] [--tolerance T] [--json]  |  IN… OUT.glb [--keys linear|cubic] [--influences N] [--take NAME] [--no-body] …  |  IN… --to skel|anim|bvh|rig [--out FOLDER] [--force] …',
   summary:
     'writes OUT in the format of its extension, or all of IN as files of one kind (skel: with its animations; rig: with all parts)',
+  details: `what is done to takes before they are written
+  --retarget FILE        onto the skeleton in FILE
+  --map FILE             joint pairs for it, lines "target,source"; default: matched by name and shape
+  --space FILE           takes of the skeleton in FILE have its unit, up axis and ground; default: each its own guess
+  --mirror               left and right exchanged, before --retarget
+  --crop FROM,TO         seconds of the take; either may be left out
+  --fps N                frames per second of .bvh; default: the take's own, or 30 for keys at uneven times
+  --tolerance T          of keys made of samples
+
+which takes, with --to and --out, as for export: these write each take by itself, with DIR/manifest.ndjson
+  --only LIST            takes of a list, but for those with the verdict bad
+  --files-from FILE      paths from the lines of FILE, or of the standard input for -
+  --shard I/N, --jobs N  part I of N; threads, default: as many as cores
+  --resume               skips takes whose input, options and version are those of an earlier run
+  --no-times             leaves milliseconds out of the manifest
+  The switches of the first list do the same with --to.
+`,
   exits: {
     0: 'all was written',
     1: 'a file has errors, is missing or cannot be converted',
@@ -52,6 +73,8 @@ export const convert: CliCommand = {
       out: 'value',
       force: 'flag',
       ...GLB_OPTIONS,
+      ...EDITING,
+      ...SHARING,
     });
     const to = given.value('to');
     if (to !== undefined || !isGlb(given.files.at(-1) ?? '')) refuseGlbOptions(given);
@@ -59,6 +82,9 @@ export const convert: CliCommand = {
     if (given.value('out') !== undefined || given.flag('force')) {
       throw new UsageError('--out and --force need --to; without it, the last name is the output.');
     }
+    const sharing = firstGiven(given, SHARING);
+    if (sharing !== undefined)
+      throw new UsageError(`--${sharing} needs --to; without it, the last name is the output.`);
     return toFile(given, io);
   },
 };
@@ -78,8 +104,18 @@ function readOptions(given: Arguments): ConversionOptions {
 async function toKind(given: Arguments, to: string, io: CommandIo): Promise<ExitCode> {
   const target = TARGETS.find((t) => t === to.replace(/^\./, '').toLowerCase());
   if (!target) throw new UsageError(`--to takes one of ${TARGETS.join(', ')}, found "${to}".`);
-  if (given.files.length === 0) throw new UsageError('convert needs an input file.');
   const out = given.value('out');
+  if (firstGiven(given, { ...EDITING, ...SHARING }) !== undefined) {
+    const { tolerance } = readOptions(given);
+    const own = {
+      to: target,
+      precision: 'float64',
+      isChecked: false,
+      ...(tolerance !== undefined && { tolerance }),
+    } as const;
+    return exportGiven(given, io, own);
+  }
+  if (given.files.length === 0) throw new UsageError('convert needs an input file.');
   const written: WrittenFile[] = [];
   const diagnostics: Diagnostic[] = [];
   const isJson = given.flag('json');
@@ -105,19 +141,22 @@ function labelOf(path: string): string {
 async function toFile(given: Arguments, io: CommandIo): Promise<ExitCode> {
   const [ins, out] = [given.files.slice(0, -1), given.files.at(-1)];
   if (out === undefined || ins.length === 0) throw new UsageError('convert needs an input file and an output file.');
+  const editing = firstGiven(given, EDITING);
+  if (isGlb(out) && editing !== undefined)
+    throw new UsageError(`--${editing} is not for .glb files; convert to .bvh first.`);
   if (isGlb(out)) return toGlb(given, ins, out, io);
   const format = formatOf(out);
   if (!format || !isSaved(format.format)) {
     const known = [...WRITABLE_EXTENSIONS, 'glb'].map((extension) => `.${extension}`).join(' ');
     throw new UsageError(`The format of "${out}" is not known; its name must end in one of ${known}.`);
   }
-  const options = readOptions(given);
+  const options = { ...readOptions(given), edit: editOf(given, io) };
   const name = basename(out);
   const { files, diagnostics: read } = await loadAny(ins, io.folder);
   const diagnostics = [...read];
   let bytes = 0;
   if (!hasErrors(diagnostics)) {
-    const picked = pick(files, format, name, options);
+    const picked = pickOrRefuse(files, format, name, options);
     if ('output' in picked) {
       const written = writeOutput(resolve(io.folder, out), picked.output.pieces());
       diagnostics.push(...picked.output.diagnostics());
@@ -153,6 +192,25 @@ async function toGlb(given: Arguments, ins: readonly string[], out: string, io: 
   return failed ? failureOf(diagnostics) : 0;
 }
 
+/** What `--crop` and its like do to a character; undefined if none is given. @throws UsageError */
+function editOf(given: Arguments, io: CommandIo): Edit | undefined {
+  if (firstGiven(given, EDITING) === undefined) return undefined;
+  const editing = editingOf(given);
+  const { retarget, spaces } = loadTarget(editing, io.folder);
+  const { crop, isMirrored } = editing;
+  const options = { ...(crop && { crop }), ...(isMirrored && { isMirrored }), ...(retarget && { target: retarget }) };
+  return (character) => withEditedTakes(inSpaceOf(character, spaces), options);
+}
+
+type Edit = (character: Character) => Character;
+type PickOptions = ConversionOptions & { readonly edit: Edit | undefined };
+
+/** The characters of these files, edited. @throws CommandError */
+function charactersOf(files: readonly ParsedFile[], { edit }: PickOptions): readonly Character[] {
+  const { characters } = openFiles(EMPTY_DOCUMENT, files).document;
+  return edit ? characters.map(edit) : characters;
+}
+
 /** What was read wrong is mended in the files; what could not be written, elsewhere. */
 function failureOf(diagnostics: readonly Diagnostic[]): ExitCode {
   const errors = diagnostics.filter(({ severity }) => severity === 'error');
@@ -161,7 +219,17 @@ function failureOf(diagnostics: readonly Diagnostic[]): ExitCode {
 
 type Picked = { readonly output: Output } | { readonly refusal: Diagnostic };
 
-function pick(files: readonly ParsedFile[], format: Format, out: string, options: ConversionOptions): Picked {
+/** What edits refuse, for which nothing may be left, is told as everything else. */
+function pickOrRefuse(files: readonly ParsedFile[], format: Format, out: string, options: PickOptions): Picked {
+  try {
+    return pick(files, format, out, options);
+  } catch (error) {
+    if (!(error instanceof CommandError)) throw error;
+    return { refusal: refusal('conversion-refused', error.message, out) };
+  }
+}
+
+function pick(files: readonly ParsedFile[], format: Format, out: string, options: PickOptions): Picked {
   const { kind } = format;
   const fitting = files.filter((file) => file.kind === kind);
   if (fitting.length > 1)
@@ -174,7 +242,7 @@ function pick(files: readonly ParsedFile[], format: Format, out: string, options
     };
   const [only] = fitting;
   // Another frame rate means resampling: the frames can't be copied as they are.
-  if (only && (kind !== 'bvh' || options.framesPerSecond === undefined)) {
+  if (only && !options.edit && (kind !== 'bvh' || options.framesPerSecond === undefined)) {
     if (only.kind === 'skel') return skelInForm(only.skeletons, only.source.name, out);
     return { output: outputOf({ name: out, content: () => only }) };
   }
@@ -188,15 +256,10 @@ function pick(files: readonly ParsedFile[], format: Format, out: string, options
 }
 
 /** The copy of a character that such a file holds; undefined if it holds none. */
-function copiedTo(
-  files: readonly ParsedFile[],
-  format: Format,
-  out: string,
-  options: ConversionOptions,
-): Picked | undefined {
+function copiedTo(files: readonly ParsedFile[], format: Format, out: string, options: PickOptions): Picked | undefined {
   const kind = format.format;
   if (!isSaved(kind)) return undefined;
-  const { characters } = openFiles(EMPTY_DOCUMENT, files).document;
+  const characters = charactersOf(files, options);
   const made = characters
     .filter((c) => KINDS[kind].save.has(c) && isCopy(c, kind))
     .flatMap((c) => copiesOf(c, kind, options));
@@ -240,9 +303,9 @@ function convertedTo(
   files: readonly ParsedFile[],
   format: Format,
   out: string,
-  options: ConversionOptions,
+  options: PickOptions,
 ): Picked | undefined {
-  const characters = openFiles(EMPTY_DOCUMENT, files).document.characters.filter(({ skeleton }) => skeleton);
+  const characters = charactersOf(files, options).filter(({ skeleton }) => skeleton);
   if (target === 'bvh') {
     let figures: readonly NamedFigure[];
     try {

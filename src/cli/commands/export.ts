@@ -1,15 +1,9 @@
 /** `marrow export`: takes as arrays of numbers, a file each, for programs that learn from them. */
-import { resolve } from 'node:path';
-import { CommandError } from '../../edit/store.ts';
 import { parseArguments, UsageError } from '../arguments.ts';
-import { exportTakes } from '../export/export-takes.ts';
+import { exportGiven } from '../export/export-given.ts';
 import { type ExportFormat, FORMATS } from '../export/formats.ts';
-import { inputsOf } from '../export/inputs.ts';
-import { cropOf, jobsOf, positive, shardOf } from '../export/switches.ts';
-import { loadTarget } from '../export/target.ts';
-import { timeLeft } from '../export/time-left.ts';
-import type { CliCommand, CommandIo, ExitCode } from '../io.ts';
-import { printJson } from '../report.ts';
+import { EDITING, SHARING } from '../export/switches.ts';
+import type { CliCommand } from '../io.ts';
 
 const NAMES = Object.keys(FORMATS);
 
@@ -49,87 +43,21 @@ which takes, and where
 `,
   exits: { 0: 'all takes were exported', 1: 'some failed; they are listed', 2: 'wrong usage' },
   async run(args, io) {
-    try {
-      return await exportAll(args, io);
-    } catch (error) {
-      if (!(error instanceof CommandError)) throw error;
-      io.progress?.('');
-      io.err(`marrow: ${error.message}\n`);
-      return 1;
-    }
+    const given = parseArguments(args, {
+      ...{ to: 'value', out: 'value', float64: 'flag', raw: 'flag', fps: 'value' },
+      ...{ force: 'flag', 'no-checks': 'flag', json: 'flag' },
+      ...EDITING,
+      ...SHARING,
+    });
+    const to = formatOf(given.value('to'));
+    return exportGiven(given, io, {
+      to,
+      precision: given.flag('float64') ? 'float64' : 'float32',
+      isRaw: given.flag('raw'),
+      isChecked: !given.flag('no-checks'),
+    });
   },
 };
-
-async function exportAll(args: readonly string[], io: CommandIo): Promise<ExitCode> {
-  const given = parseArguments(args, {
-    ...{ to: 'value', out: 'value', float64: 'flag', raw: 'flag', space: 'value' },
-    ...{ retarget: 'value', map: 'value', mirror: 'flag', fps: 'value', crop: 'value' },
-    ...{ only: 'value', 'files-from': 'value', shard: 'value', jobs: 'value' },
-    ...{ resume: 'flag', force: 'flag', 'no-checks': 'flag', 'no-times': 'flag', json: 'flag' },
-  });
-  const to = formatOf(given.value('to'));
-  const out = given.value('out');
-  if (out === undefined) throw new UsageError('--out is missing: the folder for the exported files.');
-  const [retarget, map, space] = ['retarget', 'map', 'space'].map((name) => given.value(name));
-  if (map !== undefined && retarget === undefined) throw new UsageError('--map needs --retarget.');
-  const files = {
-    ...(retarget !== undefined && { retarget }),
-    ...(map !== undefined && { map }),
-    ...(space !== undefined && { space }),
-  };
-  const fps = positive(given, 'fps');
-  const crop = cropOf(given);
-  const [shard, threads] = [shardOf(given), jobsOf(given)];
-  const resumes = given.flag('resume');
-  const inputs = await inputsOf(given, io);
-  // Also by each thread; here so that a wrong file is told before anything is written.
-  loadTarget(files, io.folder);
-  const left = timeLeft();
-  const summary = await exportTakes(
-    {
-      settings: {
-        ...files,
-        ...{ folder: io.folder, out: resolve(io.folder, out), to },
-        precision: given.flag('float64') ? 'float64' : 'float32',
-        isRaw: given.flag('raw'),
-        isMirrored: given.flag('mirror'),
-        ...(fps !== undefined && { fps }),
-        ...(crop && { crop }),
-        replaces: resumes || given.flag('force'),
-        isChecked: !given.flag('no-checks'),
-        isTimed: !given.flag('no-times'),
-      },
-      ...{ inputs, shard, resumes, threads },
-      dependsOn: Object.values(files).map((path) => resolve(io.folder, path)),
-    },
-    io.program,
-    (done, of, failed) => io.progress?.(progressText(done, of, failed, left(done, of))),
-  );
-  io.progress?.('');
-  const { written, kept, bytes, warned, failures, stale } = summary;
-  for (const { input, error } of failures) io.err(`${input}: ${error}\n`);
-  if (stale.length > 0) {
-    const [verb, s] = stale.length === 1 ? ['is', ''] : ['are', 's'];
-    io.err(
-      `marrow: ${stale.length} output${s} of earlier runs ${verb} no longer listed, and ${verb} still there: ${few(stale)}.\n`,
-    );
-  }
-  if (given.flag('json')) await printJson(summary, io);
-  else {
-    const part = shard ? `part ${shard.index} of ${shard.count}: ` : '';
-    const nothing = written === 0 && failures.length === 0;
-    const sentence = nothing
-      ? `nothing to do, all ${counted(kept, 'take')} ${kept === 1 ? 'is' : 'are'} exported`
-      : [
-          `${counted(written, 'take')} exported, ${megabytes(bytes)}`,
-          ...(kept > 0 ? [`${number(kept)} unchanged`] : []),
-          ...(warned > 0 ? [`${number(warned)} with warnings, in the manifest`] : []),
-          ...(failures.length > 0 ? [`${number(failures.length)} failed`] : []),
-        ].join('; ');
-    await io.out(`${out}: ${part}${sentence}\n`);
-  }
-  return failures.length > 0 ? 1 : 0;
-}
 
 function formatOf(text: string | undefined): ExportFormat {
   const known = NAMES.join(', ');
@@ -138,25 +66,4 @@ function formatOf(text: string | undefined): ExportFormat {
   const isFormat = (each: string): each is ExportFormat => Object.hasOwn(FORMATS, each);
   if (!isFormat(name)) throw new UsageError(`--to takes one of ${known}, found "${text}".`);
   return name;
-}
-
-function progressText(done: number, of: number, failed: number, left: string): string {
-  return `${number(done)} of ${number(of)}${failed > 0 ? `, ${number(failed)} failed` : ''}${left && `, ${left} left`}`;
-}
-
-function number(value: number): string {
-  return value.toLocaleString('en');
-}
-
-function counted(count: number, noun: string): string {
-  return `${number(count)} ${noun}${count === 1 ? '' : 's'}`;
-}
-
-function megabytes(bytes: number): string {
-  return bytes < 1e9 ? `${(bytes / 1e6).toFixed(1)} MB` : `${(bytes / 1e9).toFixed(2)} GB`;
-}
-
-/** The first few of a list. */
-function few(names: readonly string[]): string {
-  return names.length > 3 ? `${names.slice(0, 3).join(', ')} and ${names.length - 3} more` : names.join(', ');
 }

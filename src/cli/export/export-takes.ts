@@ -93,10 +93,24 @@ export async function exportTakes(
 
 /** Of everything but the input that decides what its outputs are. */
 function keyOf(
-  { to, precision, fps, crop, isRaw, isMirrored, retarget, map, space, isChecked }: ExportTask['settings'],
+  { to, precision, fps, crop, isRaw, isMirrored, retarget, map, space, isChecked, tolerance }: ExportTask['settings'],
   dependsOn: readonly string[],
 ): string {
-  const options = { VERSION, LAYOUT, to, precision, fps, crop, isRaw, isMirrored, retarget, map, space, isChecked };
+  const options = {
+    VERSION,
+    LAYOUT,
+    to,
+    precision,
+    fps,
+    crop,
+    isRaw,
+    isMirrored,
+    retarget,
+    map,
+    space,
+    isChecked,
+    tolerance,
+  };
   return createHash('sha256')
     .update(JSON.stringify([options, dependsOn.map(hashOf)]))
     .digest('hex');

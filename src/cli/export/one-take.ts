@@ -4,7 +4,7 @@ import { closeSync, mkdirSync, openSync, readSync, statSync } from 'node:fs';
 import { dirname, join } from 'node:path';
 import { FloatPool } from '../../dataset/float-pool.ts';
 import { takeOf } from '../../dataset/take.ts';
-import { type TakeArrays, takeArrays } from '../../dataset/take-arrays.ts';
+import { takeArrays } from '../../dataset/take-arrays.ts';
 import { CommandError } from '../../edit/store.ts';
 import type { Diagnostic } from '../../model/diagnostic.ts';
 import type { Character } from '../../model/document.ts';
@@ -13,8 +13,9 @@ import { flagText } from '../../review/flags.ts';
 import { loadGiven, openLoaded } from '../load.ts';
 import type { Work } from '../threads.ts';
 import { writeOutput } from '../write-output.ts';
-import { FORMATS, type Meta } from './formats.ts';
+import { type ExportedFile, FORMATS } from './formats.ts';
 import { metaOf } from './meta.ts';
+import { isMotion, motionFiles } from './motion-files.ts';
 import { isWritten, type TakeRecord, type WrittenTake } from './records.ts';
 import type { ExportSettings } from './settings.ts';
 import type { TakeInput } from './take-inputs.ts';
@@ -121,9 +122,13 @@ function takesOf(
   let since = begun;
   for (const [i, character] of takes.entries()) {
     const stem = takes.length > 1 ? `${input.stem}.${i + 1}` : input.stem;
-    const take = takeOf(character, { ...settings, ...(target.retarget && { target: target.retarget }) });
-    const meta = metaOf(character, take, input, hash, settings);
-    const { output, bytes } = writeTake(stem, takeArrays(take, pool), meta, settings);
+    const options = { ...settings, ...(target.retarget && { target: target.retarget }) };
+    const take = takeOf(character, options);
+    const { to } = settings;
+    const files = isMotion(to)
+      ? motionFiles(character, to, options)
+      : FORMATS[to].write(takeArrays(take, pool), metaOf(character, take, input, hash, settings));
+    const { output, bytes } = writeTake(stem, files, settings);
     const now = performance.now();
     records.push({
       ...{ input: input.path, hash, output, bytes },
@@ -151,11 +156,9 @@ function sentenceOf({ line, message, assumed }: Diagnostic): string {
 /** @throws CommandError if it can't be written */
 function writeTake(
   stem: string,
-  arrays: TakeArrays,
-  meta: Meta,
-  { out, scratch, to, replaces }: ExportSettings,
+  files: readonly ExportedFile[],
+  { out, scratch, replaces }: ExportSettings,
 ): Pick<WrittenTake, 'output' | 'bytes'> {
-  const files = FORMATS[to].write(arrays, meta);
   const named = files.map(({ ending, pieces }) => ({ name: `${stem}.${ending}`, pieces }));
   let bytes = 0;
   // What is beside comes first: an output that is there is complete.

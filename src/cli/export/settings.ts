@@ -1,5 +1,6 @@
 import type { Precision } from '../../dataset/float-pool.ts';
 import type { TakeOptions } from '../../dataset/take.ts';
+import type { Target } from '../../project/save/conversion.ts';
 import type { ExportFormat } from './formats.ts';
 import type { TargetFiles } from './target.ts';
 
@@ -10,7 +11,10 @@ export interface ExportSettings extends TargetFiles, Omit<TakeOptions, 'target'>
   /** Output folder, and one in it for files that are not finished; absolute. */
   readonly out: string;
   readonly scratch: string;
-  readonly to: ExportFormat;
+  /** Numbers, or files of motion. */
+  readonly to: ExportFormat | Target;
+  /** Of keys made of samples; absent: the default. */
+  readonly tolerance?: number;
   readonly precision: Precision;
   /** Whether existing outputs are overwritten. */
   readonly replaces: boolean;

@@ -1,6 +1,41 @@
 /** Switches that say which takes are meant and what is done to them, of `export` and `convert`. */
-import type { Crop } from '../../dataset/take.ts';
-import { type Arguments, numberOf, UsageError } from '../arguments.ts';
+import type { Crop, TakeOptions } from '../../dataset/take.ts';
+import { type Arguments, numberOf, type OptionTypes, UsageError } from '../arguments.ts';
+import type { TargetFiles } from './target.ts';
+
+/** What is done to takes before they are written. */
+export const EDITING = { retarget: 'value', map: 'value', space: 'value', mirror: 'flag', crop: 'value' } as const;
+
+/** Which takes are meant, and how the work is shared. */
+export const SHARING = {
+  only: 'value',
+  'files-from': 'value',
+  shard: 'value',
+  jobs: 'value',
+  resume: 'flag',
+  'no-times': 'flag',
+} as const;
+
+/** The first of these options that is given; undefined if none is. */
+export function firstGiven(given: Arguments, types: OptionTypes): string | undefined {
+  return Object.keys(types).find((name) =>
+    types[name] === 'flag' ? given.flag(name) : given.value(name) !== undefined,
+  );
+}
+
+/** What takes are edited by, with the target as its files. @throws UsageError */
+export function editingOf(given: Arguments): TargetFiles & Pick<TakeOptions, 'crop' | 'isMirrored'> {
+  const [retarget, map, space] = ['retarget', 'map', 'space'].map((name) => given.value(name));
+  if (map !== undefined && retarget === undefined) throw new UsageError('--map needs --retarget.');
+  const crop = cropOf(given);
+  return {
+    ...(retarget !== undefined && { retarget }),
+    ...(map !== undefined && { map }),
+    ...(space !== undefined && { space }),
+    ...(crop && { crop }),
+    isMirrored: given.flag('mirror'),
+  };
+}
 
 /** One of several processes that share a list: number `index`, from 1, of `count`. */
 export interface Shard {
@@ -17,7 +52,7 @@ export function positive(given: Arguments, name: string): number | undefined {
 }
 
 /** `--crop FROM,TO`: seconds, either of which may be left out. @throws UsageError */
-export function cropOf(given: Arguments): Crop | undefined {
+function cropOf(given: Arguments): Crop | undefined {
   const text = given.value('crop');
   if (text === undefined) return undefined;
   const parts = text.split(',');

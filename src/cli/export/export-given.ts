@@ -1,0 +1,102 @@
+/** Exports takes as the arguments of a command say: of `export`, and of `convert` with many files. */
+import { resolve } from 'node:path';
+import { CommandError } from '../../edit/store.ts';
+import { type Arguments, UsageError } from '../arguments.ts';
+import type { CommandIo, ExitCode } from '../io.ts';
+import { printJson } from '../report.ts';
+import { exportTakes } from './export-takes.ts';
+import { inputsOf } from './inputs.ts';
+import type { ExportSettings } from './settings.ts';
+import { editingOf, jobsOf, positive, shardOf } from './switches.ts';
+import { loadTarget } from './target.ts';
+import { timeLeft } from './time-left.ts';
+
+/** What the commands say differently. */
+export type OwnSettings = Pick<ExportSettings, 'to' | 'precision' | 'isRaw' | 'isChecked' | 'tolerance'>;
+
+/** @throws UsageError before anything is written */
+export async function exportGiven(given: Arguments, io: CommandIo, own: OwnSettings): Promise<ExitCode> {
+  try {
+    return await exportAll(given, io, own);
+  } catch (error) {
+    if (!(error instanceof CommandError)) throw error;
+    io.progress?.('');
+    io.err(`marrow: ${error.message}\n`);
+    return 1;
+  }
+}
+
+async function exportAll(given: Arguments, io: CommandIo, own: OwnSettings): Promise<ExitCode> {
+  const out = given.value('out');
+  if (out === undefined) throw new UsageError('--out is missing: the folder for the exported files.');
+  const editing = editingOf(given);
+  const { retarget, map, space } = editing;
+  const fps = positive(given, 'fps');
+  const [shard, threads] = [shardOf(given), jobsOf(given)];
+  const resumes = given.flag('resume');
+  const inputs = await inputsOf(given, io);
+  // Also by each thread; here so that a wrong file is told before anything is written.
+  loadTarget(editing, io.folder);
+  const left = timeLeft();
+  const summary = await exportTakes(
+    {
+      settings: {
+        ...editing,
+        ...own,
+        ...{ folder: io.folder, out: resolve(io.folder, out) },
+        ...(fps !== undefined && { fps }),
+        replaces: resumes || given.flag('force'),
+        isTimed: !given.flag('no-times'),
+      },
+      ...{ inputs, shard, resumes, threads },
+      dependsOn: [retarget, map, space].flatMap((path) => (path === undefined ? [] : resolve(io.folder, path))),
+    },
+    io.program,
+    (done, of, failed) => io.progress?.(progressText(done, of, failed, left(done, of))),
+  );
+  io.progress?.('');
+  const { written, kept, bytes, warned, failures, stale } = summary;
+  for (const { input, error } of failures) io.err(`${input}: ${error}\n`);
+  if (stale.length > 0) {
+    const [verb, s] = stale.length === 1 ? ['is', ''] : ['are', 's'];
+    io.err(
+      `marrow: ${stale.length} output${s} of earlier runs ${verb} no longer listed, and ${verb} still there: ${few(stale)}.\n`,
+    );
+  }
+  if (given.flag('json')) await printJson(summary, io);
+  else {
+    const part = shard ? `part ${shard.index} of ${shard.count}: ` : '';
+    const nothing = written === 0 && failures.length === 0;
+    const sentence = nothing
+      ? `nothing to do, all ${counted(kept, 'take')} ${kept === 1 ? 'is' : 'are'} exported`
+      : [
+          `${counted(written, 'take')} exported, ${megabytes(bytes)}`,
+          ...(kept > 0 ? [`${number(kept)} unchanged`] : []),
+          ...(warned > 0 ? [`${number(warned)} with warnings, in the manifest`] : []),
+          ...(failures.length > 0 ? [`${number(failures.length)} failed`] : []),
+        ].join('; ');
+    await io.out(`${out}: ${part}${sentence}\n`);
+  }
+  return failures.length > 0 ? 1 : 0;
+}
+
+function progressText(done: number, of: number, failed: number, left: string): string {
+  return `${number(done)} of ${number(of)}${failed > 0 ? `, ${number(failed)} failed` : ''}${left && `, ${left} left`}`;
+}
+
+function number(value: number): string {
+  return value.toLocaleString('en');
+}
+
+function counted(count: number, noun: string): string {
+  return `${number(count)} ${noun}${count === 1 ? '' : 's'}`;
+}
+
+function megabytes(bytes: number): string {
+  return bytes < 1e9 ? `${(bytes / 1e6).toFixed(1)} MB` : `${(bytes / 1e9).toFixed(2)} GB`;
+}
+
+/** The first few of a list. */
+function few(names: readonly string[]): string {
+  return names.length > 3 ? `${names.slice(0, 3).join(', ')} and ${names.length - 3} more` : names.join(', ');
+}
