@@ -7,6 +7,7 @@ import { play } from '../edit/playback.ts';
 import type { Store } from '../edit/store.ts';
 import { type EndSitePosition, endSitePositions } from '../evaluate/end-sites.ts';
 import { resolvedSlopes } from '../evaluate/slopes.ts';
+import type { GlbOptions } from '../exchange/glb/options.ts';
 import { transformPoint } from '../math/vec3.ts';
 import { type Channel, TANGENT_KINDS, type TangentKind } from '../model/clip.ts';
 import type { Diagnostic } from '../model/diagnostic.ts';
@@ -15,7 +16,7 @@ import { formatKindOf, isSaved, WRITABLE_EXTENSIONS } from '../project/kinds.ts'
 import type { RestOfPage } from '../ui/shell/rest-of-page.ts';
 import { type CharacterRef, resolveCharacter } from '../ui/state/character-ref.ts';
 import type { PictureOptions, VideoOptions } from '../ui/state/pictures.ts';
-import type { Uses } from '../ui/state/workbench.ts';
+import type { MadeGlb, Uses } from '../ui/state/workbench.ts';
 import type { FrameStats } from '../view/viewport.ts';
 import type { GivenBlob } from '../worker/protocol.ts';
 import type { Opener } from './opening.ts';
@@ -110,6 +111,8 @@ export interface MarrowApi {
   picture(options?: PictureOptions): Promise<Blob | undefined>;
   /** The playback range as a video, GIF or zip of PNGs, at the frame rate of the transport if no other is given. */
   video(options?: VideoOptions): Promise<Blob | undefined>;
+  /** A character as GLB, with what the file has and loses; options as of `marrow convert`. */
+  glb(options?: Partial<GlbOptions>, character?: CharacterRef): Promise<MadeGlb>;
   /** The file of that name (`wasp.skel`) as text. The writers are loaded on first use. */
   save(name: string): Promise<string>;
 }
@@ -177,6 +180,12 @@ export function scriptingApi(
     redo: () => store.redo(),
     picture: async (options) => (await workbench.files.pictures())?.picture(options),
     video: async (options) => (await workbench.files.pictures())?.video(options),
+    glb: (options, character) =>
+      workbench.files.makeGlb(
+        resolveCharacter(store, character),
+        { keys: 'linear', body: true, ...options },
+        { signal: new AbortController().signal, onProgress: () => undefined },
+      ),
     save: (name) => saveByName(store, name),
   };
 }

@@ -61,15 +61,6 @@ it('takes by the hundred are listed, played, judged by keys and saved, and the l
     await expect.poll(() => row('take3').first().textContent()).toContain('rises, calm');
     await expect.poll(() => row('take2').first().textContent()).toContain('Bad');
 
-    // Kept with the session, and the takes are there again with their folder.
-    await page.waitForFunction(() => document.documentElement.dataset.autosave === 'kept');
-    await page.reload();
-    await expect.poll(() => page.getByText('24 takes in review').first().textContent()).toContain('24 takes in review');
-    await page.getByRole('button', { name: 'Restore' }).first().click();
-    await expect.poll(() => row('take2').first().textContent()).toBe('take2BadNo file');
-    await dropFiles(page, FILES);
-    await expect.poll(() => row('take2').first().textContent()).toContain('spike');
-
     await page.evaluate(() => window.marrow?.run('review.openGood'));
     await expect
       .poll(() => page.evaluate(() => window.marrow?.characters().map(({ name }) => name)))

@@ -7,7 +7,6 @@ import type { CardCharacter, SessionCard } from '../../io/session-store.ts';
 import type { Document } from '../../model/document.ts';
 import type { Selection } from '../../model/session.ts';
 import type { SavedCharacter } from '../../project/save/saved-parts.ts';
-import { plural } from '../../ui/kit/number-text.ts';
 import type { TimelineView } from '../../ui/state/timeline.ts';
 import type { CameraView } from '../../view/camera.ts';
 import type { KnownSkin } from '../../worker/protocol.ts';
@@ -48,11 +47,6 @@ export function cardOf(id: string, { document }: SessionState, savedAtMs: number
       clips: clips.length,
     }),
   );
-  const { review } = document;
-  // A list alone is told in place of characters.
-  if (review && characters.length === 0) {
-    characters.push({ name: `${plural(review.length, 'take')} in review`, joints: 0, clips: 0 });
-  }
   return { id, version: SESSION_VERSION, savedAtMs, characters };
 }
 

@@ -1,5 +1,5 @@
 /** Errors of FBX files: a binary file has byte offsets, a text has lines. */
-import { NO_PLACE, type Place } from '../../formats/places.ts';
+import { type Place, WHOLE_FILE } from '../../formats/places.ts';
 import { ParseError, type Report } from '../../formats/report.ts';
 
 const SHOWN = 800;
@@ -33,7 +33,7 @@ export class FbxReport {
 
   /** About the file as a whole. */
   info(code: string, message: string): void {
-    this.report.info(code, message, NO_PLACE);
+    this.report.info(code, message, WHOLE_FILE);
   }
 
   private located(message: string, offset: number): string {
@@ -41,7 +41,7 @@ export class FbxReport {
   }
 
   private placeOf(offset: number): Place {
-    if (!this.isText) return NO_PLACE;
+    if (!this.isText) return WHOLE_FILE;
     const { bytes } = this;
     const at = Math.min(offset, bytes.length);
     const start = at > 0 ? bytes.lastIndexOf(LF, at - 1) + 1 : 0;

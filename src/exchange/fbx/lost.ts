@@ -1,7 +1,6 @@
 /** What an FBX file has that a character doesn't. */
 import type { FbxDocument } from './document.ts';
 import type { FbxNode } from './nodes.ts';
-import { childOf, numbersOf } from './record.ts';
 
 const COUNTED: readonly (readonly [kind: RegExp, type: RegExp, one: string, many: string])[] = [
   [/^Constraint$/, /./, 'constraint', 'constraints'],
@@ -19,11 +18,8 @@ export function lostOf(document: FbxDocument, nodes: readonly FbxNode[]): string
   });
   const isHidden = nodes.some(({ object }) => object.properties.number('Visibility') === 0);
   const isHiding = document.objects.some(
-    ({ id, kind, record }) =>
-      kind === 'AnimationCurve' &&
-      document.ownersOf(id).some(({ property }) => property === 'd|Visibility') &&
-      // Maya writes a curve for each model, nearly all of which say that it is visible.
-      numbersOf(childOf(record, 'KeyValueFloat')).some((value) => value <= 0),
+    ({ id, kind }) =>
+      kind === 'AnimationCurve' && document.ownersOf(id).some(({ property }) => property === 'd|Visibility'),
   );
   return isHidden || isHiding ? [...lost, 'visibility'] : lost;
 }

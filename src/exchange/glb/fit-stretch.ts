@@ -33,6 +33,8 @@ export interface StretchOptions {
 /** The tolerance of morph weights, of the whole: they add to what joints do. */
 const OF_WEIGHTS = 0.2;
 const MAX_ROUNDS = 400;
+/** Of the tolerance: between two rows points are off by a little more than at them. */
+const MARGIN = 0.95;
 /** Straight lines through moved keys are off by half as much, nearly. */
 const HALVED = 1.8;
 
@@ -47,7 +49,7 @@ export function fitStretch(
   const isCubic = style === 'cubic';
   const keysFor = isCubic ? fitCubic : fitLinear;
   const weights = tracks.find(({ path }) => path === 'weights');
-  const limit = tolerance * (weights && varies(rows, weights) ? 1 - OF_WEIGHTS : 1);
+  const limit = MARGIN * tolerance * (weights && varies(rows, weights) ? 1 - OF_WEIGHTS : 1);
   const keys = tracks.map((track) => {
     if (isExact(track)) return [];
     const own = track.path === 'weights' ? OF_WEIGHTS * tolerance : share * limit;

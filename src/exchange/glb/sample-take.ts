@@ -64,7 +64,7 @@ export function sampleTake(
   for (let i = 1; i < breaks.length; i++) {
     const time = breaks[i];
     const after = at(time);
-    if (isStraight) {
+    if (isStraight && turnsLittle(tracks, row, after)) {
       add(time, after);
       row = after;
       from = time;
@@ -111,6 +111,13 @@ function straightness(
     most = Math.max(most, (isRotation ? 4 : 1) * sum * reach * reach);
   }
   return Math.sqrt(most);
+}
+
+/** Cosine of half the angle up to which an arc is the same by components, nearly: 12°. */
+const LITTLE = Math.cos(0.1);
+
+function turnsLittle(tracks: readonly Track[], a: Float64Array, b: Float64Array): boolean {
+  return tracks.every(({ path, at }) => path !== 'rotation' || Math.abs(dot4(a, b, at)) > LITTLE);
 }
 
 function farthest(tracks: readonly Track[], a: Float64Array, b: Float64Array): number {

@@ -3,10 +3,13 @@
  * linked DOFs are applied.
  */
 import { playedClip } from '../../evaluate/bake.ts';
+import { compileSkeleton } from '../../evaluate/kinematics.ts';
 import { dofCountOf, poseFrom, poseSource } from '../../evaluate/pose.ts';
 import { type ChannelClip, type KeyedChannel, repeats } from '../../model/clip.ts';
 import type { Character } from '../../model/document.ts';
+import { dofsOf } from '../../model/joint-types.ts';
 import type { Samples } from '../../model/samples.ts';
+import type { Skeleton } from '../../model/skeleton.ts';
 import type { WriteNodes } from './joint-nodes.ts';
 
 export interface TakeMotion {
@@ -18,7 +21,7 @@ export interface TakeMotion {
   readonly breaks: Float64Array;
   /** Those at which values may jump. */
   readonly jumps: ReadonlySet<number>;
-  /** Whether joints move straight between breaks: samples that are interpolated linearly, and nothing else. */
+  /** Whether joints move straight, or along an arc, between breaks: samples interpolated linearly, and nothing else. */
   readonly isStraight: boolean;
   /** Whether every channel is piecewise a cubic: driven by keys only. */
   readonly isKeyed: boolean;
@@ -60,11 +63,7 @@ export function takeMotion(character: Character, nodes: WriteNodes, weightsAt: n
     end,
     breaks: times,
     jumps,
-    isStraight:
-      !drives &&
-      clip.samples?.interpolation === 'linear' &&
-      !hasKeys &&
-      !character.skeleton.joints.some((j) => j.couples),
+    isStraight: !drives && !hasKeys && clip.samples?.interpolation === 'linear' && turnAsAWhole(character.skeleton),
     isKeyed,
     framesPerSecond: clip.samples && 1 / clip.samples.frameSeconds,
     write(seconds, row) {
@@ -73,6 +72,15 @@ export function takeMotion(character: Character, nodes: WriteNodes, weightsAt: n
       for (let m = firstWeight; m < dofs.length; m++) row[weightsAt + m - firstWeight] = dofs[m];
     },
   };
+}
+
+/** Whether each joint's rotation is interpolated along an arc, rather than two angles on their own. */
+function turnAsAWhole(skeleton: Skeleton): boolean {
+  const { turns } = compileSkeleton(skeleton);
+  return skeleton.joints.every(({ motion, couples }, j) => {
+    const angles = dofsOf(motion).filter(({ unit }) => unit === 'angle').length;
+    return !couples && (angles < 2 || turns[3 * j] >= 0);
+  });
 }
 
 interface Breaks {

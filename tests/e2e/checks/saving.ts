@@ -49,6 +49,14 @@ export const BY_DOWNLOAD: readonly Check[] = [
       expect(name).toBe('hero_walk.anim');
       expect(text).toContain('range 0 3');
       await titled(page, 'Marrow');
+      // What the file has and loses is told before it is saved.
+      await page.evaluate(() => window.marrow.run('save.glb'));
+      const save = page.locator('.glb-dialog button[type=submit]');
+      await expect.poll(() => save.isEnabled(), { timeout: 20_000 }).toBe(true);
+      expect(await page.locator('.glb-dialog').textContent()).toMatch(/2 joints.*hero_walk: \d+ keys/s);
+      const glb = await download(() => save.click());
+      expect(glb.name).toBe('hero.glb');
+      expect(glb.text.slice(0, 4)).toBe('glTF');
     },
   },
 ];

@@ -86,10 +86,8 @@ export class ReviewTable {
 
   show(rows: readonly ReviewRow[], view: ReviewView): void {
     const focusMoved = view.focused !== this.view?.focused;
-    if (rows !== this.rows) {
-      this.rows = rows;
-      this.places = new Map(rows.map(({ take }, i) => [take.path, i]));
-    }
+    this.rows = rows;
+    this.places = new Map(rows.map(({ take }, i) => [take.path, i]));
     this.view = view;
     for (const [column, head] of this.heads) {
       const isOrder = view.order?.column === column;
