@@ -37,6 +37,15 @@ it('takes by the hundred are listed, played, judged by keys and saved, and the l
       .first();
     await expect.poll(() => time.inputValue()).toBe('0.267');
 
+    // A thumbnail moves under the pointer.
+    const thumbnail = row('take2').first().locator('canvas');
+    const picture = () => thumbnail.evaluate((canvas: HTMLCanvasElement) => canvas.toDataURL());
+    await thumbnail.hover({ position: { x: 1, y: 16 } });
+    await expect.poll(picture).not.toBe('data:,');
+    const first = await picture();
+    await thumbnail.hover({ position: { x: 38, y: 16 } });
+    await expect.poll(picture).not.toBe(first);
+
     await table.focus();
     await page.keyboard.press('b');
     await expect.poll(() => row('take2').first().textContent()).toContain('Bad');
