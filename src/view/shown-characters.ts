@@ -10,6 +10,7 @@ import type { Display, Selection } from '../model/session.ts';
 import type { CharacterView } from './character-view.ts';
 import type { PosedSkeleton } from './drawn-skeletons.ts';
 import type { Look } from './look.ts';
+import type { DrawnSkin } from './picking.ts';
 import type { Tints } from './theme.ts';
 
 /** A character's view, with what is drawn of it elsewhere. */
@@ -106,6 +107,15 @@ export class ShownCharacters {
 
   seek(timeSeconds: number): void {
     for (let i = 0; i < this.all.length; i++) this.all[i].view.seek(timeSeconds);
+  }
+
+  /** The visible skins, to be picked: not those that a look draws as bones. */
+  skins(look?: Look): DrawnSkin[] {
+    return this.visible.flatMap(({ view, character }) =>
+      look?.bones && look.characterId === character.id
+        ? []
+        : view.skinnedMeshes.map((mesh, placement) => ({ characterId: character.id, placement, mesh })),
+    );
   }
 
   /** The visible skeletons, to be drawn. */

@@ -13,45 +13,30 @@ import { characterIdOf } from '../model/drawn-id.ts';
 import type { Texture } from '../model/files.ts';
 import { DEFAULT_DISPLAY, type Display, NOTHING_SELECTED, type Selection } from '../model/session.ts';
 import { CameraRig, type CameraView, type ViewDirection } from './camera.ts';
+import { type CharacterFacts, factsOf } from './character-facts.ts';
 import { CharacterView } from './character-view.ts';
 import { haveSameJoints, type JointRef, type PosedSkeleton } from './drawn-skeletons.ts';
 import { Eye } from './eye.ts';
 import { Framer } from './framer.ts';
-import { Ghosts } from './ghosts.ts';
 import { Grid } from './grid.ts';
 import { Hovering } from './hovering.ts';
 import { JointFollower } from './joint-follower.ts';
 import type { LabelCover } from './label-cover.ts';
 import { Labels } from './labels.ts';
 import type { Look } from './look.ts';
+import { MotionDrawing } from './motion-drawing.ts';
 import { Orientation } from './orientation.ts';
 import { type Overlay, Overlays } from './overlay.ts';
 import { PickedCopy } from './picked-copy.ts';
-import { type DrawnSkin, type Hit, Picker, type PickScene } from './picking.ts';
+import { type Hit, Picker, type PickScene } from './picking.ts';
 import { type ShownCharacter, ShownCharacters, vertexPosition } from './shown-characters.ts';
 import { isOpaque, SkeletonDrawing } from './skeleton-drawing.ts';
 import { Stage } from './stage.ts';
 import { NO_TINTS, STAGE_THEMES, type ThemeName, type Tints } from './theme.ts';
 import { LINE_RESOLUTION } from './thick-lines.ts';
-import { Trail } from './trail.ts';
 import { VertexMarker } from './vertex-marker.ts';
 
 export type { Hit } from './picking.ts';
-
-/** Values of a character as drawn now. */
-export interface CharacterFacts {
-  /** Every DOF (see `model/dofs.ts`), clamped. Overwritten by each `seek`: copy what you keep. */
-  readonly dofs: Float64Array;
-  /**
-   * 16 numbers per joint, column-major, in the character's own space. Read-only. Overwritten by each `seek`: copy what
-   * you keep.
-   */
-  readonly worlds: Float64Array;
-  /** A copy of `worlds`. */
-  worldMatrices(): Float64Array;
-  /** The skin's vertices as drawn, x y z each, in the character's own space; a copy. Empty without a skin. */
-  vertices(): Float64Array;
-}
 
 export interface ViewportEvents {
   /** A skin's texture can't be decoded; the skin is drawn untextured. */
@@ -103,8 +88,6 @@ export class Viewport {
   private readonly rig: CameraRig;
   private readonly grid = new Grid();
   private readonly skeletons = new SkeletonDrawing();
-  private readonly trail = new Trail();
-  private readonly ghosts = new Ghosts();
   private readonly vertexMarker = new VertexMarker();
   private readonly follower = new JointFollower();
   private readonly picked = new PickedCopy();
@@ -119,6 +102,7 @@ export class Viewport {
   readonly eye: Eye;
   private readonly resizing: ResizeObserver;
   private readonly characters: ShownCharacters;
+  private readonly motion: MotionDrawing;
   private readonly framer: Framer;
   private readonly listening = new AbortController();
 
@@ -129,8 +113,6 @@ export class Viewport {
   private look: Look | undefined;
   private themeName: ThemeName = 'dark';
   private timeSeconds = 0;
-  private playedRange: readonly [number, number] = [0, 0];
-  private framesPerSecond = 30;
   private width = 0;
   private height = 0;
   private isStale = false;
@@ -180,9 +162,10 @@ export class Viewport {
       (id) => this.createView(id),
       (entry) => this.prepare(entry),
     );
+    this.motion = new MotionDrawing(this.characters);
     this.framer = new Framer(this.rig, this.characters, this.skeletons, this.picked);
     this.tools.add(this.vertexMarker.object);
-    scene.add(this.grid.object, this.skeletons.object, this.trail.object, this.ghosts.object, this.tools);
+    scene.add(this.grid.object, this.skeletons.object, this.motion.object, this.tools);
 
     if (getComputedStyle(container).position === 'static') container.style.position = 'relative';
     container.append(this.canvas, this.labels.canvas, this.orientation.element);
@@ -216,7 +199,7 @@ export class Viewport {
     this.stage.setShadow(display.shadow);
     this.grid.object.visible = display.grid;
     this.showSkeletons();
-    this.showTrail();
+    this.motion.show(selection, display);
     this.posesChanged = true;
     this.requestRender();
   }
@@ -300,7 +283,7 @@ export class Viewport {
   /** Frames the selected vertex or joint of the picked instance, or the character with its motion; else everything. */
   frameSelection(selection: Selection): void {
     this.update();
-    this.framer.frameSelection(selection, this.playedRange, this.timeSeconds);
+    this.framer.frameSelection(selection, this.motion.playedRange, this.timeSeconds);
     this.requestRender();
   }
 
@@ -332,8 +315,7 @@ export class Viewport {
     this.grid.setTheme(theme);
     this.labels.setTheme(theme);
     this.orientation.setTheme(theme);
-    this.trail.setTheme(theme);
-    this.ghosts.setTheme(theme);
+    this.motion.setTheme(theme);
     this.vertexMarker.setTheme(theme);
     this.overlays.setTheme(theme);
     for (const { view } of this.characters.all) view.setTheme(name);
@@ -343,26 +325,25 @@ export class Viewport {
 
   /** Playback range in seconds of the transport: covered by motion paths and by framing everything. */
   setPlayedRange(range: readonly [number, number]): void {
-    if (range[0] === this.playedRange[0] && range[1] === this.playedRange[1]) return;
-    this.playedRange = range;
-    this.showTrail();
+    const { motion, selection, display } = this;
+    if (range[0] === motion.playedRange[0] && range[1] === motion.playedRange[1]) return;
+    motion.playedRange = range;
+    motion.show(selection, display);
     this.posesChanged = true;
     this.requestRender();
   }
 
   /** Frame rate for clips without frames of their own: for ghosts that are frames apart. */
   setFramesPerSecond(framesPerSecond: number): void {
-    if (framesPerSecond === this.framesPerSecond) return;
-    this.framesPerSecond = framesPerSecond;
+    if (framesPerSecond === this.motion.framesPerSecond) return;
+    this.motion.framesPerSecond = framesPerSecond;
     this.posesChanged = true;
     this.requestRender();
   }
 
   character(id: string): CharacterFacts | undefined {
     const view = this.characters.get(id)?.view;
-    if (!view) return undefined;
-    const { dofs, worldMatrices: worlds } = view;
-    return { dofs, worlds, worldMatrices: () => worlds.slice(), vertices: () => view.vertices() };
+    return view && factsOf(view);
   }
 
   stats(): FrameStats {
@@ -499,8 +480,8 @@ export class Viewport {
     this.isStale = false;
     this.listening.abort();
     this.resizing.disconnect();
-    const { characters, rig, grid, skeletons, trail, ghosts, vertexMarker, overlays, picker, stage } = this;
-    const parts = [characters, rig, grid, skeletons, trail, ghosts, vertexMarker, overlays, picker, stage];
+    const { characters, rig, grid, skeletons, motion, vertexMarker, overlays, picker, stage } = this;
+    const parts = [characters, rig, grid, skeletons, motion, vertexMarker, overlays, picker, stage];
     for (const part of parts) part.dispose();
     this.renderer.dispose();
     for (const element of [this.canvas, this.labels.canvas, this.orientation.element]) element.remove();
@@ -596,13 +577,6 @@ export class Viewport {
     this.posesChanged = true;
   }
 
-  private showTrail(): void {
-    const { characterId, joint } = this.selection;
-    const entry = this.characters.seen(characterId);
-    const { trail, inPlace } = this.display;
-    this.trail.show(trail ? entry?.character : undefined, joint, this.playedRange, inPlace);
-  }
-
   /** Updates the matrices of everything drawn from the current poses. */
   private update(): void {
     if (!this.posesChanged) return;
@@ -614,15 +588,7 @@ export class Viewport {
     const copy = followed ? this.picked.of(followed) : 0;
     this.follower.follow(followed, copy, selection.joint, skeletons, this.rig, this.holds > 0);
     this.vertexMarker.mark(characters.seen(selection.characterId), selection.vertex);
-    this.fillGhosts();
-  }
-
-  /** Ghosts of the selected character, or of the only one if none is selected. */
-  private fillGhosts(): void {
-    const { characters, selection, display, ghosts, playedRange, timeSeconds, framesPerSecond } = this;
-    const { visible } = characters;
-    const entry = characters.seen(selection.characterId) ?? (visible.length === 1 ? visible[0] : undefined);
-    ghosts.fill(display.ghosts ? entry?.character : undefined, display, timeSeconds, playedRange, framesPerSecond);
+    this.motion.fill(selection, display, this.timeSeconds);
   }
 
   private draw(nowMs: number): void {
@@ -631,7 +597,7 @@ export class Viewport {
     const { content } = characters;
     if (this.disposed || this.width === 0 || renderer.getContext().isContextLost()) return;
     this.update();
-    this.framer.settle(this.playedRange, this.timeSeconds);
+    this.framer.settle(this.motion.playedRange, this.timeSeconds);
     rig.tick(nowMs);
     rig.fitDepth(content, display.grid);
     const { camera } = rig;
@@ -660,15 +626,7 @@ export class Viewport {
     this.stage.scene.updateMatrixWorld();
     const { display, rig, width, height, skeletons } = this;
     rig.camera.updateMatrixWorld();
-    const skins: DrawnSkin[] = [];
-    if (display.skin !== 'hidden') {
-      for (const { view, character } of this.characters.visible) {
-        if (this.look?.bones && this.look.characterId === character.id) continue;
-        view.skinnedMeshes.forEach((mesh, placement) => {
-          skins.push({ characterId: character.id, placement, mesh });
-        });
-      }
-    }
+    const skins = display.skin === 'hidden' ? [] : this.characters.skins(this.look);
     return { camera: rig.camera, width, height, skeletons, skins, skinsAreOpaque: isOpaque(display.skin) };
   }
 

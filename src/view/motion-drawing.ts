@@ -1,0 +1,47 @@
+/** Of the motion of a character: the path of the selected joint, and the poses before and after the current time. */
+import { Group } from 'three';
+import type { Display, Selection } from '../model/session.ts';
+import { Ghosts } from './ghosts.ts';
+import type { ShownCharacter, ShownCharacters } from './shown-characters.ts';
+import type { StageTheme } from './theme.ts';
+import { Trail } from './trail.ts';
+
+export class MotionDrawing {
+  readonly object = new Group();
+  /** Seconds of the transport. */
+  playedRange: readonly [number, number] = [0, 0];
+  /** Of clips without frames of their own: for ghosts that are frames apart. */
+  framesPerSecond = 30;
+  private readonly trail = new Trail();
+  private readonly ghosts = new Ghosts();
+
+  constructor(private readonly characters: Pick<ShownCharacters, 'seen' | 'visible'>) {
+    this.object.add(this.trail.object, this.ghosts.object);
+  }
+
+  setTheme(theme: StageTheme): void {
+    this.trail.setTheme(theme);
+    this.ghosts.setTheme(theme);
+  }
+
+  /** After an edit, or with another range. */
+  show({ characterId, joint }: Selection, { trail, inPlace }: Display): void {
+    const entry = this.characters.seen(characterId);
+    this.trail.show(trail ? entry?.character : undefined, joint, this.playedRange, inPlace);
+  }
+
+  /** Every frame. Ghosts are of the selected character, or of the only one if none is selected. */
+  fill({ characterId }: Selection, display: Display, timeSeconds: number): void {
+    const { characters, playedRange, framesPerSecond } = this;
+    const { visible } = characters;
+    const entry: ShownCharacter | undefined =
+      characters.seen(characterId) ?? (visible.length === 1 ? visible[0] : undefined);
+    const shown = display.ghosts ? entry?.character : undefined;
+    this.ghosts.fill(shown, display, timeSeconds, playedRange, framesPerSecond);
+  }
+
+  dispose(): void {
+    this.trail.dispose();
+    this.ghosts.dispose();
+  }
+}
