@@ -100,6 +100,7 @@ const joint = (index: number): fc.Arbitrary<Joint> =>
         limits: each(limit),
         pose: fc.oneof(fc.constant(dofs.map(({ rest }) => rest)), each(finite)),
         length: finite.filter((l) => l >= 0),
+        role: fc.constantFrom('hips', 'leftUpperArm'),
       },
       { requiredKeys: ['name', 'parent', 'offset', 'box', 'motion', 'limits', 'pose'] },
     );

@@ -34,7 +34,7 @@ export interface Roles {
 
 export function rolesOf(skeleton: Skeleton, space: Space | undefined): Roles {
   const { joints } = skeleton;
-  const names = joints.map(({ name }) => readName(name));
+  const names = statedNames(skeleton) ?? joints.map(({ name }) => readName(name));
   const rest = figureOf(skeleton, space);
   const single = new Map<Role, number>();
   const byShape = new Set<number>();
@@ -115,6 +115,21 @@ export function rolesOf(skeleton: Skeleton, space: Space | undefined): Roles {
   }
   return { single, spine, neck, byShape, names, rest };
 }
+
+/** The parts of the body that a file states, as names; undefined if it states none. */
+function statedNames({ joints }: Skeleton): readonly NameParts[] | undefined {
+  if (!joints.some(({ role }) => role)) return undefined;
+  return joints.map(({ name, role }) => {
+    // Hair and clothes may be called after the part that they hang on.
+    if (!role) return { ...readName(name), word: undefined };
+    const own = readName(role);
+    const bones = own.word === 'thumb' ? THUMB_BONES : FINGER_BONES;
+    return { ...own, number: bones.findIndex((bone) => role.endsWith(bone)) + 1 };
+  });
+}
+
+const FINGER_BONES = ['Proximal', 'Intermediate', 'Distal'];
+const THUMB_BONES = ['Metacarpal', 'Proximal', 'Distal'];
 
 function last(names: readonly NameParts[], word: Word): number | undefined {
   const found = names.findLastIndex((n) => n.word === word && n.side === 'middle');

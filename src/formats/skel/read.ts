@@ -4,7 +4,7 @@
  *     skel   = { joint }                                   several roots: each its own skeleton
  *     joint  = JOINTTYPE [NAME] "{" { token } "}"
  *     token  = offset x y z | boxmin x y z | boxmax x y z | pose v … | rotxlimit min max | … | limit DOF min max
- *            | length l | couple DOF JOINT.DOF gain offset | a token of the type's own (joint-types.ts) | joint
+ *            | length l | role NAME | couple DOF JOINT.DOF gain offset | a token of the type's own (joint-types.ts) | joint
  *
  * Joints are kept on an explicit stack, since they may be nested to any depth. What depends on several tokens, which
  * may be in any order, is checked at the joint's `}`; references to other joints at the end of the tree.
@@ -42,7 +42,7 @@ export function readSkel(bytes: Uint8Array | string, fileName: string): ReadResu
 const LIMITS_BY_TOKEN = new Map(Object.entries(LIMIT_TOKENS).map(([dof, token]) => [token, dof]));
 
 const KEYWORDS = new Set([
-  ...['offset', 'boxmin', 'boxmax', 'pose', 'limit', 'length', 'couple'],
+  ...['offset', 'boxmin', 'boxmax', 'pose', 'limit', 'length', 'role', 'couple'],
   ...LIMITS_BY_TOKEN.keys(),
   ...SKEL_TYPES.flatMap(({ keyword, tokens }) => [keyword, ...tokens.keys()]),
 ]);
@@ -65,6 +65,7 @@ interface OpenJoint {
   readonly limits: { readonly dof: string; readonly limit: Limit; readonly place: Mark }[];
   pose?: { readonly values: number[]; readonly found: number; readonly place: Mark };
   length?: number;
+  role?: string;
 }
 
 function* skeletons(t: Tokens): GrammarPart<readonly Skeleton[]> {
@@ -154,6 +155,14 @@ function* token(t: Tokens, joint: OpenJoint, word: string, couples: OpenCouple[]
     case 'length':
       yield* boneLength(t, joint);
       return true;
+    case 'role':
+      yield* t.next();
+      if (t.kind === 'word' && !t.startsLine) joint.role = t.text();
+      else {
+        t.error('name-expected', `Expected a part of the body after role, found ${t.found()}.`);
+        t.again();
+      }
+      return true;
     case 'couple': {
       const found = yield* couple(t, joint.index, KEYWORDS);
       if (found) couples.push(found);
@@ -238,6 +247,7 @@ function close(t: Tokens, joint: OpenJoint): Joint {
   return {
     ...{ name, parent, offset, box: { min: joint.boxMin, max: joint.boxMax }, motion, limits, pose: values },
     ...(joint.length !== undefined && { length: joint.length }),
+    ...(joint.role !== undefined && { role: joint.role }),
   };
 }
 

@@ -59,7 +59,7 @@ function closeJoint(text: Text, open: number[]): void {
 
 /** @param targets how links refer to each joint */
 function writeTokens(text: Text, depth: number, joint: Joint, targets: readonly string[]): void {
-  const { box, motion, limits, pose, length, couples = [] } = joint;
+  const { box, motion, limits, pose, length, role, couples = [] } = joint;
   text.line(depth, `offset ${text.numbers(joint.offset)}`);
   for (const line of ownLines(motion, (values) => text.numbers(values))) text.line(depth, line);
   const sides: readonly [string, keyof Box][] = [
@@ -75,6 +75,7 @@ function writeTokens(text: Text, depth: number, joint: Joint, targets: readonly 
     text.line(depth, `${LIMIT_TOKENS[dof.name] ?? `limit ${dof.name}`} ${text.numbers([limit.min, limit.max])}`);
   });
   if (length !== undefined) text.line(depth, `length ${text.number(length)}`);
+  if (role) text.line(depth, `role ${text.name(role, 'role')}`);
   const rest = dofsOf(motion).map((dof) => dof.rest);
   if (!same(pose, rest)) text.line(depth, `pose ${text.numbers(pose)}`);
   for (const { dof, joint, follows, gain, offset } of couples) {

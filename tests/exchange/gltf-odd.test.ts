@@ -1,0 +1,267 @@
+/** Files made for what is odd in real ones. */
+import { MeshoptEncoder } from 'meshoptimizer/encoder';
+import { describe, expect, it } from 'vitest';
+import type { Beside } from '../../src/exchange/imported.ts';
+import { importFile } from '../../src/project/imports.ts';
+import { type GltfJson, gltfReference } from '../helpers/gltf-reference.ts';
+import { farthest, posedWhole } from '../helpers/posed-whole.ts';
+import { GltfMaker, glbOf, type Made } from './make-gltf.ts';
+
+const TRIANGLE = Float32Array.of(0, 0, 0, 1, 0, 0, 0, 1, 0);
+
+async function read(bytes: Uint8Array<ArrayBuffer>, fileName = 'x.glb', files: readonly Beside[] = []) {
+  const beside = async (path: string) => files.find(({ source }) => source.path === path);
+  const { value, diagnostics } = await importFile('gltf', { fileName, bytes, beside });
+  return { whole: value?.characters[0], diagnostics };
+}
+
+async function opened(made: Made) {
+  const { whole, diagnostics } = await read(glbOf(made));
+  if (!whole) throw new Error(JSON.stringify(diagnostics));
+  return { whole, diagnostics };
+}
+
+async function expectAsThree(made: Made): Promise<void> {
+  const { whole } = await opened(made);
+  // A valid file has this shape.
+  const reference = await gltfReference(made.json as unknown as GltfJson, made.buffers);
+  expect(farthest(posedWhole(whole), reference.pose())).toBeLessThan(1 / 2000);
+  whole.clips.forEach(({ range: [start, end] }, take) => {
+    for (let n = 0; n <= 16; n++) {
+      const time = start + ((end - start) * n * 0.9999) / 16;
+      expect(farthest(posedWhole(whole, take, time), reference.pose(take, time))).toBeLessThan(1 / 2000);
+    }
+  });
+}
+
+/** Nodes that turn by these quaternions, one a second, with a mesh on the last. */
+function turning(quaternions: readonly number[], interpolation = 'LINEAR', scale?: readonly number[]): Made {
+  const maker = new GltfMaker();
+  const input = maker.add(
+    'SCALAR',
+    Float32Array.from({ length: quaternions.length / (interpolation === 'CUBICSPLINE' ? 12 : 4) }, (_, i) => i + 1),
+  );
+  const output = maker.add('VEC4', Float32Array.from(quaternions));
+  const POSITION = maker.add('VEC3', TRIANGLE);
+  return maker.made({
+    scene: 0,
+    scenes: [{ nodes: [0] }],
+    nodes: [
+      { name: 'a b', children: [1], translation: [1, 2, 3], ...(scale && { scale }) },
+      { name: '{tip}', translation: [0, 2, 0], mesh: 0 },
+    ],
+    meshes: [{ primitives: [{ attributes: { POSITION } }] }],
+    animations: [
+      {
+        samplers: [{ input, output, interpolation }],
+        channels: [{ sampler: 0, target: { node: 0, path: 'rotation' } }],
+      },
+    ],
+  });
+}
+
+const half = Math.SQRT1_2;
+
+describe('rotations', () => {
+  it.each([
+    ['nearly half a turn between two keys', [0, 0, 0, 1, 0, 0.9999, 0, 0.0141]],
+    [
+      'through gimbal lock of all orders',
+      [0, 0, 0, 1, half, 0, 0, half, 0, half, 0, half, 0, 0, half, half, 0.5, 0.5, 0.5, 0.5, 0, 1, 0, 0, 1, 0, 0, 0],
+    ],
+    ['by a quaternion and its negative', [0, 0, 0, 1, 0, 0, -half, -half, 0, 0, 0, 1]],
+    [
+      'over and over',
+      [0.1, 0.1, 0.1, Math.sqrt(0.97), -0.5, 0.5, 0.5, 0.5, 0.7, -0.7, 0.1, 0.1, -0.5, -0.7, 0.5, -0.1],
+    ],
+  ])('a node that turns %s is where three.js has it', async (_, quaternions) => {
+    await expectAsThree(turning(quaternions));
+    await expectAsThree(turning(quaternions, 'STEP'));
+    // With scale it can't be a quaternionjoint.
+    await expectAsThree(turning(quaternions, 'LINEAR', [1, 2, -1]));
+    const cubic = Array.from({ length: quaternions.length / 4 }, (_, k) => [
+      0.3,
+      -0.4,
+      0.2,
+      0.1,
+      ...quaternions.slice(4 * k, 4 * k + 4),
+      -0.2,
+      0.5,
+      0.1,
+      0.3,
+    ]);
+    await expectAsThree(turning(cubic.flat(), 'CUBICSPLINE'));
+  });
+});
+
+/** Two triangles in one mesh, with whatever is asked for. */
+function triangles(
+  attributes: (maker: GltfMaker) => Record<string, unknown>,
+  more: Record<string, unknown> = {},
+): Made {
+  const maker = new GltfMaker();
+  const primitive = attributes(maker);
+  return maker.made({
+    nodes: [{ name: 'n', mesh: 0, scale: [0.5, 0.5, 0.5] }],
+    meshes: [{ primitives: [primitive] }],
+    ...more,
+  });
+}
+
+describe('meshes', () => {
+  it('reads strips, fans, quantised positions and no scene', async () => {
+    const strip = Float32Array.of(0, 0, 0, 1, 0, 0, 0, 1, 0, 1, 1, 0);
+    for (const mode of [5, 6]) {
+      const made = triangles((m) => ({ mode, attributes: { POSITION: m.add('VEC3', strip) } }));
+      expect((await opened(made)).whole.skins[0].triangles).toEqual(
+        mode === 5 ? Uint32Array.of(0, 1, 2, 2, 1, 3) : Uint32Array.of(0, 1, 2, 0, 2, 3),
+      );
+    }
+    const bytes = Int16Array.of(0, 0, 0, 32767, 0, 0, 0, -32768, 100);
+    const { whole } = await opened(
+      triangles((m) => ({ attributes: { POSITION: m.add('VEC3', bytes, { normalized: true }) } })),
+    );
+    expect([...whole.skins[0].positions.slice(3, 9)]).toEqual([0.5, 0, 0, 0, -0.5, 100 / 32767 / 2]);
+  });
+
+  it('moves texture coordinates by KHR_texture_transform, v upwards, and names the texture', async () => {
+    const png = Uint8Array.of(0x89, 0x50, 0x4e, 0x47, 13, 10, 26, 10);
+    const made = triangles(
+      (m) => {
+        const image = m.view(png);
+        Object.assign(images, { image });
+        return {
+          material: 0,
+          attributes: {
+            POSITION: m.add('VEC3', TRIANGLE),
+            TEXCOORD_1: m.add('VEC2', Float32Array.of(0, 0, 1, 0, 0, 1)),
+          },
+        };
+      },
+      {
+        images: [
+          {
+            get bufferView() {
+              return images.image;
+            },
+            mimeType: 'image/png',
+            name: 'my skin',
+          },
+        ],
+        textures: [{ source: 0 }],
+        materials: [
+          {
+            name: 'm',
+            pbrMetallicRoughness: {
+              baseColorFactor: [1, 0.5, 0, 1],
+              baseColorTexture: {
+                index: 0,
+                texCoord: 1,
+                extensions: { KHR_texture_transform: { offset: [0.25, 0.5], scale: [2, 0.5], rotation: Math.PI / 2 } },
+              },
+            },
+          },
+        ],
+      },
+    );
+    const { whole } = await opened(made);
+    const [skin] = whole.skins;
+    expect(skin.surfaces[0].material).toEqual({ name: 'm', color: [1, 0.5, 0], texture: 'my_skin.png' });
+    expect(whole.textures.map(({ name }) => name)).toEqual(['my_skin.png']);
+    const expected = [0.25, 0.5, 0.25, 2.5, 0.75, 0.5];
+    skin.texcoords?.forEach((v, i) => {
+      expect(v).toBeCloseTo(expected[i], 12);
+    });
+  });
+  const images: { image?: number } = {};
+
+  it('unpacks views of meshoptimizer', async () => {
+    await MeshoptEncoder.ready;
+    const maker = new GltfMaker();
+    const packed = MeshoptEncoder.encodeVertexBuffer(new Uint8Array(TRIANGLE.buffer), 3, 12);
+    const at = maker.view(packed);
+    const own = maker.views[at];
+    maker.views[at] = {
+      buffer: 1,
+      byteLength: 36,
+      extensions: { EXT_meshopt_compression: { ...own, byteStride: 12, count: 3, mode: 'ATTRIBUTES' } },
+    };
+    maker.accessors.push({ bufferView: at, componentType: 5126, type: 'VEC3', count: 3 });
+    const made = maker.made({
+      nodes: [{ mesh: 0 }],
+      meshes: [{ primitives: [{ attributes: { POSITION: 0 } }] }],
+      extensionsRequired: ['EXT_meshopt_compression'],
+    });
+    const { whole, diagnostics } = await opened(made);
+    expect(diagnostics).toEqual([]);
+    expect([...whole.skins[0].positions]).toEqual([...TRIANGLE]);
+  });
+});
+
+describe('parts of the body', () => {
+  const bones = { hips: { node: 0 }, leftUpperLeg: { node: 1 } };
+  const nodes = [
+    { name: 'J1', children: [1] },
+    { name: 'J2', mesh: 0 },
+  ];
+
+  it.each([
+    ['VRM 1.0', { VRMC_vrm: { humanoid: { humanBones: bones } } }],
+    [
+      'VRM 0.x',
+      {
+        VRM: {
+          humanoid: {
+            humanBones: [
+              { bone: 'hips', node: 0 },
+              { bone: 'leftUpperLeg', node: 1 },
+            ],
+          },
+        },
+      },
+    ],
+  ])('%s names the joints for retargeting', async (_, extensions) => {
+    const made = triangles((m) => ({ attributes: { POSITION: m.add('VEC3', TRIANGLE) } }), { nodes, extensions });
+    const { whole } = await opened(made);
+    expect(whole.skeleton.joints.map(({ name, role }) => [name, role])).toEqual([
+      ['J1', 'hips'],
+      ['J2', 'leftUpperLeg'],
+    ]);
+  });
+});
+
+describe('files that are not as they should be', () => {
+  const plain = () => triangles((m) => ({ attributes: { POSITION: m.add('VEC3', TRIANGLE) } }));
+  /** With another value at a place of the JSON. */
+  const withJson = (path: string, value: unknown) => {
+    const made = plain();
+    const names = path.split('.');
+    const last = names.pop() ?? '';
+    let at: object = made.json;
+    for (const name of names) at = Reflect.get(at, name);
+    Reflect.set(at, last, value);
+    return glbOf(made);
+  };
+
+  it.each([
+    ['file-truncated', 'is cut off', () => glbOf(plain()).slice(0, 60)],
+    ['json-invalid', 'is something else', () => new TextEncoder().encode('hello')],
+    ['version-unknown', 'has version 1', () => withJson('asset.version', '1.0')],
+    ['nodes-cyclic', 'has only a node below itself', () => withJson('nodes.0.children', [0])],
+    ['nodes-cyclic', 'has a node twice', () => withJson('scenes', [{ nodes: [0, 0] }])],
+    ['index-out-of-range', 'names a mesh that it does not have', () => withJson('nodes.0.mesh', 7)],
+    ['accessor-too-long', 'has an accessor past its view', () => withJson('accessors.0.count', 4e9)],
+    [
+      'accessor-too-large',
+      'has billions of zeros',
+      () => withJson('accessors.0', { componentType: 5126, type: 'VEC3', count: 4e9 }),
+    ],
+    ['buffer-too-short', 'has a view past its buffer', () => withJson('bufferViews.0.byteLength', 1e9)],
+    ['part-not-given', 'needs a file that is not there', () => withJson('buffers.0.uri', 'x.bin')],
+    ['file-empty', 'has neither mesh nor animation', () => withJson('nodes', [{}])],
+  ])('%s: a file that %s is refused with a reason', async (code, _, bytes) => {
+    const { whole, diagnostics } = await read(bytes());
+    expect(whole).toBeUndefined();
+    expect(diagnostics.map((d) => d.code)).toContain(code);
+  });
+});
