@@ -13,7 +13,21 @@ const PARSED = NAMES.filter((_, i) => KINDS[FORMAT_KINDS[i]].content !== 'textur
 
 const VOCABULARY = [
   ...['{', '}', '{{', '}}', ' ', '\n', '\r', '\r\n', '\r\r\n', '\t', '"', '"a b"', 'x', 'ü', '骨', '\uFEFF', '\0'],
-  ...['balljoint', 'offset', 'pose', 'limit', 'rx', 'rotxlimit', 'boxmin', 'role', 'order', 'xzy', 'foo', 'foo {', 'name{'],
+  ...[
+    'balljoint',
+    'offset',
+    'pose',
+    'limit',
+    'rx',
+    'rotxlimit',
+    'boxmin',
+    'role',
+    'order',
+    'xzy',
+    'foo',
+    'foo {',
+    'name{',
+  ],
   ...[
     'positions',
     'normals',
