@@ -92,7 +92,7 @@ function read(parts: ReviewingParts, path: string, text: string): void {
   const said = [...found].map(([own, { verdict, stars, tags, notes }]) => ({ path: own, verdict, stars, tags, notes }));
   attempt(messages, () => store.apply(readReview, { takes: said }));
   showTab(parts);
-  const left = missing.length > 0 ? `; ${missing.length} others of the list are not in review` : '';
+  const left = missing.length > 0 ? `; ${missing.length} of the list are not in review` : '';
   messages.note(`${found.size} takes have what ${baseName(path)} says of them${left}.`);
 }
 
