@@ -6,7 +6,7 @@ import { availableParallelism } from 'node:os';
 import { isMainThread, type MessagePort, parentPort, Worker, workerData } from 'node:worker_threads';
 
 /** Does one kind of work: made once per thread from what all pieces share. Everything passed must be cloneable. */
-export type Work<Shared, Piece, Result> = (shared: Shared) => (piece: Piece) => Result;
+export type Work<Shared, Piece, Result> = (shared: Shared) => (piece: Piece) => Result | Promise<Result>;
 
 export interface SharedWork<Shared, Piece, Result> {
   /** The name of the work in `worksInThread`. */
@@ -46,7 +46,7 @@ export async function shareWork<Shared, Piece, Result>(
 ): Promise<void> {
   if (!program || pieces.length < few || threads < 2) {
     const own = work(shared);
-    pieces.forEach((piece, i) => void done(piece, own(piece), i));
+    for (const [i, piece] of pieces.entries()) done(piece, await own(piece), i);
     return;
   }
   let next = 0;
@@ -92,9 +92,9 @@ export function worksInThread(works: Readonly<Record<string, Work<never, never, 
   if (isMainThread || !parentPort || !task?.isSharedWork) return false;
   const port: MessagePort = parentPort;
   const work = works[task.name](task.shared as never);
-  port.on('message', (message: { readonly piece?: unknown; readonly isOver?: true }) => {
+  port.on('message', async (message: { readonly piece?: unknown; readonly isOver?: true }) => {
     if (message.isOver) port.close();
-    else port.postMessage({ result: work(message.piece as never) } satisfies Answer);
+    else port.postMessage({ result: await work(message.piece as never) } satisfies Answer);
   });
   port.postMessage({} satisfies Answer);
   return true;

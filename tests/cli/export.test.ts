@@ -5,6 +5,7 @@ import { join } from 'node:path';
 import { afterEach, beforeEach, describe, expect, it } from 'vitest';
 import { readNpz } from '../dataset/read-npz.ts';
 import { command } from '../helpers/command.ts';
+import { describeShared, sharedPath } from '../helpers/shared.ts';
 
 const bvh = (name: string, rows: readonly string[], more = '') => `HIERARCHY
 ROOT ${name} {
@@ -284,6 +285,16 @@ describe('marrow export', () => {
     expect(await wrong(...all, '--retarget', 'takes/walk.bvh', '--map', 'map.csv')).toMatch(
       'map.csv:1: Expected two names, "target,source", found "Hips".',
     );
+  });
+});
+
+describeShared('marrow export, of files of other programs', () => {
+  it('every animation of a glTF is a take, with the skeleton of its skin', async () => {
+    const { code, err } = await exported(sharedPath('data/gltf/Fox.glb'), '--to', 'npz', '--out', 'out', '--no-checks');
+    expect([code, err]).toEqual([0, '']);
+    expect(filesIn('out')).toEqual(['Fox.1.npz', 'Fox.2.npz', 'Fox.3.npz', 'manifest.ndjson']);
+    expect(['1', '2', '3'].map((i) => meta(`out/Fox.${i}.npz`).take)).toEqual(['Survey', 'Walk', 'Run']);
+    expect(npz('out/Fox.2.npz').names.values).toContain('b_Head_05');
   });
 });
 

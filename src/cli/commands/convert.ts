@@ -150,7 +150,7 @@ async function toFile(given: Arguments, io: CommandIo): Promise<ExitCode> {
     const known = [...WRITABLE_EXTENSIONS, 'glb'].map((extension) => `.${extension}`).join(' ');
     throw new UsageError(`The format of "${out}" is not known; its name must end in one of ${known}.`);
   }
-  const options = { ...readOptions(given), edit: editOf(given, io) };
+  const options = { ...readOptions(given), edit: await editOf(given, io) };
   const name = basename(out);
   const { files, diagnostics: read } = await loadAny(ins, io.folder);
   const diagnostics = [...read];
@@ -193,10 +193,10 @@ async function toGlb(given: Arguments, ins: readonly string[], out: string, io: 
 }
 
 /** What `--crop` and its like do to a character; undefined if none is given. @throws UsageError */
-function editOf(given: Arguments, io: CommandIo): Edit | undefined {
+async function editOf(given: Arguments, io: CommandIo): Promise<Edit | undefined> {
   if (firstGiven(given, EDITING) === undefined) return undefined;
   const editing = editingOf(given);
-  const { retarget, spaces } = loadTarget(editing, io.folder);
+  const { retarget, spaces } = await loadTarget(editing, io.folder);
   const { crop, isMirrored } = editing;
   const options = { ...(crop && { crop }), ...(isMirrored && { isMirrored }), ...(retarget && { target: retarget }) };
   return (character) => withEditedTakes(inSpaceOf(character, spaces), options);

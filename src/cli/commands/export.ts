@@ -11,7 +11,7 @@ export const exportCommand: CliCommand = {
   name: 'export',
   usage: `PATHS… --to ${NAMES.join('|')} --out DIR [options]`,
   summary: 'the takes of files and folders as arrays of numbers, a file each, with a manifest; options: export --help',
-  details: `PATHS are motion capture, or skeletons with their animations. Each take becomes DIR/PATH.npz, at its path below
+  details: `PATHS are motion capture, glTF, FBX, or skeletons with their animations. Each take becomes DIR/PATH.npz, at its path below
 the folder that was named; several in one file become PATH.1.npz, PATH.2.npz. DIR/manifest.ndjson has a line for each.
 
 what is exported

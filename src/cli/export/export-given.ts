@@ -36,7 +36,7 @@ async function exportAll(given: Arguments, io: CommandIo, own: OwnSettings): Pro
   const resumes = given.flag('resume');
   const inputs = await inputsOf(given, io);
   // Also by each thread; here so that a wrong file is told before anything is written.
-  loadTarget(editing, io.folder);
+  await loadTarget(editing, io.folder);
   const left = timeLeft();
   const summary = await exportTakes(
     {

@@ -10,7 +10,7 @@ import type { Diagnostic } from '../../model/diagnostic.ts';
 import type { Character } from '../../model/document.ts';
 import { checkTake } from '../../review/check-take.ts';
 import { flagText } from '../../review/flags.ts';
-import { loadGiven, openLoaded } from '../load.ts';
+import { loadAny, openLoaded } from '../load.ts';
 import type { Work } from '../threads.ts';
 import { writeOutput } from '../write-output.ts';
 import { type ExportedFile, FORMATS } from './formats.ts';
@@ -35,8 +35,9 @@ export interface ExportResult {
 
 /** For the threads (`threads.ts`). */
 export const exportWork: Work<ExportSettings, ExportPiece, ExportResult> = (settings) => {
-  const exporter = { settings, target: loadTarget(settings, settings.folder), pool: new FloatPool(settings.precision) };
-  return (piece) => exportInput(piece, exporter);
+  const loading = loadTarget(settings, settings.folder);
+  const pool = new FloatPool(settings.precision);
+  return async (piece) => exportInput(piece, { settings, target: await loading, pool });
 };
 
 /** What a thread keeps from one input to the next. */
@@ -46,7 +47,7 @@ interface Exporter {
   readonly pool: FloatPool;
 }
 
-function exportInput({ input, before }: ExportPiece, exporter: Exporter): ExportResult {
+async function exportInput({ input, before }: ExportPiece, exporter: Exporter): Promise<ExportResult> {
   const { settings } = exporter;
   const failed = (error: string, hash?: string): ExportResult => ({
     records: [{ input: input.path, ...(hash !== undefined && { hash }), error }],
@@ -61,7 +62,7 @@ function exportInput({ input, before }: ExportPiece, exporter: Exporter): Export
     if (written.length > 0 && written.length === before.length && written.every((w) => isThere(w, key, settings))) {
       return { records: written, isKept: true };
     }
-    return { records: takesOf(input, { hash, key }, exporter), isKept: false };
+    return { records: await takesOf(input, { hash, key }, exporter), isKept: false };
   } catch (error) {
     if (error instanceof CommandError) return failed(error.message, hash);
     const reason = error instanceof Error ? error.message : String(error);
@@ -101,13 +102,14 @@ export function hashOf(path: string): string {
 }
 
 /** A record for each take that the input has. @throws CommandError */
-function takesOf(
+async function takesOf(
   input: TakeInput,
   { hash, key }: Identity,
   { settings, target, pool }: Exporter,
-): readonly TakeRecord[] {
+): Promise<readonly TakeRecord[]> {
   const begun = performance.now();
-  const { document, diagnostics } = openLoaded(loadGiven([...(input.skeleton ? [input.skeleton] : []), input]));
+  const paths = [...(input.skeleton ? [input.skeleton.path] : []), input.path];
+  const { document, diagnostics } = openLoaded(await loadAny(paths, settings.folder));
   const error = diagnostics.find(({ severity }) => severity === 'error');
   if (error) throw new CommandError(sentenceOf(error));
   const takes = document.characters.flatMap((c) =>

@@ -8,7 +8,7 @@ import type { Character } from '../../model/document.ts';
 import { skeletonKey } from '../../model/skeleton-key.ts';
 import type { Space } from '../../model/space.ts';
 import { UsageError } from '../arguments.ts';
-import { loadFiles, openLoaded } from '../load.ts';
+import { loadAny, openLoaded } from '../load.ts';
 import { describe } from '../report.ts';
 
 /** As written on the command line. */
@@ -27,16 +27,16 @@ export interface Target {
 }
 
 /** @throws UsageError if a file can't be read, or is not what it should be */
-export function loadTarget({ retarget, map, space }: TargetFiles, folder: string): Target {
+export async function loadTarget({ retarget, map, space }: TargetFiles, folder: string): Promise<Target> {
   const spaces = new Map<string, Space>();
-  for (const { skeleton, space: own } of space === undefined ? [] : charactersIn(space, folder, '--space')) {
+  for (const { skeleton, space: own } of space === undefined ? [] : await charactersIn(space, folder, '--space')) {
     if (skeleton && own) spaces.set(skeletonKey(skeleton), own);
   }
   if (space !== undefined && spaces.size === 0) {
     throw new UsageError(`--space takes motion capture, whose unit, up axis and ground are guessed; found ${space}.`);
   }
   if (retarget === undefined) return { spaces };
-  const [character] = charactersIn(retarget, folder, '--retarget').map((c) => inSpaceOf(c, spaces));
+  const [character] = (await charactersIn(retarget, folder, '--retarget')).map((c) => inSpaceOf(c, spaces));
   if (!character) throw new UsageError(`--retarget takes a file with a skeleton; ${retarget} has none.`);
   const read = map === undefined ? undefined : readMap(map, folder);
   return { retarget: { character, ...(read && { map: read }) }, spaces };
@@ -48,8 +48,8 @@ export function inSpaceOf(character: Character, spaces: Spaces): Character {
   return space ? { ...character, space } : character;
 }
 
-function charactersIn(path: string, folder: string, option: string): readonly Character[] {
-  const { document, diagnostics } = openLoaded(loadFiles([path], folder));
+async function charactersIn(path: string, folder: string, option: string): Promise<readonly Character[]> {
+  const { document, diagnostics } = openLoaded(await loadAny([path], folder));
   const error = diagnostics.find(({ severity }) => severity === 'error');
   if (error) throw new UsageError(`${option}: ${describe(error)}`);
   return document.characters.filter(({ skeleton }) => skeleton);
