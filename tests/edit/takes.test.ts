@@ -1,4 +1,5 @@
 import { describe, expect, it } from 'vitest';
+import { setRetarget } from '../../src/edit/commands/retarget.ts';
 import {
   alignStarts,
   arrange,
@@ -9,7 +10,13 @@ import {
   showTakes,
 } from '../../src/edit/commands/takes.ts';
 import { CommandError, Store } from '../../src/edit/store.ts';
-import { type Character, DEFAULT_PLACEMENT, type Document, rangeOfClips } from '../../src/model/document.ts';
+import {
+  type Character,
+  DEFAULT_PLACEMENT,
+  type Document,
+  rangeOfClips,
+  startSeconds,
+} from '../../src/model/document.ts';
 import { NO_MARKS, UNMARKED } from '../../src/model/part.ts';
 import { character, clip, documentOf, skin } from '../helpers/builders.ts';
 
@@ -78,6 +85,19 @@ describe('takes in time', () => {
     expect(rangeOfClips(next)).toEqual([0, 5]);
     const later = alignStarts.run(three, { characterIds: ['b'], atSeconds: 2 });
     expect(later.characters[1].timeOffsetSeconds).toBe(-1.5);
+  });
+
+  it('a take that is retargeted begins with the others, whether its source is aligned with it or not', () => {
+    const [first, second] = three.characters;
+    const retargeted = setRetarget.run(
+      { ...three, characters: [first, { ...second, timeOffsetSeconds: 0.25 }] },
+      { characterId: first.id, sourceId: second.id },
+    );
+    for (const characterIds of [[first.id], [first.id, second.id]]) {
+      const store = new Store(retargeted);
+      store.apply(alignStarts, { characterIds, atSeconds: 2 });
+      expect(startSeconds(store.document.characters[0])).toBeCloseTo(2, 12);
+    }
   });
 
   it('takes in time get one offset together', () => {

@@ -4,7 +4,8 @@
  */
 import { isSameSize, matchJoints } from '../../evaluate/joint-match.ts';
 import type { Vec3 } from '../../math/vec3.ts';
-import { type Character, type Document, shownClip } from '../../model/document.ts';
+import type { ChannelClip } from '../../model/clip.ts';
+import { type Character, type Document, findCharacter, shownClip } from '../../model/document.ts';
 import { NO_MARKS, type PartMark } from '../../model/part.ts';
 import type { Space } from '../../model/space.ts';
 import { finiteNumber, indexIn, listOf } from '../arguments.ts';
@@ -54,10 +55,20 @@ export const alignStarts: Command<{
   label: (document, { characterIds }) => `Align starts of ${namesOf(document, characterIds)}`,
   run(document, { characterIds, atSeconds = 0 }) {
     finiteNumber(atSeconds, 'The time');
+    const aligned = new Set(idsIn(document, characterIds));
+    // The offset is added to transport time, so that the clip's first second falls on this time.
+    const ofOwn = (clip: ChannelClip) => clip.range[0] - atSeconds + 0;
     return changeThese(document, characterIds, (c) => {
-      const clip = shownClip(c);
-      // The offset is added to transport time, so that the clip's first second falls on this time.
-      return clip ? offsetBy(c, clip.range[0] - atSeconds + 0) : c;
+      const { driver } = c;
+      const clip = driver?.source.clip ?? shownClip(c);
+      if (!clip) return c;
+      if (!driver) return offsetBy(c, ofOwn(clip));
+      // A retargeted take has its source's offset too, as it will be if the source is aligned by the same step.
+      const source = findCharacter(document, driver.sourceId);
+      const sourceClip = source && shownClip(source);
+      const isAligned = source && sourceClip && !source.driver && aligned.has(source.id);
+      const theirs = isAligned ? ofOwn(sourceClip) : driver.source.timeOffsetSeconds;
+      return offsetBy(c, ofOwn(clip) - theirs);
     });
   },
 };

@@ -4,9 +4,9 @@
  * is the last one, else by a step of its own (*Stop comparing*), which keeps later changes.
  */
 import { endOverlay } from '../../../edit/commands/takes.ts';
-import { type Document, rangeOfClips } from '../../../model/document.ts';
+import { type Document, findCharacter, rangeOfClips } from '../../../model/document.ts';
 import { attempt } from '../../state/attempt.ts';
-import type { ComparisonOverlay } from '../../state/takes.ts';
+import type { Comparison, ComparisonOverlay } from '../../state/takes.ts';
 import type { Uses } from '../../state/workbench.ts';
 import { playRange } from './played-range.ts';
 
@@ -53,6 +53,38 @@ export function followOverlay(wb: Uses<'store' | 'transport' | 'timeline'>, over
       playRange(wb, overlay.played);
     }
   });
+}
+
+/** While two takes of one character are compared, the second stays the same take, whatever its index. */
+export function followMovedTake(wb: Uses<'store' | 'transport' | 'timeline'>, comparison: Comparison): void {
+  const { takes } = wb.timeline;
+  let own = comparison;
+  const stop = wb.store.subscribe((now, before) => {
+    if (takes.comparison.get() !== own) {
+      stop();
+      return;
+    }
+    const moved = withMovedTake(own, before.document, now.document);
+    if (moved === own) return;
+    const { overlay } = takes;
+    if (overlay?.comparison === own) followOverlay(wb, { ...overlay, comparison: moved });
+    own = moved;
+    takes.comparison.set(moved);
+  });
+}
+
+/**
+ * Two takes of one character: the second is known by its index, which changes when an earlier take is removed or comes
+ * back. The same object if it doesn't.
+ */
+function withMovedTake(comparison: Comparison, before: Document, now: Document): Comparison {
+  const { first, second } = comparison;
+  if (first.characterId !== second.characterId || second.clip < 0) return comparison;
+  const clipsIn = (document: Document) => findCharacter(document, second.characterId)?.clips;
+  const [was, is] = [clipsIn(before)?.[second.clip], clipsIn(now)];
+  if (!was || !is || is[second.clip] === was) return comparison;
+  const clip = is.indexOf(was);
+  return clip < 0 ? comparison : { first, second: { ...second, clip } };
 }
 
 /**

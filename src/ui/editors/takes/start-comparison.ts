@@ -7,7 +7,7 @@ import { fitWindow } from '../../kit/time-window.ts';
 import { attempt } from '../../state/attempt.ts';
 import { showing } from '../../state/takes.ts';
 import type { Uses } from '../../state/workbench.ts';
-import { endComparison, followOverlay } from './compare.ts';
+import { endComparison, followMovedTake, followOverlay } from './compare.ts';
 import { playRange } from './played-range.ts';
 import type { TakeRow } from './rows.ts';
 
@@ -45,6 +45,7 @@ export function compareTakes(
       second: { characterId: second.characterId, clip: second.clip },
     };
     wb.timeline.takes.comparison.set(comparison);
+    followMovedTake(wb, comparison);
     if (!joints.isSame) sayWhich(wb, joints);
     const ends = [first, second].map(({ range, offsetSeconds }) => range.map((t) => t - offsetSeconds));
     const common: [number, number] = [Math.max(ends[0][0], ends[1][0]), Math.min(ends[0][1], ends[1][1])];
