@@ -32,8 +32,14 @@ export function attachmentSets(
   influences = Number.POSITIVE_INFINITY,
 ): AttachmentSets {
   const vertices = vertexCount(skin);
-  const own = Array.from({ length: vertices }, (_, v) => strongest(skin, jointCount, resting, v));
-  const most = own.reduce((count, { all }) => Math.max(count, all.length), 1);
+  let most = 1;
+  let isRescaled = false;
+  // Twice through, since a million lists would take more memory than the file.
+  for (let v = 0; v < vertices; v++) {
+    const one = strongest(skin, jointCount, resting, v);
+    most = Math.max(most, one.all.length);
+    isRescaled ||= one.isRescaled;
+  }
   const kept = Math.min(most, influences);
   const sets = Math.ceil(kept / 4);
   const isSmall = resting < 256;
@@ -43,7 +49,7 @@ export function attachmentSets(
   const weights = Array.from({ length: sets }, () => new Float32Array(4 * vertices));
   let hasStatic = false;
   for (let v = 0; v < vertices; v++) {
-    const few = own[v].all.slice(0, kept);
+    const few = strongest(skin, jointCount, resting, v).all.slice(0, kept);
     const sum = few.reduce((total, { weight }) => total + weight, 0);
     let rest = 1;
     few.forEach(({ joint, weight }, a) => {
@@ -61,7 +67,7 @@ export function attachmentSets(
     weights,
     most,
     isTrimmed: most > kept,
-    isRescaled: own.some(({ isRescaled }) => isRescaled),
+    isRescaled,
     hasStatic,
   };
 }

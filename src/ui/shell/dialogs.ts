@@ -105,7 +105,7 @@ function showDialog(
   root.append(dialog);
   dialog.showModal();
   // The browser would focus Close.
-  const first = body.querySelector<HTMLElement>('[autofocus], button:not(:disabled), input');
+  const first = body.querySelector<HTMLElement>('[autofocus], button:not(:disabled), input:not([hidden] *)');
   (first ?? body).focus({ preventScroll: true });
   return dialog;
 }
