@@ -3,6 +3,7 @@
 import { textureMime } from '../../formats/texture/read.ts';
 import type { Vec3 } from '../../math/vec3.ts';
 import { baseName, type Texture } from '../../model/files.ts';
+import { fromBase64 } from '../gltf/data-uri.ts';
 import type { SceneMaterial } from '../scene.ts';
 import { type FbxDocument, type FbxObject, partsOfKind } from './document.ts';
 import { imageType } from './images.ts';
@@ -100,25 +101,6 @@ function contentOf({ record }: FbxObject): Uint8Array<ArrayBuffer> | undefined {
   if (first instanceof Uint8Array) return first.length > 0 ? new Uint8Array(first) : undefined;
   const text = values.filter((value) => typeof value === 'string').join('');
   return text === '' ? undefined : fromBase64(text);
-}
-
-const DIGITS = 'ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/';
-
-function fromBase64(text: string): Uint8Array<ArrayBuffer> {
-  const out = new Uint8Array(Math.floor((text.length * 3) / 4));
-  let bits = 0;
-  let held = 0;
-  let at = 0;
-  for (const char of text) {
-    const digit = DIGITS.indexOf(char);
-    if (digit < 0) continue;
-    held = ((held << 6) | digit) & 0xffffff;
-    bits += 6;
-    if (bits < 8) continue;
-    bits -= 8;
-    out[at++] = (held >> bits) & 0xff;
-  }
-  return out.slice(0, at);
 }
 
 function sameBytes(a: Uint8Array, b: Uint8Array): boolean {

@@ -292,7 +292,7 @@ function rowsOf(
   for (let i = 0; i < points.length && 3 * i + 2 < offsets.length; i++) {
     if (vertices[points[i]]) listed.set(points[i], i);
   }
-  for (const point of listed.keys()) indices.push(...vertices[point]);
+  for (const point of listed.keys()) for (const vertex of vertices[point]) indices.push(vertex);
   const values = new Float64Array(3 * indices.length);
   let o = 0;
   for (const [point, i] of listed) {

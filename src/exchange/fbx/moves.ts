@@ -293,8 +293,8 @@ function asCurves(of: (k: number) => Channel | undefined): AxisCurves {
   return curves.every((curve) => curve === undefined) ? REST : curves;
 }
 
-/** Repetitions of keys within a range that fitted keys follow. */
-const MOST_TURNS = 500;
+/** Keys of repetitions that fitted keys follow, of one curve. */
+const MOST_REPEATED = 20000;
 
 /**
  * Where curves may bend: their keys; within the range also those repeated, and its ends, where something goes on beyond
@@ -306,22 +306,25 @@ export function stopsOf(curves: readonly FbxCurve[], [start, end]: readonly [num
     for (const time of times) stops.push(time);
     const [first, last] = [times[0], times[times.length - 1]];
     const goesOn = (beyond: Beyond) => beyond.mode !== 'constant' && times.length > 1;
-    if (start < first && goesOn(before))
-      stops.push(start, ...repeated(times, before, Math.ceil((first - start) / (last - first)), -1));
-    if (end > last && goesOn(after))
-      stops.push(end, ...repeated(times, after, Math.ceil((end - last) / (last - first)), 1));
+    if (start < first && goesOn(before)) {
+      stops.push(start);
+      addRepeated(stops, times, before, Math.ceil((first - start) / (last - first)), -1);
+    }
+    if (end > last && goesOn(after)) {
+      stops.push(end);
+      addRepeated(stops, times, after, Math.ceil((end - last) / (last - first)), 1);
+    }
   }
   return stops.length > 0 ? ascending(stops) : [start];
 }
 
-function repeated(times: Float64Array, { mode, count }: Beyond, turns: number, direction: 1 | -1): number[] {
-  if (mode === 'slope') return [];
+function addRepeated(stops: number[], times: Float64Array, beyond: Beyond, turns: number, direction: 1 | -1): void {
+  const { mode, count } = beyond;
+  if (mode === 'slope') return;
   const [first, last] = [times[0], times[times.length - 1]];
-  const most = Math.min(turns, count, MOST_TURNS);
-  const own: number[] = [];
+  const most = Math.min(turns, count, Math.floor(MOST_REPEATED / times.length));
   for (let turn = 1; turn <= most; turn++) {
     const runsBack = mode === 'mirror' && turn % 2 === 1;
-    for (const time of times) own.push((runsBack ? first + last - time : time) + direction * turn * (last - first));
+    for (const time of times) stops.push((runsBack ? first + last - time : time) + direction * turn * (last - first));
   }
-  return own;
 }

@@ -47,9 +47,13 @@ const ORDERS: readonly EulerOrder[] = ['xyz', 'xzy', 'yzx', 'yxz', 'zxy', 'zyx',
 
 const ONE: Vec3 = [1, 1, 1];
 
+/** Levels of models; real files have less than a hundred. */
+const MAX_LEVELS = 500;
+
 /**
  * All models of the scene that hang on its root, parents first, depth first. A model that is part of several is part of
- * the first only; those in circles hang on nothing and are left out.
+ * the first only; those in circles hang on nothing and are left out, as are
+ * those more than `MAX_LEVELS` deep.
  */
 export function nodesOf(document: FbxDocument): FbxNode[] {
   const nodes: FbxNode[] = [];
@@ -63,7 +67,8 @@ export function nodesOf(document: FbxDocument): FbxNode[] {
       continue;
     }
     const { object, property } = link;
-    if (object.kind !== 'Model' || property !== undefined || seen.has(object.id)) continue;
+    const isDeep = pending.length > MAX_LEVELS;
+    if (object.kind !== 'Model' || property !== undefined || isDeep || seen.has(object.id)) continue;
     seen.add(object.id);
     nodes.push(nodeOf(object, top.index));
     pending.push({ id: object.id, index: nodes.length - 1, at: 0 });

@@ -1,8 +1,8 @@
 /** Polygons cut into triangles: by ears, so that those with corners turned inwards are right, too. */
 import { length3 } from '../../math/vec3.ts';
 
-/** With more corners a polygon is cut as a fan, since ears take time with the square of their number. */
-const MOST_CORNERS = 2000;
+/** With more corners a polygon is cut as a fan, since finding ears can take time with the cube of their number. */
+const MOST_CORNERS = 400;
 
 /**
  * Appends three indices of corners per triangle.

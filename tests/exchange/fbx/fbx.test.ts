@@ -492,6 +492,14 @@ describe('files that are no FBX 7', () => {
     ).toMatch(/Expected models/);
   });
 
+  it('thousands of models inside each other are no harm: those too deep are left out, and said', () => {
+    const objects = Array.from({ length: 3000 }, (_, i) => bone(10 + i, `b${i}`, prop('InheritType', { int: 0 })));
+    const connections = objects.map(({ id }, i): Connection => [id, i === 0 ? 0 : id - 1]);
+    const { value, diagnostics } = read(fbxBytes({ objects, connections }));
+    expect(value?.nodes.length).toBe(500);
+    expect(diagnostics.map(({ message }) => message).join()).toMatch(/2500 models outside the scene or too deep/);
+  });
+
   it('an encrypted file says so', () => {
     expect(errorOf(recordBytes(7400, [rec('EncryptionType', ['x']), rec('Objects')]))).toMatch(/encrypted/);
   });
