@@ -208,8 +208,12 @@ const ARGUMENTS: Readonly<Record<string, (s: Situation) => object | undefined>> 
     },
   'markers.remove': ({ dice, character, clip }) =>
     clip.markers && { characterId: character.id, indices: [dice.below(clip.markers.length)] },
-  'takes.lockFeet': ({ dice, character }) =>
-    character.clips.length ? { takes: someTakes(dice, character), easeSeconds: dice.number() / 2 } : undefined,
+  'takes.lockFeet': ({ dice, others }) => {
+    const onLegs = others.find(
+      ({ skeleton, clips }) => clips.length && skeleton?.joints.some(({ name }) => /Toe/.test(name)),
+    );
+    return onLegs && { takes: someTakes(dice, onLegs), easeSeconds: dice.number() / 2 };
+  },
   'takes.makeLoop': ({ dice, character }) =>
     character.clips.length ? { takes: someTakes(dice, character), blendSeconds: dice.number() } : undefined,
   'takes.setSpeed': ({ dice, character }) =>
@@ -218,10 +222,15 @@ const ARGUMENTS: Readonly<Record<string, (s: Situation) => object | undefined>> 
     character.clips.length > 1 && character.clips.length < 4
       ? { takes: [1, 0].map((clip) => ({ characterId: character.id, clip })), overlapSeconds: dice.number() }
       : undefined,
-  'takes.cutOut': ({ dice, character }) => {
-    const [from, to] = range(dice);
+  'takes.cutOut': ({ dice, others }) => {
+    const captured = others.find(({ clips }) => clips[0]?.samples);
+    const samples = captured?.clips[0].samples;
+    if (!captured || !samples) return undefined;
+    const length = (samples.frameCount - 1) * samples.frameSeconds;
+    const from = samples.startSeconds + (dice.number() * length) / 2;
     const align = dice.pick(['root', 'foot', 'none'] as const);
-    return character.clips.length ? { takes: someTakes(dice, character), from, to, align } : undefined;
+    const takes = [{ characterId: captured.id, clip: 0 }];
+    return { takes, from, to: from + dice.number() * length, align, overlapSeconds: dice.number() / 4 };
   },
   'takes.insert': ({ dice, character }) =>
     character.clips.length

@@ -15,6 +15,7 @@ import { character, clip, documentOf, joint, morph, skin } from '../helpers/buil
 import { expectSame, expectStep } from '../helpers/expect-edit.ts';
 import { anyCommand, argumentsFor, COMMANDS_HERE, someKeys } from './any-command.ts';
 import { Dice, thrown } from './dice.ts';
+import { sliding } from './hold/sliding.ts';
 import { channelOf, channelsOrRest } from './keys/channels.ts';
 import { swinging, take } from './samples/made.ts';
 
@@ -78,7 +79,11 @@ function wasp(animated: readonly Channel[] | undefined): Document {
     ...(clips && { clips, shownClip: 0 }),
   });
   const bee = character({ id: 'b1', name: 'bee', clips: [clip('bee_walk', Array(9).fill(0.3))], shownClip: 0 });
-  return { ...documentOf(made, bee, { ...swinging(SWING), id: 'm1' }), charactersMade: 3 };
+  const others = [
+    { ...swinging(SWING), id: 'm1' },
+    { ...sliding(0.004), id: 'f1' },
+  ];
+  return { ...documentOf(made, bee, ...others), charactersMade: 4 };
 }
 
 /** All that undo has to bring back, in a copy: the store is to find its own way to it. */
