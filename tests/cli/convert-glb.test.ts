@@ -4,10 +4,13 @@ import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { fileURLToPath } from 'node:url';
 import { afterAll, beforeAll, describe, expect, it } from 'vitest';
-import { command } from '../helpers/command.ts';
+import { command, commandJson, type PoseJson } from '../helpers/command.ts';
 
 const SAMPLES = fileURLToPath(new URL('../../public/samples/', import.meta.url));
 const JOINTS = ['joints.rig', 'joints.skel', 'joints.skin', 'joints_each.anim', 'joints.png'].map((n) => SAMPLES + n);
+
+/** 1/2000 of the example's size, in its units. */
+const TOLERANCE = 9.4 / 2000;
 
 let folder = '';
 beforeAll(() => {
@@ -34,6 +37,23 @@ describe('marrow convert to .glb', () => {
     expect(nodes[0]).not.toHaveProperty('scale');
     expect(animations.map(({ name }: { name: string }) => name)).toEqual(['joints_each']);
     expect(images).toHaveLength(1);
+  });
+
+  it('a GLB file that was written here is read as the character that it was written from', async () => {
+    await command(['convert', ...JOINTS, 'a.glb'], folder);
+    for (const time of ['0.4', '1.37', '5.5']) {
+      const jointsOf = async (files: readonly string[]) => {
+        const { characters } = await commandJson<PoseJson>(['pose', ...files, '--time', time, '--json'], folder);
+        return characters[0].joints;
+      };
+      const read = new Map((await jointsOf(['a.glb'])).map(({ name, world }) => [name, world]));
+      for (const { name, world } of await jointsOf(JOINTS)) {
+        const theirs = read.get(name) ?? [];
+        const off = Math.hypot(...[12, 13, 14].map((k) => theirs[k] - world[k]));
+        // Once the tolerance of writing, once that of reading.
+        expect(off, `${name} at ${time}`).toBeLessThanOrEqual(2 * TOLERANCE);
+      }
+    }
   });
 
   it('convert --fps writes one key a frame', async () => {
