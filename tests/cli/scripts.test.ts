@@ -153,10 +153,10 @@ it.each([
 });
 
 it('each command says what its exit codes mean', async () => {
-  for (const name of ['info', 'pose', 'ik', 'channels', 'compare', 'grade', 'kit', 'convert']) {
+  for (const name of ['info', 'pose', 'ik', 'channels', 'compare', 'grade', 'kit', 'convert', 'review', 'export']) {
     const { code, out } = await command([name, '--help'], folder);
     expect(code).toBe(0);
     expect(out).toMatch(/\nExit codes: 0 .*, 1 .*, 2 wrong usage.*\.\n$/);
   }
-  expect((await command(['--help'], folder)).out.match(/exits: 0 /g)).toHaveLength(8);
+  expect((await command(['--help'], folder)).out.match(/exits: 0 /g)).toHaveLength(10);
 });
