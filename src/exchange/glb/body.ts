@@ -18,7 +18,36 @@ const SHORT = 0.3;
  * @param lastOf which of the matrices is a joint's
  * @param name of the mesh
  */
-export function bodyOf({ joints }: Skeleton, worlds: Float64Array, lastOf: Int32Array, name: string): Skin {
+export function bodyOf(skeleton: Skeleton, worlds: Float64Array, lastOf: Int32Array, name: string): Skin {
+  return skinOf(bonesOf(skeleton, worlds, lastOf), skeleton.joints.length, name);
+}
+
+/**
+ * Points, in the world, of the bones of joints that have nothing else to see their turning by: no child elsewhere, no
+ * End Site, no tip.
+ */
+export function stubPoints(
+  skeleton: Skeleton,
+  worlds: Float64Array,
+  lastOf: Int32Array,
+): readonly { readonly joint: number; readonly point: Vec3 }[] {
+  return bonesOf(skeleton, worlds, lastOf)
+    .filter(({ isStub }) => isStub)
+    .flatMap(({ joint, from, to }) => {
+      const [beside, before] = ringOf(from, to);
+      return [to, beside, before].map((point) => ({ joint, point }));
+    });
+}
+
+interface Bone {
+  readonly joint: number;
+  readonly from: Vec3;
+  readonly to: Vec3;
+  /** Whether it is there only to be seen. */
+  readonly isStub: boolean;
+}
+
+function bonesOf({ joints }: Skeleton, worlds: Float64Array, lastOf: Int32Array): readonly Bone[] {
   const at = (j: number): Vec3 => {
     const o = 16 * lastOf[j] + 12;
     return [worlds[o], worlds[o + 1], worlds[o + 2]];
@@ -28,15 +57,16 @@ export function bodyOf({ joints }: Skeleton, worlds: Float64Array, lastOf: Int32
     const on = (r: number) => worlds[o + r] * x + worlds[o + 4 + r] * y + worlds[o + 8 + r] * z + worlds[o + 12 + r];
     return [on(0), on(1), on(2)];
   };
-  const bones: { readonly joint: number; readonly from: Vec3; readonly to: Vec3 }[] = [];
+  const bones: Bone[] = [];
   const isThick = (from: Vec3, to: Vec3) => Math.hypot(...subtract(to, from)) > 1e-9;
   joints.forEach(({ parent, endSites = [], length }, j) => {
     const from = at(j);
-    if (parent >= 0 && isThick(at(parent), from)) bones.push({ joint: parent, from: at(parent), to: from });
+    if (parent >= 0 && isThick(at(parent), from))
+      bones.push({ joint: parent, from: at(parent), to: from, isStub: false });
     const ends = length ? [...endSites, [0, length, 0] as const] : endSites;
     for (const end of ends) {
       const to = toWorld(j, end);
-      if (isThick(from, to)) bones.push({ joint: j, from, to });
+      if (isThick(from, to)) bones.push({ joint: j, from, to, isStub: false });
     }
   });
   const lengths = bones.map(({ from, to }) => Math.hypot(...subtract(to, from)));
@@ -45,29 +75,33 @@ export function bodyOf({ joints }: Skeleton, worlds: Float64Array, lastOf: Int32
   joints.forEach((_, j) => {
     if (hasBone.has(j)) return;
     const from = at(j);
-    bones.push({ joint: j, from, to: [from[0], from[1] + SHORT * mean, from[2]] });
+    bones.push({ joint: j, from, to: [from[0], from[1] + SHORT * mean, from[2]], isStub: true });
   });
-  return skinOf(bones, joints.length, name);
+  return bones;
 }
 
-function skinOf(
-  bones: readonly { readonly joint: number; readonly from: Vec3; readonly to: Vec3 }[],
-  jointCount: number,
-  name: string,
-): Skin {
+/** The four corners of a bone where it is widest. */
+function ringOf(from: Vec3, to: Vec3): readonly [Vec3, Vec3, Vec3, Vec3] {
+  const along = subtract(to, from);
+  const direction = unit(along) ?? [0, 1, 0];
+  const across = acrossOf(direction);
+  const other = cross(direction, across);
+  const size = WIDTH * Math.hypot(...along);
+  const middle = from.map((v, k) => v + WIDEST * along[k]);
+  const corner = (side: Vec3): Vec3 => [
+    middle[0] + size * side[0],
+    middle[1] + size * side[1],
+    middle[2] + size * side[2],
+  ];
+  return [corner(across), corner(other), corner(scaled(across, -1)), corner(scaled(other, -1))];
+}
+
+function skinOf(bones: readonly Bone[], jointCount: number, name: string): Skin {
   const positions: number[] = [];
   const normals: number[] = [];
   const joints: number[] = [];
   for (const { joint, from, to } of bones) {
-    const along = subtract(to, from);
-    const direction = unit(along) ?? [0, 1, 0];
-    const across = acrossOf(direction);
-    const other = cross(direction, across);
-    const size = WIDTH * Math.hypot(...along);
-    const middle = from.map((v, k) => v + WIDEST * along[k]);
-    const ring = [across, other, scaled(across, -1), scaled(other, -1)].map(
-      (side): Vec3 => [middle[0] + size * side[0], middle[1] + size * side[1], middle[2] + size * side[2]],
-    );
+    const ring = ringOf(from, to);
     ring.forEach((corner, i) => {
       const next = ring[(i + 1) % 4];
       for (const [a, b, c] of [

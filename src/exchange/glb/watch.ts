@@ -21,7 +21,19 @@ const DIRECTIONS = [-1, 0, 1].flatMap((x) =>
   [-1, 0, 1].flatMap((y) => [-1, 0, 1].flatMap((z) => (x || y || z ? [[x, y, z] as const] : []))),
 );
 
-export function watchPoints(skeleton: Skeleton, { lastOf }: JointNodes, skin: CompiledSkin | undefined): Watch {
+/** A point that a joint moves rigidly. */
+export interface RigidPoint {
+  readonly joint: number;
+  /** In the joint's space. */
+  readonly point: readonly number[];
+}
+
+export function watchPoints(
+  skeleton: Skeleton,
+  { lastOf }: JointNodes,
+  skin: CompiledSkin | undefined,
+  rigid: readonly RigidPoint[] = [],
+): Watch {
   const start = [0];
   const nodeOf: number[] = [];
   const local: number[] = [];
@@ -36,6 +48,10 @@ export function watchPoints(skeleton: Skeleton, { lastOf }: JointNodes, skin: Co
       start.push(nodeOf.length);
     }
   });
+  for (const { joint, point } of rigid) {
+    pair(joint, point, 1);
+    start.push(nodeOf.length);
+  }
   if (skin) {
     for (const v of outermost(skin, lastOf.length)) {
       for (const { joint, weight } of attachmentsOf(skin, v)) {

@@ -12,6 +12,7 @@ import { quaternionOfRotation } from '../../math/quaternion.ts';
 import { type Character, DEFAULT_PLACEMENT } from '../../model/document.ts';
 import { type Skin, vertexCount } from '../../model/skin.ts';
 import type { AttachmentSets } from './attachments.ts';
+import { stubPoints } from './body.ts';
 import { BinaryChunk, type Json } from './container.ts';
 import { type Figure, type FigureJoints, figureOf } from './figure.ts';
 import { type FitOptions, fitTake, type TrackKeys } from './fit-take.ts';
@@ -23,7 +24,7 @@ import type { GlbOptions } from './options.ts';
 import type { GlbReport, TakeReport } from './report.ts';
 import { TakeError, type TakeMotion, takeMotion } from './take-motion.ts';
 import { rowWidth, type Track, tracksOf } from './tracks.ts';
-import { watchPoints } from './watch.ts';
+import { type RigidPoint, watchPoints } from './watch.ts';
 
 export interface GlbFile {
   readonly pieces: readonly Uint8Array<ArrayBuffer>[];
@@ -150,6 +151,7 @@ function takesOf(
     joints.skeleton,
     joints.nodes,
     skin && character.skins.length ? compileSkin(skin) : undefined,
+    skin && character.skins.length === 0 ? stubsOf(joints) : [],
   );
   const { nodes } = joints.nodes;
   const morphCount = character.skins.length ? character.morphs.length : 0;
@@ -167,6 +169,16 @@ function takesOf(
       onProgress: (part) => onProgress?.({ label: motion.name, fraction: (i + part) / played.length }),
     };
     return [{ motion, keys: fitTake(motion, moved, fit) }];
+  });
+}
+
+/** What the body shows of joints that nothing else shows. */
+function stubsOf({ skeleton, nodes: { lastOf }, worlds }: FigureJoints): readonly RigidPoint[] {
+  const inverse = new Float64Array(16);
+  return stubPoints(skeleton, worlds, lastOf).flatMap(({ joint, point: [x, y, z] }) => {
+    invertAffine(worlds, 16 * lastOf[joint], inverse, 0);
+    const point = [0, 1, 2].map((r) => inverse[r] * x + inverse[4 + r] * y + inverse[8 + r] * z + inverse[12 + r]);
+    return point.every(Number.isFinite) ? [{ joint, point }] : [];
   });
 }
 
