@@ -56,6 +56,8 @@ export interface Take {
 const DEFAULT_FPS = 60;
 /** Relative difference of frame rates that are the same. */
 const SAME_RATE = 1e-6;
+/** Fraction of a frame that is none. */
+const SAME_FRAME = 1e-6;
 
 /**
  * The take that a character plays, with the options applied: mirrored first, then retargeted, sampled, and cropped.
@@ -124,12 +126,13 @@ function sampledAt(character: Character, asked: number | undefined): { readonly 
   }
   const rate = frameRateOf(own);
   if (asked === undefined) return { frames: own, fps: rate };
-  // Every k-th frame as it is, where the rates allow it: nothing is interpolated.
-  const every = Math.max(1, Math.round(rate / asked));
-  if (Math.abs(rate / asked - every) > SAME_RATE * every) return { frames: framesOf(range, asked), fps: asked };
-  const frameCount = Math.floor((own.frameCount - 1) / every) + 1;
+  // Frames of the file in a frame: whole where the rates allow it, so that nothing is interpolated. Not counted in
+  // seconds: frames of 0.0333333 s are meant to be a thirtieth, and the last of them is part of the take.
+  const whole = Math.max(1, Math.round(rate / asked));
+  const step = Math.abs(rate / asked - whole) <= SAME_RATE * whole ? whole : rate / asked;
+  const frameCount = Math.floor((own.frameCount - 1) / step + SAME_FRAME) + 1;
   return {
-    frames: { startSeconds: own.startSeconds, frameSeconds: every * own.frameSeconds, frameCount },
+    frames: { startSeconds: own.startSeconds, frameSeconds: step * own.frameSeconds, frameCount },
     fps: asked,
   };
 }

@@ -200,6 +200,55 @@ describe('marrow export', () => {
     expect(existsSync(join(folder, 'out3'))).toBe(false);
   });
 
+  it('files outside the folder where it is called keep equal names apart by the folder that they share', async () => {
+    mkdirSync(join(folder, 'desk'));
+    const from = (paths: readonly string[], out: string) =>
+      command(['export', ...paths, '--to', 'npz', '--out', out], join(folder, 'desk'));
+    const inputs = ['../takes/walk.bvh', '../takes/b/walk.bvh'];
+    expect((await from(inputs, 'both')).code).toBe(0);
+    expect(filesIn('desk/both')).toEqual(['b/walk.npz', 'manifest.ndjson', 'walk.npz']);
+    expect((await from([join(folder, 'takes/b/walk.bvh')], 'one')).code).toBe(0);
+    expect(filesIn('desk/one')).toEqual(['manifest.ndjson', 'walk.npz']);
+  });
+
+  it('an output folder that is a file, or below one, is wrong usage', async () => {
+    for (const out of ['takes/walk.bvh', 'takes/walk.bvh/below']) {
+      const { code, err } = await exported('takes', '--to', 'npz', '--out', out);
+      expect(code).toBe(2);
+      expect(err).toContain(`marrow: --out takes a folder; ${out} is none and could not be made: `);
+    }
+  });
+
+  it('each figure of a file retargeted onto that file is itself', async () => {
+    for (const [out, ...args] of [['as-read'], ['onto-itself', '--retarget', 'takes/two.bvh']]) {
+      const { code, err } = await exported('takes/two.bvh', '--to', 'npz', '--out', out, '--float64', ...args);
+      expect([code, err]).toEqual([0, '']);
+    }
+    for (const name of ['two.1.npz', 'two.2.npz']) {
+      const [read, onto] = [npz(`as-read/takes/${name}`), npz(`onto-itself/takes/${name}`)];
+      expect(onto.names.values).toEqual(read.names.values);
+      for (const [i, value] of read.positions.values.entries()) {
+        expect(onto.positions.values[i]).toBeCloseTo(Number(value), 9);
+      }
+    }
+  });
+
+  it('at twice the frame rate every other frame is one of the file, the last included', async () => {
+    writeFileSync(join(folder, 'thirty.bvh'), WALK.replace('Frame Time: 0.1', 'Frame Time: 0.033333'));
+    await exported('thirty.bvh', '--to', 'npz', '--out', 'own', '--float64');
+    await exported('thirty.bvh', '--to', 'npz', '--out', 'twice', '--float64', '--fps', '60');
+    const [own, twice] = [npz('own/thirty.npz'), npz('twice/thirty.npz')];
+    expect([own.positions.shape, twice.positions.shape]).toEqual([
+      [11, 2, 3],
+      [21, 2, 3],
+    ]);
+    for (const [i, value] of own.positions.values.entries()) {
+      const frame = Math.floor(i / 6);
+      expect(twice.positions.values[2 * 6 * frame + (i % 6)]).toBeCloseTo(Number(value), 9);
+    }
+    expect(twice.times.values.at(-1)).toBeCloseTo(20 / 60, 12);
+  });
+
   it('crops, retargets and changes the frame rate before numbers are made', async () => {
     writeFileSync(join(folder, 'small.bvh'), WALK.replace('OFFSET 0 10 0', 'OFFSET 0 5 0'));
     writeFileSync(join(folder, 'map.csv'), 'target,source\nHips,Hips\nArm,Arm\n');

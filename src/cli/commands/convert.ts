@@ -196,10 +196,14 @@ async function toGlb(given: Arguments, ins: readonly string[], out: string, io: 
 async function editOf(given: Arguments, io: CommandIo): Promise<Edit | undefined> {
   if (firstGiven(given, EDITING) === undefined) return undefined;
   const editing = editingOf(given);
-  const { retarget, spaces } = await loadTarget(editing, io.folder);
+  const { retargetOf, spaces } = await loadTarget(editing, io.folder);
   const { crop, isMirrored } = editing;
-  const options = { ...(crop && { crop }), ...(isMirrored && { isMirrored }), ...(retarget && { target: retarget }) };
-  return (character) => withEditedTakes(inSpaceOf(character, spaces), options);
+  const options = { ...(crop && { crop }), ...(isMirrored && { isMirrored }) };
+  return (character) =>
+    withEditedTakes(inSpaceOf(character, spaces), {
+      ...options,
+      ...(retargetOf && { target: retargetOf(character) }),
+    });
 }
 
 type Edit = (character: Character) => Character;

@@ -1,4 +1,5 @@
 /** Exports takes as the arguments of a command say: of `export`, and of `convert` with many files. */
+import { mkdirSync } from 'node:fs';
 import { resolve } from 'node:path';
 import { CommandError } from '../../edit/store.ts';
 import { type Arguments, UsageError } from '../arguments.ts';
@@ -26,6 +27,16 @@ export async function exportGiven(given: Arguments, io: CommandIo, own: OwnSetti
   }
 }
 
+/** @throws UsageError if it can't be made, as where there is a file of this name */
+function makeFolder(out: string, folder: string): void {
+  try {
+    mkdirSync(resolve(folder, out), { recursive: true });
+  } catch (error) {
+    const reason = error instanceof Error ? error.message : String(error);
+    throw new UsageError(`--out takes a folder; ${out} is none and could not be made: ${reason}.`);
+  }
+}
+
 async function exportAll(given: Arguments, io: CommandIo, own: OwnSettings): Promise<ExitCode> {
   const out = given.value('out');
   if (out === undefined) throw new UsageError('--out is missing: the folder for the exported files.');
@@ -37,6 +48,7 @@ async function exportAll(given: Arguments, io: CommandIo, own: OwnSettings): Pro
   const inputs = await inputsOf(given, io);
   // Also by each thread; here so that a wrong file is told before anything is written.
   await loadTarget(editing, io.folder);
+  makeFolder(out, io.folder);
   const left = timeLeft();
   const summary = await exportTakes(
     {

@@ -1,6 +1,5 @@
 /** Exports all takes of a list, with several threads, and writes the manifest. */
 import { createHash } from 'node:crypto';
-import { mkdirSync } from 'node:fs';
 import { VERSION } from '../../model/version.ts';
 import { shareWork } from '../threads.ts';
 import { earlierRecords, Manifest } from './manifest.ts';
@@ -48,7 +47,6 @@ export async function exportTakes(
   const { out } = settings;
   const earlier = resumes ? earlierRecords(out) : new Map();
   const pieces = inShard(inputs, shard).map((input): ExportPiece => ({ input, before: earlier.get(input.path) ?? [] }));
-  mkdirSync(out, { recursive: true });
   const manifest = new Manifest(
     out,
     shard,

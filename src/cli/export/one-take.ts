@@ -124,7 +124,7 @@ async function takesOf(
   let since = begun;
   for (const [i, character] of takes.entries()) {
     const stem = takes.length > 1 ? `${input.stem}.${i + 1}` : input.stem;
-    const options = { ...settings, ...(target.retarget && { target: target.retarget }) };
+    const options = { ...settings, ...(target.retargetOf && { target: target.retargetOf(character) }) };
     const take = takeOf(character, options);
     const { to } = settings;
     const files = isMotion(to)

@@ -6,7 +6,7 @@
  * so that several processes can share it.
  */
 import { statSync } from 'node:fs';
-import { extname, isAbsolute, relative, resolve, sep } from 'node:path';
+import { dirname, extname, relative, resolve, sep } from 'node:path';
 import { baseName, type SourceFile } from '../../model/files.ts';
 import { openingOf } from '../../project/kinds.ts';
 import { groupFiles, type ReadFile } from '../../project/open/grouping.ts';
@@ -74,15 +74,23 @@ function animationsIn(files: readonly GivenPath[]): Omit<TakeInput, 'stem'>[] {
 }
 
 /**
- * Names the outputs after the inputs: the path below the folder that was named, or below the caller's for a file that
- * was named itself. Where two differ only in their endings, these are kept: `walk.bvh.npz`, `walk.anim.npz`.
+ * Names the outputs after the inputs: the path below the folder that was named; of a file that was named itself, below
+ * the caller's, or, outside it, below the folder that all such files share. Where two differ only in their endings, these are kept: `walk.bvh.npz`, `walk.anim.npz`.
  */
 function withStems(
   inputs: readonly Omit<TakeInput, 'stem'>[],
   folders: readonly string[],
   callers: string,
 ): readonly TakeInput[] {
-  const below = inputs.map(({ absolute }) => pathBelow(absolute, folders, callers));
+  const isIn = (folder: string, path: string) => path.startsWith(folder.endsWith(sep) ? folder : folder + sep);
+  const homes = [...folders, callers];
+  const strays = inputs.map(({ absolute }) => absolute).filter((path) => !homes.some((folder) => isIn(folder, path)));
+  if (strays.length > 0) homes.push(sharedFolder(strays));
+  const below = inputs.map(({ absolute }) =>
+    relative(homes.find((folder) => isIn(folder, absolute)) ?? dirname(absolute), absolute)
+      .split(sep)
+      .join('/'),
+  );
   const short = below.map((path) => path.slice(0, path.length - extname(path).length));
   const counts = new Map<string, number>();
   for (const stem of short) counts.set(stem, (counts.get(stem) ?? 0) + 1);
@@ -103,9 +111,9 @@ function withStems(
   });
 }
 
-function pathBelow(absolute: string, folders: readonly string[], callers: string): string {
-  const given = folders.find((folder) => absolute.startsWith(folder + sep));
-  const path = relative(given ?? callers, absolute);
-  const isOutside = path.startsWith('..') || isAbsolute(path);
-  return (isOutside ? baseName(absolute) : path).split(sep).join('/');
+/** The deepest folder that all these files are below. */
+function sharedFolder([first, ...others]: readonly string[]): string {
+  let folder = dirname(first);
+  while (dirname(folder) !== folder && !others.every((path) => path.startsWith(folder + sep))) folder = dirname(folder);
+  return folder;
 }

@@ -22,7 +22,8 @@ export interface TargetFiles {
 export type Spaces = ReadonlyMap<string, Space>;
 
 export interface Target {
-  readonly retarget?: RetargetTarget;
+  /** What a take is retargeted to: of several figures in the file the one with its skeleton, else the first. */
+  readonly retargetOf?: (take: Character) => RetargetTarget;
   readonly spaces: Spaces;
 }
 
@@ -36,10 +37,21 @@ export async function loadTarget({ retarget, map, space }: TargetFiles, folder: 
     throw new UsageError(`--space takes motion capture, whose unit, up axis and ground are guessed; found ${space}.`);
   }
   if (retarget === undefined) return { spaces };
-  const [character] = (await charactersIn(retarget, folder, '--retarget')).map((c) => inSpaceOf(c, spaces));
-  if (!character) throw new UsageError(`--retarget takes a file with a skeleton; ${retarget} has none.`);
+  const characters = (await charactersIn(retarget, folder, '--retarget')).map((c) => inSpaceOf(c, spaces));
+  const [first] = characters;
+  if (!first) throw new UsageError(`--retarget takes a file with a skeleton; ${retarget} has none.`);
   const read = map === undefined ? undefined : readMap(map, folder);
-  return { retarget: { character, ...(read && { map: read }) }, spaces };
+  return {
+    retargetOf(take) {
+      const same = characters.find((character) => keyOf(character) === keyOf(take));
+      return { character: same ?? first, ...(read && { map: read }) };
+    },
+    spaces,
+  };
+}
+
+function keyOf({ skeleton }: Character): string | undefined {
+  return skeleton && skeletonKey(skeleton);
 }
 
 /** The character in the space that was given for its skeleton, if one was; else the same object. */
