@@ -51,7 +51,7 @@ export function jointMotion(node: SceneNode, moves: readonly SceneMove[], size: 
   });
   const isTurned =
     isTurning || Math.hypot(rest[0], rest[1], rest[2]) > 1e-12 || (euler?.angles.some((a) => a !== 0) ?? false);
-  const curves = moves.flatMap(({ rotation }) => (rotation?.kind === 'quaternion' ? [rotation.curve] : []));
+  const curves = moves.flatMap(({ rotation }) => (rotation?.kind === 'turns' ? [rotation.curve] : []));
   const clearest = euler?.order ?? clearestOrder(rest, curves);
   const isLocked = !euler && isTurning && worstOf(rest, curves, clearest) > LOCKED;
   const isQuaternion = isLocked && !isTranslated && !isScaled;

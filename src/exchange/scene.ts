@@ -133,8 +133,7 @@ export type AxisCurves = readonly [Channel | undefined, Channel | undefined, Cha
 /** Euler angles are kept with their keys and tangents; quaternions are fitted. */
 export type SceneRotation =
   /** In the order of the node's `euler`, which must be there. */
-  | { readonly kind: 'euler'; readonly angles: AxisCurves }
-  | { readonly kind: 'quaternion'; readonly curve: QuaternionCurve };
+  { readonly kind: 'euler'; readonly angles: AxisCurves } | { readonly kind: 'turns'; readonly curve: QuaternionCurve };
 
 /** Before the first and after the last key it is constant. */
 export interface QuaternionCurve {

@@ -81,6 +81,11 @@ export function stretches(motion: Motion): boolean {
   return dofsOf(motion).some(({ name }) => name.startsWith('s') || name.startsWith('h'));
 }
 
+/** Whether a motion can move its joint's origin in the parent's space. */
+export function displaces(motion: Motion): boolean {
+  return pitchOf(motion) !== 0 || dofsOf(motion).some(({ unit }) => unit === 'length');
+}
+
 /** Whether joints with this motion come from a `.bvh`, and are converted before they are written to `.skel`. */
 export function isOfBvh(motion: Motion): boolean {
   return jointTypeOf(motion).format === 'bvh';

@@ -5,7 +5,7 @@ import type { MotionPart } from '../../src/evaluate/motions/motion.ts';
 import { jointMotion } from '../../src/evaluate/motions.ts';
 import { determinant3, multiplyAffine, setIdentity as writeIdentity } from '../../src/math/mat4.ts';
 import { writeRotation } from '../../src/math/quaternion.ts';
-import { dofsOf } from '../../src/model/joint-types.ts';
+import { displaces, dofsOf } from '../../src/model/joint-types.ts';
 import { skelMotionOf } from '../../src/model/skel-motion.ts';
 import type { Motion } from '../../src/model/skeleton.ts';
 import { bvhMotion, motion } from '../formats/arbitraries.ts';
@@ -53,6 +53,16 @@ const posed = fc
   .chain((of) => fc.tuple(fc.constant(of), fc.tuple(...dofsOf(of).map(() => (isPositive(of) ? value : signed)))));
 
 describe('any motion', () => {
+  it('any motion keeps the origin where it is unless it is said to displace it', () => {
+    fc.assert(
+      fc.property(posed, ([of, values]) => {
+        const [x, y, z] = at(of, values).slice(12, 15);
+        if (!displaces(of)) expect(Math.hypot(x, y, z)).toBe(0);
+        else expect(Math.hypot(x, y, z)).toBeGreaterThan(0);
+      }),
+    );
+  });
+
   it('any motion has the derivatives that finite differences have', () => {
     fc.assert(
       fc.property(posed, ([of, values]) => {

@@ -64,7 +64,7 @@ export function worldsAt(scene: Scene, take: SceneTake | undefined, time: number
     const t = valuesOf(move?.translation, time, node.translation);
     const s = valuesOf(move?.scale, time, node.scale);
     let r = quaternionMatrix(node.rotation);
-    if (move?.rotation?.kind === 'quaternion') throw new Error('no quaternion curves here');
+    if (move?.rotation?.kind === 'turns') throw new Error('no quaternion curves here');
     if (move?.rotation && node.euler)
       r = eulerMatrix(node.euler.order, valuesOf(move.rotation.angles, time, node.euler.angles));
     const local = r.map((value, k) => (k < 12 ? value * s[Math.floor(k / 4)] : value));

@@ -65,7 +65,7 @@ export function readTakes(
       moves.set(node, move);
       if (move[path]) {
         remarks.warn('channel-twice', `${called} moves the ${path} of node ${target.node} twice.`, 'the first is used');
-      } else if (path === 'rotation') move.rotation = { kind: 'quaternion', curve: quaternionOf(read) };
+      } else if (path === 'rotation') move.rotation = { kind: 'turns', curve: quaternionOf(read) };
       else move[path] = [0, 1, 2].map((axis) => channelOf(read, axis)) as unknown as AxisCurves;
     }
     if (!range) {

@@ -2,6 +2,7 @@
  * Bones: one that is longer or shorter than usual in this take by 5 % and 1 cm; and an arm or leg bone whose length
  * differs from that of the other side by 8 % and 2 cm, flagged at the first frame.
  */
+import { displaces } from '../../model/joint-types.ts';
 import type { Flag } from '../flags.ts';
 import type { TakeFrames } from '../frames.ts';
 import { between, type Survey } from '../survey.ts';
@@ -23,9 +24,7 @@ export class Bones implements Check {
     const { joints } = frames.skeleton;
     // Bones of joints that only rotate have one length.
     this.spans = joints.flatMap(({ parent, motion }, joint) => {
-      const moves =
-        motion.kind === 'bvh' ? motion.channels.some((channel) => channel.startsWith('t')) : movesAlong(motion.kind);
-      return parent >= 0 && moves ? [{ joint, length: survey.lengths[joint], span: new Span(1) }] : [];
+      return parent >= 0 && displaces(motion) ? [{ joint, length: survey.lengths[joint], span: new Span(1) }] : [];
     });
   }
 
@@ -63,8 +62,4 @@ export class Bones implements Check {
       });
     });
   }
-}
-
-function movesAlong(kind: string): boolean {
-  return kind === 'translational' || kind === 'prismatic' || kind === 'free' || kind === 'screw' || kind === 'compound';
 }
