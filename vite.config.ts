@@ -76,6 +76,8 @@ function tests(
       pool: 'threads',
       maxWorkers: availableParallelism(),
       setupFiles: ['./tests/helpers/seed.ts'],
+      // On a busy machine, polled conditions need longer than vitest's default of a second.
+      expect: { poll: { timeout: 15_000, interval: 50 } },
       sequence: { groupOrder: order },
       ...own,
     },
@@ -99,9 +101,8 @@ export default defineConfig(({ mode }) => {
         // Properties over many cases and files, which take longer than all other tests together. Processes instead of
         // threads: some measure their CPU time.
         tests('deep', DEEP, 1, { pool: 'forks', isolate: false, testTimeout: 60_000 }),
-        // Two browsers at most, since they draw in software. On a busy machine, polled conditions need longer than
-        // vitest's default of a second. Processes, so that their browsers end with them. A browser under load may lose
-        // an event to a frame: a second try decides, and the run names each test that needed it.
+        // Two browsers at most, since they draw in software. Processes, so that their browsers end with them. A browser
+        // under load may lose an event to a frame: a second try decides, and the run names each test that needed it.
         tests('browser', BROWSER, 2, {
           retry: 1,
           pool: 'forks',
@@ -109,7 +110,6 @@ export default defineConfig(({ mode }) => {
           maxWorkers: 2,
           testTimeout: 120_000,
           hookTimeout: 60_000,
-          expect: { poll: { timeout: 15_000, interval: 100 } },
         }),
         // Benchmarks only, each alone in its own process.
         tests('bench', [], 3, { pool: 'forks', maxWorkers: 1 }),
