@@ -54,6 +54,14 @@ describe('markers of a take', () => {
     expect(textOf(held)).toEqual(['step 0.5', 'stand 1–2']);
   });
 
+  it('markers of a take that is inserted stay at their frames, of which the first are faded into what precedes', () => {
+    const hero = swinging(swing);
+    const two = documentOf({ ...hero, clips: [...hero.clips, { ...swing, name: 'again', markers: [MARKERS[0]] }] });
+    const args = { into: takes[0], take: { ...c1, clip: 1 }, overlapSeconds: 0.25 };
+    expect(textOf(insertIntoTake.run(two, { ...args, atSeconds: 1 }))).toEqual(['step 1.25']);
+    expect(textOf(insertIntoTake.run(two, { ...args, atSeconds: 0 }))).toEqual(['step 0.5']);
+  });
+
   it('a joined take has the markers of both, and its cross-fade as a span', () => {
     const hero = swinging({ ...swing, markers: MARKERS });
     const two = documentOf({ ...hero, clips: [...hero.clips, { ...swing, name: 'again', markers: [MARKERS[0]] }] });

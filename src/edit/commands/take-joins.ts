@@ -176,15 +176,19 @@ function* insertingTake(
   const parts = [framesBetween(samples, 0, at), middle, framesBetween(samples, at, samples.frameCount)];
   const [first, ...others] = parts.filter(({ frameCount }) => frameCount > 0);
   let made = first;
+  let lead = 0;
   for (const [i, part] of others.entries()) {
     const overlap = framesOfOverlap(how, made, part);
+    if (i === 0 && at > 0) lead = overlap;
     made = yield* within(joining(joined, made, part, overlap), i / others.length, (i + 1) / others.length);
   }
   const start = samples.startSeconds + at * samples.frameSeconds;
   const added = (made.frameCount - samples.frameCount) * samples.frameSeconds;
   const other = requireCharacter(document, ref.characterId).clips[ref.clip];
   const range = rangeOfSamples(middle);
-  const theirs = retimed(markersWithin(other.markers, ...range), (seconds) => seconds - range[0] + start);
+  // Its first frames are faded into what precedes it.
+  const begin = start - lead * samples.frameSeconds;
+  const theirs = retimed(markersWithin(other.markers, ...range), (seconds) => seconds - range[0] + begin);
   return withMarkers(clipOfFrames(clip, { ...made, startSeconds: samples.startSeconds }), [
     ...rippledMarkers(clip.markers, start, added),
     ...theirs,
