@@ -17,7 +17,7 @@
 import { CommandError } from '../edit/store.ts';
 import { playedClip } from '../evaluate/bake.ts';
 import { carrierIn, retargetCarrier } from '../evaluate/carrier.ts';
-import { contactSpans, feetOf, standingHeight } from '../evaluate/foot-contacts.ts';
+import { contactSpans, feetOf, framesOfSpans, standingHeight } from '../evaluate/foot-contacts.ts';
 import { metresPerUnit } from '../evaluate/metres.ts';
 import { dofCountOf, poseFrom, poseSource } from '../evaluate/pose.ts';
 import { applySpace } from '../evaluate/space.ts';
@@ -281,10 +281,10 @@ class FootPaths {
     const paths = { count: frameCount, start, step, width, points };
     const out = new Uint8Array(width * count);
     balls.forEach((_, i) => {
-      const spans = contactSpans(paths, i, standingHeight(paths, i), leg);
+      const spans = framesOfSpans(paths, contactSpans(paths, i, standingHeight(paths, i), leg));
       for (let s = 0; s < spans.length; s += 2) {
-        const from = Math.max(0, Math.round((spans[s] - start) / step) - first);
-        const to = Math.min(count - 1, Math.round((spans[s + 1] - start) / step) - first);
+        const from = Math.max(0, spans[s] - first);
+        const to = Math.min(count - 1, spans[s + 1] - first);
         for (let row = from; row <= to; row++) out[row * width + i] = 1;
       }
     });

@@ -63,6 +63,14 @@ export function contactSpans(paths: JointPaths, column: number, height: number, 
   return Float64Array.from(spans.filter(([from, to]) => to - from >= SHORTEST).flat());
 }
 
+/** First and last frame of each span, at most `count − 1`. */
+export function framesOfSpans(
+  { count, start, step }: Pick<JointPaths, 'count' | 'start' | 'step'>,
+  spans: Float64Array,
+): Int32Array {
+  return Int32Array.from(spans, (seconds) => Math.min(count - 1, Math.max(0, Math.round((seconds - start) / step))));
+}
+
 /** The feet of a skeleton. */
 export interface Feet {
   /** The toe joint of each foot, or its ankle; the left one first. */

@@ -13,3 +13,8 @@ export function harmless(text: string): string {
 export function meant(cell: string): string {
   return cell.startsWith("'") && FORMULA.test(cell.slice(1)) ? cell.slice(1) : cell;
 }
+
+/** A cell: separators of any country are quoted, and spaces at the ends, which some programs trim. */
+export function quoted(cell: string): string {
+  return /[",;\t\r\n]|^\s|\s$/.test(cell) ? `"${cell.replaceAll('"', '""')}"` : cell;
+}

@@ -1,5 +1,5 @@
 /** Lists of takes as CSV (RFC 4180) and JSON. */
-import { harmless } from './formula-cells.ts';
+import { harmless, quoted } from './formula-cells.ts';
 import { LIST_COLUMNS, type ListColumn, type ListedTake } from './list.ts';
 
 /** Between tags, and between flags, of one cell. */
@@ -22,9 +22,4 @@ function cellOf(take: ListedTake, column: ListColumn): string {
   if (value === undefined) return '';
   if (typeof value === 'number') return column === 'stars' && value === 0 ? '' : String(value);
   return harmless(typeof value === 'string' ? value : value.join(BETWEEN));
-}
-
-/** Separators of any country are quoted, and spaces at the ends, which some programs trim. */
-function quoted(cell: string): string {
-  return /[",;\t\r\n]|^\s|\s$/.test(cell) ? `"${cell.replaceAll('"', '""')}"` : cell;
 }

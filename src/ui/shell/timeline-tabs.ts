@@ -32,6 +32,10 @@ export const TABS: Readonly<Record<TimelineTabName, TabRecord>> = {
     label: 'Pose library',
     load: async (wb) => (await import('../editors/poses/panel.ts')).posesPanel(wb),
   },
+  measure: {
+    label: 'Measure',
+    load: async (wb) => (await import('../editors/measure/panel.ts')).measurePanel(wb),
+  },
   steps: {
     label: 'Steps',
     load: async (wb) => (await import('../editors/steps/panel.ts')).stepsPanel(wb),

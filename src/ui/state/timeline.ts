@@ -13,7 +13,17 @@ import { ReviewState } from './review.ts';
 import type { SourcePlace } from './source.ts';
 import { Takes } from './takes.ts';
 
-export const TIMELINE_TABS = ['curves', 'dope', 'takes', 'review', 'poses', 'steps', 'source', 'compare'] as const;
+export const TIMELINE_TABS = [
+  'curves',
+  'dope',
+  'takes',
+  'review',
+  'poses',
+  'measure',
+  'steps',
+  'source',
+  'compare',
+] as const;
 export type TimelineTabName = (typeof TIMELINE_TABS)[number];
 
 /** Which channels are listed: the selected joint's (with the root translation for the root), all, or pinned ones. */

@@ -1,14 +1,10 @@
 /**
  * Draws distances over time on two canvases: edits and navigation below; playhead and hover above, so that playback
  * redraws only a line.
- *
- * A line with more frames than pixels is drawn as the range of each column of pixels, so that no peak is lost at any
- * zoom.
  */
 import type { Distances } from '../../../evaluate/distance.ts';
 import { roundStep } from '../../../math/round-steps.ts';
 import { element } from '../../kit/dom.ts';
-import type { TimeWindow } from '../../kit/time-window.ts';
 import {
   drawOutsideRange,
   drawPlayhead,
@@ -21,6 +17,7 @@ import {
   timeX,
   translucent,
 } from '../timeline/time-ruler.ts';
+import { traceFrames } from '../timeline/trace-frames.ts';
 import { type DistanceUnit, distanceNumber } from './distance-text.ts';
 
 export interface ChartLine {
@@ -178,7 +175,7 @@ export class ChartPicture {
       g.setLineDash([...DASHES[Math.floor(line.ordinal / palette.length) % DASHES.length]]);
     }
     g.beginPath();
-    trace(g, scene, line.values, distances);
+    traceFrames(g, view, distances, line.values, (value) => yAt(scene, value));
     g.stroke();
     g.restore();
   }
@@ -228,43 +225,4 @@ function opacityOf({ kind }: ChartLine): number {
 
 export function yAt({ height, top }: Pick<ChartScene, 'height' | 'top'>, distance: number): number {
   return height - FOOT - (top > 0 ? distance / top : 0) * (height - HEAD - FOOT);
-}
-
-/** First and end (exclusive) of the frames in a time window, plus one on each side. */
-export function framesIn({ startSeconds, frameSeconds, frameCount }: Distances, { from, to }: TimeWindow) {
-  const first = Math.max(0, Math.floor((from - startSeconds) / frameSeconds));
-  const end = Math.min(frameCount, Math.ceil((to - startSeconds) / frameSeconds) + 1);
-  return [first, Math.max(first, end)] as const;
-}
-
-function trace(g: CanvasRenderingContext2D, scene: ChartScene, values: Float32Array, distances: Distances): void {
-  const { view } = scene;
-  const { startSeconds, frameSeconds } = distances;
-  const [first, end] = framesIn(distances, view.window);
-  const perPixel = (view.window.to - view.window.from) / view.width / frameSeconds;
-  if (perPixel <= 2) {
-    for (let f = first; f < end; f++) {
-      g.lineTo(timeX(view, startSeconds + f * frameSeconds), yAt(scene, values[f]));
-    }
-    // A take of one frame is a point.
-    if (end - first === 1) g.arc(timeX(view, startSeconds + first * frameSeconds), yAt(scene, values[first]), 1, 0, 7);
-    return;
-  }
-  let f = first;
-  while (f < end) {
-    const x = Math.floor(timeX(view, startSeconds + f * frameSeconds));
-    const past = Math.min(end, Math.max(f + 1, Math.floor(f + perPixel)));
-    let least = values[f];
-    let most = least;
-    for (let i = f + 1; i < past; i++) {
-      const value = values[i];
-      if (value < least) least = value;
-      else if (value > most) most = value;
-    }
-    g.lineTo(x + 0.5, yAt(scene, values[f]));
-    g.lineTo(x + 0.5, yAt(scene, least));
-    g.lineTo(x + 0.5, yAt(scene, most));
-    g.lineTo(x + 0.5, yAt(scene, values[past - 1]));
-    f = past;
-  }
 }

@@ -3,24 +3,21 @@
  * and two fingers zoom in time, the wheel with Shift pans. Uses the timeline's time window, like curves and dope sheet.
  */
 import { element, setAttribute } from '../../kit/dom.ts';
-import { followPointer } from '../../kit/drag.ts';
 import { HAS_KEYS } from '../../kit/focus.ts';
 import { oncePerFrame } from '../../kit/frame.ts';
 import { shown } from '../../kit/number-text.ts';
-import { fitWindow, panWindow, pinchWindow, revealTime, type TimeWindow, zoomWindow } from '../../kit/time-window.ts';
+import { fitWindow, revealTime, type TimeWindow } from '../../kit/time-window.ts';
 import type { Uses } from '../../state/workbench.ts';
-import { scrubFrames } from '../timeline/scrub-frames.ts';
+import { type ChartPoint, TimeInput, timeAt } from '../timeline/time-input.ts';
 import { TIME_RULER_HEIGHT, type TimeView } from '../timeline/time-ruler.ts';
-import { type ChartLine, ChartPicture, type ChartReadout, type ChartScene, framesIn, yAt } from './chart-picture.ts';
+import { framesIn } from '../timeline/trace-frames.ts';
+import { type ChartLine, ChartPicture, type ChartReadout, type ChartScene, yAt } from './chart-picture.ts';
 import { type DistanceUnit, distanceText } from './distance-text.ts';
 import type { Measured } from './measuring.ts';
 import { scrubbedTime } from './scrub-time.ts';
 
 /** Distance within which the pointer reads a line. */
 const REACH_PIXELS = 14;
-const ZOOM_PER_NOTCH = 1.2;
-const PIXELS_PER_NOTCH = 100;
-/** Time is scrolled into view when scrubbing past an edge, not while playing. */
 const NO_UNIT: DistanceUnit = { factor: 1, symbol: '' };
 
 export class DistanceChart {
@@ -37,14 +34,9 @@ export class DistanceChart {
   private measured: Measured | undefined;
   private unit = NO_UNIT;
   private hovered: number | undefined;
-  private pointer: { readonly x: number; readonly y: number } | undefined;
+  private pointer: ChartPoint | undefined;
   private scene: ChartScene | undefined;
   private visible = false;
-  /** Ends following the pointer that scrubs, and puts its time back. */
-  private endScrub: (() => void) | undefined;
-  /** x of the fingers that are down, by pointer. */
-  private readonly fingers = new Map<number, number>();
-  private pinch: { readonly window: TimeWindow; readonly from: readonly [number, number] } | undefined;
 
   constructor(private readonly wb: Uses<'transport' | 'timeline' | 'settings'>) {
     this.element.append(this.picture.element);
@@ -61,6 +53,7 @@ export class DistanceChart {
     });
     wb.transport.subscribe((now, before) => {
       if (now.range !== before.range || now.framesPerSecond !== before.framesPerSecond) this.redraw();
+      // Scrubbing past an edge scrolls, playing doesn't.
       if (this.visible && now.timeSeconds !== before.timeSeconds && !now.playing) {
         const { window } = wb.timeline.view.get();
         const next = revealTime(window, now.timeSeconds);
@@ -68,7 +61,16 @@ export class DistanceChart {
       }
       this.drawSoon();
     });
-    this.listen();
+    new TimeInput(wb, {
+      element: this.element,
+      timeView: () => this.timeView(),
+      scrubbedTime: (x, snapsTo) => scrubbedTime(x, this.timeView(), this.measured?.distances, snapsTo),
+      fitAll: () => this.fitAll(),
+      hoverAt: (at) => {
+        this.pointer = at;
+        this.drawSoon();
+      },
+    });
   }
 
   show(measured: Measured | undefined, unit: DistanceUnit): void {
@@ -173,7 +175,7 @@ export class DistanceChart {
     const { distances, view } = scene;
     if (!pointer || !distances || pointer.y < TIME_RULER_HEIGHT) return undefined;
     const { startSeconds, frameSeconds, frameCount } = distances;
-    const frame = Math.round((this.timeAt(view, pointer.x) - startSeconds) / frameSeconds);
+    const frame = Math.round((timeAt(view, pointer.x) - startSeconds) / frameSeconds);
     if (frame < 0 || frame >= frameCount) return undefined;
     let nearest: ChartLine | undefined;
     let reach = REACH_PIXELS;
@@ -209,97 +211,5 @@ export class DistanceChart {
     const names = scene.lines.filter((l) => l.kind === 'joint').map((l) => l.label);
     const lines = ['mean', 'largest', ...names].join(', ');
     setAttribute(this.element, 'aria-label', `Distance of the joints over time: ${lines}. Drag to scrub.`);
-  }
-
-  // Pointer and keys.
-
-  private timeAt({ window, width }: TimeView, x: number): number {
-    return window.from + (x / width) * (window.to - window.from);
-  }
-
-  private listen(): void {
-    const { element: target } = this;
-    target.addEventListener('pointerdown', (event) => {
-      if (event.button !== 0) return;
-      if (event.pointerType === 'touch') this.fingers.set(event.pointerId, this.at(event).x);
-      if (this.fingers.size === 2) this.beginPinch();
-      if (this.fingers.size < 2) this.beginScrub(event);
-    });
-    target.addEventListener('pointermove', (event) => {
-      if (this.fingers.has(event.pointerId)) this.fingers.set(event.pointerId, this.at(event).x);
-      this.pointer = this.at(event);
-      if (this.pinch) this.onPinch(this.pinch);
-      this.drawSoon();
-    });
-    for (const end of ['pointerup', 'pointercancel'] as const) {
-      target.addEventListener(end, ({ pointerId }) => {
-        if (this.fingers.delete(pointerId)) this.pinch = undefined;
-      });
-    }
-    target.addEventListener('pointerleave', () => {
-      this.pointer = undefined;
-      this.drawSoon();
-    });
-    target.addEventListener('wheel', (event) => this.onWheel(event), { passive: false });
-    target.addEventListener('keydown', (event) => {
-      if (event.ctrlKey || event.metaKey || event.altKey) return;
-      const { window } = this.wb.timeline.view.get();
-      const { timeSeconds } = this.wb.transport.get();
-      if (event.key === 'a' || event.key === 'A' || event.key === 'f' || event.key === 'F') this.fitAll();
-      else if (event.key === '+' || event.key === '=') this.look(zoomWindow(window, timeSeconds, 1 / ZOOM_PER_NOTCH));
-      else if (event.key === '-') this.look(zoomWindow(window, timeSeconds, ZOOM_PER_NOTCH));
-      else return;
-      event.preventDefault();
-    });
-  }
-
-  private at(event: MouseEvent): { readonly x: number; readonly y: number } {
-    const box = this.element.getBoundingClientRect();
-    return { x: event.clientX - box.left, y: event.clientY - box.top };
-  }
-
-  private scrub(event: MouseEvent): void {
-    const snapsTo = scrubFrames(this.wb, event.shiftKey);
-    const timeSeconds = scrubbedTime(this.at(event).x, this.timeView(), this.measured?.distances, snapsTo);
-    this.wb.transport.update((p) => ({ ...p, timeSeconds, playing: false }));
-  }
-
-  private beginScrub(press: PointerEvent): void {
-    const { timeSeconds, playing } = this.wb.transport.get();
-    this.scrub(press);
-    const leave = followPointer(this.element, press, {
-      move: (event) => this.scrub(event),
-      over: () => (this.endScrub = undefined),
-    });
-    this.endScrub = () => {
-      leave();
-      this.endScrub = undefined;
-      this.wb.transport.update((p) => ({ ...p, timeSeconds, playing }));
-    };
-  }
-
-  /** The first of two fingers has scrubbed until now, and didn't mean to. */
-  private beginPinch(): void {
-    this.endScrub?.();
-    const [a, b] = this.fingers.values();
-    this.pinch = { window: this.wb.timeline.view.get().window, from: [a, b] };
-  }
-
-  private onPinch({ window, from }: NonNullable<typeof this.pinch>): void {
-    const [a, b] = this.fingers.values();
-    this.look(pinchWindow(window, this.size.width, from, [a, b]));
-  }
-
-  private onWheel(event: WheelEvent): void {
-    event.preventDefault();
-    const view = this.timeView();
-    const lines = event.deltaMode === WheelEvent.DOM_DELTA_LINE ? 33 : 1;
-    const across = (event.shiftKey && !event.deltaX ? event.deltaY : event.deltaX) * lines;
-    if (Math.abs(across) > 0 && (event.shiftKey || Math.abs(across) > Math.abs(event.deltaY * lines))) {
-      this.look(panWindow(view.window, (across / view.width) * (view.window.to - view.window.from)));
-      return;
-    }
-    const factor = ZOOM_PER_NOTCH ** ((event.deltaY * lines) / PIXELS_PER_NOTCH);
-    this.look(zoomWindow(view.window, this.timeAt(view, this.at(event).x), factor));
   }
 }
