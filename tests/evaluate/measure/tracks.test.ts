@@ -103,7 +103,8 @@ describeShared('the tracks of real takes', () => {
     const J = tracks.joints.length;
     speed?.forEach((value, f) => {
       const velocity = arrays.velocities.subarray(3 * J * f, 3 * J * f + 3);
-      expect(Math.abs(value - Math.hypot(...velocity))).toBeLessThan(1e-5);
+      // A file's frame time has few digits, and the exported rate is whole.
+      expect(Math.abs(value - Math.hypot(...velocity))).toBeLessThan(1e-5 * Math.max(1, value));
     });
   });
 

@@ -1,0 +1,330 @@
+/**
+ * *Measure*: quantities over time of the selected joints or the centre of mass, of all visible characters that play a
+ * take, as displayed. Nothing in the document changes.
+ */
+import { QUANTITIES, type Quantity } from '../../../evaluate/measure/quantities.ts';
+import { copyText } from '../../kit/clipboard.ts';
+import { button, element, keepsFocusElsewhere, setAttribute, setText } from '../../kit/dom.ts';
+import { focusPanel, HAS_KEYS } from '../../kit/focus.ts';
+import { oncePerFrame } from '../../kit/frame.ts';
+import { middleCut } from '../../kit/middle-cut.ts';
+import { plural, shown } from '../../kit/number-text.ts';
+import { fitWindow, revealTime, snapTime } from '../../kit/time-window.ts';
+import { setTooltip } from '../../kit/tooltip.ts';
+import type { TimelineTab } from '../../state/timeline.ts';
+import type { Uses } from '../../state/workbench.ts';
+import { type ChartPoint, type TimeChart, TimeInput, timeAt } from '../timeline/time-input.ts';
+import { TIME_RULER_HEIGHT, type TimeView } from '../timeline/time-ruler.ts';
+import { framesIn } from '../timeline/trace-frames.ts';
+import { Measuring } from './measuring.ts';
+import { barY, dashOf, PlotPicture, type PlotReadout, type PlotScene, valueY } from './picture.ts';
+import {
+  emptyText,
+  MOST_OVERLAID,
+  massText,
+  QUANTITY_LABELS,
+  type Series,
+  SUBJECTS,
+  type Subject,
+  seriesAsCsv,
+  seriesOf,
+  unitOf,
+  valueAt,
+} from './series.ts';
+
+type Parts = Uses<'store' | 'transport' | 'timeline' | 'settings' | 'messages' | 'files'>;
+
+/** Distance within which the pointer reads a line; CSS pixels. */
+const REACH_PIXELS = 14;
+const SUBJECT_LABELS: Readonly<Record<Subject, string>> = { joints: 'Selected joints', mass: 'Centre of mass' };
+
+export function measurePanel(wb: Parts): TimelineTab {
+  return new MeasurePanel(wb);
+}
+
+class MeasurePanel implements TimelineTab {
+  readonly element = element('div', { class: 'measure', 'data-panel': 'measure' });
+  readonly tools: HTMLElement;
+  private readonly chart = element('div', {
+    class: 'measure-chart',
+    role: 'application',
+    'aria-roledescription': 'chart',
+    tabindex: 0,
+    [HAS_KEYS]: true,
+  });
+  private readonly legend = element('ul', { class: 'measure-legend', 'aria-label': 'Values at the playhead' });
+  private readonly note = element('p', { class: 'measure-note' });
+  private readonly empty = element('p', { class: 'empty measure-empty', role: 'status', hidden: true });
+  private readonly picture = new PlotPicture();
+  private readonly measuring: Measuring;
+  private readonly save: HTMLButtonElement;
+  private readonly copy: HTMLButtonElement;
+  private readonly drawSoon = oncePerFrame(() => this.draw());
+  private quantity: Quantity = 'speed';
+  private subject: Subject = 'joints';
+  private series: readonly Series[] = [];
+  private values: HTMLElement[] = [];
+  private unit = '';
+  private scene: PlotScene | undefined;
+  private size = { width: 0, height: 0 };
+  private pointer: ChartPoint | undefined;
+  private visible = false;
+
+  constructor(private readonly wb: Parts) {
+    this.measuring = new Measuring(wb);
+    this.chart.append(this.picture.element);
+    this.element.append(
+      element('div', { class: 'measure-plot' }, this.chart, this.empty),
+      element('div', { class: 'measure-side' }, this.legend, this.note),
+    );
+    const quantities = choice('Quantity', QUANTITIES, (quantity) => QUANTITY_LABELS[quantity].label, this.quantity);
+    quantities.onChoice((quantity) => {
+      this.quantity = quantity;
+      this.show();
+    });
+    const subjects = choice('Of', SUBJECTS, (subject) => SUBJECT_LABELS[subject], this.subject);
+    subjects.onChoice((subject) => {
+      this.subject = subject;
+      this.show();
+    });
+    this.save = tool('Save the plotted values as CSV', 'CSV', () =>
+      this.wb.files.saveText(`${this.quantity}.csv`, this.csv()),
+    );
+    this.copy = tool('Copy the plotted values as CSV', 'Copy', () => void this.copyValues());
+    this.tools = element('div', { class: 'measure-tools' }, quantities.element, subjects.element, this.save, this.copy);
+    const chart: TimeChart = {
+      element: this.chart,
+      timeView: () => this.timeView(),
+      scrubbedTime: (x, snapsTo) => this.scrubbedTime(x, snapsTo),
+      fitAll: () => this.fitAll(),
+      hoverAt: (at) => {
+        this.pointer = at;
+        this.drawSoon();
+      },
+    };
+    new TimeInput(wb, chart);
+    this.follow();
+  }
+
+  setVisible(visible: boolean): void {
+    this.visible = visible;
+    this.measuring.setVisible(visible);
+    if (visible) this.redraw();
+  }
+
+  fitAll(): void {
+    const ends = this.series.map(({ frames: { startSeconds, frameSeconds, frameCount } }) => [
+      startSeconds,
+      startSeconds + (frameCount - 1) * frameSeconds,
+    ]);
+    if (!ends.length) return;
+    const window = fitWindow([Math.min(...ends.map(([from]) => from)), Math.max(...ends.map(([, to]) => to))]);
+    this.wb.timeline.change({ window });
+  }
+
+  fitSelected(): void {
+    this.fitAll();
+  }
+
+  recolour(): void {
+    this.picture.recolour();
+    this.show();
+  }
+
+  private follow(): void {
+    const { wb } = this;
+    new ResizeObserver(() => {
+      this.size = { width: this.chart.clientWidth, height: this.chart.clientHeight };
+      this.redraw();
+    }).observe(this.chart);
+    this.measuring.result.subscribe(() => this.show());
+    wb.timeline.view.subscribe((now, before) => {
+      if (now.window !== before.window) this.redraw();
+    });
+    wb.settings.subscribe((now, before) => {
+      if (now.timeDisplay !== before.timeDisplay) this.redraw();
+    });
+    wb.transport.subscribe((now, before) => {
+      if (now.range !== before.range || now.framesPerSecond !== before.framesPerSecond) this.redraw();
+      if (this.visible && now.timeSeconds !== before.timeSeconds && !now.playing) {
+        const { window } = wb.timeline.view.get();
+        const next = revealTime(window, now.timeSeconds);
+        if (next !== window) wb.timeline.change({ window: next });
+      }
+      this.drawSoon();
+    });
+  }
+
+  private timeView(): TimeView {
+    const { range, framesPerSecond } = this.wb.transport.get();
+    const inFrames = this.wb.settings.get().timeDisplay === 'frames';
+    return { window: this.wb.timeline.view.get().window, width: this.size.width, range, framesPerSecond, inFrames };
+  }
+
+  private scrubbedTime(x: number, snapsTo: number | undefined): number {
+    const view = this.timeView();
+    const within = Math.min(view.width, Math.max(0, x));
+    return snapTime(timeAt(view, within), (view.window.to - view.window.from) / view.width, snapsTo);
+  }
+
+  /** Another quantity, or other tracks. */
+  private show(): void {
+    const measured = this.measuring.result.get();
+    if (!measured) return;
+    const { sources, all } = measured;
+    const { quantity, subject } = this;
+    this.series = seriesOf(all, subject, quantity);
+    this.unit = unitOf(all, quantity);
+    const isEmpty = this.series.length === 0;
+    this.empty.hidden = !isEmpty;
+    setText(this.empty, isEmpty ? emptyText(sources, subject, quantity) : '');
+    this.save.disabled = this.copy.disabled = isEmpty;
+    const left = sources.length > MOST_OVERLAID ? `The first ${MOST_OVERLAID} of ${sources.length} characters` : '';
+    const notes = [massText(all, subject, quantity), left].filter(Boolean);
+    setText(this.note, notes.join('. '));
+    this.note.hidden = notes.length === 0;
+    this.showLegend(all.length > 1);
+    const names = this.series.map(({ label }) => label).join(', ');
+    const what = `${QUANTITY_LABELS[quantity].label} over time${names && `: ${names}`}. Drag to scrub.`;
+    setAttribute(this.chart, 'aria-label', what);
+    this.redraw();
+  }
+
+  private showLegend(byCharacter: boolean): void {
+    this.values = this.series.map(() => element('span', { class: 'measure-value' }));
+    const rows = this.series.map((series, i) => {
+      const swatch = element('span', { class: 'measure-swatch', 'aria-hidden': 'true' });
+      swatch.style.borderTopColor = this.picture.colourOf(series, byCharacter);
+      swatch.style.borderTopStyle = SWATCHES[dashOf(series, byCharacter) % SWATCHES.length];
+      const name = middleCut('measure-name');
+      name.show(series.label);
+      setTooltip(name.element, series.label);
+      return element('li', {}, swatch, name.element, this.values[i]);
+    });
+    this.legend.replaceChildren(...rows);
+  }
+
+  private redraw(): void {
+    this.scene = undefined;
+    this.drawSoon();
+  }
+
+  private draw(): void {
+    if (!this.visible || !this.size.width || !this.size.height) return;
+    if (!this.scene) {
+      this.scene = this.makeScene();
+      this.picture.draw(this.scene);
+    }
+    const { timeSeconds } = this.wb.transport.get();
+    this.picture.drawOverlay(this.scene, timeSeconds, this.readout(this.scene));
+    this.series.forEach((series, i) => {
+      const value = valueAt(series, timeSeconds);
+      setText(this.values[i], value === undefined ? '–' : this.valueText(value));
+    });
+  }
+
+  private valueText(value: number): string {
+    if (this.quantity === 'contact') return value ? 'on ground' : 'in air';
+    const isDegrees = this.unit.startsWith('°');
+    return `${shown(value)}${isDegrees ? '' : ' '}${this.unit}`;
+  }
+
+  private makeScene(): PlotScene {
+    const view = this.timeView();
+    const { series, unit, quantity } = this;
+    let least = Number.POSITIVE_INFINITY;
+    let most = Number.NEGATIVE_INFINITY;
+    for (const { frames, values } of series) {
+      const [first, end] = framesIn(frames, view.window);
+      for (let f = first; f < end; f++) {
+        if (values[f] < least) least = values[f];
+        if (values[f] > most) most = values[f];
+      }
+    }
+    if (!(least <= most)) [least, most] = [0, 1];
+    if (!IS_PLACE[quantity]) least = 0;
+    // A constant is drawn in the middle, or at the bottom if it is 0.
+    if (most - least < 1e-9 * Math.max(1, Math.abs(most))) {
+      if (least !== 0 || IS_PLACE[quantity]) least -= 0.5;
+      most += 0.5;
+    }
+    const sources = new Set(series.map(({ source }) => source));
+    const byCharacter = sources.size > 1 || series.some(({ source }) => source > 0);
+    return {
+      ...{ view, height: this.size.height, series, least, most, unit },
+      isBars: quantity === 'contact',
+      byCharacter,
+    };
+  }
+
+  /** The value under the pointer, at its frame. */
+  private readout(scene: PlotScene): PlotReadout | undefined {
+    const { pointer } = this;
+    if (!pointer || pointer.y < TIME_RULER_HEIGHT) return undefined;
+    let found: (PlotReadout & { readonly away: number }) | undefined;
+    for (const [row, series] of scene.series.entries()) {
+      const { startSeconds, frameSeconds, frameCount } = series.frames;
+      const f = Math.round((timeAt(scene.view, pointer.x) - startSeconds) / frameSeconds);
+      if (f < 0 || f >= frameCount) continue;
+      const y = scene.isBars ? barY(scene, row) : valueY(scene, series.values[f]);
+      const away = Math.abs(y - pointer.y);
+      if (away > REACH_PIXELS || (found && found.away <= away)) continue;
+      const timeSeconds = startSeconds + f * frameSeconds;
+      const { inFrames, framesPerSecond } = scene.view;
+      const when = inFrames ? `frame ${shown(timeSeconds * framesPerSecond, 1)}` : `${shown(timeSeconds)} s`;
+      found = { timeSeconds, y, away, text: `${series.label}  ${this.valueText(series.values[f])}  at ${when}` };
+    }
+    return found;
+  }
+
+  private csv(): string {
+    return seriesAsCsv(this.series, this.quantity, this.unit);
+  }
+
+  private async copyValues(): Promise<void> {
+    const isCopied = await copyText(this.csv());
+    const what = plural(this.series.length, 'column');
+    if (isCopied) this.wb.messages.note(`Copied ${what} as CSV.`);
+    else this.wb.messages.note('The browser blocked copying. Save the CSV instead.', 'warning');
+  }
+}
+
+/** As the dashes of the lines. */
+const SWATCHES = ['solid', 'dashed', 'dotted', 'double'];
+
+/** Quantities that have no natural 0 at the bottom of the plot. */
+const IS_PLACE: Readonly<Partial<Record<Quantity, true>>> = { x: true, height: true, z: true };
+
+function tool(label: string, text: string, run: () => void): HTMLButtonElement {
+  return keepsFocusElsewhere(button(label, { class: 'tool text-tool' }, text, run));
+}
+
+interface Choice<T> {
+  readonly element: HTMLSelectElement;
+  onChoice(chosen: (value: T) => void): void;
+}
+
+function choice<T extends string>(
+  label: string,
+  values: readonly T[],
+  textOf: (value: T) => string,
+  first: T,
+): Choice<T> {
+  const made = element('select', { class: 'measure-choice', 'aria-label': label });
+  for (const value of values) made.append(element('option', { value }, textOf(value)));
+  made.value = first;
+  // Arrow keys choose one after the other.
+  let byKeyboard = false;
+  made.addEventListener('keydown', () => (byKeyboard = true));
+  made.addEventListener('pointerdown', () => (byKeyboard = false));
+  return {
+    element: made,
+    onChoice(chosen) {
+      made.addEventListener('change', () => {
+        const value = values.find((one) => one === made.value);
+        if (value) chosen(value);
+        if (!byKeyboard) focusPanel(made);
+      });
+    },
+  };
+}

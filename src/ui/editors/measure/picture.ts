@@ -1,0 +1,252 @@
+/**
+ * Draws quantities over time on two canvases: lines and axes below; playhead, values there and the readout above, so
+ * that playback redraws little. Contacts are bars, a row each.
+ */
+import { roundStep } from '../../../math/round-steps.ts';
+import { element } from '../../kit/dom.ts';
+import { shown } from '../../kit/number-text.ts';
+import {
+  drawOutsideRange,
+  drawPlayhead,
+  drawTimeGrid,
+  drawTimeRuler,
+  readTimeColours,
+  TIME_RULER_HEIGHT,
+  type TimeColours,
+  type TimeView,
+  timeX,
+  translucent,
+} from '../timeline/time-ruler.ts';
+import { framesIn, traceFrames } from '../timeline/trace-frames.ts';
+import { type Series, valueAt } from './series.ts';
+
+export interface PlotScene {
+  readonly view: TimeView;
+  readonly height: number;
+  readonly series: readonly Series[];
+  /** Values at the bottom and at the top. */
+  readonly least: number;
+  readonly most: number;
+  readonly unit: string;
+  /** Contacts, as bars. */
+  readonly isBars: boolean;
+  /** Whether colours tell characters apart, rather than joints. */
+  readonly byCharacter: boolean;
+}
+
+export interface PlotReadout {
+  readonly timeSeconds: number;
+  readonly y: number;
+  readonly text: string;
+}
+
+interface Colours extends TimeColours {
+  readonly surface: string;
+  readonly text: string;
+  readonly raised: string;
+  readonly joints: readonly string[];
+  readonly characters: readonly string[];
+}
+
+const FOOT = 10;
+const HEAD = TIME_RULER_HEIGHT + 10;
+const LABELS_APART = 28;
+const DASHES: readonly (readonly number[])[] = [[], [7, 3], [2, 3], [9, 3, 2, 3]];
+const OF_JOINTS = ['--selected', '--axis-z', '--axis-y', '--axis-x', '--accent'];
+/** The first two are the tints of compared characters. */
+const OF_CHARACTERS = ['--take-first', '--take-second', '--axis-y', '--accent', '--axis-x', '--axis-z', '--selected'];
+/** Height of the bars, CSS pixels. */
+const BAR = 10;
+
+export class PlotPicture {
+  readonly element: HTMLElement = element('div', { class: 'measure-picture', 'aria-hidden': 'true' });
+  private readonly below = element('canvas');
+  private readonly above = element('canvas');
+  private colours: Colours | undefined;
+
+  constructor() {
+    this.element.append(this.below, this.above);
+  }
+
+  recolour(): void {
+    this.colours = undefined;
+  }
+
+  colourOf(series: Series, byCharacter: boolean): string {
+    const { joints, characters } = this.ready();
+    const [palette, at] = byCharacter ? [characters, series.source] : [joints, series.ordinal];
+    return palette[at % palette.length];
+  }
+
+  draw(scene: PlotScene): void {
+    const g = begin(this.below, scene);
+    if (!g) return;
+    const colours = this.ready();
+    const { view, height } = scene;
+    g.fillStyle = colours.surface;
+    g.fillRect(0, 0, view.width, height);
+    drawOutsideRange(g, view, TIME_RULER_HEIGHT, height, colours);
+    drawTimeGrid(g, view, TIME_RULER_HEIGHT, height, colours);
+    g.save();
+    g.beginPath();
+    g.rect(0, TIME_RULER_HEIGHT, view.width, height - TIME_RULER_HEIGHT);
+    g.clip();
+    if (!scene.isBars) this.drawValueLines(g, scene, colours);
+    for (const [row, series] of scene.series.entries()) {
+      const colour = this.colourOf(series, scene.byCharacter);
+      if (scene.isBars) drawBars(g, scene, series, row, colour);
+      else drawLine(g, scene, series, colour);
+    }
+    if (!scene.isBars) this.drawValueLabels(g, scene, colours);
+    g.restore();
+    drawTimeRuler(g, view, colours);
+  }
+
+  drawOverlay(scene: PlotScene, timeSeconds: number, readout: PlotReadout | undefined): void {
+    const g = begin(this.above, scene);
+    if (!g) return;
+    const colours = this.ready();
+    const { view, height } = scene;
+    drawPlayhead(g, view, timeSeconds, height, colours);
+    const x = timeX(view, timeSeconds);
+    if (!scene.isBars && x >= 0 && x <= view.width) {
+      for (const series of scene.series) {
+        const value = valueAt(series, timeSeconds);
+        if (value === undefined) continue;
+        g.fillStyle = this.colourOf(series, scene.byCharacter);
+        dot(g, x, valueY(scene, value));
+      }
+    }
+    if (readout) drawReadout(g, scene, readout, colours);
+  }
+
+  private drawValueLines(g: CanvasRenderingContext2D, scene: PlotScene, colours: Colours): void {
+    for (const value of valueTicks(scene)) {
+      g.fillStyle = value === 0 ? colours.line : colours.fineLine;
+      g.fillRect(0, Math.round(valueY(scene, value)), scene.view.width, 1);
+    }
+  }
+
+  /** Over the lines, each on a ground of its own. */
+  private drawValueLabels(g: CanvasRenderingContext2D, scene: PlotScene, colours: Colours): void {
+    const ticks = valueTicks(scene);
+    g.font = colours.font;
+    g.textAlign = 'left';
+    g.textBaseline = 'middle';
+    ticks.forEach((value, i) => {
+      const isLast = i === ticks.length - 1;
+      const text = `${shown(value, 4)}${isLast && scene.unit ? ` ${scene.unit}` : ''}`;
+      const y = Math.max(TIME_RULER_HEIGHT + 8, Math.min(scene.height - 8, Math.round(valueY(scene, value))));
+      g.fillStyle = translucent(colours.surface, 0.8);
+      g.fillRect(2, y - 7, g.measureText(text).width + 4, 14);
+      g.fillStyle = colours.faint;
+      g.fillText(text, 4, y + 0.5);
+    });
+  }
+
+  private ready(): Colours {
+    if (this.colours) return this.colours;
+    const style = getComputedStyle(this.element);
+    const colour = (name: string) => style.getPropertyValue(name).trim();
+    this.colours = {
+      ...readTimeColours(this.element),
+      surface: colour('--surface'),
+      text: colour('--text'),
+      raised: colour('--raised'),
+      joints: OF_JOINTS.map(colour),
+      characters: OF_CHARACTERS.map(colour),
+    };
+    return this.colours;
+  }
+}
+
+/** Dashes tell apart what has one colour. */
+export function dashOf({ ordinal }: Series, byCharacter: boolean): number {
+  return byCharacter ? ordinal : Math.floor(ordinal / OF_JOINTS.length);
+}
+
+/** Pixels from the top. */
+export function valueY({ height, least, most }: Pick<PlotScene, 'height' | 'least' | 'most'>, value: number): number {
+  return height - FOOT - ((value - least) / (most - least)) * (height - HEAD - FOOT);
+}
+
+/** Centre of a row of bars. */
+export function barY({ height, series }: Pick<PlotScene, 'height' | 'series'>, row: number): number {
+  return HEAD + ((row + 0.5) / series.length) * (height - HEAD - FOOT);
+}
+
+function valueTicks({ height, least, most }: PlotScene): number[] {
+  const step = roundStep(((most - least) * LABELS_APART) / Math.max(LABELS_APART, height - HEAD - FOOT));
+  const ticks: number[] = [];
+  for (let i = Math.ceil(least / step - 1e-9); i * step <= most + 1e-9 * step; i++) ticks.push(i * step);
+  return ticks;
+}
+
+function drawLine(g: CanvasRenderingContext2D, scene: PlotScene, series: Series, colour: string): void {
+  g.lineJoin = 'round';
+  g.lineWidth = 1.5;
+  g.strokeStyle = colour;
+  g.setLineDash([...DASHES[dashOf(series, scene.byCharacter) % DASHES.length]]);
+  g.beginPath();
+  traceFrames(g, scene.view, series.frames, series.values, (value) => valueY(scene, value));
+  g.stroke();
+  g.setLineDash([]);
+}
+
+function drawBars(g: CanvasRenderingContext2D, scene: PlotScene, series: Series, row: number, colour: string): void {
+  const { view } = scene;
+  const { frames, values } = series;
+  const [first, end] = framesIn(frames, view.window);
+  const top = Math.round(barY(scene, row)) - BAR / 2;
+  const x = (f: number) => timeX(view, frames.startSeconds + f * frames.frameSeconds);
+  g.fillStyle = colour;
+  g.globalAlpha = 0.2;
+  g.fillRect(x(0), top + BAR / 2, x(frames.frameCount - 1) - x(0), 1);
+  g.globalAlpha = 1;
+  for (let f = first; f < end; f++) {
+    if (values[f] === 0) continue;
+    const from = f;
+    while (f + 1 < end && values[f + 1] !== 0) f++;
+    g.fillRect(x(from), top, Math.max(1, x(f) - x(from)), BAR);
+  }
+}
+
+function drawReadout(g: CanvasRenderingContext2D, scene: PlotScene, readout: PlotReadout, colours: Colours): void {
+  const x = timeX(scene.view, readout.timeSeconds);
+  g.fillStyle = colours.text;
+  dot(g, x, readout.y);
+  g.font = colours.font;
+  const width = g.measureText(readout.text).width + 12;
+  const left = Math.round(Math.max(2, Math.min(scene.view.width - width - 2, x + 8)));
+  const top = Math.round(Math.max(TIME_RULER_HEIGHT + 2, readout.y - 26));
+  g.fillStyle = colours.raised;
+  g.strokeStyle = colours.line;
+  g.beginPath();
+  g.roundRect(left + 0.5, top + 0.5, Math.round(width), 20, 4);
+  g.fill();
+  g.stroke();
+  g.fillStyle = colours.text;
+  g.textAlign = 'left';
+  g.textBaseline = 'middle';
+  g.fillText(readout.text, left + 6, top + 10.5);
+}
+
+function dot(g: CanvasRenderingContext2D, x: number, y: number): void {
+  g.beginPath();
+  g.arc(x, y, 3, 0, 2 * Math.PI);
+  g.fill();
+}
+
+function begin(canvas: HTMLCanvasElement, { view, height }: PlotScene): CanvasRenderingContext2D | null {
+  const ratio = window.devicePixelRatio;
+  const wide = Math.max(1, Math.round(view.width * ratio));
+  const high = Math.max(1, Math.round(height * ratio));
+  if (canvas.width !== wide || canvas.height !== high) {
+    canvas.width = wide;
+    canvas.height = high;
+  }
+  const g = canvas.getContext('2d');
+  g?.setTransform(ratio, 0, 0, ratio, 0, 0);
+  g?.clearRect(0, 0, view.width, height);
+  return g;
+}
