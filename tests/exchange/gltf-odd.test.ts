@@ -265,3 +265,19 @@ describe('files that are not as they should be', () => {
     expect(diagnostics.map((d) => d.code)).toContain(code);
   });
 });
+
+describe('a mesh that is not in the file', () => {
+  it('is said with the number that its node has in the file, whatever the order of the tree', async () => {
+    const maker = new GltfMaker();
+    const POSITION = maker.add('VEC3', TRIANGLE);
+    const made = maker.made({
+      scene: 0,
+      scenes: [{ nodes: [2] }],
+      nodes: [{ mesh: 7 }, { mesh: 0 }, { children: [1, 0] }],
+      meshes: [{ primitives: [{ attributes: { POSITION } }] }],
+    });
+    const { whole, diagnostics } = await read(glbOf(made));
+    expect(whole).toBeUndefined();
+    expect(diagnostics.map(({ message }) => message).join()).toContain('Node 0 refers to meshes 7');
+  });
+});

@@ -40,10 +40,12 @@ export class Meshes {
 
   /** In depth-first order of their nodes. @throws ImportError */
   read({ nodes, sources, indexOf }: Nodes): readonly SceneMesh[] {
+    const indexInFile = new Uint32Array(sources.length);
+    for (const [index, own] of indexOf) indexInFile[own] = index;
     return sources.flatMap((source, node) => {
       if (extensionOf(source, 'EXT_mesh_gpu_instancing')) this.remarks.leaveOut('instances (EXT_mesh_gpu_instancing)');
       if (source.mesh === undefined) return [];
-      const called = `Node ${[...indexOf].find(([, own]) => own === node)?.[0]}`;
+      const called = `Node ${indexInFile[node]}`;
       const json = this.document.at('meshes', source.mesh, called);
       const skin = source.skin === undefined ? undefined : this.skin(source.skin, called, indexOf);
       const weights = listOf(source.weights ?? json.weights).map((w) => numberOf(w) ?? 0);
