@@ -25,6 +25,8 @@ import { UsageError } from './arguments.ts';
 import { findGiven, type GivenPath } from './paths.ts';
 
 const CHUNK_BYTES = 1 << 20;
+/** Scratch; readers keep nothing of it. */
+const chunk = new Uint8Array(CHUNK_BYTES);
 
 /** A file named on the command line, read or not. */
 export interface LoadedFile {
@@ -168,7 +170,6 @@ function unreadable(name: string, error: unknown): LoadedOne {
 
 function readFile(path: string, bytes: number, name: string, format: Format): Omit<LoadedOne, 'bytes'> {
   const reader = format.reader(name, bytes);
-  const chunk = new Uint8Array(CHUNK_BYTES);
   const file = openSync(path, 'r');
   try {
     for (let read = readSync(file, chunk); read > 0; read = readSync(file, chunk)) reader.feed(chunk.subarray(0, read));

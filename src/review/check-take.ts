@@ -7,6 +7,8 @@ import type { ChannelClip } from '../model/clip.ts';
 import type { Skeleton } from '../model/skeleton.ts';
 import { DEFAULT_SPACE, type Space } from '../model/space.ts';
 import { Bones } from './checks/bones.ts';
+import type { Check } from './checks/check.ts';
+import { Deviations } from './checks/deviations.ts';
 import { FootSliding } from './checks/feet.ts';
 import { Floor } from './checks/floor.ts';
 import { Jitter } from './checks/jitter.ts';
@@ -14,8 +16,43 @@ import { Limits } from './checks/limits.ts';
 import { Spikes } from './checks/spikes.ts';
 import { stillFrames } from './checks/still.ts';
 import type { Flag } from './flags.ts';
-import { takeFrames } from './frames.ts';
+import { type TakeFrames, takeFrames } from './frames.ts';
 import { survey } from './survey.ts';
+
+/** The checks of one take, for whoever has its frames already. */
+export class TakeCheck {
+  private readonly deviations: Deviations;
+  private readonly checks: readonly Check[];
+
+  /** @param space of the frames */
+  constructor(
+    readonly frames: TakeFrames,
+    space: Space = DEFAULT_SPACE,
+  ) {
+    const surveyed = survey(frames, space);
+    this.deviations = new Deviations(frames.pointCount);
+    this.checks = [
+      new Spikes(frames, this.deviations),
+      new Jitter(frames, this.deviations),
+      new FootSliding(frames, surveyed),
+      new Floor(frames),
+      new Limits(frames, surveyed, metresPerUnit(space)),
+      new Bones(frames, surveyed),
+    ];
+  }
+
+  /** Frames come in order. @param points as `TakeFrames.write` writes them */
+  frame(frame: number, dofs: Float64Array, points: Float64Array): void {
+    this.deviations.push(points);
+    for (const check of this.checks) check.frame(frame, points, dofs);
+  }
+
+  /** After the last frame: flags in order of time. */
+  end(): readonly Flag[] {
+    const flags = [...this.checks.flatMap((check) => check.end()), ...stillFrames(this.frames)];
+    return flags.sort((a, b) => a.from - b.from);
+  }
+}
 
 /**
  * In order of time.
@@ -24,20 +61,12 @@ import { survey } from './survey.ts';
 export function checkTake(skeleton: Skeleton, clip: ChannelClip, space: Space = DEFAULT_SPACE): readonly Flag[] {
   if (skeleton.joints.length === 0) return [];
   const frames = takeFrames(skeleton, clip, space);
-  const surveyed = survey(frames, space);
-  const checks = [
-    new Spikes(frames),
-    new Jitter(frames),
-    new FootSliding(frames, surveyed),
-    new Floor(frames),
-    new Limits(frames, surveyed, metresPerUnit(space)),
-    new Bones(frames, surveyed),
-  ];
+  const check = new TakeCheck(frames, space);
   const dofs = new Float64Array(frames.dofCount);
   const points = new Float64Array(3 * frames.pointCount);
   for (let f = 0; f < frames.count; f++) {
     frames.write(f, dofs, points);
-    for (const check of checks) check.frame(f, points, dofs);
+    check.frame(f, dofs, points);
   }
-  return [...checks.flatMap((check) => check.end()), ...stillFrames(frames)].sort((a, b) => a.from - b.from);
+  return check.end();
 }

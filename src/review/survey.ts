@@ -33,8 +33,8 @@ export interface Survey {
   readonly hinges: readonly Hinge[];
   /** Metres; 0 without legs. */
   readonly leg: number;
-  /** Of each point, its distance from the joint above; metres, the median. */
-  readonly lengths: Float64Array;
+  /** The distance of a joint from the one above, 0 of the root; metres, the median. */
+  lengthOf(joint: number): number;
 }
 
 export function survey(frames: TakeFrames, space: Space | undefined): Survey {
@@ -47,14 +47,14 @@ export function survey(frames: TakeFrames, space: Space | undefined): Survey {
     frames.write(Math.round((i * (count - 1)) / Math.max(1, looked - 1)), dofs, out);
     return out;
   });
-  const lengths = Float64Array.from(above, (parent, p) =>
-    parent < 0
+  // Of the few bones that are asked for.
+  const lengthOf = (joint: number) =>
+    above[joint] < 0
       ? 0
       : percentile(
-          points.map((at) => between(at, p, parent)),
+          points.map((at) => between(at, joint, above[joint])),
           0.5,
-        ),
-  );
+        );
   const hinges: Hinge[] = [];
   const feet: Foot[] = [];
   for (const side of LIMB_SIDES) {
@@ -73,19 +73,14 @@ export function survey(frames: TakeFrames, space: Space | undefined): Survey {
       );
     feet.push({ thigh, ankle, ball, ballLevel: levelOf(ball), ankleLevel: levelOf(ankle) });
   }
-  const leg = feet.reduce((sum, { thigh, ankle }) => sum + chain(skeleton.joints, lengths, ankle, thigh), 0);
-  return { hips: single.get('hips') ?? 0, feet, hinges, leg: feet.length ? leg / feet.length : 0, lengths };
+  const leg = feet.reduce((sum, { thigh, ankle }) => sum + chain(above, lengthOf, ankle, thigh), 0);
+  return { hips: single.get('hips') ?? 0, feet, hinges, leg: feet.length ? leg / feet.length : 0, lengthOf };
 }
 
 /** Sum of the bones from a joint up to one above it. */
-function chain(
-  joints: readonly { readonly parent: number }[],
-  lengths: Float64Array,
-  from: number,
-  to: number,
-): number {
+function chain(above: Int32Array, lengthOf: (joint: number) => number, from: number, to: number): number {
   let sum = 0;
-  for (let j = from; j > to; j = joints[j].parent) sum += lengths[j];
+  for (let j = from; j > to; j = above[j]) sum += lengthOf(j);
   return sum;
 }
 

@@ -24,7 +24,7 @@ export class Bones implements Check {
     const { joints } = frames.skeleton;
     // Bones of joints that only rotate have one length.
     this.spans = joints.flatMap(({ parent, motion }, joint) => {
-      return parent >= 0 && displaces(motion) ? [{ joint, length: survey.lengths[joint], span: new Span(1) }] : [];
+      return parent >= 0 && displaces(motion) ? [{ joint, length: survey.lengthOf(joint), span: new Span(1) }] : [];
     });
   }
 
@@ -50,12 +50,12 @@ export class Bones implements Check {
 
   private uneven(): Flag[] {
     const { frames, survey } = this;
-    const { hinges, lengths } = survey;
+    const { hinges } = survey;
     return [false, true].flatMap((isKnee) => {
       const [left, right] = hinges.filter((hinge) => hinge.isKnee === isKnee);
       if (!left || !right) return [];
       return (['middle', 'lower'] as const).flatMap((end) => {
-        const [a, b] = [lengths[left[end]], lengths[right[end]]];
+        const [a, b] = [survey.lengthOf(left[end]), survey.lengthOf(right[end])];
         const off = Math.abs(a - b);
         if (off <= UNEVEN_METRES || off <= UNEVEN * Math.max(a, b)) return [];
         return [flagOf(frames, 'bone', 0, 0, off, a < b ? left[end] : right[end])];

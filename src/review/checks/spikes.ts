@@ -1,18 +1,19 @@
 /**
- * Spikes and jumps. With points x of a joint or End Site in five frames around frame c,
+ * Spikes and jumps. With r of `deviations.ts`, and around frame c
  *
- *     r = x(c) − (−x(c−2) + 4x(c−1) + 4x(c+1) − x(c+2)) / 6      left out by the cubic through its neighbours
  *     l = x(c) − 2x(c−1) + x(c−2)     e = x(c) − 2x(c+1) + x(c+2)      by the lines on either side
  *
- * is a spike if r is longer than 4 cm (the more the fewer than 30 frames a second), longer than eight times the point's usual r (its 80th percentile), and both l and
- * e go along r for most of its length: at the sharp turn of a punch they don't. It is a jump if a point moves 8 cm
- * further in one frame than in those around it, and five times as far.
+ * a point is a spike if r is longer than 4 cm (the more the fewer than 30 frames a second), longer than eight times the
+ * point's usual r (its 80th percentile), and both l and e go along r for most of its length: at the sharp turn of a
+ * punch they don't. It is a jump if a point moves 8 cm further in one frame than in those around it, and five times as
+ * far.
  *
  * What moves a joint moves all below it: one flag a frame, of the joint that moved the uppermost point.
  */
 import type { Flag } from '../flags.ts';
 import type { TakeFrames } from '../frames.ts';
-import { type Check, flagOf, largest, RecentPoints } from './check.ts';
+import { type Check, flagOf, largest } from './check.ts';
+import type { Deviations } from './deviations.ts';
 
 /** Metres. */
 const LEAST = 0.04;
@@ -32,77 +33,68 @@ const GAP = 4;
 /** Of the histogram of deviations: 2^(k/2) micrometres. */
 const BINS = 48;
 const BINS_PER_DOUBLING = 2;
+/** Digits are counted 32 at a time. */
+const WORD = 2 ** 32;
+const MOST = 2 ** (BINS - 1);
 
 export class Spikes implements Check {
-  private readonly recent: RecentPoints;
   /** Of each point, how often r was that long. */
   private readonly histogram: Uint32Array;
-  private readonly r: Float64Array;
   /** Four numbers each: frame, point, size, whether it is a jump. */
   private readonly found: number[] = [];
   private count = 0;
   private readonly least: number;
 
-  constructor(private readonly frames: TakeFrames) {
+  /** @param deviations of the same frames, each pushed before */
+  constructor(
+    private readonly frames: TakeFrames,
+    private readonly deviations: Deviations,
+  ) {
     // What acceleration does between two frames.
     this.least = LEAST * Math.max(1, frames.frameSeconds / FRAME_SECONDS) ** 2;
-    this.recent = new RecentPoints(5, 3 * frames.pointCount);
     this.histogram = new Uint32Array(BINS * frames.pointCount);
-    this.r = new Float64Array(frames.pointCount);
   }
 
-  frame(frame: number, points: Float64Array): void {
-    const { recent, frames, r, histogram, least } = this;
-    recent.push(points);
-    if (!recent.isFull) return;
+  frame(frame: number): void {
+    const { deviations, histogram, least } = this;
+    if (!deviations.isFull) return;
     this.count++;
-    const [x2, x1, x0, w1, w2] = [recent.ago(0), recent.ago(1), recent.ago(2), recent.ago(3), recent.ago(4)];
+    const { squares } = deviations;
+    const later = deviations.waysAgo(0);
+    const after = deviations.waysAgo(1);
+    const far = deviations.waysAgo(2);
+    const before = deviations.waysAgo(3);
     let spike = -1;
     let jump = -1;
-    let spikeSize = 0;
     let jumpSize = 0;
-    for (let p = 0; p < frames.pointCount; p++) {
-      const o = 3 * p;
-      let rr = 0;
-      let lr = 0;
-      let er = 0;
-      let far = 0;
-      let before = 0;
-      let after = 0;
-      let later = 0;
-      for (let k = o; k < o + 3; k++) {
-        const d = x0[k] - (4 * (w1[k] + x1[k]) - w2[k] - x2[k]) / 6;
-        rr += d * d;
-        lr += d * (x0[k] - 2 * w1[k] + w2[k]);
-        er += d * (x0[k] - 2 * x1[k] + x2[k]);
-        far += (x0[k] - w1[k]) ** 2;
-        before += (w1[k] - w2[k]) ** 2;
-        after += (x1[k] - x0[k]) ** 2;
-        later += (x2[k] - x1[k]) ** 2;
-      }
-      const size = Math.sqrt(rr);
-      r[p] = size;
-      histogram[BINS * p + binOf(size)]++;
-      if (spike < 0 && size > least && lr > ALONG * rr && er > ALONG * rr) {
-        spike = p;
-        spikeSize = size;
-      }
-      const around = Math.sqrt(Math.max(before, after, later));
-      const step = Math.sqrt(far);
-      if (jump < 0 && step - around > JUMP && step > JUMP_RATIO * around) {
+    for (let p = 0; p < squares.length; p++) {
+      const square = squares[p];
+      histogram[BINS * p + binOf(square)]++;
+      if (spike < 0 && square > least * least && this.goesAlong(p)) spike = p;
+      if (jump >= 0 || !(far[p] > JUMP * JUMP)) continue;
+      const around = Math.sqrt(Math.max(before[p], after[p], later[p]));
+      const step = Math.sqrt(far[p]);
+      if (step - around > JUMP && step > JUMP_RATIO * around) {
         jump = p;
         jumpSize = step - around;
       }
     }
-    if (spike >= 0) this.found.push(frame - 2, this.moved(spike), spikeSize, 0);
+    if (spike >= 0) this.found.push(frame - 2, this.moved(spike), Math.sqrt(squares[spike]), 0);
     else if (jump >= 0) this.found.push(frame - 2, this.moved(jump), jumpSize, 1);
+  }
+
+  private goesAlong(point: number): boolean {
+    const { deviations } = this;
+    const most = ALONG * deviations.squares[point];
+    return deviations.alongLine(point, -1) > most && deviations.alongLine(point, 1) > most;
   }
 
   /** The uppermost point above one that was displaced too. */
   private moved(point: number): number {
     const { above } = this.frames;
+    const { squares } = this.deviations;
     let top = point;
-    while (above[top] >= 0 && this.r[above[top]] > DISPLACED) top = above[top];
+    while (above[top] >= 0 && squares[above[top]] > DISPLACED * DISPLACED) top = above[top];
     return top;
   }
 
@@ -136,7 +128,10 @@ export class Spikes implements Check {
   }
 }
 
-function binOf(metres: number): number {
-  const bin = Math.ceil(BINS_PER_DOUBLING * Math.log2(metres * 1e6));
-  return bin >= BINS ? BINS - 1 : bin > 0 ? bin : 0;
+/** The bin of a deviation: ⌈2 log₂⌉ of its micrometres, which is ⌈log₂⌉ of their square, counted in binary digits. */
+function binOf(square: number): number {
+  const micrometres = square * 1e12;
+  if (!(micrometres > 1)) return 0;
+  if (micrometres <= WORD) return 32 - Math.clz32(Math.ceil(micrometres) - 1);
+  return micrometres > MOST ? BINS - 1 : 64 - Math.clz32(Math.ceil(micrometres / WORD) - 1);
 }
