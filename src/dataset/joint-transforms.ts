@@ -16,7 +16,6 @@ import { applySpace } from '../evaluate/space.ts';
 import { writeRotationPart } from '../math/mat3.ts';
 import { quaternionOfRotation } from '../math/quaternion.ts';
 import { writeSinesAndCosines } from '../math/sines-cosines.ts';
-import type { Vec3 } from '../math/vec3.ts';
 import { stretches } from '../model/joint-types.ts';
 import type { Skeleton } from '../model/skeleton.ts';
 import type { Space } from '../model/space.ts';
@@ -50,6 +49,9 @@ export class JointTransforms {
   /** From the pivot's parent to the pivot, three per joint, in the file's unit. */
   private readonly ways: Float64Array;
   private readonly matrices: Float64Array;
+  /** Joints of the End Sites, and x y z in their spaces. */
+  private readonly endJoints: Int32Array;
+  private readonly ends: Float64Array;
 
   constructor(
     skeleton: Skeleton,
@@ -66,6 +68,8 @@ export class JointTransforms {
     this.world = new Float64Array(4 * count);
     this.positions = new Float64Array(3 * count);
     this.ways = Float64Array.from(compiled.offsets);
+    this.endJoints = Int32Array.from(joints.flatMap(({ endSites = [] }, j) => endSites.map(() => j)));
+    this.ends = Float64Array.from(joints.flatMap(({ endSites = [] }) => endSites.flat()));
     const eulers: number[] = [];
     const others: number[] = [];
     for (let j = 0; j < count; j++) (compiled.turns[3 * j] >= 0 ? eulers : others).push(j);
@@ -103,19 +107,30 @@ export class JointTransforms {
     this.isFirst = false;
   }
 
-  /** Writes x y z of a point of a joint's own space. */
-  pointOf(joint: number, [x, y, z]: Vec3, out: Float64Array): void {
-    if (!this.isRigid) {
-      const { matrices: m } = this;
-      const at = 16 * joint;
-      const along = (k: number) => m[at + k] * x + m[at + 4 + k] * y + m[at + 8 + k] * z + m[at + 12 + k];
-      applySpace(this.space, along(0), along(1), along(2), point);
-      for (let k = 0; k < 3; k++) out[k] = point[k];
-      return;
+  /** Writes x y z of each End Site, in the order of the joints. */
+  writeEnds(out: Float64Array): void {
+    const { endJoints, ends, matrices: m, world, positions, metres } = this;
+    for (let e = 0; e < endJoints.length; e++) {
+      const j = endJoints[e];
+      const o = 3 * e;
+      const x = ends[o];
+      const y = ends[o + 1];
+      const z = ends[o + 2];
+      if (this.isRigid) {
+        turnBy(world, 4 * j, metres * x, metres * y, metres * z);
+        for (let k = 0; k < 3; k++) out[o + k] = positions[3 * j + k] + point[k];
+        continue;
+      }
+      const at = 16 * j;
+      applySpace(
+        this.space,
+        m[at] * x + m[at + 4] * y + m[at + 8] * z + m[at + 12],
+        m[at + 1] * x + m[at + 5] * y + m[at + 9] * z + m[at + 13],
+        m[at + 2] * x + m[at + 6] * y + m[at + 10] * z + m[at + 14],
+        point,
+      );
+      for (let k = 0; k < 3; k++) out[o + k] = point[k];
     }
-    const { world, positions, metres } = this;
-    turnBy(world, 4 * joint, metres * x, metres * y, metres * z);
-    for (let k = 0; k < 3; k++) out[k] = positions[3 * joint + k] + point[k];
   }
 
   private poseEulers(dofs: Float64Array): void {

@@ -57,11 +57,17 @@ export interface TakeArrays {
   readonly carrier: number;
 }
 
+/** Sees the frames of the whole take in passing, in order. */
+export interface FrameWatcher {
+  /** @param points x y z of each joint, then of each End Site, as in the arrays; both are reused */
+  frame(frame: number, dofs: Float64Array, points: Float64Array): void;
+}
+
 /**
  * @param pool of which the floats are taken: those of one take are overwritten by the next
  * @throws CommandError if they would be too large
  */
-export function takeArrays(take: Take, pool: FloatPool): TakeArrays {
+export function takeArrays(take: Take, pool: FloatPool, watcher?: FrameWatcher): TakeArrays {
   const { character, skeleton, space, frames, first, count, fps } = take;
   const { joints } = skeleton;
   const J = joints.length;
@@ -87,9 +93,11 @@ export function takeArrays(take: Take, pool: FloatPool): TakeArrays {
   const source = poseSource(character);
   const dofs = new Float64Array(dofCountOf(character));
   const speeds = new Speeds(velocities, 3 * J, fps);
-  const end = new Float64Array(3);
+  const E = ends.length;
+  const points = new Float64Array(3 * (J + E));
+  const endPoints = points.subarray(3 * J);
   // Contacts are found over the whole take, so that a part of it has the same ones.
-  const [from, to] = feet.balls.length ? [0, frames.frameCount] : [first, first + count];
+  const [from, to] = feet.balls.length || watcher ? [0, frames.frameCount] : [first, first + count];
   for (let f = from; f < to; f++) {
     if (f === first) transforms.restart();
     poseFrom(source, frames.startSeconds + f * frames.frameSeconds, dofs);
@@ -97,16 +105,19 @@ export function takeArrays(take: Take, pool: FloatPool): TakeArrays {
     const at = transforms.positions;
     feet.take(f, at);
     const row = f - first;
-    if (row < 0 || row >= count) continue;
+    const isPart = row >= 0 && row < count;
+    if (isPart || watcher) transforms.writeEnds(endPoints);
+    if (watcher) {
+      points.set(at);
+      watcher.frame(f, dofs, points);
+    }
+    if (!isPart) continue;
     positions.set(at, 3 * J * row);
     worldQuat.set(transforms.world, 4 * J * row);
     localQuat.set(transforms.local, 4 * J * row);
     writeColumns(transforms.local, local6d, 6 * J * row);
     for (let k = 0; k < 3; k++) rootPositions[3 * row + k] = at[3 * carrier + k];
-    for (let e = 0; e < ends.length; e++) {
-      transforms.pointOf(ends[e].joint, ends[e].at, end);
-      for (let k = 0; k < 3; k++) endPositions[3 * (row * ends.length + e) + k] = end[k];
-    }
+    endPositions.set(endPoints, 3 * E * row);
     speeds.take(row, at);
   }
   speeds.end(count);

@@ -7,8 +7,6 @@ import { takeOf } from '../../dataset/take.ts';
 import { takeArrays } from '../../dataset/take-arrays.ts';
 import { CommandError } from '../../edit/store.ts';
 import type { Diagnostic } from '../../model/diagnostic.ts';
-import type { Character } from '../../model/document.ts';
-import { checkTake } from '../../review/check-take.ts';
 import { flagText } from '../../review/flags.ts';
 import { loadAny, openLoaded } from '../load.ts';
 import type { Work } from '../threads.ts';
@@ -18,6 +16,7 @@ import { metaOf } from './meta.ts';
 import { isMotion, motionFiles } from './motion-files.ts';
 import { isWritten, type TakeRecord, type WrittenTake } from './records.ts';
 import type { ExportSettings } from './settings.ts';
+import { checkOf, flagsOf } from './take-check.ts';
 import type { TakeInput } from './take-inputs.ts';
 import { inSpaceOf, loadTarget, type Target } from './target.ts';
 
@@ -127,15 +126,16 @@ async function takesOf(
     const options = { ...settings, ...(target.retargetOf && { target: target.retargetOf(character) }) };
     const take = takeOf(character, options);
     const { to } = settings;
+    const check = settings.isChecked && !isMotion(to) ? checkOf(take, character) : undefined;
     const files = isMotion(to)
       ? motionFiles(character, to, options)
-      : FORMATS[to].write(takeArrays(take, pool), metaOf(character, take, input, hash, settings));
+      : FORMATS[to].write(takeArrays(take, pool, check), metaOf(character, take, input, hash, settings));
     const { output, bytes } = writeTake(stem, files, settings);
     const now = performance.now();
     records.push({
       ...{ input: input.path, hash, output, bytes },
       ...{ frames: take.count, fps: take.fps, joints: take.skeleton.joints.length },
-      ...(settings.isChecked && { flags: flagsOf(character) }),
+      ...(settings.isChecked && { flags: check?.end().map(flagText) ?? flagsOf(character) }),
       ...(warnings.length > 0 && { warnings }),
       key,
       ...(settings.isTimed && { ms: Math.round(now - since) }),
@@ -143,11 +143,6 @@ async function takesOf(
     since = now;
   }
   return records;
-}
-
-/** What the review's checks find in a take as it was read. */
-function flagsOf({ skeleton, clips, shownClip, space }: Character): readonly string[] {
-  return skeleton ? checkTake(skeleton, clips[shownClip], space).map(flagText) : [];
 }
 
 /** In one line, without the file's name: `Line 128: Expected 3069 frames as declared, found 3070. (used 3070)` */

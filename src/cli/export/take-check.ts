@@ -1,0 +1,30 @@
+/** The review's checks of takes that are exported. */
+import type { Take } from '../../dataset/take.ts';
+import type { Character } from '../../model/document.ts';
+import { isUnlimited } from '../../model/skeleton.ts';
+import { checkTake, TakeCheck } from '../../review/check-take.ts';
+import { flagText } from '../../review/flags.ts';
+import { takeFrames } from '../../review/frames.ts';
+
+/** What the checks find in a take as it was read, as texts. */
+export function flagsOf({ skeleton, clips, shownClip, space }: Character): readonly string[] {
+  return skeleton ? checkTake(skeleton, clips[shownClip], space).map(flagText) : [];
+}
+
+/**
+ * Checks to which the frames of the exported take can be given; undefined if these are other ones than those that were
+ * read: mirrored, retargeted, at other times, in another space, or kept within limits.
+ */
+export function checkOf(take: Take, read: Character): TakeCheck | undefined {
+  const { character, skeleton, space, frames } = take;
+  const { clampsToLimits, unkeyed, driver, timeOffsetSeconds } = character;
+  if (character !== read || !space || driver || unkeyed || timeOffsetSeconds !== 0) return undefined;
+  if (skeleton.joints.length === 0) return undefined;
+  if (clampsToLimits && skeleton.joints.some(({ limits }) => !limits.every(isUnlimited))) return undefined;
+  const own = takeFrames(skeleton, character.clips[character.shownClip], space);
+  const areSame =
+    own.count === frames.frameCount &&
+    own.frameSeconds === frames.frameSeconds &&
+    own.startSeconds === frames.startSeconds;
+  return areSame ? new TakeCheck(own, space) : undefined;
+}
