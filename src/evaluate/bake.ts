@@ -28,10 +28,17 @@ export const MAX_VALUES = 100_000_000;
 /** Fraction of a frame below which a time counts as that frame: 2.3 s at 30 FPS are 69 frames, not 68.99. */
 const SAME_FRAME = 1e-6;
 
+/**
+ * Files round the time of a frame to six or seven digits, 0.0333333 s for a thirtieth: part of a range by which its last
+ * frame is missed, though never half a frame.
+ */
+const ROUNDED = 2e-6;
+
 /** As many frames as fit into a range, the first at its start. */
 export function framesOf(range: readonly [number, number], framesPerSecond: number): Frames {
   const [start, end] = range;
-  const count = Math.floor((end - start) * framesPerSecond + SAME_FRAME) + 1;
+  const exact = (end - start) * framesPerSecond;
+  const count = Math.floor(exact + Math.min(0.5, SAME_FRAME + ROUNDED * exact)) + 1;
   return { startSeconds: start, frameSeconds: 1 / framesPerSecond, frameCount: Math.max(1, count) };
 }
 

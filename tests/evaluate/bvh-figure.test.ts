@@ -163,6 +163,10 @@ function smallestFactor(who: Character): number {
 describe('the frames of a clip', () => {
   it('the frames of a clip are as many as fit, with both ends of a range that holds whole ones', () => {
     expect(framesOf([0, 2.3], 30).frameCount).toBe(70);
+    expect(framesOf([0, 68 * 0.0333333], 30).frameCount).toBe(69);
+    expect(framesOf([0, 68 * 0.0333333], 60).frameCount).toBe(137);
+    expect(framesOf([0, 68.4 / 30], 30).frameCount).toBe(69);
+    expect(framesOf([0, 67.99 / 30], 30).frameCount).toBe(68);
     expect(framesOf([1, 1], 30)).toEqual({ startSeconds: 1, frameSeconds: 1 / 30, frameCount: 1 });
     expect(framesOf([-1, 0.99], 1).frameCount).toBe(2);
   });
