@@ -166,6 +166,17 @@ export function refitLinear(
   return fitted;
 }
 
+/** The same without the key of index k, which is neither the first nor the last. */
+export function withoutKey(rows: Rows, track: Track, { rows: keys, values }: FittedKeys, k: number): FittedKeys {
+  const { width } = track;
+  const fewer = keys.toSpliced(k, 1);
+  const fitted = { rows: fewer, values: new Float64Array(fewer.length * width) };
+  fitted.values.set(values.subarray(0, k * width));
+  fitted.values.set(values.subarray((k + 1) * width), k * width);
+  for (let n = Math.max(1, k - 1); n <= Math.min(fewer.length - 2, k); n++) moveKey(rows, track, fitted, n);
+  return fitted;
+}
+
 /** Gives a key between two others its value. */
 function moveKey(rows: Rows, { at, width, path }: Track, { rows: keys, values }: FittedKeys, k: number): void {
   const row = keys[k];

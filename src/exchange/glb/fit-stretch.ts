@@ -1,7 +1,8 @@
 /**
  * Finds keys for a stretch of a take: few, and such that no point is off by more than the tolerance at any row. Errors
  * of joints add up along the skeleton, and mostly don't: so each track gets keys by a share of the tolerance, the result
- * is measured at all points and rows, and keys are added where it is exceeded.
+ * is measured at all points and rows, keys are added where it is exceeded, and those that turn out not to be needed are
+ * removed.
  */
 import { cubicHolds, expandCubic, fitCubic } from './fit-cubic.ts';
 import {
@@ -12,6 +13,7 @@ import {
   lastNotAbove,
   linearHolds,
   refitLinear,
+  withoutKey,
 } from './fit-linear.ts';
 import { type JointNode, nodeWorlds } from './joint-nodes.ts';
 import type { Rows } from './rows.ts';
@@ -26,12 +28,14 @@ export interface StretchOptions {
   readonly tolerance: number;
   /** The share of the tolerance that each track gets at first, from 0 to 1. */
   readonly share: number;
+  /** Whether keys of straight lines that turn out not to be needed are removed: fewer keys for several times the time. */
+  readonly thins: boolean;
   /** Tracks that need no keys here: they are exact anyway. */
   readonly isExact: (track: Track) => boolean;
 }
 
 /** The tolerance of morph weights, of the whole: they add to what joints do. */
-const OF_WEIGHTS = 0.2;
+const OF_WEIGHTS = 0.1;
 const MAX_ROUNDS = 400;
 /** Of the tolerance: between two rows points are off by a little more than at them. */
 const MARGIN = 0.95;
@@ -44,12 +48,11 @@ export function fitStretch(
   tracks: readonly Track[],
   nodes: readonly JointNode[],
   watch: Watch,
-  { style, tolerance, share, isExact }: StretchOptions,
+  { style, tolerance, share, thins, isExact }: StretchOptions,
 ): readonly FittedKeys[] {
   const isCubic = style === 'cubic';
   const keysFor = isCubic ? fitCubic : fitLinear;
-  const weights = tracks.find(({ path }) => path === 'weights');
-  const limit = MARGIN * tolerance * (weights && varies(rows, weights) ? 1 - OF_WEIGHTS : 1);
+  const limit = MARGIN * tolerance;
   const keys = tracks.map((track) => {
     if (isExact(track)) return [];
     const own = track.path === 'weights' ? OF_WEIGHTS * tolerance : share * limit;
@@ -57,7 +60,7 @@ export function fitStretch(
     const budget = (own * (isCubic ? 1 : HALVED)) / Math.max(track.reach, 1e-9 * tolerance);
     return greedyKeys(rows, (isCubic ? cubicHolds : linearHolds)(rows, track, budget));
   });
-  const fits = tracks.map((track, t) => keysFor(rows, track, keys[t]));
+  const fits: FittedKeys[] = tracks.map((track, t) => keysFor(rows, track, keys[t]));
   const measured = new Measured(rows, tracks, nodes, watch, isCubic, fits);
   for (let round = 0; round < MAX_ROUNDS; round++) {
     const changed = addKeys(measured, keys, limit);
@@ -68,13 +71,8 @@ export function fitStretch(
     }
     measured.measure();
   }
+  if (thins && !isCubic) removeKeys(measured, rows, tracks, fits, limit);
   return fits;
-}
-
-function varies({ values, count, width }: Rows, { at, width: dims }: Track): boolean {
-  for (let m = 1; m < count; m++)
-    for (let k = at; k < at + dims; k++) if (values[m * width + k] !== values[k]) return true;
-  return false;
 }
 
 /** The rows that a key at a row, or its absence, has an effect on: two segments on either side. */
@@ -121,6 +119,65 @@ function addKey(keys: number[], row: number): number | undefined {
   return middle;
 }
 
+/** A key that may not be needed. */
+interface Candidate {
+  readonly t: number;
+  readonly row: number;
+  /** How far points would be off there, about, without it. */
+  readonly off: number;
+}
+
+/** Keys whose absence would be off by more than this many times the limit are needed: moved neighbours halve it. */
+const HOPELESS = 3;
+
+/** Removes keys without which no row is off by too much, those that matter least first. */
+function removeKeys(measured: Measured, rows: Rows, tracks: readonly Track[], fits: FittedKeys[], limit: number): void {
+  const candidates: Candidate[] = [];
+  tracks.forEach((track, t) => {
+    if (track.path === 'weights') return;
+    const own = fits[t].rows;
+    for (let k = 1; k + 1 < own.length; k++) {
+      if (rows.jumps[own[k]] || rows.jumps[own[k + 1]]) continue;
+      const off = offWithout(rows, track, own[k - 1], own[k], own[k + 1]);
+      if (off < HOPELESS * limit) candidates.push({ t, row: own[k], off });
+    }
+  });
+  candidates.sort((a, b) => a.off - b.off);
+  for (const { t, row } of candidates) {
+    const before = fits[t];
+    const k = lastNotAbove(before.rows, row);
+    const first = before.rows[Math.max(0, k - 2)];
+    const last = before.rows[Math.min(before.rows.length - 1, k + 2)];
+    fits[t] = withoutKey(rows, tracks[t], before, k);
+    if (measured.holds(t, first, row, last, limit)) continue;
+    fits[t] = before;
+    measured.restore(t, first, last);
+  }
+}
+
+/** How far points are off at a key, about, where a straight line is taken from a row before it to one after. */
+function offWithout({ values, seconds, width }: Rows, track: Track, a: number, key: number, b: number): number {
+  const u = (seconds[key] - seconds[a]) / (seconds[b] - seconds[a]);
+  let sum = 0;
+  for (let c = track.at; c < track.at + track.width; c++) {
+    const d = values[a * width + c] * (1 - u) + values[b * width + c] * u - values[key * width + c];
+    sum += d * d;
+  }
+  return Math.sqrt(sum) * track.reach * (track.path === 'rotation' ? 2 : 1);
+}
+
+/** How far points are off at each row by morph weights alone, at most. */
+function offByWeights({ values, count, width }: Rows, tracks: readonly Track[], made: Float64Array): Float64Array {
+  const off = new Float64Array(count);
+  const weights = tracks.find(({ path }) => path === 'weights');
+  if (!weights) return off;
+  for (let m = 0; m < count; m++) {
+    const o = m * width + weights.at;
+    for (let k = o; k < o + weights.width; k++) off[m] += Math.abs(made[k] - values[k]) * weights.reach;
+  }
+  return off;
+}
+
 /** What programs make of the keys, compared with the rows. */
 class Measured {
   readonly rows: Rows;
@@ -128,6 +185,10 @@ class Measured {
   /** The largest squared distance of a point at each row. */
   readonly errors: Float64Array;
   private readonly points: Int32Array;
+  /** Errors that `restore` brings back. */
+  private readonly before: Float64Array;
+  /** How far points are off at each row by morph weights alone, at most. */
+  private readonly byWeights: Float64Array;
   private readonly nodes: readonly JointNode[];
   private readonly watch: Watch;
   private readonly isCubic: boolean;
@@ -158,6 +219,7 @@ class Measured {
     const { count, width } = rows;
     this.errors = new Float64Array(count);
     this.points = new Int32Array(count);
+    this.before = new Float64Array(count);
     this.isDirty = new Uint8Array(count).fill(1);
     this.hasArcs = new Uint8Array(count);
     this.made = Array.from({ length: isCubic ? 1 : 2 }, () => rows.values.slice(0, count * width));
@@ -167,6 +229,7 @@ class Measured {
     fits.forEach((own, t) => {
       if (own.rows.length > 0) this.update(t, 0, count - 1);
     });
+    this.byWeights = offByWeights(rows, tracks, this.made[0]);
     this.measure();
   }
 
@@ -192,6 +255,31 @@ class Measured {
     return most;
   }
 
+  /**
+   * Whether no row from one key to another is off by more than the limit with the track's new keys, `worst` being the
+   * likeliest. If one is, `restore` is called next.
+   */
+  holds(t: number, from: number, worst: number, to: number, limit: number): boolean {
+    this.before.set(this.errors.subarray(from, to + 1));
+    this.update(t, from, to);
+    const limit2 = limit * limit;
+    this.measureRow(worst);
+    if (this.errors[worst] > limit2) return false;
+    for (let m = from; m <= to; m++) {
+      if (!this.isDirty[m]) continue;
+      this.measureRow(m);
+      if (this.errors[m] > limit2) return false;
+    }
+    return true;
+  }
+
+  /** With the track's keys, and the errors, as they were before `holds`. */
+  restore(t: number, from: number, to: number): void {
+    this.update(t, from, to);
+    this.isDirty.fill(0, from, to + 1);
+    this.errors.set(this.before.subarray(0, to + 1 - from), from);
+  }
+
   private measureRow(m: number): void {
     const { nodes, found } = this;
     const { width } = this.rows;
@@ -201,8 +289,9 @@ class Measured {
     for (let way = 0; way < ways; way++) {
       nodeWorlds(nodes, this.made[way], m * width, this.worlds);
       farthestApart(this.watch, this.worlds, 0, this.truth, m * 16 * nodes.length, found);
-      if (!(found[0] > this.errors[m])) continue;
-      this.errors[m] = found[0];
+      const error = (Math.sqrt(found[0]) + this.byWeights[m]) ** 2;
+      if (!(error > this.errors[m])) continue;
+      this.errors[m] = error;
       this.points[m] = found[1];
     }
   }

@@ -74,10 +74,11 @@ export function fitTake(motion: TakeMotion, moved: MovedNodes, options: FitOptio
   const numbersPerRow = 3 * width + 16 * nodes.length;
   const perStretch = Math.min(MOST_ROWS, Math.max(LEAST_ROWS, Math.floor(NUMBERS / numbersPerRow)));
   const seconds = motion.end - motion.start;
-  const share = motion.breaks.length > LONG ? SHARE_OF_LONG : SHARE;
+  const thins = motion.breaks.length <= LONG;
+  const share = thins ? SHARE : SHARE_OF_LONG;
   const isExact = (track: Track) => exact.has(track);
   sampleTake(motion, tracks, tolerance, rows, perStretch, () => {
-    fitStretch(rows, tracks, nodes, watch, { style, tolerance, share, isExact }).forEach((fit, t) => {
+    fitStretch(rows, tracks, nodes, watch, { style, tolerance, share, thins, isExact }).forEach((fit, t) => {
       collected[t].add(rows, fit);
     });
     onProgress?.(seconds > 0 ? Math.min(1, rows.seconds[rows.count - 1] / seconds) : 1);

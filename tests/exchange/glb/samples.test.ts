@@ -5,7 +5,7 @@ import { filePose } from '../../../src/model/dofs.ts';
 import type { Sample } from '../../../src/samples/sample.ts';
 import { makeSamples } from '../../../src/samples/samples.ts';
 import { character } from '../../helpers/builders.ts';
-import { complaintsOf, type Glb, glbOf, inBabylon, inThree, offBy } from '../../helpers/glb.ts';
+import { complaintsOf, type Glb, glbOf, inBabylon, inThree, keyCount, offBy } from '../../helpers/glb.ts';
 
 const SAMPLES = makeSamples();
 
@@ -38,6 +38,15 @@ describe.each(SAMPLES.map((sample) => [sample.id, sample] as const))('the exampl
 
   it.each(['linear', 'cubic'] as const)('the Khronos validator has no complaint about %s keys', async (keys) => {
     expect(await complaintsOf(glb(keys).bytes)).toEqual([]);
+  });
+
+  it.each([
+    ['linear', sample.id === 'walker' ? 0.6 : 0.75],
+    ['cubic', 0.25],
+  ] as const)('%s keys are at most %f of one a frame at 60 fps', (keys, most) => {
+    const made = glb(keys);
+    const { seconds, channels } = made.report.takes[0];
+    expect(keyCount(made)).toBeLessThanOrEqual(Math.max(2, most * 60 * seconds) * channels);
   });
 
   it.each(['linear', 'cubic'] as const)('three.js and Babylon show %s keys within the tolerance', async (keys) => {
