@@ -1,8 +1,9 @@
 import { describe, expect, it } from 'vitest';
-import { type Alignment, commonFrames, type Distances, measureDistances } from '../../src/evaluate/distance.ts';
+import { commonFrames, type Distances, measureDistances } from '../../src/evaluate/distance.ts';
 import { zxyAngles } from '../../src/evaluate/euler-angles.ts';
 import { matchJoints } from '../../src/evaluate/joint-match.ts';
 import { compileSkeleton, worldMatrices } from '../../src/evaluate/kinematics.ts';
+import type { Alignment } from '../../src/evaluate/posed-joints.ts';
 import { readBvh } from '../../src/formats/bvh/read.ts';
 import { type ChannelClip, SAMPLED } from '../../src/model/clip.ts';
 import { type Character, DEFAULT_PLACEMENT } from '../../src/model/document.ts';

@@ -4,7 +4,7 @@
  */
 import type { TakeRef } from '../../edit/commands/takes.ts';
 import { RETARGETED, withoutDriver } from '../../edit/drivers.ts';
-import type { Alignment } from '../../evaluate/distance.ts';
+import type { Alignment } from '../../evaluate/posed-joints.ts';
 import { type Character, type Document, findCharacter } from '../../model/document.ts';
 import { twinOf } from '../../model/drawn-id.ts';
 import { perObject } from '../../model/per-object.ts';

@@ -2,7 +2,8 @@
  * Beside the table while two takes are compared: which they are, a summary of their distances, the chart over time, and
  * the list of joints.
  */
-import { ALIGNMENTS, type Alignment, type Distances } from '../../../evaluate/distance.ts';
+import type { Distances } from '../../../evaluate/distance.ts';
+import { ALIGNMENTS, type Alignment } from '../../../evaluate/posed-joints.ts';
 import type { Selection } from '../../../model/session.ts';
 import { button, element, keepsFocusElsewhere, setText } from '../../kit/dom.ts';
 import { focusPanel } from '../../kit/focus.ts';
@@ -55,6 +56,7 @@ export class DistancePane {
     this.most = linkButton('Go to the largest distance, and select its joint', () => this.goToMost());
     this.left = linkButton('Which joints are not compared, and why', () => this.showLeftOut());
     this.left.setAttribute('aria-haspopup', 'menu');
+    setTooltip(this.means, 'Of all joints and frames; time-warped: frames up to a tenth of the take away are matched');
     this.facts.append(this.means, this.most, this.frames, this.left);
     const head = element(
       'div',
@@ -125,7 +127,7 @@ export class DistancePane {
     const left = match.onlyFirst.length + match.onlySecond.length;
     this.facts.hidden = !distances && !left;
     setText(this.left, left ? `${plural(left, 'joint')} not compared` : '');
-    setText(this.means, distances ? meansText(distances, this.unit) : '');
+    setText(this.means, distances ? meansText(distances, measured.warped, this.unit) : '');
     setText(this.most, distances ? mostText(measured, distances, this.unit) : '');
     setText(this.frames, distances ? plural(distances.frameCount, 'frame') : '');
     this.note.hidden = distances !== undefined;
@@ -247,12 +249,13 @@ function alignmentChoice(wb: Uses<'timeline'>): HTMLSelectElement {
   return choice;
 }
 
-/** `mean 3.4 cm, RMS 4.1 cm`. */
-function meansText({ jointMean, jointRms }: Distances, unit: DistanceUnit): string {
+/** `mean 3.4 cm, RMS 4.1 cm, time-warped 0.8 cm`. */
+function meansText({ jointMean, jointRms }: Distances, warped: number | undefined, unit: DistanceUnit): string {
   const joints = jointMean.length;
   const mean = jointMean.reduce((sum, d) => sum + d, 0) / joints;
   const rms = Math.sqrt(jointRms.reduce((sum, d) => sum + d * d, 0) / joints);
-  return `mean ${distanceText(mean, unit)}, RMS ${distanceText(rms, unit)}`;
+  const warp = warped === undefined ? '' : `, time-warped ${distanceText(warped, unit)}`;
+  return `mean ${distanceText(mean, unit)}, RMS ${distanceText(rms, unit)}${warp}`;
 }
 
 /** `max 21 cm (LeftHand at 3.2 s)`. */

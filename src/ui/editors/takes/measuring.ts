@@ -4,7 +4,9 @@
  */
 import { type ComparedJoints, comparedJoints } from '../../../evaluate/compared-joints.ts';
 import { rootTurn } from '../../../evaluate/compared-roots.ts';
-import { type Alignment, commonFrames, type Distances, measureDistances } from '../../../evaluate/distance.ts';
+import { commonFrames, type Distances, measureDistances } from '../../../evaluate/distance.ts';
+import type { Alignment } from '../../../evaluate/posed-joints.ts';
+import { warpTakes } from '../../../evaluate/warped-takes.ts';
 import { type Character, shownClip } from '../../../model/document.ts';
 import { runInSlices } from '../../../view/slices.ts';
 import { type Observable, observable } from '../../kit/observable.ts';
@@ -23,6 +25,8 @@ export interface Measured extends Asked {
   readonly match: ComparedJoints;
   /** Absent: the takes don't overlap in time. */
   readonly distances?: Distances;
+  /** Mean distance with time warp, over the whole takes. */
+  readonly warped?: number;
 }
 
 export class Measuring {
@@ -89,7 +93,8 @@ async function measure(asked: Asked): Promise<Measured> {
   const turn = alignment === 'turned' ? rootTurn(first, second, match) : undefined;
   const work = measureDistances(first, second, match, times, alignment, turn);
   const distances = await runInSlices(work, NEVER);
-  return { ...asked, match, ...(distances && { distances }) };
+  const warp = await runInSlices(warpTakes(first, second, match, alignment, framesPerSecond, turn), NEVER);
+  return { ...asked, match, ...(distances && { distances }), ...(warp && { warped: warp.distance }) };
 }
 
 const NEVER = new AbortController().signal;

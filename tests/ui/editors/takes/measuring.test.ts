@@ -36,6 +36,7 @@ describe('the distance of two compared takes', () => {
     const result = next();
     measuring.setVisible(true);
     expect(await result).toBe(2);
+    expect(measuring.result.get()?.warped).toBeCloseTo(2, 12);
   });
 
   it('the distance of two compared takes is measured again when either take or the alignment changes', async () => {
