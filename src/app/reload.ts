@@ -9,6 +9,7 @@ import { partsOf } from '../model/character-parts.ts';
 import { type Diagnostic, hasErrors, withoutPlace } from '../model/diagnostic.ts';
 import { type Character, findCharacter } from '../model/document.ts';
 import { baseName } from '../model/files.ts';
+import { formatKindOf } from '../project/kinds.ts';
 import type { Messages } from '../ui/state/messages.ts';
 import type { DiskHandles } from './disk-handles.ts';
 import type { Opener } from './opening.ts';
@@ -43,10 +44,10 @@ export async function reload(parts: ReloadParts, characterId: string): Promise<r
   const failures: Diagnostic[] = [];
   const diagnostics = await opener.open(
     async (signal) => {
-      const changed = await changedFiles(parts, character, failures, signal);
+      const { changed, found } = await changedFiles(parts, character, failures, signal);
       names = changed.map(({ path }) => baseName(path));
       before = store.document;
-      return changed;
+      return withNeeded(changed, found);
     },
     { reloads: character.id },
   );
@@ -58,13 +59,15 @@ export async function reload(parts: ReloadParts, characterId: string): Promise<r
   return [...failures, ...diagnostics];
 }
 
-/** The current files to be read; those that can't be read are listed in `failures`. */
+/**
+ * The current files: all that can be read, and those of them to be read again; the others are listed in `failures`.
+ */
 async function changedFiles(
   { handles, unsaved, readAgain }: ReloadParts,
   character: Character,
   failures: Diagnostic[],
   signal: AbortSignal,
-): Promise<readonly GivenFile[]> {
+): Promise<{ readonly changed: readonly GivenFile[]; readonly found: readonly GivenFile[] }> {
   const files = handles.ofCharacter(character);
   const read = await Promise.all(
     files.map(async (file) => {
@@ -78,11 +81,22 @@ async function changedFiles(
       }
     }),
   );
-  const found = read.filter((r) => r !== undefined);
-  const changed = found.filter(({ file, now }) => now.version === undefined || now.version !== file.version);
-  if (changed.length || failures.length) return changed.map(({ now }) => now);
+  const readable = read.filter((r) => r !== undefined);
+  const found = readable.map(({ now }) => now);
+  const changed = readable.filter(({ file, now }) => now.version === undefined || now.version !== file.version);
+  if (changed.length || failures.length) return { changed: changed.map(({ now }) => now), found };
   const edited = editedFiles(character, handles, unsaved);
-  return found.filter(({ file }) => edited.has(file)).map(({ now }) => now);
+  return { changed: readable.filter(({ file }) => edited.has(file)).map(({ now }) => now), found };
+}
+
+/** With the other files that a `.gltf` is read from, if any of these has changed. */
+function withNeeded(changed: readonly GivenFile[], found: readonly GivenFile[]): readonly GivenFile[] {
+  const kindOf = ({ path }: GivenFile) => formatKindOf(baseName(path));
+  const isGltf = (file: GivenFile) => kindOf(file) === 'gltf';
+  // Its buffers are of no kind of their own.
+  const isOfGltf = (file: GivenFile) => isGltf(file) || ['texture', undefined].includes(kindOf(file));
+  if (!changed.some(isOfGltf) || !found.some(isGltf)) return changed;
+  return found.filter((file) => changed.includes(file) || isOfGltf(file));
 }
 
 /** The files whose parts have unsaved edits. */

@@ -31,7 +31,14 @@ export async function parse(input: ParseInput, onProgress: (progress: Progress) 
   let bytesDone = 0;
   let told = 0;
 
-  const imported = await importedFrom(given, diagnostics);
+  const count = (name: string, bytes: number) => {
+    bytesDone += bytes;
+    if (bytes > 0 && bytesDone - told < PROGRESS_STEP_BYTES && told > 0) return;
+    told = bytesDone;
+    onProgress({ label: name, done: bytesDone, of: bytesTotal });
+  };
+
+  const imported = await importedFrom(given, diagnostics, count);
 
   for (const { path, blob } of given) {
     const source = sourceOf(path, blob.size);
@@ -41,19 +48,13 @@ export async function parse(input: ParseInput, onProgress: (progress: Progress) 
       broken.push(...whole.broken);
       continue;
     }
-    const count = (bytes: number) => {
-      bytesDone += bytes;
-      if (bytesDone - told < PROGRESS_STEP_BYTES && told > 0) return;
-      told = bytesDone;
-      onProgress({ label: source.name, done: bytesDone, of: bytesTotal });
-    };
     const format = formatOf(source.name);
     if (format) {
       const reader = format.reader(source.name, source.bytes);
       try {
         await feed(blob, (chunk) => {
           reader.feed(chunk);
-          count(chunk.byteLength);
+          count(source.name, chunk.byteLength);
         });
       } catch (error) {
         diagnostics.push(unreadable(source, error));
@@ -88,14 +89,18 @@ interface ImportedBlob {
 async function importedFrom(
   given: readonly GivenBlob[],
   diagnostics: Diagnostic[],
+  count: (name: string, bytes: number) => void,
 ): Promise<ReadonlyMap<string, ImportedBlob>> {
   const out = new Map<string, ImportedBlob>();
   for (const { path, blob } of given) {
     const source = sourceOf(path, blob.size);
     const format = formatOf(source.name);
     if (!format?.imports) continue;
+    // Its name is told before it is read: it is read as a whole, which may take long.
+    count(source.name, 0);
     const { besideIn } = await import('../project/imports.ts');
     const find = besideIn(path, given, (file) => file.path);
+    let bytesRead = blob.size;
     try {
       const {
         value,
@@ -112,6 +117,7 @@ async function importedFrom(
         },
       });
       diagnostics.push(...told);
+      bytesRead += beside.reduce((sum, { path: own, bytes }) => sum + (out.has(own) ? 0 : bytes), 0);
       for (const part of beside) out.set(part.path, { files: [], broken: [] });
       const tooLarge = value && tooLargeToPost(source, transferables(value));
       if (tooLarge) diagnostics.push(tooLarge);
@@ -121,6 +127,7 @@ async function importedFrom(
       diagnostics.push(unreadable(source, error));
       out.set(path, { files: [], broken: [{ kind: format.kind, source }] });
     }
+    count(source.name, bytesRead);
   }
   return out;
 }

@@ -235,3 +235,42 @@ it('a reloaded skeleton has its file pose, and counts as saved', async () => {
   expect(here.own().pose.every((v) => v === 0)).toBe(true);
   expect(here.names()).toEqual([]);
 });
+
+describe('reloading a .gltf', () => {
+  const GLTF = JSON.stringify({
+    asset: { version: '2.0' },
+    scene: 0,
+    scenes: [{ nodes: [0] }],
+    nodes: [{ name: 'post', mesh: 0 }],
+    meshes: [{ primitives: [{ attributes: { POSITION: 0 } }] }],
+    buffers: [{ uri: 'post.bin', byteLength: 36 }],
+    bufferViews: [{ buffer: 0, byteLength: 36 }],
+    accessors: [{ bufferView: 0, componentType: 5126, type: 'VEC3', count: 3 }],
+  });
+  /** Floats whose bytes are characters: 0, 0.5 and 2. */
+  const buffer = (...values: readonly (0 | 0.5 | 2)[]) =>
+    values.map((v) => `\0\0\0${{ 0: '\0', 0.5: '?', 2: '@' }[v]}`).join('');
+  const FILES = { 'a/post.gltf': GLTF, 'a/post.bin': buffer(0, 0, 0, 2, 0, 0, 0, 2, 0) };
+  const across = (c: Character) => c.skins[0].positions[3];
+
+  it.each([
+    ['its buffer', { 'post.bin': buffer(0, 0, 0, 0.5, 0, 0, 0, 2, 0) }, 0.5, 'post', 'Reloaded post.bin.'],
+    ['itself', { 'post.gltf': GLTF.replace('"post"', '"pole"') }, 2, 'pole', 'Reloaded post.gltf.'],
+  ])('reads all of its files when only %s has changed', async (_, changed, wide, joint, said) => {
+    const here = await page(FILES);
+    expect(across(here.own())).toBe(2);
+    for (const [name, text] of Object.entries(changed)) here.edit(name, text);
+    expect(await here.reloadIt()).toEqual([]);
+    expect(here.store.document.characters).toHaveLength(1);
+    expect(here.own().skins).toHaveLength(1);
+    expect(across(here.own())).toBe(wide);
+    expect(here.own().skeleton?.joints.at(-1)?.name).toBe(joint);
+    expect(here.messages.passing.get()).toBe(said);
+  });
+
+  it('reads nothing when none of its files has changed', async () => {
+    const here = await page(FILES);
+    await here.reloadIt();
+    expect(here.messages.passing.get()).toBe('Nothing has changed on disk.');
+  });
+});

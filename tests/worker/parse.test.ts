@@ -95,6 +95,16 @@ describe('the parse job', () => {
     await parse({ files: [given('a.skel', skel), given('b.skel', skel)] }, (p) => seen.push(p));
     expect(seen[0]).toMatchObject({ label: 'a.skel', of: 2 * skel.length });
   });
+
+  it('names a file of another program before it is read, and counts its bytes and those of its buffers', async () => {
+    const gltf = JSON.stringify({ asset: { version: '2.0' }, buffers: [{ uri: 'a.bin', byteLength: 4 }] });
+    const bin = new Uint8Array(4);
+    const of = 3 + gltf.length + bin.length;
+    const seen: Progress[] = [];
+    await parse({ files: [given('a.gltf', gltf), given('a.bin', bin), given('b.fbx', 'odd')] }, (p) => seen.push(p));
+    expect(seen[0]).toEqual({ label: 'a.gltf', done: 0, of });
+    expect(seen.find(({ label }) => label === 'b.fbx')?.done).toBe(gltf.length + bin.length);
+  });
 });
 
 describe('the parse job on motion capture', () => {
