@@ -6,6 +6,8 @@
  *     translation               translationaljoint
  *     translation, rotation     freejoint
  *     scale, or rests scaled    compoundjoint of the DOFs that it needs
+ *
+ * A part of the body that the file states turns at any rate, and the hips move: a figure without takes can be posed.
  */
 import type { Vec3 } from '../math/vec3.ts';
 import { type Channel, keysOf, restChannel } from '../model/clip.ts';
@@ -37,11 +39,11 @@ const LOCKED = Math.sin((88 * Math.PI) / 180);
 
 /** @param size of the character */
 export function jointMotion(node: SceneNode, moves: readonly SceneMove[], size: number): JointMotion {
-  const { translation, scale, euler } = node;
+  const { translation, scale, euler, role } = node;
   const rest = Float64Array.from(node.rotation);
   const movesBy = (curves: AxisCurves | undefined, values: Vec3, tolerance: number) =>
     curves?.some((curve, axis) => curve !== undefined && departs(curve, values[axis], tolerance)) ?? false;
-  const isTranslated = moves.some((move) => movesBy(move.translation, translation, AT_REST * size));
+  const isTranslated = role === 'hips' || moves.some((move) => movesBy(move.translation, translation, AT_REST * size));
   const isScaled =
     scale.some((s) => Math.abs(s - 1) > 1e-12) || moves.some((move) => movesBy(move.scale, scale, AT_REST));
   const isTurning = moves.some(({ rotation }) => {
@@ -50,7 +52,10 @@ export function jointMotion(node: SceneNode, moves: readonly SceneMove[], size: 
     return turns(rotation.curve, rest);
   });
   const isTurned =
-    isTurning || Math.hypot(rest[0], rest[1], rest[2]) > 1e-12 || (euler?.angles.some((a) => a !== 0) ?? false);
+    role !== undefined ||
+    isTurning ||
+    Math.hypot(rest[0], rest[1], rest[2]) > 1e-12 ||
+    (euler?.angles.some((a) => a !== 0) ?? false);
   const curves = moves.flatMap(({ rotation }) => (rotation?.kind === 'turns' ? [rotation.curve] : []));
   const clearest = euler?.order ?? clearestOrder(rest, curves);
   const isLocked = !euler && isTurning && worstOf(rest, curves, clearest) > LOCKED;
