@@ -113,6 +113,13 @@ const STATES: readonly (readonly [name: string, enter: (page: Page) => Promise<u
     },
   ],
   [
+    'quantities are plotted',
+    async (page) => {
+      await tab(page, 'measure');
+      await page.locator('.measure-legend li').first().waitFor();
+    },
+  ],
+  [
     'the steps of a joint are shown',
     async (page) => {
       await tab(page, 'steps');
@@ -375,7 +382,7 @@ it('a phone has all menus, the timeline and targets of 44 pixels; nothing in the
       const small = await smallTargets(page);
       await page.keyboard.press('c');
       await page.locator('.curve-plot').waitFor();
-      for (const name of ['dope', 'takes', 'poses', 'source', 'curves']) {
+      for (const name of ['dope', 'takes', 'poses', 'measure', 'source', 'curves']) {
         await tab(page, name);
         await page.locator(`[aria-labelledby=timeline-tab-${name}] > :not(.empty)`).first().waitFor();
         small.push(...(await smallTargets(page)));
