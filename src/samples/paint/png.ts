@@ -1,38 +1,20 @@
 /**
- * A PNG with a palette, the smallest format for a flat-coloured texture that every browser reads.
- *
- *     signature  IHDR (size, 8 bits, colour type 3)  PLTE  IDAT (zlib of rows, each led by filter 0)  IEND
- *
- * https://www.w3.org/TR/png-3/. Compressed with fflate rather than node:zlib: the bytes are compared with those in the
- * repository, and Node's zlib gives other bytes in other versions.
+ * A PNG with a palette, the smallest format for a flat-coloured texture that every browser reads. Each row is led by
+ * filter 0. Compressed with fflate rather than node:zlib: the bytes are compared with those in the repository, and
+ * Node's zlib gives other bytes in other versions.
  */
 import { zlibSync } from 'fflate';
+import { pngFile } from '../../formats/png/chunks.ts';
 
 /** `pixels`: RGB, rows from the top. More than 256 colours are reduced to the 256 most frequent. */
 export function encodePng(pixels: Uint8Array, size: number): Uint8Array {
   const { palette, indices } = indexColours(pixels);
   const rows = new Uint8Array(size * (size + 1));
   for (let y = 0; y < size; y++) rows.set(indices.subarray(y * size, (y + 1) * size), y * (size + 1) + 1);
-  const header = new Uint8Array(13);
-  const view = new DataView(header.buffer);
-  view.setUint32(0, size);
-  view.setUint32(4, size);
-  header[8] = 8;
-  header[9] = 3;
-  const chunks = [
-    Uint8Array.of(0x89, 0x50, 0x4e, 0x47, 0x0d, 0x0a, 0x1a, 0x0a),
-    chunk('IHDR', header),
-    chunk('PLTE', Uint8Array.from(palette)),
-    chunk('IDAT', zlibSync(rows, { level: 9, mem: 12 })),
-    chunk('IEND', new Uint8Array(0)),
-  ];
-  const out = new Uint8Array(chunks.reduce((sum, c) => sum + c.length, 0));
-  let at = 0;
-  for (const c of chunks) {
-    out.set(c, at);
-    at += c.length;
-  }
-  return out;
+  return pngFile([size, size], 'palette', [
+    { type: 'PLTE', data: Uint8Array.from(palette) },
+    { type: 'IDAT', data: zlibSync(rows, { level: 9, mem: 12 }) },
+  ]);
 }
 
 /** Colours are first rounded to 32 levels per channel, which isn't visible and halves the file. */
@@ -55,23 +37,4 @@ function indexColours(pixels: Uint8Array): { palette: number[]; indices: Uint8Ar
   const indices = new Uint8Array(pixels.length / 3);
   for (let i = 0; i < indices.length; i++) indices[i] = indexOf.get(keyAt(3 * i)) ?? 0;
   return { palette: kept.flatMap((key) => channels(key).map((c) => Math.round((c * 255) / 31))), indices };
-}
-
-function chunk(type: string, data: Uint8Array): Uint8Array {
-  const out = new Uint8Array(12 + data.length);
-  const view = new DataView(out.buffer);
-  view.setUint32(0, data.length);
-  for (let i = 0; i < 4; i++) out[4 + i] = type.charCodeAt(i);
-  out.set(data, 8);
-  view.setUint32(8 + data.length, crc32(out.subarray(4, 8 + data.length)));
-  return out;
-}
-
-function crc32(bytes: Uint8Array): number {
-  let crc = 0xffffffff;
-  for (const byte of bytes) {
-    crc ^= byte;
-    for (let bit = 0; bit < 8; bit++) crc = crc & 1 ? (crc >>> 1) ^ 0xedb88320 : crc >>> 1;
-  }
-  return ~crc >>> 0;
 }
