@@ -7,7 +7,7 @@
  */
 import { type Channel, FIXED_TANGENT, FLAT, type KeyedChannel, LINEAR, type Tangents } from '../../model/clip.ts';
 import { ImportError, type Remarks } from '../imported.ts';
-import type { AxisCurves, QuaternionCurve, SceneMesh, SceneMove, SceneTake, SceneWeight } from '../scene.ts';
+import type { QuaternionCurve, SceneMesh, SceneMove, SceneTake, SceneWeight } from '../scene.ts';
 import { type Accessors, firstNotFinite } from './accessors.ts';
 import { countOf, type Document, extensionOf, type Json, listOf, objectOf, textOf } from './json.ts';
 
@@ -66,7 +66,7 @@ export function readTakes(
       if (move[path]) {
         remarks.warn('channel-twice', `${called} moves the ${path} of node ${target.node} twice.`, 'the first is used');
       } else if (path === 'rotation') move.rotation = { kind: 'turns', curve: quaternionOf(read) };
-      else move[path] = [0, 1, 2].map((axis) => channelOf(read, axis)) as unknown as AxisCurves;
+      else move[path] = [channelOf(read, 0), channelOf(read, 1), channelOf(read, 2)];
     }
     if (!range) {
       remarks.leaveOut(`animation ${a}, which moves nothing here`);
