@@ -5,10 +5,10 @@
  * within the tolerance, else Hermite cubics with the slopes that the curve has at its ends, which is off by the fourth
  * power of the rotation in between; where that is still too far, a key is added halfway, and so on.
  */
-import { eulerNear, quaternionOfEuler } from '../math/euler.ts';
 import { slerp } from '../math/slerp.ts';
 import { type Channel, FIXED_TANGENT, LINEAR, restChannel } from '../model/clip.ts';
 import type { EulerOrder } from '../model/skeleton.ts';
+import { writeAnglesNear, writeQuaternion } from './rotations.ts';
 import type { QuaternionCurve } from './scene.ts';
 
 /**
@@ -31,29 +31,10 @@ export interface RotationDofs {
 
 /** Angles about x, y and z. */
 export function eulerRotation(order: EulerOrder): RotationDofs {
-  const [i, j, k] = [...order].map((axis) => 'xyz'.indexOf(axis));
-  // Other orders are xyz with the axes renamed; renaming that mirrors space reverses rotations.
-  const sign = (j - i + 3) % 3 === 1 ? 1 : -1;
-  const p = new Float64Array(4);
-  const angles = new Float64Array(3);
   return {
     count: 3,
-    write(q, dofs) {
-      p.set([sign * q[i], sign * q[j], sign * q[k], q[3]]);
-      angles.set([sign * dofs[i], sign * dofs[j], sign * dofs[k]]);
-      eulerNear(p, angles, 0);
-      [i, j, k].forEach((axis, n) => {
-        // Adding 0 turns −0 into 0.
-        dofs[axis] = sign * angles[n] + 0;
-      });
-    },
-    read(dofs, q) {
-      quaternionOfEuler((sign * dofs[i]) / 2, (sign * dofs[j]) / 2, (sign * dofs[k]) / 2, p, 0);
-      q[i] = sign * p[0];
-      q[j] = sign * p[1];
-      q[k] = sign * p[2];
-      q[3] = p[3];
-    },
+    write: (q, dofs) => writeAnglesNear(order, q, dofs),
+    read: (dofs, q) => writeQuaternion(order, dofs, q),
   };
 }
 
@@ -68,13 +49,6 @@ export const QUATERNION_ROTATION: RotationDofs = {
     normalize(q);
   },
 };
-
-/** |sin β| of the middle angle: 1 is gimbal lock. */
-export function lockedness(q: Float64Array, order: EulerOrder): number {
-  const [i, j, k] = [...order].map((axis) => 'xyz'.indexOf(axis));
-  const sign = (j - i + 3) % 3 === 1 ? 1 : -1;
-  return Math.abs(2 * (q[3] * sign * q[j] - q[i] * q[k]));
-}
 
 /** The rotation of a curve between two of its keys. @param part 0 to 1 */
 export function rotationWithin(curve: QuaternionCurve, key: number, part: number, q: Float64Array): void {

@@ -12,14 +12,8 @@
 import type { Vec3 } from '../math/vec3.ts';
 import { type Channel, keysOf, restChannel } from '../model/clip.ts';
 import { type CompoundDof, EULER_ORDERS, type EulerOrder, type Motion } from '../model/skeleton.ts';
-import {
-  eulerRotation,
-  fitRotation,
-  lockedness,
-  QUATERNION_ROTATION,
-  type RotationDofs,
-  rotationWithin,
-} from './fit-rotation.ts';
+import { eulerRotation, fitRotation, QUATERNION_ROTATION, type RotationDofs, rotationWithin } from './fit-rotation.ts';
+import { lockedness } from './rotations.ts';
 import type { AxisCurves, QuaternionCurve, SceneMove, SceneNode } from './scene.ts';
 
 export interface JointMotion {
@@ -161,11 +155,11 @@ function visited(curves: readonly QuaternionCurve[]): readonly Float64Array[] {
 
 function clearestOrder(rest: Float64Array, curves: readonly QuaternionCurve[]): EulerOrder {
   const rotations = [rest, ...visited(curves)];
-  const worst = (order: EulerOrder) => rotations.reduce((most, q) => Math.max(most, lockedness(q, order)), 0);
+  const worst = (order: EulerOrder) => rotations.reduce((most, q) => Math.max(most, lockedness(order, q)), 0);
   if (worst('xyz') < CLEAR) return 'xyz';
   return EULER_ORDERS.reduce((best, order) => (worst(order) < worst(best) ? order : best));
 }
 
 function worstOf(rest: Float64Array, curves: readonly QuaternionCurve[], order: EulerOrder): number {
-  return [rest, ...visited(curves)].reduce((most, q) => Math.max(most, lockedness(q, order)), 0);
+  return [rest, ...visited(curves)].reduce((most, q) => Math.max(most, lockedness(order, q)), 0);
 }

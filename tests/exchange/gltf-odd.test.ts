@@ -4,7 +4,7 @@ import { describe, expect, it } from 'vitest';
 import type { Beside } from '../../src/exchange/imported.ts';
 import { importFile } from '../../src/project/imports.ts';
 import { type GltfJson, gltfReference } from '../helpers/gltf-reference.ts';
-import { farthest, posedWhole } from '../helpers/posed-whole.ts';
+import { farthest, posedNodes } from '../helpers/posed.ts';
 import { GltfMaker, glbOf, type Made } from './make-gltf.ts';
 
 const TRIANGLE = Float32Array.of(0, 0, 0, 1, 0, 0, 0, 1, 0);
@@ -25,11 +25,11 @@ async function expectAsThree(made: Made): Promise<void> {
   const { whole } = await opened(made);
   // A valid file has this shape.
   const reference = await gltfReference(made.json as unknown as GltfJson, made.buffers);
-  expect(farthest(posedWhole(whole), reference.pose())).toBeLessThan(1 / 2000);
+  expect(farthest(posedNodes(whole), reference.pose())).toBeLessThan(1 / 2000);
   whole.clips.forEach(({ range: [start, end] }, take) => {
     for (let n = 0; n <= 16; n++) {
       const time = start + ((end - start) * n * 0.9999) / 16;
-      expect(farthest(posedWhole(whole, take, time), reference.pose(take, time))).toBeLessThan(1 / 2000);
+      expect(farthest(posedNodes(whole, take, time), reference.pose(take, time))).toBeLessThan(1 / 2000);
     }
   });
 }

@@ -3,7 +3,7 @@ import { readContainer } from '../../src/exchange/gltf/container.ts';
 import { readGltf } from '../../src/exchange/gltf/read.ts';
 import { toCharacter } from '../../src/exchange/to-character.ts';
 import { type GltfJson, gltfReference } from '../helpers/gltf-reference.ts';
-import { farthest, posedWhole } from '../helpers/posed-whole.ts';
+import { farthest, posedNodes } from '../helpers/posed.ts';
 import { describeShared, sharedBytes } from '../helpers/shared.ts';
 
 const FILES = [
@@ -44,12 +44,12 @@ describeShared('glTF files of many programs', () => {
   it.each(FILES)('%s is where three.js has it, at rest and at any time of its takes', async (file) => {
     const { whole, reference } = await readShared(file);
     expect(whole.clips.map(({ range }) => range)).toEqual(reference.takes.map(({ range }) => range));
-    expect(farthest(posedWhole(whole), reference.pose())).toBeLessThan(1 / 2000);
+    expect(farthest(posedNodes(whole), reference.pose())).toBeLessThan(1 / 2000);
     whole.clips.forEach(({ range: [start, end] }, take) => {
       for (let n = 0; n < MOMENTS; n++) {
         // Not at the very end, where three.js begins again; between keys.
         const time = start + ((end - start) * (n * 0.9999)) / (MOMENTS - 1);
-        expect(farthest(posedWhole(whole, take, time), reference.pose(take, time))).toBeLessThan(1 / 2000);
+        expect(farthest(posedNodes(whole, take, time), reference.pose(take, time))).toBeLessThan(1 / 2000);
       }
     });
   });

@@ -9,10 +9,10 @@
  */
 
 import type { Vec3 } from '../../math/vec3.ts';
+import { innerAxis, outerAxis } from '../rotations.ts';
 import { drivenKey, type FbxTake } from './animation.ts';
 import { NodeMotion, stretchSource } from './motion.ts';
 import type { FbxNode } from './nodes.ts';
-import { innerAxis, outerAxis } from './rotation.ts';
 
 export interface FbxJoint {
   readonly node: FbxNode;

@@ -5,10 +5,10 @@
 import { RADIANS_PER_DEGREE } from '../../math/degrees.ts';
 import { writeRotation } from '../../math/quaternion.ts';
 import { slerp } from '../../math/slerp.ts';
+import { multiplyQuaternions, writeAnglesNear, writeQuaternion } from '../rotations.ts';
 import { type Driven, drivenKey, type FbxLayer, type FbxTake, layerWeight } from './animation.ts';
 import { evaluateCurve } from './curve.ts';
 import { type FbxNode, writeNodeRotation, writeNodeTranslation } from './nodes.ts';
-import { multiplyQuaternions, writeAnglesNear, writeQuaternion } from './rotation.ts';
 
 export type MovedProperty = 'Lcl Translation' | 'Lcl Rotation' | 'Lcl Scaling';
 

@@ -7,6 +7,7 @@ import type { Vec3 } from '../../math/vec3.ts';
 import type { Channel } from '../../model/clip.ts';
 import type { EulerOrder } from '../../model/skeleton.ts';
 import { EULER_ORDERS } from '../../model/skeleton.ts';
+import { middleAxis, writeAnglesNear } from '../rotations.ts';
 import type { AxisCurves, SceneMove } from '../scene.ts';
 import type { Driven, FbxTake } from './animation.ts';
 import { ascending, channelOf } from './channels.ts';
@@ -16,7 +17,6 @@ import { type FbxJoint, Stretches } from './joints.ts';
 import { KeyList } from './key-list.ts';
 import { driversOf, NodeMotion } from './motion.ts';
 import { hasPivots, writeNodeRotation, writeNodeTranslation } from './nodes.ts';
-import { middleAxis, writeAnglesNear } from './rotation.ts';
 
 /** How far fitted keys may be off. */
 export interface Tolerances {

@@ -9,8 +9,8 @@
 import { RADIANS_PER_DEGREE } from '../../math/degrees.ts';
 import { type Vec3, ZERO } from '../../math/vec3.ts';
 import type { EulerOrder } from '../../model/skeleton.ts';
+import { multiplyQuaternions, writeQuaternion } from '../rotations.ts';
 import { type FbxDocument, type FbxObject, type Properties, SCENE_ID } from './document.ts';
-import { multiplyQuaternions, writeQuaternion } from './rotation.ts';
 
 export interface FbxNode {
   readonly object: FbxObject;

@@ -2,6 +2,7 @@
 import { quaternionOfRotation } from '../../math/quaternion.ts';
 import { ZERO } from '../../math/vec3.ts';
 import type { EulerOrder } from '../../model/skeleton.ts';
+import { writeQuaternion } from '../rotations.ts';
 import type { Scene, SceneNode, SceneTake, SceneWeight } from '../scene.ts';
 import { type FbxTake, takesOf } from './animation.ts';
 import { axesOf, type FbxAxes, unitOf } from './axes.ts';
@@ -26,7 +27,6 @@ import {
 } from './moves.ts';
 import { nodesOf, writeNodeRotation, writeNodeTranslation } from './nodes.ts';
 import type { FbxFile } from './record.ts';
-import { writeQuaternion } from './rotation.ts';
 import { shapeWeight } from './shapes.ts';
 
 /** Of the size, for lengths; an angle that moves the end of a bone of that size by less; a factor likewise. */

@@ -1,9 +1,10 @@
 /** Characters made of FBX files: their joints and vertices are where ufbx has those of the file, at all times. */
 import { expect, it } from 'vitest';
 import type { WholeCharacter } from '../../../src/model/files.ts';
+import { posed } from '../../helpers/posed.ts';
 import { describeShared, sharedBytes } from '../../helpers/shared.ts';
 import { distance, type Expected, expectedOf, FBX_FILES, takeSize } from './expected.ts';
-import { characterOf, posed } from './posed.ts';
+import { characterOf } from './read-character.ts';
 
 /** How far the farthest joint and the farthest vertex are off, as parts of the size. */
 function worstOf(character: WholeCharacter, { nodes: names, takes }: Expected): number {

@@ -7,7 +7,7 @@ import { compileSkeleton, worldMatrices } from '../../../src/evaluate/kinematics
 import { poseAt } from '../../../src/evaluate/pose.ts';
 import { measureRetarget } from '../../../src/evaluate/retarget/measure.ts';
 import { rolesOf } from '../../../src/evaluate/retarget/roles.ts';
-import { multiplyQuaternions, writeAnglesNear, writeQuaternion } from '../../../src/exchange/fbx/rotation.ts';
+import { multiplyQuaternions, writeAnglesNear, writeQuaternion } from '../../../src/exchange/rotations.ts';
 import { RADIANS_PER_DEGREE } from '../../../src/math/degrees.ts';
 import { quaternionOfRotation } from '../../../src/math/quaternion.ts';
 import { keysOf } from '../../../src/model/clip.ts';
@@ -17,8 +17,9 @@ import { walkerClip } from '../../../src/samples/walker/clip.ts';
 import { WALKER_SKELETON } from '../../../src/samples/walker/skeleton.ts';
 import { captured, retargeted } from '../../evaluate/retarget/captures.ts';
 import { character } from '../../helpers/builders.ts';
+import { posed } from '../../helpers/posed.ts';
 import { describeShared } from '../../helpers/shared.ts';
-import { characterOf, posed } from './posed.ts';
+import { characterOf } from './read-character.ts';
 import { type Connection, curve, type Fbx, fbxBytes, type Obj, prop, ticks } from './write-fbx.ts';
 
 const FRAMES = 40;

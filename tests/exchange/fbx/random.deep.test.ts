@@ -10,9 +10,10 @@ import { fbxReader } from '../../../src/exchange/fbx/read.ts';
 import { readFbxFile } from '../../../src/exchange/fbx/read-file.ts';
 import { readWhole } from '../../../src/formats/reader.ts';
 import { Report } from '../../../src/formats/report.ts';
+import { posed } from '../../helpers/posed.ts';
 import { multiply, worldsAt } from '../scene-at.ts';
-import { characterOf, posed } from './posed.ts';
 import { randomFbx } from './random-fbx.ts';
+import { characterOf } from './read-character.ts';
 import { fbxBytes, fbxText } from './write-fbx.ts';
 
 /** None of a key: there a value that jumps may be either. */

@@ -1,6 +1,6 @@
 /** Rotations as Euler angles of any order and as quaternions x y z w. */
-import { eulerNear, quaternionOfEuler } from '../../math/euler.ts';
-import type { EulerOrder } from '../../model/skeleton.ts';
+import { eulerNear, quaternionOfEuler } from '../math/euler.ts';
+import type { EulerOrder } from '../model/skeleton.ts';
 
 /** Indices of the axes of an order, first applied first, and 1 or −1: whether they are a cycle of x y z. */
 interface Axes {
@@ -42,7 +42,17 @@ export function writeAnglesNear(order: EulerOrder, q: Float64Array, angles: Floa
   }
   scratch[3] = q[3];
   eulerNear(scratch, turned, 0);
-  for (let k = 0; k < 3; k++) angles[axes[k]] = sign * turned[k];
+  // Adding 0 turns −0 into 0.
+  for (let k = 0; k < 3; k++) angles[axes[k]] = sign * turned[k] + 0;
+}
+
+/** |sin β| of the middle angle of a unit quaternion: 1 is gimbal lock. */
+export function lockedness(order: EulerOrder, q: ArrayLike<number>): number {
+  const {
+    axes: [i, j, k],
+    sign,
+  } = AXES[order];
+  return Math.abs(2 * (q[3] * sign * q[j] - q[i] * q[k]));
 }
 
 /** `out = a · b`: first b, then a. `out` may be either. */

@@ -7,28 +7,33 @@ import { filePose } from '../../src/model/dofs.ts';
 import type { WholeCharacter } from '../../src/model/files.ts';
 import type { ReferencePose } from './gltf-reference.ts';
 
-/** Joints of nodes, without those that only this program has; at rest without a take. */
-export function posedWhole(whole: WholeCharacter, take = -1, time = 0): ReferencePose {
-  const { skeleton, morphs, skins, clips } = whole;
+/** World matrices of all joints, and all vertices of the first skin; at rest without a take. */
+export function posed({ skeleton, morphs, skins, clips }: WholeCharacter, take = -1, time = 0): ReferencePose {
   const pose = filePose(skeleton, morphs.length);
   const values = Float64Array.from(pose);
   poseAt({ ...newCharacter('a', 'a'), skeleton, morphs, clips, pose, shownClip: take }, time, values);
   const compiled = compileSkeleton(skeleton);
-  const all = new Float64Array(16 * compiled.jointCount);
-  worldMatrices(compiled, values, all);
-  const isOfNode = skeleton.joints.map(
-    ({ name, parent, motion }, j) =>
-      !(motion.kind === 'fixed' && ((j === 0 && name === 'scene') || name === `${skeleton.joints[parent]?.name}_bind`)),
-  );
-  const worlds = all.filter((_, i) => isOfNode[i >> 4]);
-  const [skin] = skins;
+  const worlds = new Float64Array(16 * compiled.jointCount);
+  worldMatrices(compiled, values, worlds);
+  const skin = skins.at(0);
   if (!skin) return { worlds, positions: new Float64Array(0) };
   const compiledSkin = compileSkin(skin);
   const positions = new Float64Array(skin.positions.length);
   const normals = new Float64Array(skin.positions.length);
   blendMorphs(compiledSkin, morphs, values, values.length - morphs.length, positions, normals);
-  deform(compiledSkin, all, positions, normals, positions, normals);
+  deform(compiledSkin, worlds, positions, normals, positions, normals);
   return { worlds, positions };
+}
+
+/** The same with joints of nodes, without those that only this program has. */
+export function posedNodes(whole: WholeCharacter, take = -1, time = 0): ReferencePose {
+  const { worlds, positions } = posed(whole, take, time);
+  const { joints } = whole.skeleton;
+  const isOfNode = joints.map(
+    ({ name, parent, motion }, j) =>
+      !(motion.kind === 'fixed' && ((j === 0 && name === 'scene') || name === `${joints[parent]?.name}_bind`)),
+  );
+  return { worlds: worlds.filter((_, i) => isOfNode[i >> 4]), positions };
 }
 
 /** The largest distance of two joints or vertices, as a part of the size of the second pose; infinite if they differ in number. */
