@@ -6,6 +6,7 @@ import { type VideoFrames, videoFrames } from '../edit/video-frames.ts';
 import type { FrameCanvas, FrameWriter } from '../io/frame-writer.ts';
 import type { PictureOptions, Pictures, VideoFormat, VideoOptions } from '../ui/state/pictures.ts';
 import type { Uses } from '../ui/state/workbench.ts';
+import { breathe } from '../view/slices.ts';
 import type { ShotOptions, Shots } from '../view/viewport.ts';
 
 export function picturesOf(wb: Uses<'viewport' | 'transport'>, save: (name: string, content: Blob) => void): Pictures {
@@ -60,7 +61,7 @@ export function picturesOf(wb: Uses<'viewport' | 'transport'>, save: (name: stri
           copy(shots, to);
           await writer.add();
           progress?.(frame + 1, count);
-          await nextTask();
+          await breathe();
         }
         signal?.throwIfAborted();
         return await writer.end();
@@ -116,16 +117,4 @@ function frameCanvas({ width, height }: ShotOptions): FrameCanvas {
 function copy({ canvases }: Shots, { canvas, pen }: FrameCanvas): void {
   pen.clearRect(0, 0, canvas.width, canvas.height);
   for (const each of canvases) pen.drawImage(each, 0, 0, canvas.width, canvas.height);
-}
-
-/** Lets the page respond. Timers would take a second each while the page is in the background. */
-function nextTask(): Promise<void> {
-  return new Promise((resolve) => {
-    const { port1, port2 } = new MessageChannel();
-    port1.onmessage = () => {
-      port1.close();
-      resolve();
-    };
-    port2.postMessage(undefined);
-  });
 }

@@ -29,7 +29,7 @@ export async function runInSlices<T>(
  * Yields to events and drawing. By a message, which returns soonest: a timer waits four milliseconds, or a second in a
  * background tab.
  */
-function breathe(): Promise<void> {
+export function breathe(): Promise<void> {
   return new Promise((resolve) => {
     const { port1, port2 } = new MessageChannel();
     port1.onmessage = () => {
