@@ -1,9 +1,11 @@
 /** Takes in review, beside the document: their files, how the list is filtered and sorted, and the one that is shown. */
+
 import type { Character } from '../../model/document.ts';
 import type { Verdict } from '../../model/review.ts';
 import type { TakeDigest } from '../../review/digest.ts';
 import type { FlagKind } from '../../review/flags.ts';
 import { type Observable, observable } from '../kit/observable.ts';
+import type { SortOrder } from '../kit/sort-heads.ts';
 
 /** More takes than these given at once are reviewed; fewer are opened. */
 export const MOST_OPENED = 20;
@@ -33,7 +35,7 @@ export interface ReviewView {
   /** At least so many. */
   readonly stars: number;
   /** Absent: as in the list. */
-  readonly order?: { readonly column: ReviewColumn; readonly descending: boolean };
+  readonly order?: SortOrder<ReviewColumn>;
   /** Paths of the selected takes, and of the one with the keyboard. */
   readonly chosen: ReadonlySet<string>;
   readonly focused?: string;

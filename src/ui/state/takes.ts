@@ -2,6 +2,7 @@
  * State of the list of takes outside the document: order, filter, selection, and the two takes being compared. Neither
  * remembered nor undoable.
  */
+
 import type { TakeRef } from '../../edit/commands/takes.ts';
 import { RETARGETED, withoutDriver } from '../../edit/drivers.ts';
 import type { Alignment } from '../../evaluate/posed-joints.ts';
@@ -9,14 +10,12 @@ import { type Character, type Document, findCharacter } from '../../model/docume
 import { twinOf } from '../../model/drawn-id.ts';
 import { perObject } from '../../model/per-object.ts';
 import { type Observable, observable } from '../kit/observable.ts';
+import type { SortOrder } from '../kit/sort-heads.ts';
 
 const TAKE_COLUMNS = ['name', 'character', 'duration', 'frames', 'rate', 'start', 'x', 'z', 'file'] as const;
 export type TakeColumn = (typeof TAKE_COLUMNS)[number];
 
-export interface TakeOrder {
-  readonly column: TakeColumn;
-  readonly descending: boolean;
-}
+export type TakeOrder = SortOrder<TakeColumn>;
 
 export interface TakesView {
   /** Absent: the document's own order. */

@@ -1,9 +1,11 @@
 /** Rows of the tables: what was compared, with its errors. */
+
 import type { FrameComparison } from '../../../lesson/compare.ts';
 import { type JointMark, jointMarks } from '../../../lesson/joint-marks.ts';
 import { type Character, shownSkin } from '../../../model/document.ts';
 import { characterDofs } from '../../../model/dofs.ts';
 import { jointName } from '../../../model/joint-name.ts';
+import type { SortOrder } from '../../kit/sort-heads.ts';
 import type { ComparedResult } from '../../state/dump-comparison.ts';
 
 export const ROW_KINDS = ['joints', 'vertices', 'normals', 'channels'] as const;
@@ -24,10 +26,7 @@ export interface ComparedRow {
 
 export type RowColumn = 'index' | 'name' | 'mark' | 'error';
 
-export interface RowOrder {
-  readonly column: RowColumn;
-  readonly descending: boolean;
-}
+export type RowOrder = SortOrder<RowColumn>;
 
 /** Vertices listed at most: the first that is wrong, and the worst. */
 export const MAX_VERTICES = 100;

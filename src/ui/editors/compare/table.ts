@@ -6,13 +6,13 @@
 import { type JointMark, MARK_TEXTS } from '../../../lesson/joint-marks.ts';
 import { element, setAttribute, setText } from '../../kit/dom.ts';
 import { HAS_KEYS } from '../../kit/focus.ts';
-import { icon } from '../../kit/icons.ts';
+import { type SortColumn, SortHeads } from '../../kit/sort-heads.ts';
 import { setTooltip } from '../../kit/tooltip.ts';
 import { rowAfterKey, WindowedList, type WindowedRow } from '../../kit/windowed-list.ts';
 import { numberText } from './banner-text.ts';
 import { type ComparedRow, inOrder, type RowColumn, type RowOrder } from './compared-rows.ts';
 
-const COLUMNS: readonly (readonly [RowColumn, label: string, className: string, tooltip: string])[] = [
+const COLUMNS: readonly SortColumn<RowColumn>[] = [
   ['index', '#', 'number', 'Index, from 0'],
   ['name', 'Name', '', 'Name'],
   ['mark', 'Found', '', 'Own error: its own local matrix is wrong. Inherited: only because a parent is'],
@@ -28,15 +28,15 @@ interface Row extends WindowedRow {
 
 export class ComparedTable {
   readonly element = element('div', {
-    class: 'compare-table',
+    class: 'sort-table compare-table',
     role: 'grid',
     tabindex: 0,
     [HAS_KEYS]: true,
     'aria-label': 'Compared',
     'aria-colcount': COLUMNS.length,
   });
-  private readonly space = element('div', { class: 'compare-space', role: 'rowgroup' });
-  private readonly heads = new Map<RowColumn, HTMLElement>();
+  private readonly space = element('div', { class: 'sort-space', role: 'rowgroup' });
+  private readonly heads = new SortHeads('compare-head', COLUMNS, (column) => this.sortBy(column));
   private readonly list: WindowedList<Row>;
   private given: readonly ComparedRow[] = [];
   private rows: readonly ComparedRow[] = [];
@@ -45,7 +45,7 @@ export class ComparedTable {
 
   /** @param pick a row was reached by click or keys */
   constructor(private readonly pick: (row: ComparedRow) => void) {
-    this.element.append(this.head(), this.space);
+    this.element.append(this.heads.element, this.space);
     this.space.addEventListener('click', (event) => {
       const row = this.rows[this.list.indexOf(event)];
       if (row) this.choose(row);
@@ -56,7 +56,7 @@ export class ComparedTable {
       space: this.space,
       rowHeight: ['--row', 24],
       rowsAbove: 1,
-      headHeight: () => this.heads.get('name')?.offsetHeight ?? 0,
+      headHeight: () => this.heads.height,
       make: makeRow,
       fill: (row, index) => this.fill(row, this.rows[index]),
     });
@@ -85,12 +85,7 @@ export class ComparedTable {
 
   private sort(): void {
     this.rows = inOrder(this.given, this.order);
-    for (const [column, head] of this.heads) {
-      const isOrder = column === this.order.column;
-      setAttribute(head, 'aria-sort', isOrder ? (this.order.descending ? 'descending' : 'ascending') : undefined);
-      head.querySelector('.icon')?.remove();
-      if (isOrder) head.append(icon('fold'));
-    }
+    this.heads.show(this.order);
     this.list.show(this.rows.length);
     this.point();
   }
@@ -111,31 +106,11 @@ export class ComparedTable {
     this.pick(row);
   }
 
-  private head(): HTMLElement {
-    const head = element('div', { class: 'compare-head', role: 'row', 'aria-rowindex': 1 });
-    for (const [column, label, className, tooltip] of COLUMNS) {
-      const made = element(
-        'button',
-        {
-          type: 'button',
-          role: 'columnheader',
-          class: `compare-cell ${className}`,
-          tabindex: -1,
-          tooltip: `${tooltip}. Click to sort`,
-        },
-        element('span', {}, label),
-      );
-      made.addEventListener('mousedown', (event) => event.preventDefault());
-      made.addEventListener('click', () => {
-        const { order } = this;
-        // The largest errors first.
-        const descending = order.column === column ? !order.descending : column === 'error';
-        this.setOrder({ column, descending });
-      });
-      this.heads.set(column, made);
-      head.append(made);
-    }
-    return head;
+  private sortBy(column: RowColumn): void {
+    const { order } = this;
+    // The largest errors first.
+    const descending = order.column === column ? !order.descending : column === 'error';
+    this.setOrder({ column, descending });
   }
 
   private fill({ element: made, index, name, mark, error }: Row, row: ComparedRow): void {
@@ -159,10 +134,10 @@ export class ComparedTable {
 }
 
 function makeRow(): Row {
-  const cell = (className = '') => element('span', { class: `compare-cell ${className}`, role: 'gridcell' });
+  const cell = (className = '') => element('span', { class: `sort-cell ${className}`, role: 'gridcell' });
   const [index, name, mark, error] = [cell('number faint'), cell(), cell(), cell('number')];
   return {
-    element: element('div', { class: 'compare-row', role: 'row' }, index, name, mark, error),
+    element: element('div', { class: 'sort-row compare-row', role: 'row' }, index, name, mark, error),
     index,
     name,
     mark,

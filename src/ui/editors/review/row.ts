@@ -32,7 +32,7 @@ export class ReviewRowView {
   constructor() {
     this.element = element(
       'div',
-      { class: 'review-row', role: 'row' },
+      { class: 'sort-row review-row', role: 'row' },
       cell('review-picture', this.thumbnail.element),
       this.nameCell,
       this.verdict,
@@ -75,5 +75,5 @@ export class ReviewRowView {
 }
 
 function cell(className: string, ...children: Node[]): HTMLElement {
-  return element('div', { role: 'gridcell', class: `review-cell ${className}` }, ...children);
+  return element('div', { role: 'gridcell', class: `sort-cell ${className}` }, ...children);
 }

@@ -5,11 +5,11 @@
  *     Ctrl+Space                     toggles it in the selection
  *     G B 0…5 J Delete               are actions of the panel (`actions.ts`)
  */
-import { element, setAttribute } from '../../kit/dom.ts';
+import { element } from '../../kit/dom.ts';
 import { HAS_KEYS } from '../../kit/focus.ts';
-import { icon } from '../../kit/icons.ts';
 import { isMac } from '../../kit/keyboard.ts';
 import { asksForMenu, type MenuPlace } from '../../kit/menu.ts';
+import { type SortColumn, SortHeads } from '../../kit/sort-heads.ts';
 import { rowAfterKey, WindowedList } from '../../kit/windowed-list.ts';
 import type { ReviewColumn, ReviewView } from '../../state/review.ts';
 import { ReviewRowView } from './row.ts';
@@ -25,7 +25,7 @@ export interface ReviewTableEvents {
   seen(paths: readonly string[]): void;
 }
 
-const COLUMNS: readonly (readonly [ReviewColumn, label: string, className: string, tooltip: string])[] = [
+const COLUMNS: readonly SortColumn<ReviewColumn>[] = [
   ['name', 'Take', '', 'Name of the file'],
   ['verdict', 'Verdict', 'review-verdict', 'Good or bad'],
   ['stars', 'Stars', 'review-stars', 'None to five'],
@@ -40,7 +40,7 @@ const COLUMNS: readonly (readonly [ReviewColumn, label: string, className: strin
 
 export class ReviewTable {
   readonly element = element('div', {
-    class: 'review-table',
+    class: 'sort-table review-table',
     role: 'grid',
     tabindex: 0,
     [HAS_KEYS]: true,
@@ -48,8 +48,8 @@ export class ReviewTable {
     'aria-multiselectable': 'true',
     'aria-colcount': COLUMNS.length + 1,
   });
-  private readonly space = element('div', { class: 'review-space', role: 'rowgroup' });
-  private readonly heads = new Map<ReviewColumn, HTMLElement>();
+  private readonly space = element('div', { class: 'sort-space', role: 'rowgroup' });
+  private readonly heads: SortHeads<ReviewColumn>;
   private readonly list: WindowedList<ReviewRowView>;
   private rows: readonly ReviewRow[] = [];
   private places = new Map<string, number>();
@@ -59,8 +59,10 @@ export class ReviewTable {
   private readonly isStill = window.matchMedia('(prefers-reduced-motion: reduce)');
 
   constructor(private readonly events: ReviewTableEvents) {
-    const head = this.head();
-    this.element.append(head, this.space);
+    this.heads = new SortHeads('review-head', COLUMNS, (column) => events.sort(nextOrder(this.view?.order, column)), {
+      label: 'Picture',
+    });
+    this.element.append(this.heads.element, this.space);
     this.element.addEventListener('keydown', (event) => this.onKey(event));
     this.element.addEventListener('scroll', () => this.tellSeen());
     this.element.addEventListener('focus', () => this.refill());
@@ -77,7 +79,7 @@ export class ReviewTable {
       space: this.space,
       rowHeight: ['--review-row', 36],
       rowsAbove: 1,
-      headHeight: () => head.offsetHeight,
+      headHeight: () => this.heads.height,
       keyOf: (index) => this.rows[index].take.path,
       make: () => new ReviewRowView(),
       fill: (row, index) => this.fill(row, this.rows[index]),
@@ -89,13 +91,7 @@ export class ReviewTable {
     this.rows = rows;
     this.places = new Map(rows.map(({ take }, i) => [take.path, i]));
     this.view = view;
-    for (const [column, head] of this.heads) {
-      const isOrder = view.order?.column === column;
-      setAttribute(head, 'aria-sort', isOrder ? (view.order?.descending ? 'descending' : 'ascending') : undefined);
-      const known = head.querySelector('.icon');
-      if (isOrder && !known) head.append(icon('fold'));
-      else if (!isOrder) known?.remove();
-    }
+    this.heads.show(view.order);
     const focused = this.placeOf(view.focused);
     if (focusMoved) this.list.reveal(focused);
     this.list.show(rows.length);
@@ -118,29 +114,6 @@ export class ReviewTable {
       if (row) seen.push(row.take.path);
     });
     this.events.seen(seen);
-  }
-
-  private head(): HTMLElement {
-    const head = element('div', { class: 'review-head', role: 'row', 'aria-rowindex': 1 });
-    head.append(element('div', { role: 'columnheader', class: 'review-cell', 'aria-label': 'Picture' }));
-    for (const [column, label, className, tooltip] of COLUMNS) {
-      const made = element(
-        'button',
-        {
-          type: 'button',
-          role: 'columnheader',
-          class: className,
-          tabindex: -1,
-          tooltip: `${tooltip}. Click to sort`,
-        },
-        element('span', {}, label),
-      );
-      made.addEventListener('mousedown', (event) => event.preventDefault());
-      made.addEventListener('click', () => this.events.sort(nextOrder(this.view?.order, column)));
-      this.heads.set(column, made);
-      head.append(made);
-    }
-    return head;
   }
 
   private fill(view: ReviewRowView, row: ReviewRow | undefined): void {

@@ -73,7 +73,7 @@ export class RowView {
     this.nameCell = cell('take-name', this.mark, this.name.element, this.note);
     this.element = element(
       'div',
-      { class: 'take-row', role: 'row' },
+      { class: 'sort-row take-row', role: 'row' },
       cell('take-shown', this.eye, play),
       this.nameCell,
       this.character,
@@ -132,5 +132,5 @@ export class RowView {
 }
 
 function cell(className: string, ...children: Node[]): HTMLElement {
-  return element('div', { role: 'gridcell', class: `take-cell ${className}` }, ...children);
+  return element('div', { role: 'gridcell', class: `sort-cell ${className}` }, ...children);
 }

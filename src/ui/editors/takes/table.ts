@@ -6,12 +6,12 @@
  *     F2               edits its start time                                  Ctrl+Space   toggles it in the selection
  */
 
-import { element, setAttribute } from '../../kit/dom.ts';
+import { element } from '../../kit/dom.ts';
 import { HAS_KEYS } from '../../kit/focus.ts';
-import { icon } from '../../kit/icons.ts';
 import { isMac } from '../../kit/keyboard.ts';
 import type { MenuPlace } from '../../kit/menu.ts';
 import { plural } from '../../kit/number-text.ts';
+import { type SortColumn, SortHeads } from '../../kit/sort-heads.ts';
 import { WindowedList } from '../../kit/windowed-list.ts';
 import type { TakeColumn, TakeOrder } from '../../state/takes.ts';
 import { type RowEvents, type RowState, RowView } from './row.ts';
@@ -35,7 +35,7 @@ export interface TableState {
   readonly framesPerSecond: number;
 }
 
-const COLUMNS: readonly (readonly [TakeColumn, label: string, className: string, tooltip: string])[] = [
+const COLUMNS: readonly SortColumn<TakeColumn>[] = [
   ['name', 'Take', '', 'Name of the take'],
   ['character', 'Character', 'take-character', 'If its name differs from the take'],
   ['duration', 'Length', 'number', 'Seconds from first to last played frame or key'],
@@ -49,7 +49,7 @@ const COLUMNS: readonly (readonly [TakeColumn, label: string, className: string,
 
 export class TakeTable {
   readonly element = element('div', {
-    class: 'take-table',
+    class: 'sort-table take-table',
     role: 'grid',
     tabindex: 0,
     [HAS_KEYS]: true,
@@ -57,8 +57,8 @@ export class TakeTable {
     'aria-multiselectable': 'true',
     'aria-colcount': COLUMNS.length + 1,
   });
-  private readonly space = element('div', { class: 'take-space', role: 'rowgroup' });
-  private readonly heads = new Map<TakeColumn, HTMLElement>();
+  private readonly space = element('div', { class: 'sort-space', role: 'rowgroup' });
+  private readonly heads: SortHeads<TakeColumn>;
   private readonly list: WindowedList<RowView>;
   private rows: readonly TakeRow[] = [];
   private places = new Map<string, number>();
@@ -67,7 +67,10 @@ export class TakeTable {
   private anchor: string | undefined;
 
   constructor(private readonly events: TableEvents) {
-    this.element.append(this.head(), this.space);
+    this.heads = new SortHeads('take-head', COLUMNS, (column) => events.sort(nextOrder(this.state?.order, column)), {
+      label: 'Shown',
+    });
+    this.element.append(this.heads.element, this.space);
     this.element.addEventListener('keydown', (event) => this.onKey(event));
     this.space.addEventListener('click', (event) => this.onClick(event));
     this.space.addEventListener('dblclick', (event) => {
@@ -80,7 +83,7 @@ export class TakeTable {
       space: this.space,
       rowHeight: ['--take-row', 24],
       rowsAbove: 1,
-      headHeight: () => this.heads.get('name')?.offsetHeight ?? 0,
+      headHeight: () => this.heads.height,
       keyOf: (index) => this.rows[index].key,
       make: (index) => new RowView(this.rows[index], events),
       fill: (view, index) => this.fill(view, this.rows[index]),
@@ -94,41 +97,11 @@ export class TakeTable {
       this.places = new Map(rows.map((row, i) => [row.key, i]));
     }
     this.state = state;
-    for (const [column, head] of this.heads) {
-      const isOrder = state.order?.column === column;
-      setAttribute(head, 'aria-sort', isOrder ? (state.order?.descending ? 'descending' : 'ascending') : undefined);
-      if (isOrder !== (head.querySelector('.icon') !== null)) {
-        if (isOrder) head.append(icon('fold'));
-        else head.querySelector('.icon')?.remove();
-      }
-    }
+    this.heads.show(state.order);
     const focused = state.focused === undefined ? -1 : (this.places.get(state.focused) ?? -1);
     if (focusMoved) this.list.reveal(focused);
     this.list.show(rows.length);
     this.list.focus(focused);
-  }
-
-  private head(): HTMLElement {
-    const head = element('div', { class: 'take-head', role: 'row', 'aria-rowindex': 1 });
-    head.append(element('div', { role: 'columnheader', class: 'take-cell', 'aria-label': 'Shown' }));
-    for (const [column, label, className, tooltip] of COLUMNS) {
-      const made = element(
-        'button',
-        {
-          type: 'button',
-          role: 'columnheader',
-          class: className,
-          tabindex: -1,
-          tooltip: `${tooltip}. Click to sort`,
-        },
-        element('span', {}, label),
-      );
-      made.addEventListener('mousedown', (event) => event.preventDefault());
-      made.addEventListener('click', () => this.events.sort(nextOrder(this.state?.order, column)));
-      this.heads.set(column, made);
-      head.append(made);
-    }
-    return head;
   }
 
   private fill(view: RowView, row: TakeRow): void {
