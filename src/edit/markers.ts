@@ -31,6 +31,15 @@ export function markersWithin(markers: readonly Marker[] = [], from: number, to:
   });
 }
 
+/** Those that lie between two frames that are no longer neighbours: each at the nearer of these. */
+export function markersBeside(markers: readonly Marker[] = [], before: number, after: number): readonly Marker[] {
+  const nearer = (seconds: number) => (seconds - before <= after - seconds ? before : after);
+  return markers.flatMap((marker) => {
+    const isBetween = marker.timeSeconds > before && (marker.endSeconds ?? marker.timeSeconds) < after;
+    return isBetween ? retimed([marker], nearer) : [marker];
+  });
+}
+
 /**
  * After time was taken out or put in at one time: later ones move along, spans across it become shorter or longer. What
  * was inside of time that was taken out is gone.

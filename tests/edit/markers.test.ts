@@ -54,6 +54,17 @@ describe('markers of a take', () => {
     expect(textOf(held)).toEqual(['step 0.5', 'stand 1–2']);
   });
 
+  it('a marker between the frames at which a take is split is in the nearer half', () => {
+    const at = (frame: number, label: string): Marker => ({ timeSeconds: frame / 60, label });
+    const halves = splitSamples.run(
+      documentOf(swinging({ ...swing, markers: [at(59.25, 'early'), at(59.75, 'late')] })),
+      { ...c1, timeSeconds: 1 },
+    );
+    const [before, after] = halves.characters[0].clips.map(({ markers }) => markers);
+    expect(before).toEqual([{ timeSeconds: expect.closeTo(59 / 60, 9), label: 'early' }]);
+    expect(after).toEqual([{ timeSeconds: 1, label: 'late' }]);
+  });
+
   it('markers of a take that is inserted stay at their frames, of which the first are faded into what precedes', () => {
     const hero = swinging(swing);
     const two = documentOf({ ...hero, clips: [...hero.clips, { ...swing, name: 'again', markers: [MARKERS[0]] }] });

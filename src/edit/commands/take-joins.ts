@@ -91,6 +91,8 @@ export interface CutOut extends OfTakes, HowJoined {
   /** The first second of the clip that is removed, and the last. */
   readonly from: number;
   readonly to: number;
+  /** They are seconds of the transport: characters start at different times. */
+  readonly areOfTransport?: boolean | undefined;
 }
 
 /** Removes the frames from one time to another, both included, and closes the gap. */
@@ -107,8 +109,9 @@ export function cutOutSteps(document: Document, args: CutOut): Steps<Document> {
   if (from > to) throw new CommandError(`The range ends at ${to} s, before it begins at ${from} s.`);
   return changingTakes(document, args.takes, function* (character, clip) {
     const samples = framesOnly(clip);
-    const first = firstFrameFrom(samples, from);
-    const end = lastFrameTo(samples, to) + 1;
+    const offset = args.areOfTransport ? character.timeOffsetSeconds : 0;
+    const first = firstFrameFrom(samples, from + offset);
+    const end = lastFrameTo(samples, to + offset) + 1;
     if (first >= end) return clip;
     if (first === 0 && end === samples.frameCount) {
       throw new CommandError(`All frames of ${clip.name} are in that range. Remove the take instead.`);

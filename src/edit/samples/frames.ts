@@ -7,7 +7,7 @@
  */
 import type { ChannelClip } from '../../model/clip.ts';
 import { rangeOfSamples, type Samples } from '../../model/samples.ts';
-import { markersWithin, withMarkers } from '../markers.ts';
+import { markersBeside, markersWithin, withMarkers } from '../markers.ts';
 import { CommandError } from '../store.ts';
 
 /** Up to this many values are copied: 8 MB. */
@@ -78,8 +78,8 @@ export function trimmed(clip: ChannelClip, side: 'start' | 'end', seconds: numbe
 }
 
 /**
- * Two takes: the frames before a time, and the others. Both keep all keys, since these determine the curve in between.
- * Refuses if one would have no frame.
+ * Two takes: the frames before a time, and the others. Both keep all keys, since these determine the curve in between;
+ * a marker between their frames is in the nearer one. Refuses if one would have no frame.
  */
 export function split(clip: ChannelClip, seconds: number): readonly [ChannelClip, ChannelClip] {
   const samples = requireSamples(clip);
@@ -88,9 +88,10 @@ export function split(clip: ChannelClip, seconds: number): readonly [ChannelClip
     throw new CommandError('There is nothing to split here: all frames are on one side of the playhead.');
   }
   const parts = [framesBetween(samples, 0, at), framesBetween(samples, at, samples.frameCount)];
-  const [before, after] = parts.map((part) => {
-    const range = rangeOfSamples(part);
-    return withMarkers({ ...clip, range, samples: part }, markersWithin(clip.markers, ...range));
-  });
+  const ranges = parts.map(rangeOfSamples);
+  const markers = markersBeside(clip.markers, ranges[0][1], ranges[1][0]);
+  const [before, after] = parts.map((part, i) =>
+    withMarkers({ ...clip, range: ranges[i], samples: part }, markersWithin(markers, ...ranges[i])),
+  );
   return [before, after];
 }

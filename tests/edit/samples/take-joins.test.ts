@@ -146,6 +146,18 @@ describe('cutting out and inserting', () => {
     expect(samplesOf(shownIn(cutOutOfTakes.run(document, inPlace))).values[21 * 5 + 2]).toBe(130);
   });
 
+  it('times of the timeline are cut out of each take where its own character plays it', () => {
+    const later = captured(WALKER, WALK, { id: 'c2', timeOffsetSeconds: -0.3 });
+    const both = documentOf(captured(WALKER, WALK), later);
+    const cut = { takes: [ref(), ref(0, 'c2')], from: 0.5, to: 1.2, overlapSeconds: 0, align: 'none' } as const;
+    const after = cutOutOfTakes.run(both, { ...cut, areOfTransport: true });
+    const ways = [0, 1].map((i) => samplesOf(shownIn(after, i)).values[21 * 5 + 2]);
+    // Frames 5 to 12 are gone of one, frames 2 to 9 of the other.
+    expect(ways).toEqual([130, 130]);
+    expect([0, 1].map((i) => samplesOf(shownIn(after, i)).values[21 * 2 + 2])).toEqual([20, 100]);
+    expect(shownIn(cutOutOfTakes.run(both, cut), 1)).toEqual(shownIn(cutOutOfTakes.run(both, cut), 0));
+  });
+
   it('a pose that is held stays for that long, and cutting the hold out gives the take back', () => {
     const held = expectEdit(document, insertIntoTake, { into: ref(), atSeconds: 0.7, holdSeconds: 0.5 });
     const { values, frameCount } = samplesOf(shownIn(held));

@@ -146,8 +146,9 @@ export function cutOutDialog(wb: Page, close: () => void): DialogContent {
     command: cutOutOfTakes,
     args: (answers) => ({
       takes,
-      from: answers.number('from') + character.timeOffsetSeconds,
-      to: answers.number('to') + character.timeOffsetSeconds,
+      from: answers.number('from'),
+      to: answers.number('to'),
+      areOfTransport: true,
       ...howJoined(answers),
     }),
     *steps(document, args) {
