@@ -4,7 +4,7 @@ import { duplicateClip, removeClip } from '../../../edit/commands/clips.ts';
 import { findCharacter } from '../../../model/document.ts';
 import { type MenuEntry, type MenuPlace, openMenu } from '../../kit/menu.ts';
 import { actionsOf, currentCharacter, runAction } from '../../state/action.ts';
-import { itemOf } from '../../state/menu-entries.ts';
+import { itemOf, sectionsOf } from '../../state/menu-entries.ts';
 import { onDemand } from '../../state/on-demand.ts';
 import type { Uses, Workbench } from '../../state/workbench.ts';
 import { movedEntries } from '../retarget/moved.ts';
@@ -84,7 +84,11 @@ function skinEntries(wb: Uses<'store' | 'actions' | 'settings'>, row: OutlineRow
   ];
 }
 
-function takeEntries(wb: Uses<'store'>, row: OutlineRow, rename: (row: OutlineRow) => void): MenuEntry[] {
+export function takeEntries(
+  wb: Uses<'store' | 'actions' | 'settings'>,
+  row: OutlineRow,
+  rename: (row: OutlineRow) => void,
+): MenuEntry[] {
   const { characterId, index } = row;
   const take = { characterId, clip: index };
   const item = (label: string, run: () => void): MenuEntry => ({ kind: 'item', label, enabled: true, run });
@@ -94,6 +98,8 @@ function takeEntries(wb: Uses<'store'>, row: OutlineRow, rename: (row: OutlineRo
       : item('Show', () => wb.store.apply(showClip, take)),
     { kind: 'item', label: 'Rename', shortcut: 'F2', enabled: true, run: () => rename(row) },
     item('Duplicate', () => wb.store.apply(duplicateClip, take)),
+    // They edit the take that the current character shows.
+    ...(row.shown && currentCharacter(wb)?.id === characterId ? sectionsOf(wb, [['Edit/Edit takes']]) : []),
     { kind: 'line' },
     item(`Remove ${row.label}`, () => wb.store.apply(removeClip, take)),
   ];

@@ -28,7 +28,7 @@ import type { TakeRow } from './rows.ts';
 import { takesToCompare } from './which-takes.ts';
 
 const MENU = 'Play/Takes';
-const EDIT_MENU = 'Play/Edit takes';
+const EDIT_MENU = 'Edit/Edit takes';
 const TWO_TAKES = `Select two takes in the Takes tab: ${isMac ? 'Cmd' : 'Ctrl'}+click the second. Or right-click one: Compare with.`;
 const SEVERAL = 'This needs two characters with takes: select them in the list of takes, or show all.';
 const isComparing = (wb: Uses<'timeline'>) => wb.timeline.takes.comparison.get() !== undefined;

@@ -7,10 +7,14 @@ import { chosenTakes } from './play.ts';
 import { type TakeRow, takeRows } from './rows.ts';
 import { takesToCompare } from './which-takes.ts';
 
-/** The selected takes if there are several, else the current character's; none while that is retargeted. */
+/**
+ * The selected takes if there are several or the list of takes is in view, else the current character's; none while that
+ * is retargeted.
+ */
 export function takesToEdit(wb: Uses<'store' | 'timeline'>): readonly TakeRef[] {
   const chosen = chosenTakes(wb).filter(({ clip }) => clip >= 0);
-  if (chosen.length > 1) return chosen;
+  const isListed = wb.timeline.view.get().tab === 'takes';
+  if (chosen.length > 1 || (isListed && chosen.length === 1)) return chosen;
   const current = currentTake(wb);
   if (current) return [{ characterId: current.character.id, clip: current.character.shownClip }];
   return chosen;

@@ -233,6 +233,7 @@ class TakesPanel implements TimelineTab {
         ? [item('Compare these 2', () => compareTakes(wb, first, second))]
         : compareWith(wb, row)),
       { kind: 'menu', label: 'Arrange', entries: () => arrangeEntries(wb) },
+      ...sectionsOf(wb, [['Edit/Edit takes']]),
       { kind: 'line' },
       item(chosen.length > 1 ? `Remove ${chosen.length} takes` : 'Remove', () => removeTakeRows(wb, chosen), 'Del'),
     ];

@@ -162,6 +162,8 @@ export const TIMELINE_ACTIONS: readonly Action[] = [
     menu: 'Keys/Curve tools',
     section: 16,
     enabled: needsKeyedCurve,
+    // The other loop, of whole takes, is what someone with a capture looks for.
+    whyNot: () => 'No curve with keys is shown. For a whole take: Edit > Edit takes > Make loop…',
     run: async (wb) => (await import('./curve-tools.ts')).runCurveTool(wb, 'loop'),
   }),
   ...sampleTools([

@@ -51,7 +51,7 @@ export function timeEntries(wb: Page, timeSeconds: number): MenuEntry[] {
       ],
       isNow ? ['marker.add'] : [item('Add marker here', runThere('marker.add'))],
       ['play.previousKey', 'play.nextKey'],
-      ['View/Time', 'Play/Loop', 'Play/Speed'],
+      ['Edit/Edit takes', 'View/Time', 'Play/Loop', 'Play/Speed'],
     ]),
   ];
 }

@@ -1,6 +1,11 @@
 import { describe, expect, it } from 'vitest';
+import { outlineRows } from '../../../../src/ui/editors/outliner/outline-rows.ts';
+import { takeEntries } from '../../../../src/ui/editors/outliner/row-menu.ts';
 import { takesToEdit, takesToInsert, takesToJoin } from '../../../../src/ui/editors/takes/edited.ts';
 import { takeKey } from '../../../../src/ui/editors/takes/rows.ts';
+import { timeEntries } from '../../../../src/ui/editors/timeline/time-menu.ts';
+import type { MenuEntry } from '../../../../src/ui/kit/menu.ts';
+import { menuEntries } from '../../../../src/ui/state/menu-entries.ts';
 import { character, clip, documentOf, workbench } from '../../builders.ts';
 
 const ref = (clip: number, characterId = 'c1') => ({ characterId, clip });
@@ -12,8 +17,28 @@ describe('which takes are edited', () => {
     expect(takesToEdit(wb)).toEqual([ref(1)]);
     wb.timeline.takes.change({ chosen: new Set([takeKey(ref(0))]) });
     expect(takesToEdit(wb)).toEqual([ref(1)]);
+    // In the list, the row that is clicked is meant.
+    wb.timeline.change({ tab: 'takes' });
+    expect(takesToEdit(wb)).toMatchObject([ref(0)]);
+    wb.timeline.change({ tab: 'curves' });
     wb.timeline.takes.change({ chosen: new Set([takeKey(ref(0)), takeKey(ref(1))]) });
     expect(takesToEdit(wb).map(({ clip: index }) => index)).toEqual([0, 1]);
+  });
+
+  it('what edits takes is found in the Edit menu, at a time, and at the shown take in the outliner', () => {
+    const { wb } = workbench(documentOf(character({ clips: [clip([0, 1]), { ...clip([0, 2]), name: 'run' }] })));
+    const tools = ['Mirror', 'Join…', 'Insert take or hold…', 'Cut out…', 'Make loop…', 'Lock feet…', 'Change speed…'];
+    const rows = outlineRows(wb.store.document, () => true).filter(({ kind }) => kind === 'clip');
+    expect(rows.map(({ shown }) => shown)).toEqual([true, false]);
+    const within = (entries: readonly MenuEntry[]) => {
+      const found = entries.find((entry) => entry.kind === 'menu' && entry.label === 'Edit takes');
+      if (found?.kind !== 'menu') return [];
+      return found.entries().flatMap((entry) => (entry.kind === 'item' ? [entry.label] : []));
+    };
+    expect(within(menuEntries(wb, 'Edit'))).toEqual(expect.arrayContaining(tools));
+    expect(within(timeEntries(wb, 0.5))).toEqual(expect.arrayContaining(tools));
+    expect(within(takeEntries(wb, rows[0], () => undefined))).toEqual(expect.arrayContaining(tools));
+    expect(within(takeEntries(wb, rows[1], () => undefined))).toEqual([]);
   });
 
   it('the only two takes are joined without being selected, and all but the current can be inserted into it', () => {

@@ -73,6 +73,6 @@ describe('the menu of a ruler', () => {
     expect(timeEntries(wb, 1.5)[0]).toEqual({ kind: 'note', text: '1.5 s' });
     wb.settings.update((s) => ({ ...s, timeDisplay: 'frames' }));
     expect(timeEntries(wb, 1.5)[0]).toEqual({ kind: 'note', text: 'frame 15' });
-    expect(labels(timeEntries(wb, 1.5)).length).toBeLessThanOrEqual(12);
+    expect(labels(timeEntries(wb, 1.5)).length).toBeLessThanOrEqual(13);
   });
 });
