@@ -151,7 +151,7 @@ it('plays one take after the other by key, and compares two by the distance of t
     await page.keyboard.press('Escape');
     await expect.poll(() => joints.first().getAttribute('aria-selected')).toBe('false');
     // A drag past the edge of the chart stops at the first frame.
-    const chart = await page.locator('.distance-chart').boundingBox();
+    const chart = await page.locator('.distance .time-chart').boundingBox();
     if (!chart) throw new Error('the chart is not shown');
     await page.mouse.move(chart.x + 60, chart.y + 60);
     await page.mouse.down();

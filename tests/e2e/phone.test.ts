@@ -109,14 +109,14 @@ it('a pinch on a character zooms in every mode, a swipe scrolls a menu, and dial
       for (const [part, shown] of [
         ['Joints', '.distance-rows'],
         ['Takes', '.take-table'],
-        ['Graph', '.distance-chart'],
+        ['Graph', '.distance .time-chart'],
       ] as const) {
         await parts.getByRole('button', { name: part }).tap();
         const box = await page.locator(shown).boundingBox();
         expect(box?.width, part).toBeGreaterThan(WIDTH - 12);
         expect(box?.height, part).toBeGreaterThan(88);
         expect(
-          await page.locator('.take-table, .distance-rows, .distance-chart').filter({ visible: true }).count(),
+          await page.locator('.take-table, .distance-rows, .distance .time-chart').filter({ visible: true }).count(),
         ).toBe(1);
       }
     },

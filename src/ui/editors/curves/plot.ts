@@ -1,14 +1,15 @@
 /** The plot: the picture of the curves with its overlays, kept up to date with document, settings and time. */
+
 import { keysOf } from '../../../model/clip.ts';
 import { element, setText, uniqueId } from '../../kit/dom.ts';
 import { HAS_KEYS } from '../../kit/focus.ts';
 import { oncePerFrame } from '../../kit/frame.ts';
-import { revealTime } from '../../kit/time-window.ts';
 import { onResult } from '../../state/shown-comparison.ts';
 import type { Uses } from '../../state/workbench.ts';
 import type { SelectionBox } from '../timeline/box.ts';
 import { currentTake } from '../timeline/current-take.ts';
 import { selectedText } from '../timeline/key-edits.ts';
+import { keepTimeInView } from '../timeline/time-plot.ts';
 import type { ListSource } from './channel-list.ts';
 import { CurveLegend } from './curve-legend.ts';
 import { emptyPlotText } from './empty-text.ts';
@@ -190,13 +191,7 @@ export class CurvePlot implements PlotHost {
     wb.transport.subscribe((now, before) => {
       if (now.framesPerSecond !== before.framesPerSecond || now.range !== before.range) this.redraw();
       if (now.timeSeconds === before.timeSeconds) return;
-      // Time was changed by a key or a field: bring it into view. While playing, the window stays where the user put
-      // it.
-      if (this.visible && !now.playing && !this.input.dragging) {
-        const { window } = wb.timeline.view.get();
-        const next = revealTime(window, now.timeSeconds);
-        if (next !== window) wb.timeline.change({ window: next });
-      }
+      if (this.visible && !this.input.dragging) keepTimeInView(wb, now, before);
       this.drawSoon();
     });
   }

@@ -12,13 +12,14 @@ import { jointsIn } from '../../../model/selected-joints.ts';
 import { element, setAttribute, setText } from '../../kit/dom.ts';
 import { HAS_KEYS } from '../../kit/focus.ts';
 import { oncePerFrame } from '../../kit/frame.ts';
-import { fitWindow, panWindow, revealTime, type TimeWindow, zoomWindow } from '../../kit/time-window.ts';
+import { fitWindow, panWindow, type TimeWindow, zoomWindow } from '../../kit/time-window.ts';
 import type { TimelineTab } from '../../state/timeline.ts';
 import type { Uses } from '../../state/workbench.ts';
 import { currentTake, selectedKeys, selectedKeysInView, selectKeys, type Take } from '../timeline/current-take.ts';
 import { allFolds, type DopeRow, dopeRows, sameRows } from '../timeline/dope-rows.ts';
 import { selectedText } from '../timeline/key-edits.ts';
 import { markersAt } from '../timeline/shown-markers.ts';
+import { keepTimeInView } from '../timeline/time-plot.ts';
 import { emptyText } from './empty-text.ts';
 import type { SheetKeys } from './hit.ts';
 import { rowMenu, sheetMenu } from './menus.ts';
@@ -96,13 +97,7 @@ class DopePanel implements TimelineTab, SheetPointerHost {
     wb.transport.subscribe((now, before) => {
       if (!this.visible) return;
       if (now.framesPerSecond !== before.framesPerSecond || now.range !== before.range) this.redraw();
-      // Time was changed by a key or a field: bring it into view. While playing, the window stays where the user put
-      // it.
-      if (now.timeSeconds !== before.timeSeconds && !now.playing) {
-        const { window } = wb.timeline.view.get();
-        const next = revealTime(window, now.timeSeconds);
-        if (next !== window) this.look(next);
-      }
+      keepTimeInView(wb, now, before);
       this.drawSoon();
     });
     wb.settings.subscribe((now, before) => {

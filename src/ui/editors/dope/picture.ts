@@ -5,6 +5,7 @@
 import { markKeys, markMoves, PLAIN, SELECTED } from '../../../edit/keys/marks.ts';
 import { runsOf } from '../../../evaluate/plot/runs.ts';
 import { rangeOfSamples } from '../../../model/samples.ts';
+import { beginPicture } from '../../kit/canvas.ts';
 import { element } from '../../kit/dom.ts';
 import {
   drawOutsideRange,
@@ -27,7 +28,7 @@ import {
   readColours,
 } from './parts.ts';
 import type { DopeOverlay, DopeScene } from './scene.ts';
-import { HEAD, rowsInView, rowsTop, rowTop, type Sheet, secondsPerPixel } from './sheet.ts';
+import { HEAD, rowsInView, rowsTop, rowTop, secondsPerPixel } from './sheet.ts';
 
 const BAND_HALF: Readonly<Record<DiamondSize, number>> = { summary: 4, group: 3, channel: 2 };
 
@@ -53,7 +54,7 @@ export class DopePicture {
 
   draw(scene: DopeScene): void {
     const { sheet } = scene;
-    const g = this.begin(this.below, sheet);
+    const g = beginPicture(this.below, sheet.width, sheet.height);
     if (!g) return;
     const colours = this.ready();
     const view = timeView(scene);
@@ -78,26 +79,12 @@ export class DopePicture {
 
   drawOverlay(scene: DopeScene, { timeSeconds, box, readout }: DopeOverlay): void {
     const { sheet } = scene;
-    const g = this.begin(this.above, sheet);
+    const g = beginPicture(this.above, sheet.width, sheet.height);
     if (!g) return;
     const colours = this.ready();
     drawPlayhead(g, timeView(scene), timeSeconds, sheet.height, colours);
     if (box) drawBox(g, sheet, box, colours);
     if (readout) drawReadout(g, sheet, readout, colours);
-  }
-
-  private begin(canvas: HTMLCanvasElement, { width, height }: Sheet): CanvasRenderingContext2D | null {
-    const ratio = window.devicePixelRatio;
-    const wide = Math.max(1, Math.round(width * ratio));
-    const high = Math.max(1, Math.round(height * ratio));
-    if (canvas.width !== wide || canvas.height !== high) {
-      canvas.width = wide;
-      canvas.height = high;
-    }
-    const g = canvas.getContext('2d');
-    g?.setTransform(ratio, 0, 0, ratio, 0, 0);
-    g?.clearRect(0, 0, width, height);
-    return g;
   }
 
   private ready(): DopeColours {

@@ -9,15 +9,16 @@ import { focusPanel, HAS_KEYS } from '../../kit/focus.ts';
 import { oncePerFrame } from '../../kit/frame.ts';
 import { middleCut } from '../../kit/middle-cut.ts';
 import { plural, shown } from '../../kit/number-text.ts';
-import { fitWindow, revealTime, snapTime } from '../../kit/time-window.ts';
+import { fitWindow, snapTime } from '../../kit/time-window.ts';
 import { setTooltip } from '../../kit/tooltip.ts';
 import type { TimelineTab } from '../../state/timeline.ts';
 import type { Uses } from '../../state/workbench.ts';
 import { type ChartPoint, type TimeChart, TimeInput, timeAt } from '../timeline/time-input.ts';
+import { followTime, type PlotReadout, type TimePlot, timeViewOf, whenText } from '../timeline/time-plot.ts';
 import { TIME_RULER_HEIGHT, type TimeView } from '../timeline/time-ruler.ts';
 import { framesIn } from '../timeline/trace-frames.ts';
 import { Measuring } from './measuring.ts';
-import { barY, dashOf, PlotPicture, type PlotReadout, type PlotScene, valueY } from './picture.ts';
+import { barY, dashOf, PlotPicture, type PlotScene, valueY } from './picture.ts';
 import {
   emptyText,
   MOST_OVERLAID,
@@ -42,11 +43,11 @@ export function measurePanel(wb: Parts): TimelineTab {
   return new MeasurePanel(wb);
 }
 
-class MeasurePanel implements TimelineTab {
+class MeasurePanel implements TimelineTab, TimePlot {
   readonly element = element('div', { class: 'measure', 'data-panel': 'measure' });
   readonly tools: HTMLElement;
   private readonly chart = element('div', {
-    class: 'measure-chart',
+    class: 'time-chart',
     role: 'application',
     'aria-roledescription': 'chart',
     tabindex: 0,
@@ -54,27 +55,27 @@ class MeasurePanel implements TimelineTab {
   });
   private readonly legend = element('ul', { class: 'measure-legend', 'aria-label': 'Values at the playhead' });
   private readonly note = element('p', { class: 'measure-note' });
-  private readonly empty = element('p', { class: 'empty measure-empty', role: 'status', hidden: true });
+  private readonly empty = element('p', { class: 'empty time-note', role: 'status', hidden: true });
   private readonly picture = new PlotPicture();
   private readonly measuring: Measuring;
   private readonly save: HTMLButtonElement;
   private readonly copy: HTMLButtonElement;
-  private readonly drawSoon = oncePerFrame(() => this.draw());
+  readonly drawSoon = oncePerFrame(() => this.draw());
   private quantity: Quantity = 'speed';
   private subject: Subject = 'joints';
   private series: readonly Series[] = [];
   private values: HTMLElement[] = [];
   private unit = '';
   private scene: PlotScene | undefined;
-  private size = { width: 0, height: 0 };
+  size = { width: 0, height: 0 };
   private pointer: ChartPoint | undefined;
-  private visible = false;
+  visible = false;
 
   constructor(private readonly wb: Parts) {
     this.measuring = new Measuring(wb);
     this.chart.append(this.picture.element);
     this.element.append(
-      element('div', { class: 'measure-plot' }, this.chart, this.empty),
+      element('div', { class: 'time-plot' }, this.chart, this.empty),
       element('div', { class: 'measure-side' }, this.legend, this.note),
     );
     const quantities = choice('Quantity', QUANTITIES, (quantity) => QUANTITY_LABELS[quantity].label, this.quantity);
@@ -103,7 +104,8 @@ class MeasurePanel implements TimelineTab {
       },
     };
     new TimeInput(wb, chart);
-    this.follow();
+    followTime(wb, this.chart, this);
+    this.measuring.result.subscribe(() => this.show());
   }
 
   setVisible(visible: boolean): void {
@@ -131,34 +133,8 @@ class MeasurePanel implements TimelineTab {
     this.show();
   }
 
-  private follow(): void {
-    const { wb } = this;
-    new ResizeObserver(() => {
-      this.size = { width: this.chart.clientWidth, height: this.chart.clientHeight };
-      this.redraw();
-    }).observe(this.chart);
-    this.measuring.result.subscribe(() => this.show());
-    wb.timeline.view.subscribe((now, before) => {
-      if (now.window !== before.window) this.redraw();
-    });
-    wb.settings.subscribe((now, before) => {
-      if (now.timeDisplay !== before.timeDisplay) this.redraw();
-    });
-    wb.transport.subscribe((now, before) => {
-      if (now.range !== before.range || now.framesPerSecond !== before.framesPerSecond) this.redraw();
-      if (this.visible && now.timeSeconds !== before.timeSeconds && !now.playing) {
-        const { window } = wb.timeline.view.get();
-        const next = revealTime(window, now.timeSeconds);
-        if (next !== window) wb.timeline.change({ window: next });
-      }
-      this.drawSoon();
-    });
-  }
-
   private timeView(): TimeView {
-    const { range, framesPerSecond } = this.wb.transport.get();
-    const inFrames = this.wb.settings.get().timeDisplay === 'frames';
-    return { window: this.wb.timeline.view.get().window, width: this.size.width, range, framesPerSecond, inFrames };
+    return timeViewOf(this.wb, this.size.width);
   }
 
   private scrubbedTime(x: number, snapsTo: number | undefined): number {
@@ -204,7 +180,7 @@ class MeasurePanel implements TimelineTab {
     this.legend.replaceChildren(...rows);
   }
 
-  private redraw(): void {
+  redraw(): void {
     this.scene = undefined;
     this.drawSoon();
   }
@@ -270,8 +246,7 @@ class MeasurePanel implements TimelineTab {
       const away = Math.abs(y - pointer.y);
       if (away > REACH_PIXELS || (found && found.away <= away)) continue;
       const timeSeconds = startSeconds + f * frameSeconds;
-      const { inFrames, framesPerSecond } = scene.view;
-      const when = inFrames ? `frame ${shown(timeSeconds * framesPerSecond, 1)}` : `${shown(timeSeconds)} s`;
+      const when = whenText(scene.view, timeSeconds);
       found = { timeSeconds, y, away, text: `${series.label}  ${this.valueText(series.values[f])}  at ${when}` };
     }
     return found;

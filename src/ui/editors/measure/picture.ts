@@ -3,16 +3,23 @@
  * that playback redraws little. Contacts are bars, a row each.
  */
 import { roundStep } from '../../../math/round-steps.ts';
+import { beginPicture } from '../../kit/canvas.ts';
 import { element } from '../../kit/dom.ts';
 import { shown } from '../../kit/number-text.ts';
+import {
+  drawDot,
+  drawReadout,
+  type PlotColours,
+  type PlotReadout,
+  readPlotColours,
+  styleColour,
+} from '../timeline/time-plot.ts';
 import {
   drawOutsideRange,
   drawPlayhead,
   drawTimeGrid,
   drawTimeRuler,
-  readTimeColours,
   TIME_RULER_HEIGHT,
-  type TimeColours,
   type TimeView,
   timeX,
   translucent,
@@ -34,16 +41,7 @@ export interface PlotScene {
   readonly byCharacter: boolean;
 }
 
-export interface PlotReadout {
-  readonly timeSeconds: number;
-  readonly y: number;
-  readonly text: string;
-}
-
-interface Colours extends TimeColours {
-  readonly surface: string;
-  readonly text: string;
-  readonly raised: string;
+interface Colours extends PlotColours {
   readonly joints: readonly string[];
   readonly characters: readonly string[];
 }
@@ -59,7 +57,7 @@ const OF_CHARACTERS = ['--take-first', '--take-second', '--axis-y', '--accent', 
 const BAR = 10;
 
 export class PlotPicture {
-  readonly element: HTMLElement = element('div', { class: 'measure-picture', 'aria-hidden': 'true' });
+  readonly element: HTMLElement = element('div', { class: 'time-picture', 'aria-hidden': 'true' });
   private readonly below = element('canvas');
   private readonly above = element('canvas');
   private colours: Colours | undefined;
@@ -79,7 +77,7 @@ export class PlotPicture {
   }
 
   draw(scene: PlotScene): void {
-    const g = begin(this.below, scene);
+    const g = beginPicture(this.below, scene.view.width, scene.height);
     if (!g) return;
     const colours = this.ready();
     const { view, height } = scene;
@@ -103,7 +101,7 @@ export class PlotPicture {
   }
 
   drawOverlay(scene: PlotScene, timeSeconds: number, readout: PlotReadout | undefined): void {
-    const g = begin(this.above, scene);
+    const g = beginPicture(this.above, scene.view.width, scene.height);
     if (!g) return;
     const colours = this.ready();
     const { view, height } = scene;
@@ -114,10 +112,10 @@ export class PlotPicture {
         const value = valueAt(series, timeSeconds);
         if (value === undefined) continue;
         g.fillStyle = this.colourOf(series, scene.byCharacter);
-        dot(g, x, valueY(scene, value));
+        drawDot(g, x, valueY(scene, value));
       }
     }
-    if (readout) drawReadout(g, scene, readout, colours);
+    if (readout) drawReadout(g, view, readout, colours);
   }
 
   private drawValueLines(g: CanvasRenderingContext2D, scene: PlotScene, colours: Colours): void {
@@ -146,13 +144,9 @@ export class PlotPicture {
 
   private ready(): Colours {
     if (this.colours) return this.colours;
-    const style = getComputedStyle(this.element);
-    const colour = (name: string) => style.getPropertyValue(name).trim();
+    const colour = (name: string) => styleColour(this.element, name);
     this.colours = {
-      ...readTimeColours(this.element),
-      surface: colour('--surface'),
-      text: colour('--text'),
-      raised: colour('--raised'),
+      ...readPlotColours(this.element),
       joints: OF_JOINTS.map(colour),
       characters: OF_CHARACTERS.map(colour),
     };
@@ -209,44 +203,4 @@ function drawBars(g: CanvasRenderingContext2D, scene: PlotScene, series: Series,
     while (f + 1 < end && values[f + 1] !== 0) f++;
     g.fillRect(x(from), top, Math.max(1, x(f) - x(from)), BAR);
   }
-}
-
-function drawReadout(g: CanvasRenderingContext2D, scene: PlotScene, readout: PlotReadout, colours: Colours): void {
-  const x = timeX(scene.view, readout.timeSeconds);
-  g.fillStyle = colours.text;
-  dot(g, x, readout.y);
-  g.font = colours.font;
-  const width = g.measureText(readout.text).width + 12;
-  const left = Math.round(Math.max(2, Math.min(scene.view.width - width - 2, x + 8)));
-  const top = Math.round(Math.max(TIME_RULER_HEIGHT + 2, readout.y - 26));
-  g.fillStyle = colours.raised;
-  g.strokeStyle = colours.line;
-  g.beginPath();
-  g.roundRect(left + 0.5, top + 0.5, Math.round(width), 20, 4);
-  g.fill();
-  g.stroke();
-  g.fillStyle = colours.text;
-  g.textAlign = 'left';
-  g.textBaseline = 'middle';
-  g.fillText(readout.text, left + 6, top + 10.5);
-}
-
-function dot(g: CanvasRenderingContext2D, x: number, y: number): void {
-  g.beginPath();
-  g.arc(x, y, 3, 0, 2 * Math.PI);
-  g.fill();
-}
-
-function begin(canvas: HTMLCanvasElement, { view, height }: PlotScene): CanvasRenderingContext2D | null {
-  const ratio = window.devicePixelRatio;
-  const wide = Math.max(1, Math.round(view.width * ratio));
-  const high = Math.max(1, Math.round(height * ratio));
-  if (canvas.width !== wide || canvas.height !== high) {
-    canvas.width = wide;
-    canvas.height = high;
-  }
-  const g = canvas.getContext('2d');
-  g?.setTransform(ratio, 0, 0, ratio, 0, 0);
-  g?.clearRect(0, 0, view.width, height);
-  return g;
 }

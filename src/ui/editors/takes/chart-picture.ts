@@ -4,17 +4,22 @@
  */
 import type { Distances } from '../../../evaluate/distance.ts';
 import { roundStep } from '../../../math/round-steps.ts';
+import { beginPicture } from '../../kit/canvas.ts';
 import { element } from '../../kit/dom.ts';
+import {
+  drawReadout,
+  type PlotColours,
+  type PlotReadout,
+  readPlotColours,
+  styleColour,
+} from '../timeline/time-plot.ts';
 import {
   drawOutsideRange,
   drawPlayhead,
   drawTimeGrid,
   drawTimeRuler,
-  readTimeColours,
   TIME_RULER_HEIGHT,
-  type TimeColours,
   type TimeView,
-  timeX,
   translucent,
 } from '../timeline/time-ruler.ts';
 import { traceFrames } from '../timeline/trace-frames.ts';
@@ -39,16 +44,7 @@ export interface ChartScene {
   readonly top: number;
 }
 
-export interface ChartReadout {
-  readonly timeSeconds: number;
-  readonly distance: number;
-  readonly text: string;
-}
-
-interface Colours extends TimeColours {
-  readonly surface: string;
-  readonly text: string;
-  readonly raised: string;
+interface Colours extends PlotColours {
   readonly selected: string;
   readonly palette: readonly string[];
 }
@@ -61,7 +57,7 @@ const LABELS_APART = 28;
 const DASHES: readonly (readonly number[])[] = [[], [6, 3], [2, 3]];
 
 export class ChartPicture {
-  readonly element: HTMLElement = element('div', { class: 'distance-picture', 'aria-hidden': 'true' });
+  readonly element: HTMLElement = element('div', { class: 'time-picture', 'aria-hidden': 'true' });
   private readonly below = element('canvas');
   private readonly above = element('canvas');
   private colours: Colours | undefined;
@@ -75,7 +71,7 @@ export class ChartPicture {
   }
 
   draw(scene: ChartScene): void {
-    const g = this.begin(this.below, scene);
+    const g = beginPicture(this.below, scene.view.width, scene.height);
     if (!g) return;
     const colours = this.ready();
     const { view, height } = scene;
@@ -89,33 +85,13 @@ export class ChartPicture {
     drawTimeRuler(g, view, colours);
   }
 
-  drawOverlay(scene: ChartScene, timeSeconds: number, readout: ChartReadout | undefined): void {
-    const g = this.begin(this.above, scene);
+  drawOverlay(scene: ChartScene, timeSeconds: number, readout: PlotReadout | undefined): void {
+    const g = beginPicture(this.above, scene.view.width, scene.height);
     if (!g) return;
     const colours = this.ready();
     const { view, height } = scene;
     drawPlayhead(g, view, timeSeconds, height, colours);
-    if (!readout) return;
-    const x = timeX(view, readout.timeSeconds);
-    const y = yAt(scene, readout.distance);
-    g.fillStyle = colours.text;
-    g.beginPath();
-    g.arc(x, y, 3, 0, 2 * Math.PI);
-    g.fill();
-    g.font = colours.font;
-    const width = g.measureText(readout.text).width + 12;
-    const left = Math.max(2, Math.min(view.width - width - 2, x + 8));
-    const top = Math.max(TIME_RULER_HEIGHT + 2, y - 26);
-    g.fillStyle = colours.raised;
-    g.strokeStyle = colours.line;
-    g.beginPath();
-    g.roundRect(Math.round(left) + 0.5, Math.round(top) + 0.5, Math.round(width), 20, 4);
-    g.fill();
-    g.stroke();
-    g.fillStyle = colours.text;
-    g.textAlign = 'left';
-    g.textBaseline = 'middle';
-    g.fillText(readout.text, Math.round(left) + 6, Math.round(top) + 10.5);
+    if (readout) drawReadout(g, view, readout, colours);
   }
 
   private drawValueGrid(g: CanvasRenderingContext2D, scene: ChartScene, colours: Colours): void {
@@ -180,29 +156,11 @@ export class ChartPicture {
     g.restore();
   }
 
-  private begin(canvas: HTMLCanvasElement, { view, height }: ChartScene): CanvasRenderingContext2D | null {
-    const ratio = window.devicePixelRatio;
-    const wide = Math.max(1, Math.round(view.width * ratio));
-    const high = Math.max(1, Math.round(height * ratio));
-    if (canvas.width !== wide || canvas.height !== high) {
-      canvas.width = wide;
-      canvas.height = high;
-    }
-    const g = canvas.getContext('2d');
-    g?.setTransform(ratio, 0, 0, ratio, 0, 0);
-    g?.clearRect(0, 0, view.width, height);
-    return g;
-  }
-
   private ready(): Colours {
     if (this.colours) return this.colours;
-    const style = getComputedStyle(this.element);
-    const colour = (name: string) => style.getPropertyValue(name).trim();
+    const colour = (name: string) => styleColour(this.element, name);
     this.colours = {
-      ...readTimeColours(this.element),
-      surface: colour('--surface'),
-      text: colour('--text'),
-      raised: colour('--raised'),
+      ...readPlotColours(this.element),
       selected: colour('--selected'),
       palette: PALETTE.map(colour),
     };

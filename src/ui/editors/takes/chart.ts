@@ -5,13 +5,13 @@
 import { element, setAttribute } from '../../kit/dom.ts';
 import { HAS_KEYS } from '../../kit/focus.ts';
 import { oncePerFrame } from '../../kit/frame.ts';
-import { shown } from '../../kit/number-text.ts';
-import { fitWindow, revealTime, type TimeWindow } from '../../kit/time-window.ts';
+import { fitWindow, type TimeWindow } from '../../kit/time-window.ts';
 import type { Uses } from '../../state/workbench.ts';
 import { type ChartPoint, TimeInput, timeAt } from '../timeline/time-input.ts';
+import { followTime, type PlotReadout, type TimePlot, timeViewOf, whenText } from '../timeline/time-plot.ts';
 import { TIME_RULER_HEIGHT, type TimeView } from '../timeline/time-ruler.ts';
 import { framesIn } from '../timeline/trace-frames.ts';
-import { type ChartLine, ChartPicture, type ChartReadout, type ChartScene, yAt } from './chart-picture.ts';
+import { type ChartLine, ChartPicture, type ChartScene, yAt } from './chart-picture.ts';
 import { type DistanceUnit, distanceText } from './distance-text.ts';
 import type { Measured } from './measuring.ts';
 import { scrubbedTime } from './scrub-time.ts';
@@ -20,47 +20,28 @@ import { scrubbedTime } from './scrub-time.ts';
 const REACH_PIXELS = 14;
 const NO_UNIT: DistanceUnit = { factor: 1, symbol: '' };
 
-export class DistanceChart {
+export class DistanceChart implements TimePlot {
   readonly element = element('div', {
-    class: 'distance-chart',
+    class: 'time-chart',
     role: 'application',
     'aria-roledescription': 'chart',
     tabindex: 0,
     [HAS_KEYS]: true,
   });
   private readonly picture = new ChartPicture();
-  private readonly drawSoon = oncePerFrame(() => this.draw());
-  private size = { width: 0, height: 0 };
+  readonly drawSoon = oncePerFrame(() => this.draw());
+  size = { width: 0, height: 0 };
   private measured: Measured | undefined;
   private unit = NO_UNIT;
   private hovered: number | undefined;
   private pointer: ChartPoint | undefined;
   private scene: ChartScene | undefined;
-  private visible = false;
+  visible = false;
 
   constructor(private readonly wb: Uses<'transport' | 'timeline' | 'settings'>) {
     this.element.append(this.picture.element);
-    new ResizeObserver(() => {
-      this.size = { width: this.element.clientWidth, height: this.element.clientHeight };
-      this.redraw();
-    }).observe(this.element);
-    wb.timeline.view.subscribe((now, before) => {
-      if (now.window !== before.window) this.redraw();
-    });
+    followTime(wb, this.element, this);
     wb.timeline.takes.distances.subscribe(() => this.redraw());
-    wb.settings.subscribe((now, before) => {
-      if (now.timeDisplay !== before.timeDisplay) this.redraw();
-    });
-    wb.transport.subscribe((now, before) => {
-      if (now.range !== before.range || now.framesPerSecond !== before.framesPerSecond) this.redraw();
-      // Scrubbing past an edge scrolls, playing doesn't.
-      if (this.visible && now.timeSeconds !== before.timeSeconds && !now.playing) {
-        const { window } = wb.timeline.view.get();
-        const next = revealTime(window, now.timeSeconds);
-        if (next !== window) this.look(next);
-      }
-      this.drawSoon();
-    });
     new TimeInput(wb, {
       element: this.element,
       timeView: () => this.timeView(),
@@ -110,7 +91,7 @@ export class DistanceChart {
     this.wb.timeline.change({ window });
   }
 
-  private redraw(): void {
+  redraw(): void {
     this.scene = undefined;
     this.drawSoon();
   }
@@ -127,9 +108,7 @@ export class DistanceChart {
   }
 
   private timeView(): TimeView {
-    const { range, framesPerSecond } = this.wb.transport.get();
-    const inFrames = this.wb.settings.get().timeDisplay === 'frames';
-    return { window: this.wb.timeline.view.get().window, width: this.size.width, range, framesPerSecond, inFrames };
+    return timeViewOf(this.wb, this.size.width);
   }
 
   private makeScene(): ChartScene {
@@ -170,7 +149,7 @@ export class DistanceChart {
   }
 
   /** Readout of the line under the pointer, at its frame. */
-  private readout(scene: ChartScene): ChartReadout | undefined {
+  private readout(scene: ChartScene): PlotReadout | undefined {
     const { pointer } = this;
     const { distances, view } = scene;
     if (!pointer || !distances || pointer.y < TIME_RULER_HEIGHT) return undefined;
@@ -190,9 +169,12 @@ export class DistanceChart {
     if (!nearest) return undefined;
     const timeSeconds = startSeconds + frame * frameSeconds;
     const distance = nearest.values[frame];
-    const when = view.inFrames ? `frame ${shown(timeSeconds * view.framesPerSecond, 1)}` : `${shown(timeSeconds)} s`;
     const who = nearest.kind === 'most' ? `Max: ${this.farthest(frame)}` : nearest.label;
-    return { timeSeconds, distance, text: `${who}  ${distanceText(distance, this.unit)}  at ${when}` };
+    return {
+      timeSeconds,
+      y: yAt(scene, distance),
+      text: `${who}  ${distanceText(distance, this.unit)}  at ${whenText(view, timeSeconds)}`,
+    };
   }
 
   /** The joint with the largest distance in a frame. */

@@ -33,7 +33,7 @@ export class DistancePane {
   private readonly most: HTMLButtonElement;
   private readonly frames = element('span', { class: 'distance-frames' });
   private readonly left: HTMLButtonElement;
-  private readonly note = element('p', { class: 'empty distance-note', hidden: true });
+  private readonly note = element('p', { class: 'empty time-note', hidden: true });
   private readonly alignment: HTMLSelectElement;
   /** Of the last result. */
   private match: Measured['match'] | undefined;
@@ -72,7 +72,7 @@ export class DistancePane {
       'section',
       { class: 'distance', 'aria-label': 'Distance between takes', hidden: true },
       element('div', { class: 'distance-head-lines' }, head, this.facts),
-      element('div', { class: 'distance-plot' }, this.chart.element, this.note),
+      element('div', { class: 'time-plot' }, this.chart.element, this.note),
       this.list.element,
     );
     this.measuring.result.subscribe(() => this.show());
