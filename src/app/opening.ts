@@ -8,13 +8,14 @@ import { adoptSkinFacts } from '../evaluate/bounds.ts';
 import type { GivenFile } from '../io/given.ts';
 import { type Diagnostic, hasErrors, withoutPlace } from '../model/diagnostic.ts';
 import { type Character, type Document, findCharacter, shownClip } from '../model/document.ts';
-import type { ParsedFile } from '../model/files.ts';
+import type { ParsedFile, SourceFile } from '../model/files.ts';
 import { type DumpFile, openFiles } from '../project/open/open-files.ts';
 import { unseenChanges } from '../project/open/unseen-changes.ts';
 import type { Observable } from '../ui/kit/observable.ts';
 import type { Messages } from '../ui/state/messages.ts';
 import type { Loading, WorkbenchStage } from '../ui/state/workbench.ts';
 import { type WorkerClient, WorkerError } from '../worker/client.ts';
+import type { GivenBlob } from '../worker/protocol.ts';
 
 export interface OpeningParts {
   readonly store: Store;
@@ -54,6 +55,8 @@ export class Opener {
   private readonly parts: OpeningParts;
   private last: Promise<unknown> = Promise.resolve();
   private readonly listeners = new Set<(opened: OpenedFiles) => void>();
+  /** Given files that later ones may need, by their paths. */
+  private readonly before = new Map<string, GivenFile>();
   private readonly givenListeners = new Set<(given: readonly GivenFile[]) => void>();
 
   constructor(parts: OpeningParts) {
@@ -96,12 +99,13 @@ export class Opener {
       const output = await worker.run(
         'parse',
         // The worker doesn't need the handles.
-        { files: files.map(({ path, blob }) => ({ path, blob })) },
+        { files: files.map(({ path, blob }) => ({ path, blob })), before: await this.earlierFiles() },
         {
           signal: abort.signal,
           onProgress: (p) => loading.set({ label: p.label, done: p.done, of: p.of, cancel }),
         },
       );
+      for (const file of files) if (output.keeps.includes(file.path)) this.before.set(file.path, file);
       for (const { skin, facts, morphs } of output.facts) adoptSkinFacts(skin, facts, morphs);
       const { store } = this.parts;
       // The user has opened something meanwhile, which takes precedence over the example.
@@ -117,11 +121,13 @@ export class Opener {
       const next = reloads === undefined ? result.document : showingTheSame(store.document, result.document);
       const label = reloads === undefined ? result.label : result.label.replace(/^Open/, 'Reload');
       this.put(next, result.opened, label, options);
-      if (isChange) for (const listener of this.listeners) listener({ given: files, files: output.files });
+      const earlier = this.earlierIn(output.files).filter(({ path }) => !files.some((file) => file.path === path));
+      const given = [...files, ...earlier];
+      if (isChange) for (const listener of this.listeners) listener({ given, files: output.files });
       // Clears the messages of files that are all right now.
       messages.report(
         diagnostics,
-        output.files.map((f) => f.source.name),
+        sourcesOf(output.files).map(({ name }) => name),
         (name, found) => {
           if (hasErrors(found)) return wasOpen.has(name) ? 'not opened; the previous version is kept' : 'not opened';
           return found.some(({ code }) => LEFT_ASIDE.has(code)) ? undefined : 'opened';
@@ -143,6 +149,20 @@ export class Opener {
     } finally {
       loading.set(undefined);
     }
+  }
+
+  /** As they are on disk now, if the browser can tell. */
+  private earlierFiles(): Promise<readonly GivenBlob[]> {
+    const files = [...this.before.values()].map(async ({ path, blob, handle }) => ({
+      path,
+      blob: (await handle?.getFile().catch(() => undefined)) ?? blob,
+    }));
+    return Promise.all(files);
+  }
+
+  /** Those that later files may need that these were read from. */
+  private earlierIn(files: readonly ParsedFile[]): readonly GivenFile[] {
+    return sourcesOf(files).flatMap(({ path }) => this.before.get(path) ?? []);
   }
 
   /** Adds what was opened as one step, selected and framed if it is new. */
@@ -202,6 +222,11 @@ function hasNewClip(before: Document, after: Document, id: string): boolean {
 function shownClipOf(document: Document, id: string) {
   const character = findCharacter(document, id);
   return character && shownClip(character);
+}
+
+/** With the further files that they were read from. */
+function sourcesOf(files: readonly ParsedFile[]): readonly SourceFile[] {
+  return files.flatMap(({ source, beside = [] }) => [source, ...beside]);
 }
 
 /** Names of the files that the characters came from. */

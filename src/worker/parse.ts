@@ -15,6 +15,8 @@ import type { Morph } from '../model/morph.ts';
 import type { Skin } from '../model/skin.ts';
 import { READABLE_EXTENSIONS } from '../project/kinds.ts';
 import { type Format, formatOf } from '../project/readers.ts';
+import { importedFrom, isBuffer, waitingBuffer } from './parse-imports.ts';
+import { sourceOf, tooLargeToPost, unreadable } from './parsed-blob.ts';
 import type { GivenBlob, ParseInput, ParseOutput, Progress } from './protocol.ts';
 import { transferables } from './transferables.ts';
 
@@ -38,7 +40,9 @@ export async function parse(input: ParseInput, onProgress: (progress: Progress) 
     onProgress({ label: name, done: bytesDone, of: bytesTotal });
   };
 
-  const imported = await importedFrom(given, diagnostics, count);
+  const before = (input.before ?? []).filter((file) => !given.some(({ path }) => path === file.path));
+  const { imported, keeps } = await importedFrom(given, before, diagnostics, count);
+  for (const { path } of before) files.push(...(imported.get(path)?.files ?? []));
 
   for (const { path, blob } of given) {
     const source = sourceOf(path, blob.size);
@@ -70,66 +74,15 @@ export async function parse(input: ParseInput, onProgress: (progress: Progress) 
       } else if (result.value && isEmptyDump(result.value)) withoutNumbers.push(source);
       else if (result.value) files.push({ ...result.value, source });
       else broken.push({ kind: format.kind, source });
-    } else passedOver.push(source);
+    } else if (isBuffer(source.name)) diagnostics.push(waitingBuffer(source));
+    else passedOver.push(source);
   }
   // A readme beside a character is only worth an info.
   const severity = files.length || broken.length ? 'info' : 'warning';
   for (const source of passedOver) diagnostics.push(skipped(source, unknownFormatMessage(), severity));
   for (const source of withoutNumbers) diagnostics.push(skipped(source, emptyDumpMessage(source.bytes), severity));
 
-  return { files, broken, diagnostics, facts: factsOf(files) };
-}
-
-interface ImportedBlob {
-  readonly files: readonly ParsedFile[];
-  readonly broken: readonly BrokenFile[];
-}
-
-/** What becomes of the files of other programs, and of those that are parts of them, by their paths. */
-async function importedFrom(
-  given: readonly GivenBlob[],
-  diagnostics: Diagnostic[],
-  count: (name: string, bytes: number) => void,
-): Promise<ReadonlyMap<string, ImportedBlob>> {
-  const out = new Map<string, ImportedBlob>();
-  for (const { path, blob } of given) {
-    const source = sourceOf(path, blob.size);
-    const format = formatOf(source.name);
-    if (!format?.imports) continue;
-    // Its name is told before it is read: it is read as a whole, which may take long.
-    count(source.name, 0);
-    const { besideIn } = await import('../project/imports.ts');
-    const find = besideIn(path, given, (file) => file.path);
-    let bytesRead = blob.size;
-    try {
-      const {
-        value,
-        diagnostics: told,
-        beside,
-      } = await format.imports({
-        fileName: source.name,
-        bytes: new Uint8Array(await blob.arrayBuffer()),
-        beside: async (relative) => {
-          const found = find(relative);
-          if (!found) return undefined;
-          const bytes = new Uint8Array(await found.blob.arrayBuffer());
-          return { bytes, source: sourceOf(found.path, found.blob.size) };
-        },
-      });
-      diagnostics.push(...told);
-      bytesRead += beside.reduce((sum, { path: own, bytes }) => sum + (out.has(own) ? 0 : bytes), 0);
-      for (const part of beside) out.set(part.path, { files: [], broken: [] });
-      const tooLarge = value && tooLargeToPost(source, transferables(value));
-      if (tooLarge) diagnostics.push(tooLarge);
-      if (value && !tooLarge) out.set(path, { files: [{ ...value, source, beside }], broken: [] });
-      else out.set(path, { files: [], broken: [{ kind: format.kind, source }] });
-    } catch (error) {
-      diagnostics.push(unreadable(source, error));
-      out.set(path, { files: [], broken: [{ kind: format.kind, source }] });
-    }
-    count(source.name, bytesRead);
-  }
-  return out;
+  return { files, broken, diagnostics, facts: factsOf(files), keeps };
 }
 
 /**
@@ -157,13 +110,8 @@ function fits(morph: Morph, skin: Skin): boolean {
   return checkMorph(morph, skin, '').length === 0;
 }
 
-function sourceOf(path: string, bytes: number): SourceFile {
-  return { name: path.slice(path.lastIndexOf('/') + 1), path, bytes };
-}
-
 function isReadable(name: string): boolean {
-  // Buffers of glTF files.
-  return formatOf(name) !== undefined || name.toLowerCase().endsWith('.bin');
+  return formatOf(name) !== undefined || isBuffer(name);
 }
 
 /** The given files, with zips replaced by their content. */
@@ -209,27 +157,6 @@ async function located(
 async function feed(blob: Blob, take: (chunk: Uint8Array) => void): Promise<void> {
   const reader = blob.stream().getReader();
   for (let next = await reader.read(); !next.done; next = await reader.read()) take(next.value);
-}
-
-/** Browsers refuse to pass on larger buffers, with words about `postMessage`. */
-const MOST_BYTES = 2 ** 31 - 1;
-
-/** What is wrong if a file's numbers can't be passed from the worker to the page. */
-export function tooLargeToPost(
-  { name }: SourceFile,
-  buffers: readonly { readonly byteLength: number }[],
-): Diagnostic | undefined {
-  const largest = buffers.reduce((most, { byteLength }) => Math.max(most, byteLength), 0);
-  if (largest <= MOST_BYTES) return undefined;
-  const found = `Its values take ${(largest / 1e9).toFixed(1)} GB; the page takes up to ${(MOST_BYTES / 1e9).toFixed(1)} GB of a file.`;
-  const now = 'The command reads larger files: "marrow convert IN OUT --fps N" writes fewer frames.';
-  return withoutPlace('error', 'file-too-large', `${found} ${now}`, name);
-}
-
-function unreadable(source: SourceFile, error: unknown): Diagnostic {
-  const reason = error instanceof Error ? error.message : String(error);
-  const message = `The file could not be read: ${reason}. It may have moved or be damaged. Try opening it again.`;
-  return withoutPlace('error', 'file-unreadable', message, source.name);
 }
 
 function skipped({ name }: SourceFile, message: string, severity: 'info' | 'warning'): Diagnostic {

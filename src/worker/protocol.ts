@@ -33,6 +33,8 @@ export type JobName = keyof Jobs;
 
 export interface ParseInput {
   readonly files: readonly GivenBlob[];
+  /** Given earlier, of those that an output `keeps`: only looked at by files that are read from several. */
+  readonly before?: readonly GivenBlob[];
 }
 
 /** A file as the browser provides it: its bytes are read in the worker, and never pass through the page. */
@@ -49,6 +51,8 @@ export interface ParseOutput {
   readonly diagnostics: readonly Diagnostic[];
   /** What the page needs to know of each skin, computed here so that it never loops over a million vertices. */
   readonly facts: readonly KnownSkin[];
+  /** Paths of given files that are to be given again, as `before`, with those that come later. */
+  readonly keeps: readonly string[];
 }
 
 /** Skin and morphs are those in `files`, by identity. */

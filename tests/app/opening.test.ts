@@ -7,14 +7,18 @@ import { saveCharacter } from '../../src/project/save/saving.ts';
 import { observable } from '../../src/ui/kit/observable.ts';
 import { Messages } from '../../src/ui/state/messages.ts';
 import type { Loading } from '../../src/ui/state/workbench.ts';
+import { GltfMaker } from '../exchange/make-gltf.ts';
 import { character, clip } from '../helpers/builders.ts';
 import { InThisThread } from './in-this-thread.ts';
 
-function openerOf(store: Store, { transport = observable(DEFAULT_PLAYBACK), reducesMotion = false } = {}): Opener {
+function openerOf(
+  store: Store,
+  { transport = observable(DEFAULT_PLAYBACK), reducesMotion = false, messages = new Messages() } = {},
+): Opener {
   return new Opener({
     store,
     transport,
-    messages: new Messages(),
+    messages,
     loading: observable<Loading | undefined>(undefined),
     viewport: { frameAll: () => undefined },
     worker: new InThisThread(),
@@ -68,4 +72,94 @@ it.each([false, true])('a new take starts to play unless motion is to be reduced
   await opener.open(() => [...sample(), { path: 'walker_walk.anim', blob: new Blob([walk]) }]);
   expect(transport.get().playing).toBe(!reducesMotion);
   expect(transport.get().timeSeconds).toBe(transport.get().range[0]);
+});
+
+describe('the opener, of a .gltf and its buffers', () => {
+  /** A triangle, `tall` high; its numbers are in another file. */
+  function triangle(name: string, tall: number, buffers = [`${name}.bin`]) {
+    const maker = new GltfMaker();
+    const POSITION = maker.add('VEC3', Float32Array.of(0, 0, 0, 1, 0, 0, 0, tall, 0));
+    const made = maker.made({
+      scenes: [{ nodes: [0] }],
+      nodes: [{ mesh: 0 }],
+      meshes: [{ primitives: [{ attributes: { POSITION } }] }],
+    });
+    const [bytes] = made.buffers;
+    const json = { ...made.json, buffers: buffers.map((uri) => ({ uri, byteLength: bytes.length })) };
+    return [
+      { path: `${name}.gltf`, blob: new Blob([JSON.stringify(json)]) },
+      { path: `${name}.bin`, blob: new Blob([bytes]) },
+    ] as const;
+  }
+  const tops = ({ document: { characters } }: Store) =>
+    characters.map(({ name, skins: [skin] }) => [name, Math.max(...(skin?.positions ?? []))]);
+
+  it.each(['.gltf first', '.bin first'])('what was dropped one by one comes together, %s', async (order) => {
+    const store = new Store();
+    const messages = new Messages();
+    const opener = openerOf(store, { messages });
+    const parts = triangle('tri', 2);
+    const [first, second] = order === '.bin first' ? parts.toReversed() : parts;
+    const told = await opener.open(() => [first]);
+    expect(store.document.characters).toEqual([]);
+    expect(told).toMatchObject(
+      order === '.bin first'
+        ? [{ severity: 'info', code: 'file-unused', assumed: 'kept for a matching file' }]
+        : [{ severity: 'error', code: 'part-not-given', message: expect.stringContaining('needs "tri.bin"') }],
+    );
+    await opener.open(() => [second]);
+    expect(tops(store)).toEqual([['tri', 2]]);
+    expect(messages.list.get().map(({ text }) => text)).toEqual(
+      order === '.bin first' ? [expect.stringContaining('Read with tri.bin, given before')] : [],
+    );
+
+    // Edited in another program: its buffer is that which was given.
+    const [again] = triangle('tri', 2);
+    expect(await opener.open(() => [again])).toMatchObject([
+      { code: 'part-given-before', message: expect.stringContaining('tri.bin') },
+    ]);
+    expect(tops(store)).toEqual([['tri', 2]]);
+    // Exported again, with other numbers.
+    const [, other] = triangle('tri', 3);
+    expect(await opener.open(() => [other])).toEqual([]);
+    expect(tops(store)).toEqual([['tri', 3]]);
+    expect(store.document.characters).toHaveLength(1);
+    store.undo();
+    expect(tops(store)).toEqual([['tri', 2]]);
+  });
+
+  it('a .gltf of two buffers waits for both, and names those that are missing', async () => {
+    const store = new Store();
+    const opener = openerOf(store);
+    const [gltf, bin] = triangle('two', 1, ['two.bin', 'more.bin']);
+    expect(await opener.open(() => [gltf])).toMatchObject([
+      { message: expect.stringContaining('needs "two.bin", "more.bin" for its buffers') },
+    ]);
+    expect(await opener.open(() => [bin])).toMatchObject([{ message: expect.stringContaining('needs "more.bin"') }]);
+    await opener.open(() => [{ path: 'more.bin', blob: new Blob([new Uint8Array(48)]) }]);
+    expect(tops(store)).toEqual([['two', 1]]);
+  });
+
+  it('a buffer of the same name in another folder is not taken for that of a .gltf given before', async () => {
+    const store = new Store();
+    const opener = openerOf(store);
+    const inFolder = (folder: string, tall: number) =>
+      triangle('scene', tall).map(({ path, blob }) => ({ path: `${folder}/${path}`, blob }));
+    await opener.open(() => inFolder('a', 1));
+    await opener.open(() => inFolder('b', 5));
+    expect(tops(store).map(([, top]) => top)).toEqual([1, 5]);
+    const [, bin] = inFolder('c', 7);
+    expect(await opener.open(() => [bin])).toMatchObject([{ code: 'file-unused' }]);
+    expect(tops(store).map(([, top]) => top)).toEqual([1, 5]);
+  });
+
+  it('files given before are noted as those of what they opened, for reloading', async () => {
+    const opener = openerOf(new Store());
+    const [gltf, bin] = triangle('tri', 2);
+    const noted: string[][] = [];
+    opener.subscribe(({ given }) => noted.push(given.map(({ path }) => path)));
+    await opener.open(() => [gltf]);
+    await opener.open(() => [bin]);
+    expect(noted).toEqual([['tri.bin', 'tri.gltf']]);
+  });
 });

@@ -25,7 +25,7 @@ function page() {
     timeline: new Timeline(),
     settings: observable(DEFAULT_SETTINGS),
     opener: { open: async () => [] },
-    worker: { run: async () => ({ files: [], broken: [], diagnostics: [], facts: [] }) },
+    worker: { run: async () => ({ files: [], broken: [], diagnostics: [], facts: [], keeps: [] }) },
     reviewWorker: {
       run: async (_, { files }) => {
         await asked;

@@ -1,6 +1,7 @@
 import { strToU8, zipSync } from 'fflate';
 import { describe, expect, it } from 'vitest';
-import { parse, tooLargeToPost } from '../../src/worker/parse.ts';
+import { parse } from '../../src/worker/parse.ts';
+import { tooLargeToPost } from '../../src/worker/parsed-blob.ts';
 import type { Progress } from '../../src/worker/protocol.ts';
 import { transferables } from '../../src/worker/transferables.ts';
 import { describeShared, sharedBytes } from '../helpers/shared.ts';

@@ -31,14 +31,16 @@ export class Buffers {
   static async load({ document, binary }: Container, given: Import, meshopt: MeshoptDecoder | undefined) {
     const buffers = new Map<number, Uint8Array<ArrayBuffer>>();
     const sources: SourceFile[] = [];
+    const missing: string[] = [];
     for (const [index, buffer] of document.all('buffers').entries()) {
-      const bytes = await bytesOf(buffer, index, binary, given, sources);
+      const bytes = await bytesOf(buffer, index, binary, given, sources, missing);
       if (!bytes) continue;
       const stated = countOf(buffer.byteLength);
       // The chunk of a GLB is padded.
       if (stated !== undefined && stated < bytes.length) buffers.set(index, bytes.subarray(0, stated));
       else buffers.set(index, bytes);
     }
+    if (missing.length) throw notGiven(missing);
     return new Buffers(document, buffers, meshopt, sources);
   }
 
@@ -88,6 +90,7 @@ async function bytesOf(
   binary: Uint8Array<ArrayBuffer> | undefined,
   given: Import,
   sources: SourceFile[],
+  missing: string[],
 ): Promise<Uint8Array<ArrayBuffer> | undefined> {
   const uri = textOf(buffer.uri);
   if (uri === undefined) return index === 0 ? binary : undefined;
@@ -98,9 +101,20 @@ async function bytesOf(
     sources.push(found.source);
     return found.bytes;
   }
-  const message = `The file needs "${shortened(uri)}" for its buffer ${index}, which was not given. Open both together, or their folder.`;
-  throw new ImportError('part-not-given', message);
+  missing.push(uri);
+  return undefined;
 }
+
+function notGiven(uris: readonly string[]): ImportError {
+  const names = uris.slice(0, MOST_NAMED).map((uri) => `"${shortened(uri)}"`);
+  const more = uris.length - names.length;
+  const parts = `${names.join(', ')}${more > 0 ? ` and ${more} more` : ''}`;
+  const [was, it] = uris.length === 1 ? ['was', 'it'] : ['were', 'them'];
+  const message = `The file needs ${parts} for its ${uris.length === 1 ? 'buffer' : 'buffers'}, which ${was} not given. Add ${it}, or open the folder with all of its files.`;
+  return new ImportError('part-not-given', message);
+}
+
+const MOST_NAMED = 4;
 
 /** Of a URI in messages. */
 export function shortened(uri: string): string {
