@@ -1,5 +1,5 @@
 /** GLB files on the command line, as scripts see them. */
-import { existsSync, mkdtempSync, readFileSync, rmSync } from 'node:fs';
+import { existsSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { fileURLToPath } from 'node:url';
@@ -56,6 +56,26 @@ describe('marrow convert to .glb', () => {
     }
   });
 
+  it('convert takes the skin out of a whole character, and says what else it names', async () => {
+    await command(['convert', ...JOINTS, 'a.glb'], folder);
+    const { code, out, err } = await command(['convert', 'a.glb', 'own.skin'], folder);
+    expect([code, out.startsWith('own.skin: skin, ')]).toEqual([0, true]);
+    expect(err).toMatch(/It names .*\.png, which this doesn't write\. "--to rig --out DIR" writes all parts\./);
+    const vertices = async (files: readonly string[]) =>
+      (await commandJson<PoseJson>(['pose', ...files, '--vertices', '--json'], folder)).characters[0].positions;
+    const whole = await vertices(['a.glb']);
+    await command(['convert', 'a.glb', 'own.skel'], folder);
+    expect(await vertices(['own.skel', 'own.skin'])).toEqual(whole);
+  });
+
+  it('a take that is one of several in a file is refused with how to write all of them', async () => {
+    writeFileSync(join(folder, 'two.anim'), readFileSync(`${SAMPLES}joints_each.anim`));
+    await command(['convert', ...JOINTS, 'two.anim', 'two.glb'], folder);
+    const { code, err } = await command(['convert', 'two.glb', 'one.anim'], folder);
+    expect(code).toBe(1);
+    expect(err).toContain('found 2 (joints_each.anim, two.anim). "--to anim --out DIR" writes each.');
+  });
+
   it('convert --fps writes one key a frame', async () => {
     expect((await command(['convert', ...JOINTS, 'fps.glb', '--fps', '10'], folder)).code).toBe(0);
     const { animations, accessors } = jsonOf('fps.glb');
@@ -93,6 +113,17 @@ describe('marrow convert to .glb', () => {
     expect(code).toBe(2);
     expect(err).toContain(message);
     expect(existsSync(join(folder, 'no.glb'))).toBe(false);
+  });
+
+  it('End Sites are said to be no joints of a file in which bones reach them', async () => {
+    const text =
+      'HIERARCHY\nROOT a {\nOFFSET 0 0 0\nCHANNELS 1 Zrotation\nEnd Site { OFFSET 0 1 0 } End Site { OFFSET 1 0 0 } }\nMOTION\nFrames: 1\nFrame Time: 1\n0\n';
+    writeFileSync(join(folder, 'ends.bvh'), text);
+    const { err } = await command(['convert', 'ends.bvh', 'ends.glb'], folder);
+    expect(err).toContain('Not in the file: 2 End Sites as joints (bones reach them).');
+    expect((await command(['convert', 'ends.bvh', 'ends.glb', '--no-body'], folder)).err).toContain(
+      'Not in the file: 2 End Sites.',
+    );
   });
 
   it('convert says which takes there are when it is asked for another, and writes nothing', async () => {

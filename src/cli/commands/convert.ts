@@ -12,10 +12,11 @@ import { withEditedTakes } from '../../dataset/edited-take.ts';
 import { CommandError } from '../../edit/store.ts';
 import { fitOneBvh } from '../../formats/bvh/write.ts';
 import { axisAngleObstacle, inAxisAngleForm, inHierarchyForm } from '../../model/axis-angle.ts';
-import { type Diagnostic, hasErrors } from '../../model/diagnostic.ts';
+import { type Diagnostic, hasErrors, withoutPlace } from '../../model/diagnostic.ts';
 import { type Character, EMPTY_DOCUMENT } from '../../model/document.ts';
 import { type FileContent, type FileKind, type ParsedFile, stemOf } from '../../model/files.ts';
 import type { Skeleton } from '../../model/skeleton.ts';
+import { textureNames } from '../../model/skin.ts';
 import { formatKindOf, isSaved, KINDS, WRITABLE_EXTENSIONS } from '../../project/kinds.ts';
 import { openFiles } from '../../project/open/open-files.ts';
 import { type Format, formatOf } from '../../project/readers.ts';
@@ -252,12 +253,37 @@ function pick(files: readonly ParsedFile[], format: Format, out: string, options
   }
   if (kind === 'rig') return rigOf(files, out);
   const target = TARGETS.find((t) => t === kind);
-  const converted = target ? convertedTo(target, files, format, out, options) : copiedTo(files, format, out, options);
+  const converted = target
+    ? convertedTo(target, files, format, out, options)
+    : (partOf(files, format, out, options) ?? copiedTo(files, format, out, options));
   if (converted) return converted;
   const held = files.map((file) => file.source.path).join(', ') || 'nothing';
   const message = `Expected ${format.label} input for ${out}, found ${held}.`;
   return { refusal: refusal('part-missing', message, out) };
 }
+
+/** The skin or morph of a character whose file holds all of it; undefined if it holds none. */
+function partOf(files: readonly ParsedFile[], format: Format, out: string, options: PickOptions): Picked | undefined {
+  const { kind } = format;
+  if ((kind !== 'skin' && kind !== 'morph') || !files.some((file) => file.kind === 'character')) return undefined;
+  const parts = charactersOf(files, options).flatMap(({ skins, morphs }): readonly FileContent[] =>
+    kind === 'skin' ? skins.map((skin) => ({ kind, skin })) : morphs.map((morph) => ({ kind, morph })),
+  );
+  if (parts.length === 0) return undefined;
+  if (parts.length > 1) {
+    const names = parts.map((part) => (part.kind === 'morph' ? part.morph.name : out));
+    return { refusal: tooMany(format, names, out, ALL_OF_THEM) };
+  }
+  const [content] = parts;
+  const output = outputOf({ name: out, content: () => content });
+  const textures = content.kind === 'skin' ? textureNames(content.skin) : [];
+  if (textures.length === 0) return { output };
+  const message = `It names ${textures.join(', ')}, which this doesn't write. ${ALL_OF_THEM}`;
+  const told = withoutPlace('info', 'texture-not-written', message, out);
+  return { output: { ...output, diagnostics: () => [...output.diagnostics(), told] } };
+}
+
+const ALL_OF_THEM = '"--to rig --out DIR" writes all parts.';
 
 /** The copy of a character that such a file holds; undefined if it holds none. */
 function copiedTo(files: readonly ParsedFile[], format: Format, out: string, options: PickOptions): Picked | undefined {
@@ -272,8 +298,9 @@ function copiedTo(files: readonly ParsedFile[], format: Format, out: string, opt
   return { refusal: tooMany(format, names, out) };
 }
 
-function tooMany({ label }: Format, names: readonly string[], out: string): Diagnostic {
-  const message = `Expected one ${label} for ${out}, found ${names.length} (${names.join(', ')}). Name only one.`;
+/** @param now what to do, as a sentence */
+function tooMany({ label }: Format, names: readonly string[], out: string, now = 'Name only one.'): Diagnostic {
+  const message = `Expected one ${label} for ${out}, found ${names.length} (${names.join(', ')}). ${now}`;
   return refusal('part-ambiguous', message, out);
 }
 
@@ -346,6 +373,8 @@ function convertedTo(
         format,
         made.map(({ name }) => name),
         out,
+        // Takes of one file can't be named one by one.
+        files.length === 1 ? `"--to ${target} --out DIR" writes each.` : undefined,
       ),
     };
   return { output: made[0] };
