@@ -182,14 +182,17 @@ function splines({ options, motions }: Written): readonly Loss[] {
 function leftOut({ character, options, motions, figure }: Written): readonly Loss[] {
   const { skeleton, skins, poses, placements, driver, clips, unkeyed, morphs } = character;
   const joints = skeleton?.joints ?? [];
+  const endSites = joints.reduce((sum, joint) => sum + (joint.endSites?.length ?? 0), 0);
+  const hasBody = skins.length === 0 && options.body;
   const count = (n: number, one: string, many = `${one}s`) => (n > 0 ? [`${n} ${n === 1 ? one : many}`] : []);
   const of = (what: string, n: number) => count(n, 'joint').map((owners) => `${what} of ${owners} (applied)`);
   const things = [
     ...of('limits', joints.filter(({ limits }) => limits.some((limit) => !isUnlimited(limit))).length),
     ...of('linked DOFs', joints.filter(({ couples }) => couples).length),
-    ...count(
-      joints.reduce((sum, { endSites = [] }) => sum + endSites.length, 0),
-      'End Site',
+    ...count(endSites, 'End Site').map((sites) =>
+      hasBody
+        ? `${sites} as ${endSites === 1 ? 'a joint' : 'joints'} (bones reach ${endSites === 1 ? 'it' : 'them'})`
+        : sites,
     ),
     ...count(Math.max(0, skins.length - 1), 'other skin'),
     ...(skins.length === 0 ? count(morphs.length, 'morph without a skin', 'morphs without a skin') : []),
