@@ -259,11 +259,24 @@ describe('files that are not as they should be', () => {
     ['buffer-too-short', 'has a view past its buffer', () => withJson('bufferViews.0.byteLength', 1e9)],
     ['part-not-given', 'needs a file that is not there', () => withJson('buffers.0.uri', 'x.bin')],
     ['file-empty', 'has neither mesh nor animation', () => withJson('nodes', [{}])],
+    [
+      'extension-unsupported',
+      'requires something that changes its shapes',
+      () => withJson('extensionsRequired', ['KHR_materials_clearcoat', 'EXT_mesh_gpu_instancing']),
+    ],
   ])('%s: a file that %s is refused with a reason', async (code, _, bytes) => {
     const { whole, diagnostics } = await read(bytes());
     expect(whole).toBeUndefined();
     expect(diagnostics.map((d) => d.code)).toContain(code);
   });
+});
+
+it('what a file requires for its looks only is named, and the file is read', async () => {
+  const made = triangles((m) => ({ attributes: { POSITION: m.add('VEC3', TRIANGLE) } }));
+  Object.assign(made.json, { extensionsRequired: ['KHR_materials_clearcoat', 'KHR_lights_punctual'] });
+  const { whole, diagnostics } = await read(glbOf(made));
+  expect(whole?.skins).toHaveLength(1);
+  expect(diagnostics).toMatchObject([{ severity: 'warning', message: expect.stringContaining('clearcoat') }]);
 });
 
 describe('a mesh that is not in the file', () => {

@@ -54,11 +54,20 @@ function listOthers(document: Document, remarks: Remarks): void {
   if (vrm?.blendShapeMaster ?? vrm?.expressions) remarks.leaveOut('expressions (their morphs are read)');
   if (vrm?.secondaryAnimation || extensionOf(root, 'VRMC_springBone')) remarks.leaveOut('spring bones');
   const required = listOf(root.extensionsRequired).filter((e) => typeof e === 'string' && !READ.has(e));
-  if (required.length) {
-    const message = `The file requires ${required.join(', ')}, which Marrow doesn't read.`;
-    remarks.warn('extension-unknown', message, 'read without it');
+  const looks = required.filter((e) => LOOKS.test(String(e)));
+  if (looks.length) {
+    const message = `The file requires ${looks.join(', ')}, which Marrow doesn't read.`;
+    remarks.warn('extension-unknown', message, 'materials may look different');
+  }
+  const shapes = required.filter((e) => !looks.includes(e));
+  if (shapes.length) {
+    const message = `The file requires ${shapes.join(', ')}, which Marrow doesn't read: joints or vertices may be wrong without. Open it in a program that reads it, such as Blender, and export it without.`;
+    throw new ImportError('extension-unsupported', message);
   }
 }
+
+/** Extensions that change colours and lights only. */
+const LOOKS = /^[A-Z]+_(materials|lights|texture|image|environment)_?/;
 
 const READ: ReadonlySet<string> = new Set([
   ...MESHOPT,
