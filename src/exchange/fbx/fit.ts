@@ -35,10 +35,11 @@ export function fitKeys(
   last.set(value);
   for (let k = 0; k < width; k++) lists[k].add(stops[0], value[k], 0, 0);
   const span = new Span(write, width, tolerances);
-  for (let i = 1; i < stops.length; i++) {
-    span.fit(stops[i - 1], stops[i], last, lists, 0);
+  for (let i = 0; i < stops.length; i++) {
+    if (i > 0) span.fit(stops[i - 1], stops[i], last, lists, 0);
     // What the function is from here on, if it jumps.
     write(stops[i], last, value);
+    if (i + 1 < stops.length) span.writeOnwards(stops[i], stops[i + 1], last, value);
     const jumps = tolerances.some((tolerance, k) => Math.abs(value[k] - last[k]) > tolerance);
     if (jumps) for (let k = 0; k < width; k++) lists[k].add(stops[i], value[k], 0, 0);
     last.set(value);
@@ -65,6 +66,20 @@ class Span {
     [this.a, this.b, this.c, this.end] = [scratch(), scratch(), scratch(), scratch()];
     [this.from, this.to, this.expected] = [scratch(), scratch(), scratch()];
     this.cubics = new Float64Array(4 * width);
+  }
+
+  /**
+   * Replaces the values at a time by those just after it, where they differ: what holds the value of the next key has
+   * its own at its key only, and times may differ by the rounding of repetitions.
+   */
+  writeOnwards(start: number, stop: number, last: Float64Array, values: Float64Array): void {
+    const { a, b, c, tolerances, width } = this;
+    const step = (stop - start) * STEP;
+    this.write(start + step, last, a);
+    this.write(start + 2 * step, a, b);
+    this.write(start + 3 * step, b, c);
+    const jumps = tolerances.some((tolerance, k) => Math.abs(3 * a[k] - 3 * b[k] + c[k] - values[k]) > tolerance);
+    if (jumps) for (let k = 0; k < width; k++) values[k] = 3 * a[k] - 3 * b[k] + c[k];
   }
 
   /** Appends what leads from one time, whose values are `last`, to another, whose values `last` then is. */

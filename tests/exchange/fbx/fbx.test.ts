@@ -180,6 +180,19 @@ describe('FBX curves', () => {
     expect(diagnostics.map(({ code }) => code)).toContain('curves-fitted');
   });
 
+  it('fitted keys jump at once where a key holds the value of the next', () => {
+    const keys = [
+      { time: 0, value: 10, flags: 0x102 },
+      { time: 1, value: 20, flags: 0x102 },
+      { time: 2, value: 80, flags: 0x102 },
+    ];
+    const scene = sceneOf(turning(keys, prop('PreRotation', 20, 30, 0)));
+    const at = (time: number) => worldsAt(scene, scene.takes[0], time)[0].map((v) => expect.closeTo(v, 4));
+    expect(worldsAt(scene, scene.takes[0], 0.00003)[0]).toEqual(at(0.6));
+    expect(worldsAt(scene, scene.takes[0], 0.99997)[0]).toEqual(at(0.6));
+    expect(worldsAt(scene, scene.takes[0], 1.00003)[0]).toEqual(at(1.6));
+  });
+
   it('the units of time that newer files choose are followed', () => {
     const fbx = turning([
       { time: 0, value: 0, flags: 4 },
