@@ -2,6 +2,7 @@
 import { beginAutosave } from './app/autosave/begin.ts';
 import { savingMarks } from './app/autosave/saving-marks.ts';
 import { DiskHandles } from './app/disk-handles.ts';
+import { Faults } from './app/faults.ts';
 import { fileActions } from './app/file-actions.ts';
 import { followRange } from './app/follow-range.ts';
 import { offerInstalling } from './app/installing.ts';
@@ -104,6 +105,7 @@ const workbench: Workbench = {
   comparing: observable<DumpComparison | undefined>(undefined),
 };
 
+const faults = new Faults(workbench);
 followRange(store, transport);
 opener.subscribe(({ given, files }) => {
   handles.note(given);
@@ -124,10 +126,12 @@ transport.subscribe((now) => {
 });
 
 // Uncaught errors are shown in the page, since few have the console open.
-window.addEventListener('error', ({ message }) => messages.note(`Something went wrong: ${message}`, 'error'));
-window.addEventListener('unhandledrejection', ({ reason }) =>
-  messages.note(`Something went wrong: ${reason instanceof Error ? reason.message : String(reason)}`, 'error'),
-);
+const WRONG = 'Something went wrong. Your work is still here.';
+window.addEventListener('error', ({ error, message }) => {
+  // Sizes that change each other settle in the next frame; browsers tell it as an error.
+  if (!message.startsWith('ResizeObserver loop')) faults.tell(WRONG, error ?? message);
+});
+window.addEventListener('unhandledrejection', ({ reason }) => faults.tell(WRONG, reason));
 
 const named = filesInQuery(location.search);
 const opening = named.length ? opener.open((signal) => fetchFiles(named, document.baseURI, signal)) : openSample();
@@ -181,6 +185,7 @@ function viewportIn(element: HTMLElement): Viewport {
     return new Viewport(element, (draw) => oncePerFrame(draw, 'draw'), {
       textureFailed: (_id, texture) =>
         messages.note(`The texture ${texture.name} can’t be read by this browser; drawn without texture.`, 'warning'),
+      drawingFailed: (error) => faults.tell('The picture can’t be drawn. Your work can be saved.', error),
     });
   } catch (error) {
     document.body.textContent =

@@ -110,6 +110,7 @@ export function fileActions(parts: Parts): FileActions {
     save: (characterId, kind) => void saving((s) => s.saveAs(characterId, kind)),
     saveText: (name, text) => parts.disk.download(name, new Blob([text])),
     saveAll: (characterId) => void saving((s) => s.saveAll(characterId)),
+    saveEverything: () => void saving((s) => s.saveEverything()),
     makeGlb: (character, options, { signal, onProgress }) =>
       parts.glbWorker.run(
         'glb',

@@ -2,12 +2,14 @@
  * From files to the document: read in the worker, assembled, added as one step, shown. Files are opened one batch at a
  * time, in the order in which they were dropped.
  */
+
 import { type Playback, pause, play } from '../edit/playback.ts';
 import type { Store } from '../edit/store.ts';
 import { adoptSkinFacts } from '../evaluate/bounds.ts';
 import type { GivenFile } from '../io/given.ts';
 import { type Diagnostic, hasErrors, withoutPlace } from '../model/diagnostic.ts';
 import { type Character, type Document, findCharacter, shownClip } from '../model/document.ts';
+import { sentenceOf } from '../model/failure.ts';
 import type { ParsedFile, SourceFile } from '../model/files.ts';
 import { type DumpFile, openFiles } from '../project/open/open-files.ts';
 import { unseenChanges } from '../project/open/unseen-changes.ts';
@@ -235,7 +237,7 @@ function filesOf({ characters }: Document): ReadonlySet<string> {
 }
 
 function failure(error: unknown): Diagnostic {
-  const message = error instanceof Error ? error.message : String(error);
+  const message = sentenceOf(error);
   const code = error instanceof WorkerError ? 'worker-failed' : 'open-failed';
   return withoutPlace('error', code, `Nothing was opened. ${message}`, '');
 }

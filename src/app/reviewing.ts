@@ -2,10 +2,12 @@
  * Takes given by the hundred: they are listed for review at once, and read one after the other in a worker, those in
  * view first. Only their files and what the list shows of them are kept; a take that is shown is read again.
  */
+
 import { addToReview, readReview } from '../edit/commands/review.ts';
 import type { Store } from '../edit/store.ts';
 import type { GivenFile } from '../io/given.ts';
 import { type Character, EMPTY_DOCUMENT } from '../model/document.ts';
+import { sentenceOf } from '../model/failure.ts';
 import { baseName } from '../model/files.ts';
 import { openFiles } from '../project/open/open-files.ts';
 import type { TakeDigest } from '../review/digest.ts';
@@ -184,7 +186,7 @@ class TakeFiles implements ReviewFiles {
         const { takes } = await this.parts.reviewWorker.run('review', { files });
         for (const take of takes) this.digests.set(take.path, take);
       } catch (error) {
-        const problem = error instanceof Error ? error.message : String(error);
+        const problem = sentenceOf(error);
         for (const { path } of files) this.digests.set(path, { path, problem });
       }
       this.tell();

@@ -5,11 +5,13 @@
  * Browsers open one dialog per click or key. So of several files without a location, each save asks about one and says
  * which ones are left; cancelling the dialog cancels the others too.
  */
+
 import type { Store } from '../edit/store.ts';
 import { DiskError, type DiskFile, NotNowError } from '../io/disk-files.ts';
 import { partsOf } from '../model/character-parts.ts';
 import { type Diagnostic, withoutPlace } from '../model/diagnostic.ts';
 import { findCharacter } from '../model/document.ts';
+import { sentenceOf } from '../model/failure.ts';
 import { type SourceFile, stemOf } from '../model/files.ts';
 import { fileNameOf, type Part } from '../model/part.ts';
 import { formatKindOf, KINDS, type SavedKind } from '../project/kinds.ts';
@@ -19,6 +21,7 @@ import { jointPose, poseToSave } from '../project/save/saved-poses.ts';
 import type { Messages } from '../ui/state/messages.ts';
 import type { DiskHandles } from './disk-handles.ts';
 import type { Unsaved } from './unsaved.ts';
+import type { CharactersZip } from './zip-character.ts';
 
 /** The part of `io` that saving needs, replaceable in tests. */
 export interface Disk {
@@ -91,21 +94,27 @@ export class Saver {
       const character = findCharacter(this.parts.store.document, characterId);
       if (!character) return;
       const { zipCharacter } = await import('./zip-character.ts');
-      const { name, bytes } = zipCharacter(character);
-      const holds = partsOf(character).map((part) => ({ character, part, pose: jointPose(character) }));
-      await this.run(
-        [
-          {
-            name,
-            holds,
-            isZip: true,
-            mime: 'application/zip',
-            write: () => ({ pieces: () => [bytes], diagnostics: () => [] }),
-          },
-        ],
-        () => undefined,
-      );
+      await this.runZip(zipCharacter(character));
     });
+  }
+
+  /**
+   * Downloads all characters as one zip, without those that can't be written: messages name them. Asks nothing, so that
+   * it also works on a page that has failed. Never rejects.
+   */
+  saveEverything(): Promise<void> {
+    return this.inTurn(async () => {
+      const { zipDocument } = await import('./zip-character.ts');
+      await this.runZip(zipDocument(this.parts.store.document), false);
+    });
+  }
+
+  private runZip({ name, bytes, characters, diagnostics }: CharactersZip, asks = true): Promise<void> {
+    const holds = characters.flatMap((character) =>
+      partsOf(character).map((part) => ({ character, part, pose: jointPose(character) })),
+    );
+    const write = () => ({ pieces: () => [bytes], diagnostics: () => diagnostics });
+    return this.run([{ name, holds, isZip: true, mime: 'application/zip', write }], () => undefined, asks);
   }
 
   /** Saves a file made elsewhere, which is none of the document's. Never rejects. */
@@ -259,7 +268,7 @@ export class Saver {
 }
 
 function notSaved(error: unknown, name: string): Diagnostic {
-  const why = error instanceof Error ? error.message : String(error);
+  const why = sentenceOf(error);
   return withoutPlace('error', 'save-failed', `Not saved. ${why}`, name);
 }
 

@@ -253,19 +253,32 @@ export class Store {
 
   private tellStep(next: State, before: State): void {
     if (next.document === before.document) return;
-    for (const listener of this.stepListeners) listener(next, before);
+    tellAll(this.stepListeners, next, before);
   }
 
   private become(next: State): void {
     const before = this.present;
     if (next.document === before.document && next.selection === before.selection) {
       // Menu labels must still update after a committed gesture.
-      for (const listener of this.listeners) listener(before, before);
+      tellAll(this.listeners, before, before);
       return;
     }
     this.present = next;
-    for (const listener of this.listeners) listener(next, before);
+    tellAll(this.listeners, next, before);
   }
+}
+
+/** All listeners are told, even if one throws: what keeps the work must not depend on what shows it. */
+function tellAll(listeners: ReadonlySet<Listener>, next: State, before: State): void {
+  let thrown: { readonly error: unknown } | undefined;
+  for (const listener of listeners) {
+    try {
+      listener(next, before);
+    } catch (error) {
+      thrown ??= { error };
+    }
+  }
+  if (thrown) throw thrown.error;
 }
 
 function isChange(change: Document | Change): change is Change {

@@ -29,6 +29,7 @@ import { Orientation } from './orientation.ts';
 import { type Overlay, Overlays } from './overlay.ts';
 import { PickedCopy } from './picked-copy.ts';
 import { type Hit, Picker, type PickScene } from './picking.ts';
+import { shaderError } from './shader-error.ts';
 import { type ShownCharacter, ShownCharacters, vertexPosition } from './shown-characters.ts';
 import { isOpaque, SkeletonDrawing } from './skeleton-drawing.ts';
 import { Stage } from './stage.ts';
@@ -41,6 +42,8 @@ export type { Hit } from './picking.ts';
 export interface ViewportEvents {
   /** A skin's texture can't be decoded; the skin is drawn untextured. */
   textureFailed?(characterId: string, texture: Texture, message: string): void;
+  /** The picture can't be drawn; nothing is until `show` is called with something else to draw. */
+  drawingFailed?(error: unknown): void;
 }
 
 /** What is drawn into a picture besides the characters, and its size in pixels. */
@@ -116,6 +119,8 @@ export class Viewport {
   private width = 0;
   private height = 0;
   private isStale = false;
+  /** What is shown can't be drawn: trying again in each frame would fail again. */
+  private hasFailed = false;
   private shooting: ShotOptions | undefined;
   private readonly requestDraw: () => void;
   private disposed = false;
@@ -140,7 +145,7 @@ export class Viewport {
     private readonly events: ViewportEvents = {},
   ) {
     this.requestDraw = inFrame((nowMs) => {
-      if (this.isStale) this.draw(nowMs);
+      if (this.isStale) this.tryDraw(nowMs);
     });
     this.renderer = new WebGLRenderer({ antialias: true, stencil: false, powerPreference: 'high-performance' });
     const { renderer } = this;
@@ -150,6 +155,12 @@ export class Viewport {
     renderer.outputColorSpace = SRGBColorSpace;
     // Counted over a whole frame, which has several passes.
     renderer.info.autoReset = false;
+    renderer.debug.onShaderError = (gl, program, vertex, fragment) => {
+      // Without a context nothing compiles, and all of it does once it is restored. The program is WebGL's: the types
+      // name three.js's own class.
+      if (!gl.isContextLost())
+        this.events.drawingFailed?.(shaderError(gl, program as WebGLProgram, [vertex, fragment]));
+    };
     this.stage = new Stage(renderer);
     this.picker = new Picker(renderer);
     this.rig = new CameraRig(this.canvas, () => this.requestRender());
@@ -178,6 +189,16 @@ export class Viewport {
 
   /** Call after an edit, with the current document, selection and display. */
   show(document: Document, selection: Selection, display: Display, tints = NO_TINTS): void {
+    this.hasFailed = false;
+    try {
+      this.showAll(document, selection, display, tints);
+    } catch (error) {
+      // Whoever edits must not fail for the picture's sake.
+      this.fail(error);
+    }
+  }
+
+  private showAll(document: Document, selection: Selection, display: Display, tints: Tints): void {
     const before = this.document;
     const { characters } = this;
     const heatChanged =
@@ -515,6 +536,7 @@ export class Viewport {
       'webglcontextrestored',
       () => {
         this.posesChanged = true;
+        this.hasFailed = false;
         this.requestRender();
       },
       { signal },
@@ -547,7 +569,7 @@ export class Viewport {
     if (width === this.width && height === this.height && ratio === this.renderer.getPixelRatio()) return;
     this.resize(width, height, ratio);
     // Draw at once: a resized canvas is empty, and would flash.
-    if (this.document) this.draw(performance.now());
+    if (this.document) this.tryDraw(performance.now());
   }
 
   /** CSS pixels, and pixels of the canvas for each. */
@@ -591,6 +613,22 @@ export class Viewport {
     this.motion.fill(selection, display, this.timeSeconds);
   }
 
+  private tryDraw(nowMs: number): void {
+    this.isStale = false;
+    if (this.hasFailed) return;
+    try {
+      this.draw(nowMs);
+    } catch (error) {
+      this.fail(error);
+    }
+  }
+
+  private fail(error: unknown): void {
+    this.hasFailed = true;
+    this.events.drawingFailed?.(error);
+  }
+
+  /** @throws whatever three.js does */
   private draw(nowMs: number): void {
     this.isStale = false;
     const { renderer, rig, stage, grid, characters, display } = this;

@@ -2,6 +2,7 @@
  * The page's side of the worker. Cancelling a job terminates its worker: parsers are synchronous, and a new worker
  * costs a few milliseconds, whereas an abort flag would slow down every inner loop.
  */
+import { sentenceOf } from '../model/failure.ts';
 import type { FromWorker, JobName, Jobs, Progress, ToWorker } from './protocol.ts';
 
 /** The part of `Worker` that the client uses; tests pass one without a thread. */
@@ -78,8 +79,15 @@ export class WorkerClient {
           reject(error);
         },
       });
-      // The message is one of the union over `K`; TypeScript can't infer that for a generic K.
-      this.alive().postMessage({ id, job, input } as ToWorker);
+      try {
+        // The message is one of the union over `K`; TypeScript can't infer that for a generic K.
+        this.alive().postMessage({ id, job, input } as ToWorker);
+      } catch (error) {
+        this.pending.delete(id);
+        settled();
+        // Browsers copy what they send, which fails above some 2 GB, or where memory ends.
+        reject(new WorkerError(sentenceOf(error)));
+      }
     });
   }
 

@@ -1,5 +1,7 @@
 /** The worker's side: receives a job, runs it, responds. */
+
 import { testKit } from '../kit/kit.ts';
+import { sentenceOf } from '../model/failure.ts';
 import { compareDumps } from './compare.ts';
 import { parse } from './parse.ts';
 import type { FromWorker, Progress, ToWorker } from './protocol.ts';
@@ -36,7 +38,7 @@ scope.onmessage = async ({ data }) => {
     } else if (data.job === 'kit') done({ id, kind: 'done', job: data.job, output: testKit() });
     else done({ id, kind: 'done', job: data.job, output: compareDumps(data.input, onProgress) });
   } catch (error) {
-    scope.postMessage({ id, kind: 'failed', message: error instanceof Error ? error.message : String(error) });
+    scope.postMessage({ id, kind: 'failed', message: sentenceOf(error) });
   }
 };
 

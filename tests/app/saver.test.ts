@@ -433,4 +433,13 @@ describe('saving as', () => {
     expect(page.disk.downloads).toEqual(['hero.zip']);
     expect(page.names()).toEqual([]);
   });
+
+  it('downloads all characters as one zip without asking, and all of them count as saved', async () => {
+    const page = await pageWith(HERO);
+    page.disk.picks = 'as suggested';
+    page.change(longer);
+    await page.saver.saveEverything();
+    expect([page.disk.downloads, page.disk.asked]).toEqual([['marrow.zip'], []]);
+    expect(page.names()).toEqual([]);
+  });
 });

@@ -174,6 +174,17 @@ describe('Store', () => {
     expect(nameIn(store)).toBe('b');
   });
 
+  it('a listener that throws neither undoes the change nor keeps it from the other listeners', () => {
+    const store = new Store(start);
+    const heard: string[] = [];
+    store.subscribe(() => {
+      throw new Error('no picture');
+    });
+    store.subscribe((now) => heard.push(now.document.characters[0].name));
+    expect(() => store.apply(renameCharacter, rename('b'))).toThrow('no picture');
+    expect([heard, nameIn(store)]).toEqual([['b'], 'b']);
+  });
+
   it('passes the previous state to listeners, and stops when they unsubscribe', () => {
     const store = new Store(start);
     const heard = vi.fn();

@@ -94,6 +94,22 @@ describe('WorkerClient', () => {
     expect(workers).toHaveLength(2);
   });
 
+  it('says in its own words that a browser can’t pass the work on, and works again afterwards', async () => {
+    const { made, workers } = client();
+    const before = made.run('parse', { files: [] });
+    const { postMessage } = workers[0];
+    workers[0].postMessage = () => {
+      throw new DOMException(
+        "Failed to execute 'postMessage' on 'Worker': Data cannot be cloned, out of memory.",
+        'DataCloneError',
+      );
+    };
+    await expect(made.run('parse', { files: [] })).rejects.toThrow(/^There is not enough memory for this\./);
+    workers[0].postMessage = postMessage;
+    workers[0].answer({ id: workers[0].posted[0].id, kind: 'done', job: 'parse', output: nothing });
+    expect(await before).toBe(nothing);
+  });
+
   it('WorkerClient does not begin what was cancelled before', async () => {
     const { made, workers } = client();
     await expect(

@@ -5,11 +5,13 @@
  * the same records, and an unlocked session is one whose page is closed. What the page opened by itself is not kept,
  * since it will be opened again. If the browser has no storage, or no room left, a message says so once.
  */
+
 import type { Playback } from '../../edit/playback.ts';
 import type { Store } from '../../edit/store.ts';
 import type { SessionLocks } from '../../io/session-locks.ts';
 import type { SessionStore } from '../../io/session-store.ts';
 import type { Document } from '../../model/document.ts';
+import { sentenceOf } from '../../model/failure.ts';
 import type { Observable } from '../../ui/kit/observable.ts';
 import type { KeptOffer } from '../../ui/state/kept-offer.ts';
 import type { Messages } from '../../ui/state/messages.ts';
@@ -256,7 +258,7 @@ export class Autosave {
       } catch (error) {
         lock();
         this.offers?.show();
-        const reason = error instanceof Error ? error.message : String(error);
+        const reason = sentenceOf(error);
         const wasCancelled = error instanceof DOMException && error.name === 'AbortError';
         if (wasCancelled) messages.note('Restore cancelled. Nothing was changed.');
         else messages.note(`Your work could not be restored. Nothing was changed. ${reason}`, 'error');

@@ -2,9 +2,11 @@
  * The dialog for saving GLB. The worker makes the file while the dialog is open, so that its size, its keys and what it
  * loses are measured, not guessed; saving hands out that very file.
  */
+
 import { skinFacts } from '../../evaluate/bounds.ts';
 import { DEFAULT_GLB, type GlbOptions } from '../../exchange/glb/options.ts';
 import { type Character, findCharacter, shownSkin } from '../../model/document.ts';
+import { sentenceOf } from '../../model/failure.ts';
 import type { DialogContent } from '../kit/dialog.ts';
 import { element, setText } from '../kit/dom.ts';
 import { atMostEvery } from '../kit/frame.ts';
@@ -146,7 +148,7 @@ export function glbDialog(wb: Uses<'store' | 'transport' | 'files' | 'dialog'>, 
         ),
       );
     } catch (error) {
-      if (!own.signal.aborted) refuse(error instanceof Error ? error.message : String(error));
+      if (!own.signal.aborted) refuse(sentenceOf(error));
     }
   };
   const soon = atMostEvery(PREVIEW_MS, () => void make());

@@ -8,6 +8,7 @@ import { icon } from '../kit/icons.ts';
 import { plural } from '../kit/number-text.ts';
 import { PassingTime } from '../kit/passing-time.ts';
 import { type Message, mainProblem } from '../state/messages.ts';
+import { offerButton } from '../state/offer-button.ts';
 import { showInSource } from '../state/show-in-source.ts';
 import type { Uses } from '../state/workbench.ts';
 
@@ -28,7 +29,7 @@ export function messageLine(wb: Uses<'messages' | 'timeline' | 'settings'>): HTM
       region.replaceChildren(
         icon('info'),
         element('span', { class: 'message-text' }, passing),
-        offer ? button(offer.label, { class: 'link' }, offer.label, () => offer.run()) : '',
+        offer ? offerButton(offer) : '',
         button('Dismiss', { class: 'tool small' }, icon('close'), () => messages.passing.set(undefined)),
       );
       return;
@@ -55,6 +56,7 @@ export function messageLine(wb: Uses<'messages' | 'timeline' | 'settings'>): HTM
             showInSource(wb, place),
           )
         : '',
+      ...(first.offers ?? []).map(offerButton),
       listed ? button(more, { class: 'link', tooltip: 'Show all messages' }, more, showAll) : '',
       button('Dismiss', { class: 'tool small' }, icon('close'), () => messages.markAllRead()),
     );

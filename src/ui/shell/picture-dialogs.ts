@@ -1,8 +1,10 @@
 /** The dialogs *Picture* and *Video*: size, what is in the picture, format, and progress while it is made. */
+
 import { FRAME_RATES } from '../../edit/playback.ts';
 import { countUnkeyed } from '../../edit/unkeyed.ts';
 import { videoFrames } from '../../edit/video-frames.ts';
 import { shownClip } from '../../model/document.ts';
+import { sentenceOf } from '../../model/failure.ts';
 import type { DialogContent } from '../kit/dialog.ts';
 import { element, setText } from '../kit/dom.ts';
 import { bytes, parseNumber, plural, shown } from '../kit/number-text.ts';
@@ -266,5 +268,5 @@ function fileName(name: string): string {
 }
 
 function messageOf(error: unknown): string {
-  return error instanceof Error ? error.message : String(error);
+  return sentenceOf(error);
 }

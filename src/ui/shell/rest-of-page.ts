@@ -2,6 +2,7 @@
  * Menus, panels and keys: one script, loaded after the first frame, or on the first press or key if that is earlier.
  * Until then the frame of `index.html` is shown. Input meanwhile isn't lost: it is replayed once the page is built.
  */
+import { sentenceOf } from '../../model/failure.ts';
 import { element } from '../kit/dom.ts';
 import type { MountedPage } from './mount.ts';
 
@@ -34,7 +35,7 @@ export function restOfPage(
     try {
       page = mount(await import('./mount.ts'));
     } catch (error) {
-      const why = error instanceof Error ? error.message : String(error);
+      const why = sentenceOf(error);
       // There is no message line yet.
       root.querySelector('.outliner')?.append(element('p', { class: 'empty' }, `${FAILED} ${why}`));
     }

@@ -1,5 +1,7 @@
 /** Finds, inspects and runs the page's actions (`Workbench.actions`). */
+
 import { type Character, findCharacter } from '../../model/document.ts';
+import { sentenceOf } from '../../model/failure.ts';
 import { watchEffect } from './effect.ts';
 import type { GroupName } from './menus.ts';
 import { reasonOf } from './needs.ts';
@@ -65,7 +67,7 @@ export function tryAction(wb: ActionsOnPage, action: Action, args?: unknown): vo
     return;
   }
   const failed = (error: unknown) => {
-    const why = error instanceof Error ? error.message : String(error);
+    const why = sentenceOf(error);
     page.messages.note(`${actionLabel(wb, action)}: ${why}`, 'error');
   };
   const hasEffect = watchEffect(page);

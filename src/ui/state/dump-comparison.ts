@@ -21,6 +21,7 @@
  * Edits of the character start the comparison anew, in the worker. Until then the last result stays, unless its arrays
  * no longer fit.
  */
+
 import type { Playback } from '../../edit/playback.ts';
 import type { Store } from '../../edit/store.ts';
 import type { Comparison, FrameComparison } from '../../lesson/compare.ts';
@@ -30,6 +31,7 @@ import type { FrameTarget, Targets } from '../../lesson/targets.ts';
 import { type Diagnostic, hasErrors } from '../../model/diagnostic.ts';
 import { type Character, type Document, findCharacter, shownClip, shownSkin } from '../../model/document.ts';
 import { isUntimed } from '../../model/dump.ts';
+import { sentenceOf } from '../../model/failure.ts';
 import { vertexCount } from '../../model/skin.ts';
 import { type Observable, observable } from '../kit/observable.ts';
 
@@ -289,7 +291,7 @@ export class DumpComparison {
       // Cancelled, or followed by another.
       if (this.running !== running) return;
       this.running = undefined;
-      this.change({ phase: { kind: 'failed', message: error instanceof Error ? error.message : String(error) } });
+      this.change({ phase: { kind: 'failed', message: sentenceOf(error) } });
     }
   }
 

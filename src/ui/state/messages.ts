@@ -16,11 +16,13 @@ export interface Message {
   readonly fate?: string;
   /** Still shown in the line over the viewport. */
   readonly unread: boolean;
+  /** What can be done about it, as buttons. */
+  readonly offers?: readonly Offer[];
   /** The next step removes it from the line, since it was about a previous attempt. */
   readonly isRefusal?: boolean;
 }
 
-/** What a confirmation offers to do, as a button. */
+/** What a message offers to do, as a button. */
 export interface Offer {
   readonly label: string;
   run(): void;
@@ -54,6 +56,13 @@ export class Messages {
       const isRefusal = severity === 'warning' && lasting === 'until a step';
       this.add({ text, severity, diagnostics: [], ...(isRefusal && { isRefusal }) });
     }
+  }
+
+  /** Adds an error with buttons. It stays in the line until read. */
+  fault(text: string, offers: readonly Offer[]): void {
+    this.given++;
+    this.offer = undefined;
+    this.add({ text, severity: 'error', diagnostics: [], offers });
   }
 
   /** Adds a confirmation with a button, for what has no key on a touch screen. */

@@ -7,6 +7,7 @@
  *
  * The browser loads a module once; calling again costs nothing.
  */
+import { sentenceOf } from '../../model/failure.ts';
 import type { Messages } from './messages.ts';
 import type { Uses } from './workbench.ts';
 
@@ -23,7 +24,7 @@ export async function onDemand<T>(
   try {
     return await load();
   } catch (error) {
-    const why = error instanceof Error ? error.message : String(error);
+    const why = sentenceOf(error);
     messages.note(`${what} could not be loaded. Reloading the page may help. ${why}`, 'error');
     return undefined;
   }

@@ -216,6 +216,8 @@ export interface FileActions {
   saveText(name: string, text: string): void;
   /** Saves a character as one zip. */
   saveAll(characterId: string): void;
+  /** Downloads all characters as one zip. */
+  saveEverything(): void;
   /** What makes pictures and videos; undefined, with a message, if it can't be loaded. */
   pictures(): Promise<Pictures | undefined>;
   /** Makes a GLB file of a character, to be looked at before it is saved. Rejects if it is cancelled or fails. */

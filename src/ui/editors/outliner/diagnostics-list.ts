@@ -7,6 +7,7 @@ import { button, element } from '../../kit/dom.ts';
 import { icon } from '../../kit/icons.ts';
 import { count } from '../../kit/number-text.ts';
 import { caretPad, counts, type Message } from '../../state/messages.ts';
+import { offerButton } from '../../state/offer-button.ts';
 import { showInSource } from '../../state/show-in-source.ts';
 import type { Uses } from '../../state/workbench.ts';
 
@@ -56,6 +57,7 @@ function messageBlock(wb: Uses<'messages' | 'timeline' | 'settings'>, message: M
         diagnostics.length ? file || 'Opening' : text,
       ),
       counted && element('span', { class: 'message-count' }, counted),
+      ...(message.offers ?? []).map(offerButton),
       button('Dismiss', { class: 'tool small' }, icon('close'), () => wb.messages.dismiss(message.id)),
     ),
     fate && element('p', { class: 'message-fate' }, `${fate[0].toUpperCase()}${fate.slice(1)}`),

@@ -2,8 +2,10 @@
  * The skin style *Four attachments*: how far each vertex would be from where it is drawn, in a program that keeps four
  * attachments of each. The skin as a heat map, and a card with its legend and the numbers of the current character.
  */
+
 import { FourAttachments, type FourFacts, KEPT_FOUR, type KeptFour } from '../../../lesson/four-attachments.ts';
 import { type Character, shownSkin } from '../../../model/document.ts';
+import { sentenceOf } from '../../../model/failure.ts';
 import { type Skin, vertexCount } from '../../../model/skin.ts';
 import { element, setText, uniqueId } from '../../kit/dom.ts';
 import { atMostEvery, oncePerFrame } from '../../kit/frame.ts';
@@ -133,7 +135,7 @@ class FourCard {
         end();
       },
       failed: (error) => {
-        this.wb.messages.note(`Four attachments: ${error instanceof Error ? error.message : String(error)}`, 'error');
+        this.wb.messages.note(`Four attachments: ${sentenceOf(error)}`, 'error');
         end();
       },
     });

@@ -1,4 +1,5 @@
 /** Editing the text of the file that is shown: when it can be, its field, and what was left unapplied of other files. */
+import { sentenceOf } from '../../../model/failure.ts';
 import { baseName } from '../../../model/files.ts';
 import { element } from '../../kit/dom.ts';
 import { bytes, count } from '../../kit/number-text.ts';
@@ -80,7 +81,7 @@ export class Editing {
       this.calls.onChange();
       editor.focus();
     } catch (error) {
-      this.calls.say(error instanceof Error ? error.message : String(error));
+      this.calls.say(sentenceOf(error));
     } finally {
       this.isBeginning = false;
     }
@@ -115,7 +116,7 @@ export class Editing {
       const base = await this.textNow(opened);
       if (base !== undefined && this.path === path && this.key === key) editor.follow(base);
     } catch (error) {
-      this.calls.say(error instanceof Error ? error.message : String(error));
+      this.calls.say(sentenceOf(error));
     }
   }
 

@@ -2,7 +2,9 @@
  * What the page changed in the file that is shown. It is asked for once nothing has changed for a moment, one time after
  * another: of what has changed meanwhile only the last state is compared.
  */
+
 import type { Character } from '../../../model/document.ts';
+import { sentenceOf } from '../../../model/failure.ts';
 import type { SourceMap } from '../../../model/source-map.ts';
 import type { LineHunk } from '../../../model/text-changes.ts';
 import type { SourceFiles, TextEdits } from '../../state/source.ts';
@@ -102,7 +104,7 @@ export class TextChanges {
     } catch (error) {
       if (isOver()) return;
       this.text = undefined;
-      this.problem = error instanceof Error ? error.message : String(error);
+      this.problem = sentenceOf(error);
     } finally {
       this.isRunning = false;
       const isStale = this.isAskedAgain;

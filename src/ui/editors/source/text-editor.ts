@@ -5,7 +5,9 @@
  *
  *     Ctrl+Enter   applies the text          Escape   leaves, and asks about edits
  */
+
 import type { Diagnostic } from '../../../model/diagnostic.ts';
+import { sentenceOf } from '../../../model/failure.ts';
 import { button, element, setAttribute, setText, uniqueId } from '../../kit/dom.ts';
 import { HAS_KEYS } from '../../kit/focus.ts';
 import { oncePerFrame } from '../../kit/frame.ts';
@@ -217,7 +219,7 @@ export class TextEditor {
       this.problems = worstFirst(result.diagnostics.filter(({ line }) => line > 0));
       return result;
     } catch (error) {
-      this.say(error instanceof Error ? error.message : String(error));
+      this.say(sentenceOf(error));
       return undefined;
     } finally {
       this.isChecking = false;

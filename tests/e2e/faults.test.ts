@@ -1,0 +1,80 @@
+/** What the page does when drawing fails, or an error reaches nobody. */
+
+import { readFileSync } from 'node:fs';
+import { unzipSync } from 'fflate';
+import type { Page } from 'playwright-core';
+import { describe, expect, it } from 'vitest';
+import { withPage } from '../helpers/page.ts';
+import { openArm, SMALL } from './checks/autosave.ts';
+
+const line = (page: Page) => page.locator('.message-line');
+
+async function savedNames(page: Page): Promise<string[]> {
+  const saving = page.waitForEvent('download');
+  await line(page).getByRole('button', { name: 'Save everything' }).click();
+  return Object.keys(unzipSync(readFileSync(await (await saving).path())));
+}
+
+describe('faults', () => {
+  it('drawing that throws is said once, work is kept and saved meanwhile, and the picture comes back with the next edit', () =>
+    withPage(async ({ page }) => {
+      await openArm(page);
+      await page.evaluate(() => {
+        const { prototype } = WebGL2RenderingContext;
+        const draws = { elements: prototype.drawElements, arrays: prototype.drawArrays };
+        const fail = () => {
+          throw new Error('planted by the test');
+        };
+        Object.assign(prototype, { drawElements: fail, drawArrays: fail });
+        Object.assign(window, {
+          mend: () => Object.assign(prototype, { drawElements: draws.elements, drawArrays: draws.arrays }),
+        });
+        for (let i = 0; i < 3; i++) window.marrow.seek(i);
+      });
+      await line(page).getByText('The picture can’t be drawn. Your work can be saved. planted by the test').waitFor();
+      await page.evaluate(() => window.marrow.run('pose.setDofs', { dofs: [{ index: 6, value: 0.5 }] }));
+      await expect.poll(() => page.evaluate(() => document.documentElement.dataset.autosave)).toBe('kept');
+      expect(await line(page).getByText('more message').count()).toBe(0);
+      expect(await savedNames(page)).toContain('marrow/arm/arm.skel');
+      await page.evaluate(() => {
+        // Put there above.
+        (window as unknown as { mend(): void }).mend();
+        return window.marrow.run('pose.setDofs', { dofs: [{ index: 6, value: 0.25 }] });
+      });
+      await expect.poll(() => page.evaluate(() => window.marrow.stats().drawCalls)).toBeGreaterThan(0);
+    }, SMALL));
+
+  it('a shader that does not compile is said in the page, and an error that nobody caught once, with a report to copy', () =>
+    withPage(
+      async ({ page }) => {
+        await line(page)
+          .getByText(/The picture can’t be drawn\. .*A shader does not compile/)
+          .waitFor();
+        await openArm(page);
+        await page.evaluate(() => {
+          for (let i = 0; i < 3; i++) {
+            setTimeout(() => {
+              throw new TypeError('planted by the test');
+            });
+          }
+        });
+        await line(page).getByText('Something went wrong. Your work is still here. planted by the test').waitFor();
+        await page.context().grantPermissions(['clipboard-read', 'clipboard-write']);
+        await line(page).getByRole('button', { name: 'Copy report' }).click();
+        await line(page).getByText('Report copied.').waitFor();
+        const report = await page.evaluate(() => navigator.clipboard.readText());
+        expect(report).toMatch(/^Marrow .*3 times: Something went wrong.*TypeError: planted by the test/s);
+      },
+      {
+        ...SMALL,
+        expected: /planted by the test|WebGL/,
+        before: () => {
+          const { prototype } = WebGL2RenderingContext;
+          const { shaderSource } = prototype;
+          prototype.shaderSource = function (shader, source) {
+            shaderSource.call(this, shader, `${source}\n#error refused by the test`);
+          };
+        },
+      },
+    ));
+});
