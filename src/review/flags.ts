@@ -26,6 +26,58 @@ export interface Flag {
   readonly amount: number;
 }
 
+export type FlagUnit = 'm' | 's' | 'frames' | 'deg';
+
+/** In which unit lists state how much. */
+const UNITS: Readonly<Record<FlagKind, FlagUnit>> = {
+  spike: 'm',
+  jitter: 'm',
+  slide: 'm',
+  floor: 'm',
+  frozen: 's',
+  duplicate: 'frames',
+  limit: 'deg',
+  bone: 'm',
+};
+
+/** Amounts that are equally bad, so that flags of different kinds can be ordered. */
+const EQUALLY_BAD: Readonly<Record<FlagKind, number>> = {
+  spike: 0.1,
+  jitter: 0.01,
+  slide: 0.3,
+  floor: 0.1,
+  frozen: 1,
+  duplicate: 5,
+  limit: Math.PI / 6,
+  bone: 0.05,
+};
+
+/** How bad it is, comparable between kinds: 1 is, say, a spike of 10 cm. */
+export function badness({ kind, amount }: Flag): number {
+  return amount / EQUALLY_BAD[kind];
+}
+
+/** The amount of a kind that is so bad. */
+export function amountOfBadness(kind: FlagKind, bad: number): number {
+  return bad * EQUALLY_BAD[kind];
+}
+
+/** The worst flag; undefined if there is none. @param kind the worst of these */
+export function worstOf(flags: readonly Flag[], kind?: FlagKind): Flag | undefined {
+  let worst: Flag | undefined;
+  for (const flag of flags) {
+    if (kind !== undefined && flag.kind !== kind) continue;
+    if (!worst || badness(flag) > badness(worst)) worst = flag;
+  }
+  return worst;
+}
+
+/** The amount in the unit of lists. */
+export function statedAmount({ kind, amount }: Flag): { readonly value: number; readonly unit: FlagUnit } {
+  const unit = UNITS[kind];
+  return { value: unit === 'deg' ? (amount * 180) / Math.PI : amount, unit };
+}
+
 /** Flags of one kind beyond this many are counted only: a take with more is wrong everywhere. */
 export const MOST_FLAGS = 50;
 

@@ -118,9 +118,13 @@ function takeOf(found: Found, line: number, report: Report): ListedTake[] {
     return [];
   }
   const { notes } = found;
-  const counts = (['frames', 'fps', 'seconds', 'joints'] as const).flatMap((column) => {
+  const counts = (['frames', 'fps', 'seconds', 'joints', 'worst'] as const).flatMap((column) => {
     const value = numberOf(found[column]);
     return value === undefined ? [] : [[column, value] as const];
+  });
+  const words = (['unit', 'kind'] as const).flatMap((column) => {
+    const value = found[column];
+    return typeof value === 'string' && value.trim() !== '' ? [[column, value.trim()] as const] : [];
   });
   // An empty cell may be that of a take that was not checked.
   const flags = found.flags === undefined || found.flags === '' ? undefined : textsOf(found.flags);
@@ -131,7 +135,7 @@ function takeOf(found: Found, line: number, report: Report): ListedTake[] {
       stars: starsOf(found.stars, line, report),
       tags: tagsOf(textsOf(found.tags).join(';')),
       notes: typeof notes === 'string' ? notes : '',
-      ...Object.fromEntries(counts),
+      ...Object.fromEntries([...counts, ...words]),
       ...(flags && { flags }),
     },
   ];

@@ -1,8 +1,9 @@
 /** Lists of takes, as CSV and as JSON, there and back; and as spreadsheets and people write them. */
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
-import { tagsOf, VERDICTS } from '../../src/model/review.ts';
-import type { ListedTake } from '../../src/review/list.ts';
+import { NO_REVIEW, tagsOf, VERDICTS } from '../../src/model/review.ts';
+import type { Flag } from '../../src/review/flags.ts';
+import { type ListedTake, listedTake } from '../../src/review/list.ts';
 import { isTakeList, readList } from '../../src/review/read-list.ts';
 import { listAsCsv, listAsJson } from '../../src/review/write-list.ts';
 
@@ -24,6 +25,9 @@ const TAKE: fc.Arbitrary<ListedTake> = fc.record(
     fps: fc.double({ min: 1, max: 1000, noNaN: true }),
     seconds: fc.double({ min: 0, max: 1000, noNaN: true }).map((s) => s || 0),
     joints: fc.nat(),
+    worst: fc.double({ min: 0, max: 1000, noNaN: true }).map((s) => s || 0),
+    unit: fc.constantFrom('m', 's', 'frames', 'deg'),
+    kind: fc.constantFrom('spike', 'limit'),
     flags: fc.array(fc.constantFrom('spike 1.2 LeftHand', 'slide 2-2.5 RightFoot')),
   },
   { requiredKeys: ['path', 'verdict', 'stars', 'tags', 'notes'] },
@@ -63,8 +67,21 @@ describe('a list of takes', () => {
       }),
     );
     expect(listAsCsv([{ path: '=cmd|A1.bvh', verdict: 'bad', stars: 0, tags: [], notes: '@x' }])).toBe(
-      "path,verdict,stars,tags,notes,frames,fps,seconds,joints,flags\r\n'=cmd|A1.bvh,bad,,,'@x,,,,,\r\n",
+      "path,verdict,stars,tags,notes,frames,fps,seconds,joints,worst,unit,kind,flags\r\n'=cmd|A1.bvh,bad,,,'@x,,,,,,,,\r\n",
     );
+  });
+
+  it('states how large the worst flag of a take is, whatever kinds its flags are of', () => {
+    const flag = (kind: Flag['kind'], amount: number): Flag => ({ kind, from: 1, to: 1, amount });
+    const worst = (...flags: Flag[]) => {
+      const made = listedTake('a', NO_REVIEW, { frames: 1, fps: 30, seconds: 0, joints: 1, flags });
+      return [made.worst, made.unit, made.kind];
+    };
+    expect(worst(flag('spike', 0.05), flag('spike', 0.3126), flag('slide', 0.4))).toEqual([0.313, 'm', 'spike']);
+    expect(worst(flag('limit', (Math.PI * 170) / 180), flag('jitter', 0.006))).toEqual([170, 'deg', 'limit']);
+    expect(worst(flag('frozen', 2.5), flag('duplicate', 3))).toEqual([2.5, 's', 'frozen']);
+    expect(worst(flag('duplicate', 30))).toEqual([30, 'frames', 'duplicate']);
+    expect(worst()).toEqual([undefined, undefined, undefined]);
   });
 
   it('of plain paths, one a line, is read', () => {

@@ -7,7 +7,7 @@ import type { Diagnostic } from '../../model/diagnostic.ts';
 import { hasErrors } from '../../model/diagnostic.ts';
 import { NO_REVIEW } from '../../model/review.ts';
 import { refusal } from '../../project/save/conversion.ts';
-import { type ListedTake, listedTake } from '../../review/list.ts';
+import { type ListedTake, listedTake, type TakeFacts } from '../../review/list.ts';
 import { matchPaths } from '../../review/match-paths.ts';
 import { takeFacts } from '../../review/take-facts.ts';
 import { listAsCsv, listAsJson } from '../../review/write-list.ts';
@@ -88,16 +88,16 @@ async function takesIn(args: readonly string[], io: CommandIo) {
 
 /** A row for each file with takes: figures and takes of one file are one row, as the command takes whole files. */
 function takesOf(characters: ReturnType<typeof openLoaded>['document']['characters']): readonly ListedTake[] {
-  const rows = new Map<string, ListedTake>();
+  const rows = new Map<string, TakeFacts>();
   for (const { skeleton, clips, parts, space, sources } of characters) {
     if (!skeleton) continue;
     clips.forEach((clip, c) => {
       const path = parts?.clips[c]?.file?.source.path ?? sources[0]?.path;
       if (path === undefined) return;
-      const row = listedTake(path, NO_REVIEW, takeFacts(skeleton, clip, space));
+      const facts = takeFacts(skeleton, clip, space);
       const known = rows.get(path);
-      rows.set(path, known ? { ...known, flags: [...(known.flags ?? []), ...(row.flags ?? [])] } : row);
+      rows.set(path, known ? { ...known, flags: [...known.flags, ...facts.flags] } : facts);
     });
   }
-  return [...rows.values()];
+  return [...rows].map(([path, facts]) => listedTake(path, NO_REVIEW, facts));
 }

@@ -19,6 +19,7 @@ export const REVIEW_COLUMNS = [
   'fps',
   'joints',
   'flags',
+  'worst',
   'tags',
   'notes',
 ] as const;
@@ -31,6 +32,8 @@ export interface ReviewView {
   readonly verdict?: Verdict;
   /** With such a flag, with any, or checked and without. */
   readonly flag?: FlagKind | 'any' | 'none';
+  /** Of one kind of flag: at least so bad (`badness`); absent: any. */
+  readonly bad?: number;
   readonly tag?: string;
   /** At least so many. */
   readonly stars: number;

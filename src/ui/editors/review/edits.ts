@@ -1,8 +1,10 @@
 /** What is done with takes in review. */
 import { removeFromReview, setReview } from '../../../edit/commands/review.ts';
+import { baseName } from '../../../model/files.ts';
 import { NO_REVIEW, type Review } from '../../../model/review.ts';
 import { listedTake } from '../../../review/list.ts';
 import { listAsCsv, listAsJson } from '../../../review/write-list.ts';
+import { plural } from '../../kit/number-text.ts';
 import { attempt } from '../../state/attempt.ts';
 import type { Uses } from '../../state/workbench.ts';
 import { chosenPaths, listOfReview } from './at-hand.ts';
@@ -18,7 +20,14 @@ export function judge(wb: Parts, review: Partial<Review>): void {
 export function toggleVerdict(wb: Parts, verdict: 'good' | 'bad'): void {
   const paths = new Set(chosenPaths(wb));
   const meant = (wb.store.document.review ?? []).filter(({ path }) => paths.has(path));
-  judge(wb, { verdict: meant.every((take) => take.verdict === verdict) ? '' : verdict });
+  const next = meant.every((take) => take.verdict === verdict) ? '' : verdict;
+  judge(wb, { verdict: next });
+  const { verdict: listed } = wb.timeline.review.view.get();
+  if (listed === undefined || listed === next) return;
+  const [first] = meant;
+  const who = meant.length === 1 && first ? baseName(first.path) : plural(meant.length, 'take');
+  const how = next === '' ? 'without verdict' : next;
+  wb.messages.note(`${who}: ${how}, so no longer listed by Only > Verdict.`);
 }
 
 export function clearReview(wb: Parts): void {

@@ -6,14 +6,16 @@ import { element, setText } from '../../kit/dom.ts';
 import { atMostEvery, oncePerFrame } from '../../kit/frame.ts';
 import { type MenuPlace, openMenu } from '../../kit/menu.ts';
 import { sectionsOf } from '../../state/menu-entries.ts';
+import type { ReviewView } from '../../state/review.ts';
 import type { TimelineTab } from '../../state/timeline.ts';
 import type { Workbench } from '../../state/workbench.ts';
 import { listOfReview } from './at-hand.ts';
 import { ReviewDetail } from './detail.ts';
 import { judge } from './edits.ts';
-import { isFiltered, type ReviewRow } from './rows.ts';
+import { isFiltered, isSameFilter, type ReviewRow } from './rows.ts';
 import { ShownTake } from './shown-take.ts';
 import { ReviewTable } from './table.ts';
+import { noneLeft } from './texts.ts';
 import { type ReviewTools, reviewTools } from './tools.ts';
 
 export function reviewPanel(wb: Workbench): TimelineTab {
@@ -42,8 +44,9 @@ class ReviewPanel implements TimelineTab {
   private readonly shownTake: ShownTake;
   private visible = false;
   private stopProgress: (() => void) | undefined;
-  /** Place of the focus in the list: a take that a filter removes is followed by the next one. */
+  /** Place of the focus in the list: a take that leaves it is followed by the next one. */
   private place = 0;
+  private listedFor: ReviewView | undefined;
   private readonly showSoon = oncePerFrame(() => this.show());
   private readonly showProgress = atMostEvery(PROGRESS_MS, () => this.show());
 
@@ -126,7 +129,10 @@ class ReviewPanel implements TimelineTab {
     const isEmpty = (wb.store.document.review ?? []).length === 0;
     this.empty.hidden = rows.length > 0;
     this.body.hidden = rows.length === 0;
-    setText(this.empty, isEmpty || !isFiltered(view) ? EMPTY : 'No take is left by the filter.');
+    setText(this.empty, isEmpty || !isFiltered(view) ? EMPTY : noneLeft(view));
+    // What is listed anew begins with its first take.
+    if (this.listedFor && !isSameFilter(view, this.listedFor)) this.place = 0;
+    this.listedFor = view;
     if (at >= 0) this.place = at;
     else if (this.moveOn(rows)) return;
     this.table.show(rows, view);

@@ -1,13 +1,16 @@
 /** One row of the list: cells created once, and updated for another take. */
+import type { Flag } from '../../../review/flags.ts';
 import { element, setAttribute, setText } from '../../kit/dom.ts';
 import { middleCut } from '../../kit/middle-cut.ts';
 import { count, duration, shown } from '../../kit/number-text.ts';
 import { setTooltip } from '../../kit/tooltip.ts';
 import type { ReviewRow } from './rows.ts';
-import { flagsText, starsText } from './texts.ts';
+import { amountText, flagsText, starsText, worstText } from './texts.ts';
 import { Thumbnail } from './thumbnail.ts';
 
 export interface RowState {
+  /** The flag whose size is stated. */
+  readonly worst: Flag | undefined;
   readonly chosen: boolean;
   readonly focused: boolean;
   /** Whether its thumbnail plays. */
@@ -26,6 +29,7 @@ export class ReviewRowView {
   private readonly fps = cell('number review-fps');
   private readonly joints = cell('number review-joints');
   private readonly flags = cell('review-flags');
+  private readonly worst = cell('number review-worst');
   private readonly tags = cell('review-tags');
   private readonly notes = cell('review-notes');
 
@@ -42,12 +46,13 @@ export class ReviewRowView {
       this.fps,
       this.joints,
       this.flags,
+      this.worst,
       this.tags,
       this.notes,
     );
   }
 
-  show({ take, name, digest, hasFile }: ReviewRow, { chosen, plays }: RowState): void {
+  show({ take, name, digest, hasFile }: ReviewRow, { worst, chosen, plays }: RowState): void {
     const found = digest?.found;
     setAttribute(this.element, 'aria-selected', String(chosen));
     this.element.dataset.verdict = take.verdict;
@@ -67,6 +72,8 @@ export class ReviewRowView {
     setText(this.flags, flags);
     setTooltip(this.flags, flags.length > 1 ? flags : undefined);
     this.flags.classList.toggle('faint', !facts);
+    setText(this.worst, worst ? amountText(worst) : '');
+    setTooltip(this.worst, worst && worstText(worst));
     setText(this.tags, take.tags.join(', '));
     setTooltip(this.tags, take.tags.join(', ') || undefined);
     setText(this.notes, take.notes);

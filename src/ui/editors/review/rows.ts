@@ -2,6 +2,7 @@
 import { baseName } from '../../../model/files.ts';
 import type { ReviewedTake } from '../../../model/review.ts';
 import type { TakeDigest } from '../../../review/digest.ts';
+import { badness, FLAG_KINDS, type Flag, type FlagKind, worstOf } from '../../../review/flags.ts';
 import type { ReviewColumn, ReviewView } from '../../state/review.ts';
 
 export interface ReviewRow {
@@ -32,7 +33,7 @@ export function listedRows(rows: readonly ReviewRow[], view: ReviewView): readon
   const { order } = view;
   if (!order) return listed;
   const sign = order.descending ? -1 : 1;
-  const keyed = listed.map((row, place) => ({ row, place, key: keyOf(row, order.column) }));
+  const keyed = listed.map((row, place) => ({ row, place, key: keyOf(row, order.column, view) }));
   keyed.sort((a, b) => {
     // What isn't known yet comes last, either way.
     if (a.key === undefined || b.key === undefined) {
@@ -43,19 +44,38 @@ export function listedRows(rows: readonly ReviewRow[], view: ReviewView): readon
   return keyed.map(({ row }) => row);
 }
 
+/** The kind of flag that is listed, if it is one. */
+export function kindListed({ flag }: ReviewView): FlagKind | undefined {
+  return FLAG_KINDS.find((kind) => kind === flag);
+}
+
+/** The worst flag of a take, of those that are listed. */
+export function worstListed({ digest }: ReviewRow, view: ReviewView): Flag | undefined {
+  return worstOf(digest?.found?.facts.flags ?? [], kindListed(view));
+}
+
+/** Whether both list the same takes, sorted or not. */
+export function isSameFilter(a: ReviewView, b: ReviewView): boolean {
+  const { text, verdict, flag, bad, tag, stars } = a;
+  return (
+    text === b.text && verdict === b.verdict && flag === b.flag && bad === b.bad && tag === b.tag && stars === b.stars
+  );
+}
+
 /** Whether anything but the order differs from all takes. */
 export function isFiltered({ text, verdict, flag, tag, stars }: ReviewView): boolean {
   return text !== '' || verdict !== undefined || flag !== undefined || tag !== undefined || stars > 0;
 }
 
-function isListed({ take, digest }: ReviewRow, { text, verdict, flag, tag, stars }: ReviewView): boolean {
+function isListed({ take, digest }: ReviewRow, { text, verdict, flag, bad = 0, tag, stars }: ReviewView): boolean {
   if (verdict !== undefined && take.verdict !== verdict) return false;
   if (take.stars < stars) return false;
   if (tag !== undefined && !take.tags.includes(tag)) return false;
   if (flag !== undefined) {
     const flags = digest?.found?.facts.flags;
     if (!flags) return false;
-    const has = flag === 'any' || flag === 'none' ? flags.length > 0 : flags.some(({ kind }) => kind === flag);
+    const isAny = flag === 'any' || flag === 'none';
+    const has = isAny ? flags.length > 0 : flags.some((each) => each.kind === flag && badness(each) >= bad);
     if (has === (flag === 'none')) return false;
   }
   const wanted = text.trim().toLowerCase();
@@ -65,7 +85,8 @@ function isListed({ take, digest }: ReviewRow, { text, verdict, flag, tag, stars
 
 type Key = string | number;
 
-function keyOf({ take, name, digest }: ReviewRow, column: ReviewColumn): Key | undefined {
+function keyOf(row: ReviewRow, column: ReviewColumn, view: ReviewView): Key | undefined {
+  const { take, name, digest } = row;
   const facts = digest?.found?.facts;
   switch (column) {
     case 'name':
@@ -80,6 +101,10 @@ function keyOf({ take, name, digest }: ReviewRow, column: ReviewColumn): Key | u
       return take.notes || undefined;
     case 'flags':
       return facts?.flags.length;
+    case 'worst': {
+      const worst = worstListed(row, view);
+      return worst ? badness(worst) : facts && 0;
+    }
     default:
       return facts?.[column];
   }

@@ -13,7 +13,7 @@ import { type SortColumn, SortHeads } from '../../kit/sort-heads.ts';
 import { rowAfterKey, WindowedList } from '../../kit/windowed-list.ts';
 import type { ReviewColumn, ReviewView } from '../../state/review.ts';
 import { ReviewRowView } from './row.ts';
-import type { ReviewRow } from './rows.ts';
+import { isSameFilter, type ReviewRow, worstListed } from './rows.ts';
 
 export interface ReviewTableEvents {
   sort(order: ReviewView['order']): void;
@@ -34,6 +34,7 @@ const COLUMNS: readonly SortColumn<ReviewColumn>[] = [
   ['fps', 'FPS', 'number review-fps', 'Frames per second'],
   ['joints', 'Joints', 'number review-joints', 'Joints of the skeleton'],
   ['flags', 'Flags', 'review-flags', 'What looks wrong, sorted by how many'],
+  ['worst', 'Worst', 'number review-worst', 'Size of the worst flag, of those that are listed'],
   ['tags', 'Tags', 'review-tags', 'Tags'],
   ['notes', 'Notes', 'review-notes', 'Notes'],
 ];
@@ -77,7 +78,7 @@ export class ReviewTable {
     this.list = new WindowedList({
       scroller: this.element,
       space: this.space,
-      rowHeight: ['--review-row', 36],
+      rowHeight: ['--review-row', 28],
       rowsAbove: 1,
       headHeight: () => this.heads.height,
       keyOf: (index) => this.rows[index].take.path,
@@ -88,12 +89,16 @@ export class ReviewTable {
 
   show(rows: readonly ReviewRow[], view: ReviewView): void {
     const focusMoved = view.focused !== this.view?.focused;
+    const isSorted = view.order !== this.view?.order;
+    const isFiltered = this.view !== undefined && !isSameFilter(view, this.view);
     this.rows = rows;
     this.places = new Map(rows.map(({ take }, i) => [take.path, i]));
     this.view = view;
     this.heads.show(view.order);
     const focused = this.placeOf(view.focused);
-    if (focusMoved) this.list.reveal(focused);
+    // What was asked for begins at the top.
+    if (isSorted) this.element.scrollTop = 0;
+    else if (focusMoved || isFiltered) this.list.reveal(focused);
     this.list.show(rows.length);
     this.list.focus(focused);
     this.tellSeen();
@@ -122,6 +127,7 @@ export class ReviewTable {
     const focused = this.view.focused === path;
     const isActive = document.activeElement === this.element;
     view.show(row, {
+      worst: worstListed(row, this.view),
       chosen: this.view.chosen.has(path),
       focused,
       plays: focused && isActive && !this.isStill.matches,
@@ -184,9 +190,9 @@ export class ReviewTable {
   }
 }
 
-/** Ascending, descending, then as in the list; flags and stars begin with the most. */
+/** Ascending, descending, then as in the list; flags and stars begin with the most, sizes with the largest. */
 function nextOrder(order: ReviewView['order'], column: ReviewColumn): ReviewView['order'] {
-  const first = column === 'flags' || column === 'stars';
+  const first = column === 'flags' || column === 'worst' || column === 'stars';
   if (order?.column !== column) return { column, descending: first };
   return order.descending === first ? { column, descending: !first } : undefined;
 }

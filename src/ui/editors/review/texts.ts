@@ -1,6 +1,7 @@
 /** What the panel says about verdicts and flags. */
-import { FLAG_KINDS, type Flag, type FlagKind } from '../../../review/flags.ts';
+import { amountOfBadness, FLAG_KINDS, type Flag, type FlagKind } from '../../../review/flags.ts';
 import { plural, shown } from '../../kit/number-text.ts';
+import type { ReviewView } from '../../state/review.ts';
 
 export const FLAG_NAMES: Readonly<Record<FlagKind, string>> = {
   spike: 'Spike',
@@ -24,17 +25,35 @@ export function flagsText(flags: readonly Flag[]): string {
 }
 
 /** How much of it: `4.1 cm`, `12 frames`. */
-export function amountText({ kind, amount }: Flag): string {
+export function amountText({ kind, amount }: Pick<Flag, 'kind' | 'amount'>): string {
   if (kind === 'frozen') return `${shown(amount, 2)} s`;
   if (kind === 'duplicate') return plural(amount, 'frame');
   if (kind === 'limit') return `${shown((amount * 180) / Math.PI, 0)}°`;
   return amount < 1 ? `${shown(100 * amount, 1)} cm` : `${shown(amount, 2)} m`;
 }
 
+/** `20 cm or more`. */
+export function atLeastText(kind: FlagKind, bad: number): string {
+  return `${amountText({ kind, amount: amountOfBadness(kind, bad) })} or more`;
+}
+
+/** Of a list that the filters leave empty. */
+export function noneLeft({ text, verdict, flag, tag, stars }: ReviewView): string {
+  const isVerdictAlone = text === '' && flag === undefined && tag === undefined && stars === 0;
+  if (verdict === '' && isVerdictAlone) return 'Every take has a verdict. Only > All takes lists them again.';
+  return 'No take is left by the filter. Only > All takes lists all, and Escape empties the field.';
+}
+
 /** `1.23 s`, or `2.1–2.65 s`. */
 export function momentText({ from, to }: Flag): string {
   const [start, end] = [shown(from, 2), shown(to, 2)];
   return start === end ? `${start} s` : `${start}–${end} s`;
+}
+
+/** `Spike of LeftHand: 4.1 cm at 1.23 s`. */
+export function worstText(flag: Flag): string {
+  const whose = flag.joint ? ` of ${flag.joint}` : '';
+  return `${FLAG_NAMES[flag.kind]}${whose}: ${amountText(flag)} at ${momentText(flag)}`;
 }
 
 export function starsText(stars: number): string {

@@ -5,8 +5,8 @@ import { oncePerFrame } from '../../kit/frame.ts';
 
 /** CSS pixels. */
 const WIDTH = 40;
-const HEIGHT = 32;
-const MARGIN = 3;
+const HEIGHT = 26;
+const MARGIN = 1;
 const FRAMES_PER_SECOND = 12;
 
 export class Thumbnail {

@@ -13,8 +13,11 @@ import { itemOf } from '../../state/menu-entries.ts';
 import type { ReviewView } from '../../state/review.ts';
 import { setActionTooltip } from '../../state/tooltips.ts';
 import type { Workbench } from '../../state/workbench.ts';
-import { isFiltered, tagsIn } from './rows.ts';
-import { FLAG_NAMES, starsText } from './texts.ts';
+import { isFiltered, kindListed, tagsIn } from './rows.ts';
+import { atLeastText, FLAG_NAMES, starsText } from './texts.ts';
+
+/** Of flags of one kind, by how bad they are. */
+const SIZES = [1, 2, 5, 10];
 
 export interface ReviewTools {
   readonly element: HTMLElement;
@@ -110,10 +113,12 @@ function countText({ store, timeline }: Workbench, listed: number): string {
   return `${takes}${chosen}${reading}`;
 }
 
-function onlyText({ verdict, flag, tag, stars }: ReviewView): string {
+function onlyText(view: ReviewView): string {
+  const { verdict, flag, bad, tag, stars } = view;
+  const kind = kindListed(view);
   const parts = [
     verdict === '' ? 'no verdict' : verdict,
-    flag,
+    kind && bad !== undefined ? `${kind} of ${atLeastText(kind, bad)}` : flag,
     tag,
     stars > 0 ? `${stars} stars or more` : undefined,
   ].filter((part) => part !== undefined);
@@ -123,7 +128,7 @@ function onlyText({ verdict, flag, tag, stars }: ReviewView): string {
 function onlyEntries({ store, timeline }: Workbench): MenuEntry[] {
   const { review } = timeline;
   const view = review.view.get();
-  const { verdict: _v, flag: _f, tag: _t, ...rest } = view;
+  const { verdict: _v, flag: _f, bad: _b, tag: _t, ...rest } = view;
   const item = (label: string, checked: boolean, next: ReviewView): MenuEntry => ({
     kind: 'item',
     label,
@@ -132,8 +137,9 @@ function onlyEntries({ store, timeline }: Workbench): MenuEntry[] {
     radio: true,
     run: () => review.view.set(next),
   });
-  const without = (key: 'verdict' | 'flag' | 'tag'): ReviewView => {
-    const { [key]: _gone, ...others } = view;
+  const without = (...keys: readonly ('verdict' | 'flag' | 'bad' | 'tag')[]): ReviewView => {
+    const others = { ...view };
+    for (const key of keys) delete others[key];
     return others;
   };
   const verdicts = [
@@ -142,12 +148,21 @@ function onlyEntries({ store, timeline }: Workbench): MenuEntry[] {
     item('Bad', view.verdict === 'bad', { ...view, verdict: 'bad' }),
     item('No verdict', view.verdict === '', { ...view, verdict: '' }),
   ];
+  // How bad is said of one kind.
+  const flagged = (flag: NonNullable<ReviewView['flag']>): ReviewView => ({ ...without('bad'), flag });
   const flags = [
-    item('With or without flags', view.flag === undefined, without('flag')),
-    item('Any flag', view.flag === 'any', { ...view, flag: 'any' }),
-    item('No flags', view.flag === 'none', { ...view, flag: 'none' }),
-    ...FLAG_KINDS.map((flag) => item(FLAG_NAMES[flag], view.flag === flag, { ...view, flag })),
+    item('With or without flags', view.flag === undefined, without('flag', 'bad')),
+    item('Any flag', view.flag === 'any', flagged('any')),
+    item('No flags', view.flag === 'none', flagged('none')),
+    ...FLAG_KINDS.map((flag) => item(FLAG_NAMES[flag], view.flag === flag, flagged(flag))),
   ];
+  const kind = kindListed(view);
+  const sizes = kind
+    ? [
+        item('Any size', view.bad === undefined, without('bad')),
+        ...SIZES.map((bad) => item(atLeastText(kind, bad), view.bad === bad, { ...view, bad })),
+      ]
+    : [];
   const stars = Array.from({ length: MOST_STARS + 1 }, (_, n) =>
     item(n === 0 ? 'Any stars' : `${starsText(n)}${n < MOST_STARS ? ' or more' : ''}`, view.stars === n, {
       ...view,
@@ -169,6 +184,7 @@ function onlyEntries({ store, timeline }: Workbench): MenuEntry[] {
     { kind: 'line' },
     { kind: 'menu', label: 'Verdict', entries: () => verdicts },
     { kind: 'menu', label: 'Flags', entries: () => flags },
+    ...(sizes.length > 0 ? [{ kind: 'menu', label: 'Size of flag', entries: () => sizes } as const] : []),
     { kind: 'menu', label: 'Stars', entries: () => stars },
     ...(tags.length > 0 ? [{ kind: 'menu', label: 'Tag', entries: () => tagged } as const] : []),
   ];

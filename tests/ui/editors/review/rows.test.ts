@@ -3,7 +3,7 @@ import { describe, expect, it } from 'vitest';
 import { NO_REVIEW, type ReviewedTake } from '../../../../src/model/review.ts';
 import type { TakeDigest } from '../../../../src/review/digest.ts';
 import type { Flag } from '../../../../src/review/flags.ts';
-import { listedRows, reviewRows, tagsIn } from '../../../../src/ui/editors/review/rows.ts';
+import { isSameFilter, listedRows, reviewRows, tagsIn } from '../../../../src/ui/editors/review/rows.ts';
 import type { ReviewView } from '../../../../src/ui/state/review.ts';
 
 const SPIKE: Flag = { kind: 'spike', from: 1, to: 1, amount: 0.1 };
@@ -24,6 +24,13 @@ const DIGESTS = new Map([
   digest('lab/walk10.bvh', 300, SPIKE, SLIDE),
   digest('lab/walk2.bvh', 100),
   digest('lab/run.bvh', 200, SLIDE),
+]);
+const spike = (amount: number): Flag => ({ ...SPIKE, amount });
+const sized = new Map([
+  digest('a', 1, spike(0.3), SLIDE),
+  digest('b', 1, spike(0.05), { kind: 'bone', from: 0, to: 1, amount: 0.5 }),
+  digest('c', 1, spike(0.1)),
+  digest('clean', 1),
 ]);
 const ROWS = reviewRows(TAKES, { has: (path) => path.startsWith('lab'), digest: (path) => DIGESTS.get(path) });
 const names = (view: Partial<ReviewView>) =>
@@ -57,6 +64,29 @@ describe('the list of takes in review', () => {
     expect(names({ flag: 'spike' })).toEqual(['walk10']);
     expect(names({ stars: 4 })).toEqual(['run']);
     expect(names({ tag: 'calm', flag: 'slide', verdict: 'good' })).toEqual(['walk10']);
+  });
+
+  it('is sorted by the size of the worst flag: of all kinds by how bad it is, of a listed kind by its amount', () => {
+    const rows = reviewRows(
+      ['a', 'b', 'c', 'clean', 'unread'].map((path) => ({ path, ...NO_REVIEW })),
+      { has: () => true, digest: (path) => sized.get(path) },
+    );
+    const by = (view: Partial<ReviewView>) =>
+      listedRows(rows, {
+        text: '',
+        stars: 0,
+        chosen: new Set(),
+        order: { column: 'worst', descending: true },
+        ...view,
+      }).map(({ name }) => name);
+    expect(by({})).toEqual(['b', 'a', 'c', 'clean', 'unread']);
+    expect(by({ order: { column: 'worst', descending: false } })).toEqual(['clean', 'c', 'a', 'b', 'unread']);
+    expect(by({ flag: 'spike' })).toEqual(['a', 'c', 'b']);
+    expect(by({ flag: 'spike', bad: 2 })).toEqual(['a']);
+    expect(by({ flag: 'spike', bad: 10 })).toEqual([]);
+    expect(
+      isSameFilter({ text: '', stars: 0, chosen: new Set() }, { text: '', stars: 0, chosen: new Set(), bad: 2 }),
+    ).toBe(false);
   });
 
   it('knows all tags, each once', () => {
