@@ -143,7 +143,7 @@ const rest = restOfPage(root, opening, ({ mountWorkbench }) =>
 );
 window.marrow = scriptingApi(workbench, opener, rest);
 onLaunched((files) => void opener.open(() => files), window);
-void beginAutosave({ ...workbench, opener, worker, saving: savingMarks(unsaved, handles) }, opening);
+void beginAutosave({ ...workbench, opener, worker, saving: savingMarks(unsaved, handles, timeline.review) }, opening);
 
 // Only the built page has a service worker.
 if (import.meta.env.PROD && 'serviceWorker' in navigator) void opening.then(() => whenIdle(workbench, storePage));

@@ -15,6 +15,7 @@ import type { Disk, Saver } from './saver.ts';
 import { SourceTexts, type SourceTextsParts } from './source-texts.ts';
 import type { FileEditsParts } from './text-edits.ts';
 import type { Unsaved } from './unsaved.ts';
+import { withReview } from './unsaved-review.ts';
 
 interface Parts extends Pick<ReloadParts, 'store' | 'messages'>, ReviewingParts {
   readonly opener: Opener;
@@ -105,7 +106,7 @@ export function fileActions(parts: Parts): FileActions {
     },
     drop: take,
     paste: take,
-    unsaved: unsaved.parts,
+    unsaved: withReview(unsaved.parts, parts.store, parts.timeline.review),
     saveChanged: () => void saving((s) => s.saveChanged()),
     save: (characterId, kind) => void saving((s) => s.saveAs(characterId, kind)),
     saveText: (name, text) => parts.disk.download(name, new Blob([text])),

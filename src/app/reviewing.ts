@@ -93,6 +93,7 @@ function read(parts: ReviewingParts, path: string, text: string): void {
   const { found, missing } = matchPaths(takes, paths);
   const said = [...found].map(([own, { verdict, stars, tags, notes }]) => ({ path: own, verdict, stars, tags, notes }));
   attempt(messages, () => store.apply(readReview, { takes: said }));
+  parts.timeline.review.areSaved(said);
   showTab(parts);
   const left = missing.length > 0 ? `; ${missing.length} of the list are not in review` : '';
   messages.note(`${found.size} takes have what ${baseName(path)} says of them${left}.`);

@@ -5,6 +5,7 @@
 import type { Playback } from '../../edit/playback.ts';
 import type { CardCharacter, SessionCard } from '../../io/session-store.ts';
 import type { Document } from '../../model/document.ts';
+import type { ReviewedTake } from '../../model/review.ts';
 import type { Selection } from '../../model/session.ts';
 import type { SavedCharacter } from '../../project/save/saved-parts.ts';
 import type { TimelineView } from '../../ui/state/timeline.ts';
@@ -26,6 +27,8 @@ export interface SessionState {
 export interface KeptMarks {
   readonly saved: readonly SavedCharacter[];
   readonly disk: readonly KeptDiskFile[];
+  /** What the last list says of takes in review; absent in sessions of earlier versions. */
+  readonly review?: readonly ReviewedTake[];
 }
 
 /** What is written: the state, and what would take long to compute again. */

@@ -54,8 +54,16 @@ export const FILE_ACTIONS: readonly Action[] = [
     menu: 'Save',
     shortcuts: ['Ctrl+S'],
     icon: 'save',
-    enabled: hasCharacters,
-    run: (wb) => wb.files.saveChanged(),
+    enabled: needs(
+      'There is nothing to save. Open a character first.',
+      ({ store }: Uses<'store'>) => store.document.characters.length > 0 || store.document.review !== undefined,
+    ),
+    async run(wb) {
+      const { unsaved } = wb.files;
+      const isListUnsaved = wb.timeline.review.isUnsaved(wb.store.document.review ?? []);
+      if (isListUnsaved) (await import('../editors/review/edits.ts')).saveList(wb, 'csv');
+      if (!isListUnsaved || unsaved.get().length > 0) wb.files.saveChanged();
+    },
   },
   {
     id: 'save.list',

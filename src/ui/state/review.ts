@@ -1,7 +1,7 @@
 /** Takes in review, beside the document: their files, how the list is filtered and sorted, and the one that is shown. */
 
 import type { Character } from '../../model/document.ts';
-import type { Verdict } from '../../model/review.ts';
+import { NO_REVIEW, type Review, type ReviewedTake, type Verdict } from '../../model/review.ts';
 import type { TakeDigest } from '../../review/digest.ts';
 import type { FlagKind } from '../../review/flags.ts';
 import { type Observable, observable } from '../kit/observable.ts';
@@ -73,7 +73,25 @@ export class ReviewState {
   /** Absent until takes were given. */
   readonly files: Observable<ReviewFiles | undefined> = observable<ReviewFiles | undefined>(undefined);
 
+  /** What the list that was saved or read last says of takes, by path. */
+  readonly saved: Observable<ReadonlyMap<string, Review>> = observable<ReadonlyMap<string, Review>>(new Map());
+
+  /** Takes that a list says the same about. */
+  areSaved(takes: readonly ReviewedTake[]): void {
+    this.saved.update((now) => new Map([...now, ...takes.map((take) => [take.path, take] as const)]));
+  }
+
+  /** Whether something is said about takes that no list has. */
+  isUnsaved(takes: readonly ReviewedTake[]): boolean {
+    const saved = this.saved.get();
+    return takes.some((take) => !isSameReview(take, saved.get(take.path) ?? NO_REVIEW));
+  }
+
   change(change: Partial<ReviewView>): void {
     this.view.update((now) => ({ ...now, ...change }));
   }
+}
+
+function isSameReview(a: Review, b: Review): boolean {
+  return a.verdict === b.verdict && a.stars === b.stars && a.notes === b.notes && a.tags.join(';') === b.tags.join(';');
 }

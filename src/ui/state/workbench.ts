@@ -186,6 +186,14 @@ export interface SampleEntry {
   readonly description: string;
 }
 
+/** Verdicts on takes in review that no list has yet. */
+export interface UnsavedList {
+  readonly kind: 'review';
+  /** Of the file to be. */
+  readonly name: string;
+  readonly characterId?: undefined;
+}
+
 /** The page's file operations. */
 export interface FileActions {
   /** Opens the browser's file dialog. */
@@ -198,8 +206,8 @@ export interface FileActions {
   readonly samples: readonly SampleEntry[];
   drop(data: DataTransfer): void;
   paste(data: DataTransfer): void;
-  /** Unsaved parts, in the order of characters. */
-  readonly unsaved: Pick<Observable<readonly UnsavedPart[]>, 'get' | 'subscribe'>;
+  /** Unsaved parts, in the order of characters, and the review's list. */
+  readonly unsaved: Pick<Observable<readonly (UnsavedPart | UnsavedList)[]>, 'get' | 'subscribe'>;
   /** Saves them: in place, or where the user chooses. */
   saveChanged(): void;
   /** Reloads a character's files, if they have changed on disk. */

@@ -14,6 +14,7 @@ import { Store } from '../../../src/edit/store.ts';
 import type { SessionCard } from '../../../src/io/session-store.ts';
 import type { Character } from '../../../src/model/document.ts';
 import { observable } from '../../../src/ui/kit/observable.ts';
+import { ReviewState } from '../../../src/ui/state/review.ts';
 import { Timeline } from '../../../src/ui/state/timeline.ts';
 import { parse } from '../../../src/worker/parse.ts';
 import type { GivenBlob } from '../../../src/worker/protocol.ts';
@@ -62,7 +63,7 @@ async function restored() {
     transport: observable(DEFAULT_PLAYBACK),
     timeline: new Timeline(),
     viewport: { cameraView: state.camera },
-    saving: savingMarks(unsaved, handles),
+    saving: savingMarks(unsaved, handles, new ReviewState()),
   };
   putBack(state, parts, false);
   const change = (edit: (character: Character) => Character, index: number) =>

@@ -109,6 +109,7 @@ export const REVIEW_ACTIONS: readonly Action[] = [
     detail: 'For the command: --only review.csv',
     group: 'Play',
     menu: MENU,
+    alsoIn: { menu: 'Save', section: 4 },
     section: 5,
     enabled: hasTakes,
     run: async (wb) => (await edits()).saveList(wb, 'csv'),

@@ -73,9 +73,11 @@ export function removeTakes(wb: Parts): void {
 
 /** The whole list, whatever is filtered. */
 export function saveList(wb: Parts & Uses<'files'>, format: 'csv' | 'json'): void {
-  const { files } = wb.timeline.review;
-  const takes = (wb.store.document.review ?? []).map((take) =>
-    listedTake(take.path, take, files.get()?.digest(take.path)?.found?.facts),
-  );
-  wb.files.saveText(`review.${format}`, format === 'csv' ? listAsCsv(takes) : listAsJson(takes));
+  const { review } = wb.timeline;
+  const said = wb.store.document.review ?? [];
+  const takes = said.map((take) => listedTake(take.path, take, review.files.get()?.digest(take.path)?.found?.facts));
+  const name = `review.${format}`;
+  wb.files.saveText(name, format === 'csv' ? listAsCsv(takes) : listAsJson(takes));
+  review.areSaved(said);
+  wb.messages.note(`Saved ${name}: ${plural(takes.length, 'take')}.`);
 }

@@ -1,8 +1,14 @@
 /** What is done with takes in review, and what is said about it. */
 import { describe, expect, it } from 'vitest';
+import { titleFor } from '../../../../src/app/leaving.ts';
+import { withReview } from '../../../../src/app/unsaved-review.ts';
 import { NO_REVIEW } from '../../../../src/model/review.ts';
+import type { UnsavedPart } from '../../../../src/project/save/saved-parts.ts';
 import { toggleVerdict } from '../../../../src/ui/editors/review/edits.ts';
 import { noneLeft } from '../../../../src/ui/editors/review/texts.ts';
+import { observable } from '../../../../src/ui/kit/observable.ts';
+import { runAction } from '../../../../src/ui/state/action.ts';
+import { menuEntries } from '../../../../src/ui/state/menu-entries.ts';
 import { documentOf, workbench } from '../../builders.ts';
 
 const page = () => {
@@ -28,5 +34,35 @@ describe('the verdict on a take in review', () => {
     toggleVerdict(wb, 'bad');
     expect(wb.messages.passing.get()).toBe('walk.bvh: bad, so no longer listed by Only > Verdict.');
     expect(noneLeft(wb.timeline.review.view.get())).toContain('Every take has a verdict');
+  });
+});
+
+describe('saving what is said about takes', () => {
+  const unsavedOf = (wb: ReturnType<typeof page>) =>
+    withReview(observable<readonly UnsavedPart[]>([]), wb.store, wb.timeline.review);
+
+  it('Ctrl+S saves the list, until which verdicts are unsaved work; undoing past a save makes them so again', async () => {
+    const wb = page();
+    const unsaved = unsavedOf(wb);
+    const saved: string[] = [];
+    Object.assign(wb.files, { unsaved, saveText: (name: string, text: string) => saved.push(`${name}: ${text}`) });
+    expect(unsaved.get()).toEqual([]);
+    toggleVerdict(wb, 'good');
+    expect(unsaved.get().map(({ name }) => name)).toEqual(['review.csv']);
+    expect(titleFor('Marrow', unsaved.get())).toBe('• review.csv – Marrow');
+    await runAction(wb, 'save.changed');
+    expect(saved).toEqual([expect.stringContaining('lab/walk.bvh,good')]);
+    expect(unsaved.get()).toEqual([]);
+    wb.store.undo();
+    expect(unsaved.get()).toHaveLength(1);
+    wb.store.redo();
+    expect(unsaved.get()).toEqual([]);
+  });
+
+  it('is offered in the Save menu too', () => {
+    const labels = menuEntries(page(), 'Save').flatMap((entry) =>
+      entry.kind === 'item' && entry.enabled ? [entry.label] : [],
+    );
+    expect(labels).toEqual(['Save changes', 'Save review as CSV']);
   });
 });
