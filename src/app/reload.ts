@@ -99,9 +99,9 @@ function withNeeded(changed: readonly GivenFile[], found: readonly GivenFile[]):
   return found.filter((file) => changed.includes(file) || isOfGltf(file));
 }
 
-/** The files whose parts have unsaved edits. */
+/** The files whose parts have unsaved edits; markers are beside them. */
 function editedFiles(character: Character, handles: DiskHandles, unsaved: Unsaved): ReadonlySet<DiskFile | undefined> {
   const parts = partsOf(character);
-  const own = unsaved.current().filter(({ characterId }) => characterId === character.id);
+  const own = unsaved.current().filter((part) => part.characterId === character.id && !part.isMarkers);
   return new Set(own.map(({ kind, index }) => handles.ofPart(parts.filter((p) => p.kind === kind)[index])));
 }

@@ -68,7 +68,9 @@ export class Saver {
       const jobs = changedFiles(store.document, unsaved.current(), (c) => poseToSave(c, unsaved.poseInFile(c)));
       if (jobs.length === 0) messages.note('Everything is saved. Use Save as to write copies.');
       // All parts of a file have the same location.
-      await this.run(jobs, ({ holds: [first] }) => first && handles.ofPart(first.part));
+      await this.run(jobs, ({ holds: [first], isBeside }) =>
+        isBeside ? undefined : first && handles.ofPart(first.part),
+      );
     });
   }
 
@@ -213,7 +215,7 @@ export class Saver {
     }
     for (const { character, part, pose } of job.holds) {
       unsaved.written(part, pose);
-      if (job.isZip || !findCharacter(store.document, character.id)) continue;
+      if (job.isZip || job.isBeside || !findCharacter(store.document, character.id)) continue;
       const own = part.file ?? this.newFile(character.id, part, savedAs, content.size);
       if (!part.file) unsaved.setFile(character.id, part, own);
       else if (own.name === savedAs) unsaved.setBytes(character.id, part, content.size);

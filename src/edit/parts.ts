@@ -8,7 +8,8 @@
 import type { ChannelClip } from '../model/clip.ts';
 import { type Character, type Document, findCharacter, isBvh } from '../model/document.ts';
 import { characterDofs } from '../model/dofs.ts';
-import { mapMarks, NO_MARKS, type PartMark, type PartMarks, UNMARKED } from '../model/part.ts';
+import { mapMarks, NO_MARKS, ownRevision, type PartMark, type PartMarks, UNMARKED } from '../model/part.ts';
+import { sameValue } from './delta.ts';
 import { haveSameNames } from './pose/same-joints.ts';
 
 /** Returns a number that was never returned before. */
@@ -89,8 +90,11 @@ function marksOf(was: Character | undefined, now: Character, count: Count): Part
       const place = named ?? (a.length === b.length && left.has(i) ? i : undefined);
       if (place === undefined) return UNMARKED;
       left.delete(place);
-      const mark = marks[place] ?? UNMARKED;
-      return holdsTheSame(a[place], content) && mark.file?.kind === 'bvh' ? mark : { ...mark, revision: 0 };
+      const { withoutMarkers: _own, ...mark } = marks[place] ?? UNMARKED;
+      const isOfBvh = mark.file?.kind === 'bvh';
+      if (isOfBvh ? !holdsTheSame(a[place], content) : !areTheSame(a[place], content)) return { ...mark, revision: 0 };
+      if (haveSameMarkers(a[place], content)) return marks[place] ?? UNMARKED;
+      return mark.id === 0 ? mark : { ...mark, revision: 0, withoutMarkers: ownRevision(marks[place]) };
     });
   }
 }
@@ -112,6 +116,18 @@ function holdsTheSame(a: Named & Partial<ChannelClip>, b: Named & Partial<Channe
   // TypeScript types keys as strings.
   const keys = Object.keys({ ...before, ...after }) as (keyof typeof before)[];
   return keys.every((key) => before[key] === after[key]);
+}
+
+/** Whether only their markers differ, if anything does. */
+function areTheSame(a: Named & Partial<ChannelClip>, b: Named & Partial<ChannelClip>): boolean {
+  const { markers: _a, ...before } = a;
+  const { markers: _b, ...after } = b;
+  const keys = Object.keys({ ...before, ...after }) as (keyof typeof before)[];
+  return keys.every((key) => before[key] === after[key]);
+}
+
+function haveSameMarkers(a: Partial<ChannelClip>, b: Partial<ChannelClip>): boolean {
+  return sameValue(a.markers ?? [], b.markers ?? []);
 }
 
 /** Whether poses of both are written the same: their joints, DOFs and morphs have the same names. */

@@ -28,11 +28,16 @@ export function partsOf(character: Character): readonly Part[] {
 }
 
 function part<K extends PartKind>(kind: K, name: string, content: PartContents[K], mark = UNMARKED): Part {
-  const { id, revision, file } = mark;
+  const { id, revision, withoutMarkers, file } = mark;
   const own = isFrom(mark, kind, name) ? file?.source : undefined;
   // A member of the union, but TypeScript can't infer which one for a generic kind.
   const { source } = file ?? {};
-  return { kind, id, revision, name, content, ...(own && { file: own }), ...(source && { readFrom: source }) } as Part;
+  return {
+    ...{ kind, id, revision, name, content },
+    ...(withoutMarkers !== undefined && { withoutMarkers }),
+    ...(own && { file: own }),
+    ...(source && { readFrom: source }),
+  } as Part;
 }
 
 /** Skeletons and poses are named independently of their files; all others take the file's name. */

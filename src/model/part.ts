@@ -27,6 +27,8 @@ export interface PartMark {
   readonly id: number;
   /** Identifies its content. 0: not assigned yet. */
   readonly revision: number;
+  /** Of a take whose markers were changed, which are saved beside it: the revision of all else. Absent: `revision`. */
+  readonly withoutMarkers?: number;
   readonly file?: PartFile;
 }
 
@@ -46,6 +48,11 @@ export const NO_MARKS: PartMarks = { skins: [], morphs: [], clips: [] };
 export function readAs(before: PartMark | undefined, file: PartFile): PartMark {
   const isSame = before?.file?.source.path === file.source.path;
   return { id: isSame ? before.id : 0, revision: 0, file };
+}
+
+/** The revision of what is in a part's own file. */
+export function ownRevision({ revision, withoutMarkers }: Pick<PartMark, 'revision' | 'withoutMarkers'>): number {
+  return withoutMarkers ?? revision;
 }
 
 /** Applies a change to each mark, keeping their structure. */

@@ -1,5 +1,6 @@
 import { describe, expect, it } from 'vitest';
 import { renameClip } from '../../src/edit/commands/clips.ts';
+import { addMarkers, removeMarkers } from '../../src/edit/commands/markers.ts';
 import { createRig } from '../../src/edit/commands/rig.ts';
 import type { Character } from '../../src/model/document.ts';
 import { saveCharacter } from '../../src/project/save/saving.ts';
@@ -29,6 +30,44 @@ describe('saving what changed', () => {
     expect(page.text('hero.skel')).toBe(SKEL);
     expect(page.names()).toEqual([]);
     expect(said(page)).toBe('Saved hero_walk.anim.');
+  });
+
+  const ROOT = 'ROOT hips { OFFSET 0 0 0 CHANNELS 3 Xposition Yposition Zposition End Site { OFFSET 0 20 0 } }';
+  const BVH = `HIERARCHY ${ROOT}\nMOTION Frames: 2 Frame Time: 0.1\n0 90 0\n1 90 0\n`;
+  const MARK = { characterId: 'c1', markers: [{ timeSeconds: 0.1, label: 'ends' }] };
+
+  it.each([
+    ['a capture', { 'walk.bvh': BVH }, 'walk'],
+    ['an animation', HERO, 'hero_walk'],
+  ])('saves the markers of %s beside it, and leaves its own file alone', async (_, files, name) => {
+    const page = await pageWith(files);
+    page.disk.picks = 'as suggested';
+    page.store.apply(addMarkers, MARK);
+    expect(page.names()).toEqual([`${name}.markers.json`]);
+    await page.saver.saveChanged();
+    expect(page.disk.asked).toEqual([`${name}.markers.json`]);
+    expect(page.text(`${name}.markers.json`)).toContain('ends');
+    for (const [own, text] of Object.entries(files)) expect(page.text(own)).toBe(text);
+    expect(page.names()).toEqual([]);
+    // What else is edited is saved to the take's own file, as before.
+    page.change(longer);
+    if (name !== 'walk') expect(page.names()).toEqual(['hero_walk.anim']);
+    page.store.undo();
+    page.store.apply(removeMarkers, { characterId: 'c1', indices: [0] });
+    expect(page.names()).toEqual([`${name}.markers.json`]);
+    await page.saver.saveChanged();
+    expect(page.names()).toEqual([]);
+    page.store.undo();
+    expect(page.names()).toEqual([`${name}.markers.json`]);
+  });
+
+  it('counts markers as saved that were just read for a take that is', async () => {
+    const page = await pageWith({ 'walk.bvh': BVH });
+    await page.open([{ path: 'walk.markers.json', blob: new Blob(['[{ "time": 0.1, "label": "ends" }]']) }]);
+    expect(page.store.document.characters[0].clips[0].markers).toHaveLength(1);
+    expect(page.names()).toEqual([]);
+    page.store.apply(removeMarkers, { characterId: 'c1', indices: [0] });
+    expect(page.names()).toEqual(['walk.markers.json']);
   });
 
   it('tells which files were written, with what they hold now', async () => {

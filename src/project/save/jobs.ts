@@ -1,6 +1,7 @@
 /** What to write when the user saves: files, each with the parts that it holds and how it is written. */
 import { partsOf } from '../../model/character-parts.ts';
 import { type Character, type Document, findCharacter } from '../../model/document.ts';
+import type { Marker } from '../../model/markers.ts';
 import { fileNameOf, type Part } from '../../model/part.ts';
 import type { SavedKind } from '../kinds.ts';
 import { markersCopies } from './copies.ts';
@@ -16,6 +17,8 @@ export interface Job {
   readonly name: string;
   /** The parts in it: several skeletons for a `.skel` with several roots, otherwise one part; none for a copy. */
   readonly holds: readonly Owned[];
+  /** It is beside the file of what it holds, and not that file. */
+  readonly isBeside?: true;
   /** @param name distinct among the files written together */
   write(name: string): Omit<Output, 'name'>;
 }
@@ -23,19 +26,26 @@ export interface Job {
 /** The files of all changed parts. */
 export function changedFiles(document: Document, unsaved: readonly UnsavedPart[], poseOf: PoseOf): readonly Job[] {
   const jobs: Job[] = [];
-  for (const { characterId, kind, index } of unsaved) {
+  for (const { characterId, kind, index, isMarkers } of unsaved) {
     const character = findCharacter(document, characterId);
     const part = character && partsOf(character).filter((own) => own.kind === kind)[index];
     if (!part || jobs.some((job) => job.holds.some((held) => held.part.id === part.id))) continue;
-    jobs.push(fileOf(document, character, part, poseOf), ...markersBeside(part));
+    if (!isMarkers) jobs.push(fileOf(document, character, part, poseOf), ...markersBeside(part));
+    // Deleted ones are gone from their file too.
+    else
+      for (const job of markersBeside(part, []))
+        jobs.push({ ...job, holds: [{ character, part, pose: [] }], isBeside: true });
   }
   return jobs;
 }
 
-/** The markers of a take, beside its file. */
-function markersBeside(part: Part): readonly Job[] {
+/** The markers of a take, beside its file. @param none what it has without markers; absent: no file */
+function markersBeside(part: Part, none?: readonly Marker[]): readonly Job[] {
   const clip = part.kind === 'bvh' ? part.content.clip : part.kind === 'anim' ? part.content : undefined;
-  return clip ? markersCopies({ clips: [{ ...clip, name: part.name }] }).map((copy) => copyJob(outputOf(copy))) : [];
+  if (!clip) return [];
+  const markers = clip.markers ?? none;
+  const named = { ...clip, name: part.name, ...(markers && { markers }) };
+  return markersCopies({ clips: [named] }).map((copy) => copyJob(outputOf(copy)));
 }
 
 /** The files of a character in one format. */

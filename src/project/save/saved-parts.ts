@@ -9,7 +9,8 @@ import { partsOf } from '../../model/character-parts.ts';
 import type { Character, Document } from '../../model/document.ts';
 import { filePose, rootDofCount } from '../../model/dofs.ts';
 import type { ParsedFile, PartKind, SourceFile } from '../../model/files.ts';
-import { fileNameOf, type Part, type PartFile } from '../../model/part.ts';
+import { MARKERS_EXTENSION } from '../../model/markers.ts';
+import { fileNameOf, ownRevision, type Part, type PartFile } from '../../model/part.ts';
 import { poseToSave } from './saved-poses.ts';
 
 /** A part of a character that changed since it was opened or saved. */
@@ -20,13 +21,15 @@ export interface UnsavedPart {
   readonly index: number;
   /** Of its file: `wasp_walk.anim`. */
   readonly name: string;
+  /** Only its markers differ from their file, which is beside its own. */
+  readonly isMarkers?: true;
 }
 
 /** What of a character is saved: plain data, stored with and restored from a session. */
 export interface SavedCharacter {
   readonly characterId: string;
-  /** Whether each of its parts is saved, in the order of `partsOf`. */
-  readonly parts: readonly boolean[];
+  /** Whether each of its parts is saved, in the order of `partsOf`; or all of it but its markers. */
+  readonly parts: readonly (boolean | 'but markers')[];
   /** The pose in the skeleton's file: one value per DOF of its joints. */
   readonly pose: readonly number[];
 }
@@ -34,6 +37,8 @@ export interface SavedCharacter {
 /** The state of a part on disk. */
 interface SavedPart {
   readonly revision: number;
+  /** `ownRevision` then. */
+  readonly own: number;
   /** Pose of the joints, for a skeleton. */
   readonly pose: readonly number[];
   /** The file it was saved as, for a part created here. */
@@ -58,16 +63,26 @@ export class SavedParts {
         if (isRead) this.mark(part, filePoseOfJoints(character));
       }
     }
+    for (const { kind, source } of given) if (kind === 'markers') this.markMarkers(document, source);
     this.wait(document);
+  }
+
+  /** A take whose markers were just read is saved if all else of it is. */
+  private markMarkers(document: Document, source: SourceFile): void {
+    const stem = source.name.slice(0, -`.${MARKERS_EXTENSION}`.length);
+    for (const part of document.characters.flatMap(partsOf)) {
+      if (part.name === stem && this.isOwnSaved(part)) this.mark(part);
+    }
   }
 
   /**
    * Marks a part as read or written in its current state.
    * @param pose of the joints, as in the file; only for a skeleton
    */
-  mark({ id, revision, kind }: Part, pose: readonly number[] = []): void {
+  mark(part: Part, pose: readonly number[] = []): void {
+    const { id, revision, kind } = part;
     const file = this.saved.get(id)?.file;
-    this.saved.set(id, { revision, pose: kind === 'skel' ? pose : [], ...(file && { file }) });
+    this.saved.set(id, { revision, own: ownRevision(part), pose: kind === 'skel' ? pose : [], ...(file && { file }) });
     this.lists = new WeakMap();
   }
 
@@ -77,7 +92,7 @@ export class SavedParts {
   }
 
   setFile(id: number, file: PartFile): void {
-    this.saved.set(id, { revision: 0, pose: [], ...this.saved.get(id), file });
+    this.saved.set(id, { revision: 0, own: 0, pose: [], ...this.saved.get(id), file });
   }
 
   /** The pose in the file of a character's skeleton. */
@@ -95,7 +110,7 @@ export class SavedParts {
   snapshot(document: Document): readonly SavedCharacter[] {
     return document.characters.map((character) => ({
       characterId: character.id,
-      parts: partsOf(character).map((part) => this.isSaved(part)),
+      parts: partsOf(character).map((part) => this.isSaved(part) || (this.isOwnSaved(part) && 'but markers')),
       pose: this.poseInFile(character),
     }));
   }
@@ -105,8 +120,10 @@ export class SavedParts {
     for (const character of document.characters) {
       const kept = characters.find(({ characterId }) => characterId === character.id);
       partsOf(character).forEach((part, i) => {
-        if (kept?.parts[i]) this.mark(part, kept.pose);
-        else if (kept && part.kind === 'skel') this.saved.set(part.id, { revision: 0, pose: kept.pose });
+        const saved = kept?.parts[i];
+        if (saved === 'but markers') this.saved.set(part.id, { revision: 0, own: ownRevision(part), pose: [] });
+        else if (saved) this.mark(part, kept.pose);
+        else if (kept && part.kind === 'skel') this.saved.set(part.id, { revision: 0, own: 0, pose: kept.pose });
       });
     }
     this.lists = new WeakMap();
@@ -121,6 +138,10 @@ export class SavedParts {
     return this.saved.get(id)?.revision === revision;
   }
 
+  private isOwnSaved(part: Part): boolean {
+    return this.saved.get(part.id)?.own === ownRevision(part);
+  }
+
   private listOf(character: Character): readonly UnsavedPart[] {
     const known = this.lists.get(character);
     if (known) return known;
@@ -130,7 +151,9 @@ export class SavedParts {
       const index = counts.get(part.kind) ?? 0;
       counts.set(part.kind, index + 1);
       if (this.isSaved(part) && (part.kind !== 'skel' || this.isPoseSaved(character))) continue;
-      list.push({ characterId: character.id, kind: part.kind, index, name: fileNameOf(part) });
+      const isMarkers = isTake(part) && this.isOwnSaved(part);
+      const name = isMarkers ? `${part.name}.${MARKERS_EXTENSION}` : fileNameOf(part);
+      list.push({ characterId: character.id, kind: part.kind, index, name, ...(isMarkers && { isMarkers }) });
     }
     this.lists.set(character, list);
     return list;
@@ -156,4 +179,8 @@ function isLibraryOf(character: Character, files: readonly ParsedFile[]): boolea
 /** One value per DOF of the joints. */
 function filePoseOfJoints({ skeleton }: Character): readonly number[] {
   return filePose(skeleton, 0).slice(rootDofCount(skeleton));
+}
+
+function isTake({ kind }: Part): boolean {
+  return kind === 'bvh' || kind === 'anim';
 }

@@ -6,13 +6,16 @@ import { savingMarks } from '../../../src/app/autosave/saving-marks.ts';
 import { DiskHandles } from '../../../src/app/disk-handles.ts';
 import { Unsaved } from '../../../src/app/unsaved.ts';
 import { pinPoint, setStiffness } from '../../../src/edit/commands/ik.ts';
+import { addMarkers } from '../../../src/edit/commands/markers.ts';
 import { keepPose } from '../../../src/edit/commands/poses.ts';
+import { addToReview, setReview } from '../../../src/edit/commands/review.ts';
 import { DEFAULT_PLAYBACK } from '../../../src/edit/playback.ts';
 import { Store } from '../../../src/edit/store.ts';
 import { EMPTY_DOCUMENT } from '../../../src/model/document.ts';
 import { NOTHING_SELECTED } from '../../../src/model/session.ts';
 import { openFiles } from '../../../src/project/open/open-files.ts';
 import { saveCharacter } from '../../../src/project/save/saving.ts';
+import { ReviewState } from '../../../src/ui/state/review.ts';
 import { DEFAULT_TIMELINE_VIEW } from '../../../src/ui/state/timeline.ts';
 import { parse } from '../../../src/worker/parse.ts';
 import type { GivenBlob } from '../../../src/worker/protocol.ts';
@@ -29,27 +32,30 @@ const read = async (files: readonly GivenBlob[]) => structuredClone(await parse(
 const worker = { run: (_job: 'parse', { files }: { files: readonly GivenBlob[] }) => read(files) };
 
 /** A page with the files open, and its session stored and read again. */
-async function page(edit: (store: Store) => void) {
+async function page(edit: (store: Store, review: ReviewState) => void, given = FILES) {
   const origins = new Origins();
-  const { files } = await read(FILES);
-  origins.learn(FILES, files);
+  const { files } = await read(given);
+  origins.learn(given, files);
   const store = new Store();
   const unsaved = new Unsaved(store);
   store.replace('Open', openFiles(EMPTY_DOCUMENT, files));
   unsaved.opened(files);
-  edit(store);
+  const review = new ReviewState();
+  edit(store, review);
   const kept = memoryStore();
   const camera = { target: [0, 1, 0], azimuth: 0.5, polar: 1, distance: 3 } as const;
   const rest = { selection: NOTHING_SELECTED, transport: DEFAULT_PLAYBACK, timeline: DEFAULT_TIMELINE_VIEW, camera };
-  const saving = savingMarks(unsaved, new DiskHandles()).snapshot();
+  const saving = savingMarks(unsaved, new DiskHandles(), review).snapshot();
   await new Keeper('s', kept, origins).save({ document: store.document, ...rest, saving }, 1);
   const reading = { signal: new AbortController().signal, onProgress: () => undefined };
   const { state } = await readSession('s', kept, worker, new Origins(1000), reading);
   const next = new Store();
   next.adopt('Restore', { document: state.document, selection: NOTHING_SELECTED });
   const nextUnsaved = new Unsaved(next);
-  savingMarks(nextUnsaved, new DiskHandles()).restore(state.saving);
-  return { before: store.document.characters[0], after: next.document.characters[0], unsaved: nextUnsaved };
+  const nextReview = new ReviewState();
+  savingMarks(nextUnsaved, new DiskHandles(), nextReview).restore(state.saving);
+  const [[before], [after]] = [store.document.characters, next.document.characters];
+  return { before, after, unsaved: nextUnsaved, document: next.document, review: nextReview };
 }
 
 it('restores saved poses, pins, locks and stiffness', async () => {
@@ -72,4 +78,30 @@ it('recognises poses equal to those of their file', async () => {
   const { after, unsaved } = await page(() => undefined);
   expect(after.poses?.map(({ name }) => name)).toEqual(['sit']);
   expect(unsaved.current()).toEqual([]);
+});
+
+const ROOT = 'ROOT hips { OFFSET 0 0 0 CHANNELS 3 Xposition Yposition Zposition End Site { OFFSET 0 20 0 } }';
+const TAKE: readonly GivenBlob[] = [
+  { path: 'walk.bvh', blob: new Blob([`HIERARCHY ${ROOT} MOTION Frames: 2 Frame Time: 0.1\n0 90 0\n1 90 0\n`]) },
+];
+
+it('restores markers, and what is said about takes in review, with what of it a list has', async () => {
+  const MARKERS = [
+    { timeSeconds: 0, label: 'begins' },
+    { timeSeconds: 0, endSeconds: 0.1, label: 'all' },
+  ];
+  const said = { verdict: 'good', stars: 3, tags: ['calm'], notes: 'again, slower' } as const;
+  const { after, document, review, unsaved } = await page((store, state) => {
+    store.apply(addMarkers, { characterId: 'c1', markers: MARKERS });
+    store.apply(addToReview, { paths: ['lab/a.bvh', 'lab/b.bvh'] });
+    store.apply(setReview, { paths: ['lab/a.bvh'], review: said });
+    state.areSaved(store.document.review ?? []);
+    store.apply(setReview, { paths: ['lab/b.bvh'], review: { verdict: 'bad' } });
+  }, TAKE);
+  expect(after.clips[0].markers).toEqual(MARKERS);
+  expect(unsaved.current().map(({ name }) => name)).toEqual(['walk.markers.json']);
+  const [a, b] = document.review ?? [];
+  expect(a).toEqual({ path: 'lab/a.bvh', ...said });
+  expect(b).toMatchObject({ path: 'lab/b.bvh', verdict: 'bad' });
+  expect([[a], [b]].map((takes) => review.isUnsaved(takes))).toEqual([false, true]);
 });
