@@ -19,10 +19,12 @@ import {
   DirectionalLight,
   Group,
   HemisphereLight,
+  Line,
   Mesh,
   NeutralToneMapping,
   PCFShadowMap,
   PlaneGeometry,
+  Points,
   Scene,
   ShaderMaterial,
   ShadowMaterial,
@@ -152,6 +154,15 @@ export class Stage {
     const shader = ground.material.userData.uniforms;
     // Height above the ground that counts as far, as a part of the map's depth: half a "foot" of the box's height.
     shader.lifted.value = (0.07 * radius) / KEY.y / camera.far;
+  }
+
+  /** Gives back what three.js keeps of everything drawn: it goes on listening for its disposal after a lost context. */
+  forget(): void {
+    this.scene.traverse((object) => {
+      if (!(object instanceof Mesh || object instanceof Line || object instanceof Points)) return;
+      object.geometry.dispose();
+      for (const material of [object.material].flat()) material.dispose();
+    });
   }
 
   dispose(): void {

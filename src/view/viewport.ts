@@ -531,6 +531,7 @@ export class Viewport {
   private listen(): void {
     const { canvas } = this;
     const { signal } = this.listening;
+    canvas.addEventListener('webglcontextlost', () => this.stage.forget(), { signal });
     // three.js recreates everything when the context is restored; it only has to be drawn again.
     canvas.addEventListener(
       'webglcontextrestored',

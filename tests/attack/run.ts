@@ -1,0 +1,92 @@
+/**
+ * Attacks that take longer than tests may. Each has an equal share of the time, and prints its seed.
+ *
+ *     npm run build && npm run attack -- --minutes 20
+ *     npm run attack -- --only lost-context --seed 169
+ *
+ * Those on the page need the built page. Exits with 1 if anything gave way; what did it is kept in tests/repro/.
+ */
+import { createHash } from 'node:crypto';
+import { mkdirSync, writeFileSync } from 'node:fs';
+import { fileURLToPath } from 'node:url';
+import { parseArgs } from 'node:util';
+import { type Attack, type Reproducer, randomFrom } from './attack.ts';
+import { ATTACKS } from './attacks.ts';
+
+const REPRO = fileURLToPath(new URL('../repro/', import.meta.url));
+/** More of the same say nothing new. */
+const MAX_TOLD = 20;
+
+interface Row {
+  readonly name: string;
+  readonly seed: number;
+  readonly tries: number;
+  readonly broken: number;
+  readonly seconds: number;
+  readonly figures: string;
+}
+
+/** Runs the attacks that the arguments ask for. Returns the exit code. */
+export async function run(args: readonly string[]): Promise<number> {
+  const { values } = parseArgs({
+    args: [...args],
+    options: {
+      minutes: { type: 'string', default: '10' },
+      only: { type: 'string', multiple: true },
+      seed: { type: 'string' },
+    },
+  });
+  const minutes = Number(values.minutes);
+  const seed = values.seed === undefined ? Math.floor(Math.random() * 2 ** 31) : Number(values.seed);
+  const attacks = ATTACKS.filter(({ name }) => values.only?.includes(name) ?? true);
+  if (!(minutes > 0) || !Number.isInteger(seed) || attacks.length === 0) {
+    console.error(`Usage: npm run attack -- [--minutes N] [--only NAME]… [--seed INTEGER]
+Names: ${ATTACKS.map(({ name }) => name).join(', ')}`);
+    return 2;
+  }
+  const rows: Row[] = [];
+  for (const attack of attacks) {
+    console.log(`${attack.name}, seed ${seed}: ${attack.shows}`);
+    rows.push(await runOne(attack, seed, (minutes * 60_000) / attacks.length));
+  }
+  console.table(rows.map(({ seconds, ...row }) => ({ ...row, seconds: Math.round(seconds) })));
+  return rows.every(({ broken }) => broken === 0) ? 0 : 1;
+}
+
+async function runOne({ name, run }: Attack, seed: number, budgetMs: number): Promise<Row> {
+  const begun = performance.now();
+  const random = randomFrom(seed);
+  const figures: string[] = [];
+  let [tries, broken, asked] = [0, 0, 0];
+  const gaveWay = (what: string, reproducer?: Reproducer) => {
+    broken++;
+    if (broken > MAX_TOLD) return;
+    console.error(`  gave way after ${tries} tries: ${what}`);
+    if (reproducer) console.error(`  kept as ${keep(name, reproducer)}`);
+  };
+  try {
+    await run({
+      seed,
+      random,
+      below: (count) => Math.floor(random() * count),
+      goesOn: () => asked++ === 0 || performance.now() - begun < budgetMs,
+      tried: (count = 1) => {
+        tries += count;
+      },
+      gaveWay,
+      note: (figure) => void figures.push(figure),
+    });
+  } catch (error) {
+    gaveWay(error instanceof Error ? (error.stack ?? error.message) : String(error));
+  }
+  const seconds = (performance.now() - begun) / 1000;
+  return { name, seed, tries, broken, seconds, figures: figures.join(', ') };
+}
+
+/** The same input has the same name. */
+function keep(name: string, { extension, content }: Reproducer): string {
+  const file = `${name}-${createHash('sha256').update(content).digest('hex').slice(0, 12)}.${extension}`;
+  mkdirSync(REPRO, { recursive: true });
+  writeFileSync(`${REPRO}${file}`, content);
+  return `tests/repro/${file}`;
+}
