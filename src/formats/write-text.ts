@@ -5,11 +5,17 @@
  * Tabs, LF, one blank between numbers, as in the course's own files. Rejected: aligned columns, which need two passes,
  * make files a third larger, and would not align the shortest decimals at their points anyway.
  */
+import { cutMessage } from '../model/cut-text.ts';
 import type { Diagnostic } from '../model/diagnostic.ts';
 import { oneToken, restOfLine, wellFormed } from '../model/written-names.ts';
 import { NO_PLACE } from './places.ts';
 import type { WriteResult } from './reader.ts';
 import { Report } from './report.ts';
+
+/** Thrown for a number that no file can hold, such as NaN; the message says which. No file is written then. */
+export class UnwritableError extends Error {
+  override readonly name = 'UnwritableError';
+}
 
 /** Pieces joined at a time, so that a million rows are not held as a million strings. */
 const BATCH = 1024;
@@ -17,12 +23,21 @@ const BATCH = 1024;
 const DEEPEST = 40;
 
 export class Text {
+  private subject = '';
+  /** The row of the subject that is being written, from 1; 0 for none. */
+  row = 0;
   private readonly report: Report;
   private lines: string[] = [];
   private readonly done: string[] = [];
 
   constructor(fileName: string) {
     this.report = new Report(fileName);
+  }
+
+  /** Names what the numbers that follow belong to, for errors: `joint 3 "hand"`. */
+  about(subject: string): void {
+    this.subject = subject;
+    this.row = 0;
   }
 
   line(depth: number, text: string): void {
@@ -36,7 +51,9 @@ export class Text {
   rows(what: string, width: number, values: ArrayLike<number>): void {
     const count = Math.floor(values.length / width);
     this.line(0, `${what} ${count} {`);
+    this.about(what);
     for (let i = 0; i < count; i++) {
+      this.row = i + 1;
       let row = this.number(values[width * i]);
       for (let k = 1; k < width; k++) row += ` ${this.number(values[width * i + k])}`;
       this.line(1, row);
@@ -48,17 +65,16 @@ export class Text {
     return values.map((v) => this.number(v)).join(' ');
   }
 
-  /** The shortest decimal that reads back the same; -0 too. Non-finite numbers become 0, with a warning. */
+  /**
+   * The shortest decimal that reads back the same; -0 too.
+   * @throws UnwritableError for a number that isn't finite: any other number in its place would be another model
+   */
   number(value: number): string {
     if (value === 0) return Object.is(value, -0) ? '-0' : '0';
     if (value - value === 0) return `${value}`;
-    this.report.warn(
-      'number-not-finite',
-      `Found the value ${value}, which the format can't store.`,
-      NO_PLACE,
-      'wrote 0',
-    );
-    return '0';
+    const where = `${this.subject && ` in ${this.subject}`}${this.row ? `, row ${this.row}` : ''}`;
+    const message = `Expected finite numbers, found ${value}${where}. Change or remove it, and save again.`;
+    throw new UnwritableError(cutMessage(message));
   }
 
   /** A name as one token, preceded by a blank; nothing for an empty one. */

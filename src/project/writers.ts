@@ -109,7 +109,7 @@ export const WRITERS: { readonly [K in SavedKind]: Writer<HeldBy<K>> } = {
     detail: ({ poses }) => [{ count: poses?.length ?? 0, one: 'pose' }],
   },
   markers: {
-    write: ({ markers }) => writeMarkers(markers),
+    write: ({ markers }, name) => writeMarkers(markers, name),
     detail: ({ clips }) => [
       { count: clips.reduce((sum, { markers }) => sum + (markers?.length ?? 0), 0), one: 'marker' },
     ],

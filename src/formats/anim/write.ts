@@ -13,15 +13,23 @@ import {
 } from '../../model/clip.ts';
 import { columnOf, type Samples } from '../../model/samples.ts';
 import type { WriteResult } from '../reader.ts';
-import { Text } from '../write-text.ts';
+import { Text, UnwritableError } from '../write-text.ts';
 
-/** `fileName` appears in diagnostics. */
+/**
+ * `fileName` appears in diagnostics.
+ * @throws UnwritableError for a clip without channels, and for numbers that aren't finite
+ */
 export function writeAnim(clip: ChannelClip, fileName = ''): WriteResult {
+  // No reader takes such a file.
+  if (clip.channels.length === 0)
+    throw new UnwritableError(`Expected channels in ${clip.name}, found none: key a DOF.`);
   const text = new Text(fileName);
   text.line(0, 'animation {');
+  text.about('the range');
   text.line(1, `range ${text.numbers(clip.range)}`);
   text.line(1, `numchannels ${clip.channels.length}`);
   clip.channels.forEach((channel, c) => {
+    text.about(`channel ${c}`);
     text.line(1, 'channel {');
     text.line(2, `extrapolate ${channel.extrapolateIn} ${channel.extrapolateOut}`);
     if (channel.kind === 'keys') writeKeys(text, channel);
@@ -37,6 +45,7 @@ export function writeAnim(clip: ChannelClip, fileName = ''): WriteResult {
 function writeKeys(text: Text, { times, values, tangentsIn, tangentsOut }: KeyedChannel): void {
   text.line(2, `keys ${times.length} {`);
   for (let k = 0; k < times.length; k++) {
+    text.row = k + 1;
     const tangents = `${tangent(text, tangentsIn, k)} ${tangent(text, tangentsOut, k)}`;
     text.line(3, `${text.number(times[k])} ${text.number(values[k])} ${tangents}`);
   }
@@ -51,6 +60,7 @@ function writeRest(text: Text, { value }: RestChannel, start: number): void {
 function writeSampled(text: Text, { frameCount, frameSeconds, startSeconds, scales, values }: Samples, column: number) {
   text.line(2, `keys ${frameCount} {`);
   for (let f = 0; f < frameCount; f++) {
+    text.row = f + 1;
     const value = values[f * scales.length + column] * scales[column];
     text.line(3, `${text.number(startSeconds + f * frameSeconds)} ${text.number(value)} linear linear`);
   }

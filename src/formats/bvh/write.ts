@@ -51,6 +51,7 @@ export function writeBvh(figures: readonly CapturedFigure[], fileName = ''): Wri
   const frameCount = samples?.frameCount ?? (figures.some(({ clip }) => clip) ? 1 : 0);
   text.line(0, 'MOTION');
   text.line(0, `Frames: ${frameCount}`);
+  text.about('the frame time');
   text.line(0, `Frame Time: ${text.number(samples?.frameSeconds ?? NO_FRAME_SECONDS)}`);
   let diagnostics: readonly Diagnostic[] = [];
   function* pieces() {
@@ -71,6 +72,7 @@ function writeTree(text: Text, joints: readonly Joint[]): void {
   joints.forEach((joint, index) => {
     while (open.length > 0 && open.at(-1) !== joint.parent) close();
     const depth = open.length;
+    text.about(`joint ${index} "${joint.name}"`);
     text.line(depth, `${depth === 0 ? 'ROOT' : 'JOINT'}${text.lineName(joint.name, 'joint')}`);
     text.line(depth, '{');
     text.line(depth + 1, `OFFSET ${text.numbers(joint.offset)}`);
@@ -147,6 +149,7 @@ function* rows(text: Text, columns: readonly Column[], frameCount: number): Gene
       if (factor !== 1) value *= factor;
       // Adding 0 would turn −0 into 0.
       if (plus !== 0) value += plus;
+      if (value - value !== 0) text.about(`frame ${frame + 1}, column ${c + 1}`);
       const end = putDecimal(value, bytes, at);
       at = end < 0 ? putAscii(text.number(value), bytes, at) : end;
       bytes[at++] = c + 1 < columns.length ? BLANK : LF;

@@ -14,7 +14,9 @@ export function writeMorph(morph: Morph, fileName = ''): WriteResult {
 function writeRows(text: Text, what: string, { indices, values }: MorphRows): void {
   if (indices.length === 0) return;
   text.line(0, `${what} ${indices.length} {`);
+  text.about(what);
   for (let i = 0; i < indices.length; i++) {
+    text.row = i + 1;
     text.line(1, `${indices[i]} ${text.numbers([values[3 * i], values[3 * i + 1], values[3 * i + 2]])}`);
   }
   text.line(0, '}');

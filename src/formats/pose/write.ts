@@ -7,6 +7,7 @@ import { Text } from '../write-text.ts';
 export function writePoses(poses: readonly PoseByNames[], fileName = ''): WriteResult {
   const text = new Text(fileName);
   for (const { name, root, joints, weights } of poses) {
+    text.about(`pose "${name}"`);
     text.line(0, `pose${text.lineName(name, 'pose')} {`);
     if (root) text.line(1, `root ${text.numbers(root)}`);
     for (const joint of joints) {

@@ -16,6 +16,7 @@ export function writeAxisAngleTree(text: Text, { joints, name }: Skeleton): void
     if (!axis || length === undefined) {
       throw new Error(`Joint #${j} of ${name} is not a hinge with a bone, so it can't be written in axis-angle form.`);
     }
+    text.about(`joint ${j}`);
     text.line(0, `${text.numbers([length, ...axis, degreesOf(pose[0])])} ${children[j]}`);
   });
   const named = joints.filter((joint) => joint.name !== '').length;

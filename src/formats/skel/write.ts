@@ -45,6 +45,7 @@ function writeTree(text: Text, joints: readonly Joint[]): void {
   joints.forEach((joint, index) => {
     while (open.length > 0 && open.at(-1) !== joint.parent) closeJoint(text, open);
     const depth = open.length;
+    text.about(`joint ${index} "${joint.name}"`);
     text.line(depth, `${keywordOf(joint.motion)}${text.name(joint.name, 'joint')} {`);
     writeTokens(text, depth + 1, joint, targets);
     open.push(index);
@@ -71,7 +72,7 @@ function writeTokens(text: Text, depth: number, joint: Joint, targets: readonly 
   }
   dofsOf(motion).forEach((dof, i) => {
     const limit: Limit = limits[i] ?? UNLIMITED;
-    if (same([limit.min, limit.max], [UNLIMITED.min, UNLIMITED.max])) return;
+    if (hasNoLine(limit)) return;
     text.line(depth, `${LIMIT_TOKENS[dof.name] ?? `limit ${dof.name}`} ${text.numbers([limit.min, limit.max])}`);
   });
   if (length !== undefined) text.line(depth, `length ${text.number(length)}`);
@@ -81,6 +82,12 @@ function writeTokens(text: Text, depth: number, joint: Joint, targets: readonly 
   for (const { dof, joint, follows, gain, offset } of couples) {
     text.line(depth, `couple ${dof} ${targets[joint]}.${follows} ${text.numbers([gain, offset])}`);
   }
+}
+
+/** Whether a joint without that line has these limits: none at all, as position channels of motion capture, too. */
+function hasNoLine({ min, max }: Limit): boolean {
+  if (min === Number.NEGATIVE_INFINITY && max === Number.POSITIVE_INFINITY) return true;
+  return min === UNLIMITED.min && max === UNLIMITED.max;
 }
 
 function same(a: readonly number[], b: readonly number[]): boolean {

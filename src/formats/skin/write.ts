@@ -19,6 +19,7 @@ export function writeSkin(skin: Skin, fileName = ''): WriteResult {
   const joints = Math.floor(bindings.length / 16);
   text.line(0, `bindings ${joints} {`);
   for (let joint = 0; joint < joints; joint++) {
+    text.about(`the binding of joint ${joint}`);
     text.line(1, 'matrix {');
     for (let column = 0; column < 4; column++) {
       const at = 16 * joint + 4 * column;
@@ -33,6 +34,7 @@ export function writeSkin(skin: Skin, fileName = ''): WriteResult {
 function writeMaterial(text: Text, { name, texture, color }: Material): void {
   text.line(0, `material${text.name(name, 'material')} {`);
   if (texture !== undefined) text.line(1, `texture ${text.file(texture, 'texture')}`);
+  text.about(`material "${name}"`);
   if (color) text.line(1, `color ${text.numbers(color)}`);
   text.line(0, '}');
 }
@@ -40,7 +42,9 @@ function writeMaterial(text: Text, { name, texture, color }: Material): void {
 function writeAttachments(text: Text, { start, joints, weights }: Attachments): void {
   const rows = start.length - 1;
   text.line(0, `skinweights ${rows} {`);
+  text.about('skinweights');
   for (let row = 0; row < rows; row++) {
+    text.row = row + 1;
     let line = `${start[row + 1] - start[row]}`;
     for (let i = start[row]; i < start[row + 1]; i++) line += ` ${joints[i]} ${text.number(weights[i])}`;
     text.line(1, line);

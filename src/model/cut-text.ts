@@ -1,0 +1,34 @@
+/** Text of files, names above all, cut to what a person reads: a joint may be called a megabyte. */
+
+/** Characters of a name or word that a message, a label or a tooltip shows at most. */
+export const MOST_SHOWN = 200;
+/** Characters of a whole message. */
+const LONGEST_MESSAGE = 1000;
+
+const LONG_QUOTES = new RegExp(`"[^"]{${MOST_SHOWN + 1},}"`, 'g');
+const LONG_WORDS = new RegExp(`[^\\s"]{${MOST_SHOWN + 1},}`, 'g');
+
+/** The text, or its beginning and end with an ellipsis between: at most `most` characters. */
+export function cutText(text: string, most = MOST_SHOWN): string {
+  if (text.length <= most) return text;
+  const tail = Math.floor((most - 1) / 2);
+  const head = most - 1 - tail;
+  const end = isLowSurrogate(text, head) ? head - 1 : head;
+  const start = text.length - tail;
+  return `${text.slice(0, end)}…${text.slice(isLowSurrogate(text, start) ? start + 1 : start)}`;
+}
+
+/** A message with its long words and quoted names cut; the same text if none is long. */
+export function cutMessage(message: string): string {
+  if (message.length <= MOST_SHOWN) return message;
+  const named = message.replace(LONG_QUOTES, (quoted) => `"${cutText(quoted.slice(1, -1))}"`);
+  return cutText(
+    named.replace(LONG_WORDS, (word) => cutText(word)),
+    LONGEST_MESSAGE,
+  );
+}
+
+function isLowSurrogate(text: string, at: number): boolean {
+  const code = text.charCodeAt(at);
+  return code >= 0xdc00 && code <= 0xdfff;
+}
