@@ -19,7 +19,7 @@ import { type Diagnostic, withoutPlace } from '../model/diagnostic.ts';
 import { type Character, isBvh, shownClip } from '../model/document.ts';
 import { firstDofs, rootDofCount } from '../model/dofs.ts';
 import type { CapturedFigure } from '../model/files.ts';
-import { bvhChannelsOf, dofsOf, isOfBvh, stretches } from '../model/joint-types.ts';
+import { bvhChannelsOf, dofsOf, isOfBvh, replacesOffset, stretches } from '../model/joint-types.ts';
 import { columnOf } from '../model/samples.ts';
 import { type BvhChannel, type Joint, type Skeleton, UNLIMITED } from '../model/skeleton.ts';
 import { eachFrame, type Frames, framesOf, ownFrames, playedClip } from './bake.ts';
@@ -72,11 +72,14 @@ export function toBvhFigure(character: Character, frames: Frames, file = ''): Bv
   return new Figuring(character, skeleton, frames, file).result();
 }
 
-/** Whether the clip consists only of its samples; these are then written exactly as they are. */
+/**
+ * Whether the clip consists only of its samples, which are then written exactly as they are; or the skeleton is in the
+ * pose that a file without frames is read in.
+ */
 function isUntouched(character: Character, clip: ChannelClip | undefined, frames: Frames): boolean {
   const { skeleton, clampsToLimits, driver } = character;
   if (driver || !skeleton || !isBvh(character) || rootDofCount(skeleton) > 0) return false;
-  if (!clip) return true;
+  if (!clip) return isAtOffsets(character, skeleton);
   const { samples } = clip;
   if (samples?.startSeconds !== frames.startSeconds || samples.frameSeconds !== frames.frameSeconds) return false;
   if (samples.frameCount !== frames.frameCount) return false;
@@ -87,6 +90,16 @@ function isUntouched(character: Character, clip: ChannelClip | undefined, frames
   }
   for (let d = 0; d < compiled.dofCount; d++) if (clip.channels[d]?.kind !== 'samples') return false;
   return true;
+}
+
+/** Whether positions are at the offsets that they replace, and all other DOFs are 0. */
+function isAtOffsets({ pose }: Character, skeleton: Skeleton): boolean {
+  const starts = firstDofs(skeleton);
+  return skeleton.joints.every(({ motion, offset, couples }, j) => {
+    const isAt = ({ name }: { readonly name: string }, d: number) =>
+      (pose[starts[j] + d] ?? 0) === (replacesOffset(motion, name) ? offset['xyz'.indexOf(name[1])] : 0);
+    return !couples && dofsOf(motion).every(isAt);
+  });
 }
 
 class Figuring {
