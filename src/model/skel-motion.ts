@@ -9,7 +9,10 @@
  *
  * Where position channels replace the offset, the offset becomes 0 on their axes.
  */
+import { type ChannelClip, restChannel } from './clip.ts';
+import { firstDofs, jointDofCount, rootDofCount, rootDofs } from './dofs.ts';
 import { dofsOf, isOfBvh, jointTypeOf, offsetBesideDofs } from './joint-types.ts';
+import { columnOf, type Samples } from './samples.ts';
 import { type Joint, type Motion, type Skeleton, UNLIMITED } from './skeleton.ts';
 
 export interface SkelMotion {
@@ -43,4 +46,44 @@ export function skelJoint(joint: Joint): Joint {
 export function skelSkeleton(skeleton: Skeleton): Skeleton {
   if (!skeleton.joints.some(({ motion }) => isOfBvh(motion))) return skeleton;
   return { ...skeleton, joints: skeleton.joints.map(skelJoint) };
+}
+
+/**
+ * A clip of a skeleton with the channels of its `skelSkeleton`: the DOFs of joints may come in another order, and behind
+ * a root translation that a root of motion capture did without. The same object if nothing changes.
+ * @param pose values of the DOFs that the clip has no channels for
+ */
+export function skelChannels(clip: ChannelClip, skeleton: Skeleton, pose: readonly number[]): ChannelClip {
+  const first = firstDofs(skeleton);
+  const own = rootDofCount(skeleton);
+  const order = rootDofs(skelSkeleton(skeleton)).map((_, c) => (c < own ? c : -1));
+  skeleton.joints.forEach(({ motion }, j) => {
+    order.push(...skelMotionOf(motion).dofMap.map((d) => first[j] + d));
+  });
+  if (order.every((c, i) => c === i)) return clip;
+  const { samples, channels, ...rest } = clip;
+  // A clip may have fewer channels than DOFs, and more: those of morphs.
+  const count = order.findLastIndex((c) => c >= 0 && c < channels.length) + 1;
+  const past = channels.length - own - jointDofCount(skeleton);
+  const from = order.slice(0, past >= 0 ? order.length : count);
+  for (let i = 0; i < past; i++) from.push(channels.length - past + i);
+  return {
+    ...rest,
+    channels: from.map((c) => channels[c] ?? restChannel(pose[c])),
+    ...(samples && { samples: reordered(samples, from) }),
+  };
+}
+
+/** @param from the channel whose samples each channel gets; -1 for none */
+function reordered(samples: Samples, from: readonly number[]): Samples {
+  const columns = from.map((c) => (c < 0 ? -1 : columnOf(samples, c)));
+  const firstChannel = columns.findIndex((column) => column >= 0);
+  const taken = columns.slice(firstChannel, columns.findLastIndex((column) => column >= 0) + 1);
+  const { frameCount, scales } = samples;
+  const values = new Float64Array(frameCount * taken.length);
+  taken.forEach((column, k) => {
+    if (column < 0) return;
+    for (let f = 0; f < frameCount; f++) values[f * taken.length + k] = samples.values[f * scales.length + column];
+  });
+  return { ...samples, firstChannel, values, scales: Float64Array.from(taken, (column) => scales[column] ?? 1) };
 }

@@ -3,15 +3,24 @@ import { newCharacter } from '../../src/edit/new-character.ts';
 import { blendMorphs, compileSkin, deform } from '../../src/evaluate/deform.ts';
 import { compileSkeleton, worldMatrices } from '../../src/evaluate/kinematics.ts';
 import { poseAt } from '../../src/evaluate/pose.ts';
+import type { Character } from '../../src/model/document.ts';
 import { filePose } from '../../src/model/dofs.ts';
 import type { WholeCharacter } from '../../src/model/files.ts';
 import type { ReferencePose } from './gltf-reference.ts';
 
-/** World matrices of all joints, and all vertices of the first skin; at rest without a take. */
-export function posed({ skeleton, morphs, skins, clips }: WholeCharacter, take = -1, time = 0): ReferencePose {
+/**
+ * World matrices of all joints, and all vertices of the first skin; in the file pose without a take.
+ * @param as other than a new character
+ */
+export function posed(
+  { skeleton, morphs, skins, clips }: WholeCharacter,
+  take = -1,
+  time = 0,
+  as: Partial<Character> = {},
+): ReferencePose {
   const pose = filePose(skeleton, morphs.length);
   const values = Float64Array.from(pose);
-  poseAt({ ...newCharacter('a', 'a'), skeleton, morphs, clips, pose, shownClip: take }, time, values);
+  poseAt({ ...newCharacter('a', 'a'), skeleton, morphs, clips, pose, shownClip: take, ...as }, time, values);
   const compiled = compileSkeleton(skeleton);
   const worlds = new Float64Array(16 * compiled.jointCount);
   worldMatrices(compiled, values, worlds);

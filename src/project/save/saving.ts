@@ -7,9 +7,10 @@
 
 import { fitOneBvh } from '../../formats/bvh/write.ts';
 import { partsOf } from '../../model/character-parts.ts';
-import type { Character } from '../../model/document.ts';
+import { type Character, isBvh } from '../../model/document.ts';
 import type { FileContent } from '../../model/files.ts';
 import { newFileName, type Part } from '../../model/part.ts';
+import { skelChannels } from '../../model/skel-motion.ts';
 import { KINDS, type SavedKind } from '../kinds.ts';
 import { WRITERS, type Writer } from '../writers.ts';
 import { bvhOf, hasOwnRate, inPose } from './character-files.ts';
@@ -80,8 +81,13 @@ function contentOf(part: Exclude<Part, { readonly kind: 'bvh' }>, owned: readonl
       return { kind: 'skin', skin: part.content };
     case 'morph':
       return { kind: 'morph', morph: part.content };
-    case 'anim':
-      return { kind: 'anim', clip: part.content };
+    case 'anim': {
+      const [{ character }] = owned;
+      const { skeleton, pose } = character;
+      // The joints of motion capture that are left in a .skel have their DOFs in its order there.
+      if (!skeleton || isBvh(character)) return { kind: 'anim', clip: part.content };
+      return { kind: 'anim', clip: skelChannels(part.content, skeleton, pose) };
+    }
     case 'pose':
       return { kind: 'pose', poses: posesByNames(part.content) };
   }

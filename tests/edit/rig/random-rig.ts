@@ -81,7 +81,9 @@ export function randomValue(dice: Dice, rest: number): number {
 
 function randomJoint(dice: Dice, index: number, parent: number, motion: Motion): Joint {
   const dofs = dofsOf(motion);
-  const limit = (): Limit => (dice.is(0.7) ? UNLIMITED : { min: -1 - dice.number(), max: 1 + dice.number() });
+  // Position channels of motion capture are read without any limits.
+  const none = motion.kind === 'bvh' && dice.is(0.5) ? { min: -Infinity, max: Infinity } : UNLIMITED;
+  const limit = (): Limit => (dice.is(0.7) ? none : { min: -1 - dice.number(), max: 1 + dice.number() });
   return {
     name: dice.is(0.9) ? `bone${index}${dice.pick(['', '_l', '_r'])}` : '',
     parent,
