@@ -11,7 +11,7 @@ import { writeRotation } from '../math/quaternion.ts';
 import { couplesOf, type DofCouple } from '../model/couples.ts';
 import { rootDofCount } from '../model/dofs.ts';
 import { dofsOf, factorsOf, offsetBesideDofs, takesLimits } from '../model/joint-types.ts';
-import { perObject } from '../model/per-object.ts';
+import { perSkeleton } from '../model/per-skeleton.ts';
 import { type Motion, type Skeleton, UNLIMITED } from '../model/skeleton.ts';
 import { appliedDofs, eulerDofs } from './euler-dofs.ts';
 import type { JointMotion } from './motions/motion.ts';
@@ -50,7 +50,7 @@ export interface CompiledSkeleton {
 }
 
 /** The skeleton's compiled form, cached. */
-export const compileSkeleton = perObject(compile);
+export const compileSkeleton = perSkeleton(compile);
 
 function compile(skeleton: Skeleton): CompiledSkeleton {
   const { joints } = skeleton;

@@ -4,11 +4,12 @@
  */
 import type { ChannelClip } from '../model/clip.ts';
 import type { CapturedFigure } from '../model/files.ts';
+import { perSkeleton } from '../model/per-skeleton.ts';
 import type { Skeleton } from '../model/skeleton.ts';
 import { DEFAULT_SPACE, type GuessedSpace, type Space } from '../model/space.ts';
 import { type FrameShape, frameShapes, percentile } from './frame-shapes.ts';
 import { METRES, metresPerUnit } from './metres.ts';
-import { LIMB_SIDES, rolesOf } from './retarget/roles.ts';
+import { LIMB_SIDES, partsOf } from './retarget/roles.ts';
 import { GROUND_PERCENTILE } from './space.ts';
 
 /** Assumed height of a person, metres; figures get the unit that brings them closest. */
@@ -79,14 +80,15 @@ interface Body {
   readonly crown: readonly number[];
 }
 
-function bodyOf(skeleton: Skeleton): Body | undefined {
-  // By shape, figures are recognised upright.
-  return bodyIn(skeleton, 'y') ?? bodyIn(skeleton, 'z');
-}
+/** By shape, figures are recognised upright. Cached. */
+const bodyOf = perSkeleton((skeleton): Body | undefined => bodyIn(skeleton, 'y') ?? bodyIn(skeleton, 'z'));
+
+/** The file pose. Cached. */
+const restOf = perSkeleton((skeleton): FrameShape => frameShapes(skeleton, undefined)[0]);
 
 function bodyIn(skeleton: Skeleton, up: Space['up']): Body | undefined {
   const { joints } = skeleton;
-  const { single } = rolesOf(skeleton, { ...DEFAULT_SPACE, up });
+  const { single } = partsOf(skeleton, up);
   const [hips, head] = [single.get('hips'), single.get('head')];
   const legs = LIMB_SIDES.flatMap((side) => {
     const [thigh, shin, foot] = (['thigh', 'shin', 'foot'] as const).map((part) => single.get(`${side} ${part}`));
@@ -204,7 +206,7 @@ function upOf(skeleton: Skeleton, body: Body | undefined, frames: readonly Frame
     0.5,
   );
   const [ground, groundZ] = ([1, 2] as const).map((axis) => unevenness(frames, axis, size));
-  const [rest] = frameShapes(skeleton, undefined);
+  const rest = restOf(skeleton);
   const restZ = stands(rest, body, 2);
   const found = (up: Space['up']) => ({ up, standing: up === 'z' ? z : y });
   if (!moving) return found(restZ ? 'z' : 'y');

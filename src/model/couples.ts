@@ -4,7 +4,7 @@
  */
 import { firstDofs } from './dofs.ts';
 import { dofsOf } from './joint-types.ts';
-import { perObject } from './per-object.ts';
+import { perSkeleton } from './per-skeleton.ts';
 import type { Skeleton } from './skeleton.ts';
 
 /** DOF `dof` = gain · (DOF `follows`) + offset. */
@@ -28,7 +28,7 @@ const NONE: Couples = { ordered: [], circular: [] };
  * A skeleton's linked DOFs, computed once per skeleton. Links to DOFs that a joint does not have are skipped; readers
  * reject them.
  */
-export const couplesOf = perObject(resolve);
+export const couplesOf = perSkeleton(resolve);
 
 /** The link that drives a DOF; undefined for an independent DOF. */
 export function coupleOf(skeleton: Skeleton | undefined, dof: number): DofCouple | undefined {

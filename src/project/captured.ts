@@ -6,13 +6,18 @@ import { guessSharedSpace } from '../evaluate/space-guess.ts';
 import { type Diagnostic, withoutPlace } from '../model/diagnostic.ts';
 import type { CapturedFigure, ContentOf } from '../model/files.ts';
 import { positionsMeant, withPositions } from '../model/position-channels.ts';
+import { sharedJoints } from '../model/shared-joints.ts';
 
 export interface CapturedContent {
   readonly value: ContentOf<'bvh'>;
   readonly diagnostics: readonly Diagnostic[];
 }
 
-export function capturedContent(figures: readonly CapturedFigure[], fileName: string): CapturedContent {
+export function capturedContent(read: readonly CapturedFigure[], fileName: string): CapturedContent {
+  const figures = read.map(({ skeleton, ...rest }) => ({
+    ...rest,
+    skeleton: { ...skeleton, joints: sharedJoints(skeleton.joints) },
+  }));
   const isAdded = figures.some(({ skeleton, clip }) => positionsMeant(skeleton, clip) === 'add');
   const positions = isAdded ? 'add' : 'replace';
   // The size of a collapsed figure can't be measured.

@@ -1,5 +1,5 @@
 /** A take as a small moving picture: a few frames of a stick figure, seen from the side and above its feet. */
-import { rolesOf } from '../evaluate/retarget/roles.ts';
+import { partsOf } from '../evaluate/retarget/roles.ts';
 import type { ChannelClip } from '../model/clip.ts';
 import type { Skeleton } from '../model/skeleton.ts';
 import type { Space } from '../model/space.ts';
@@ -62,7 +62,7 @@ export function stickFigure(skeleton: Skeleton, clip: ChannelClip, space: Space 
 
 /** Joints and End Sites without fingers: those above each come first. */
 function pointsKept(skeleton: Skeleton, above: Int32Array, space: Space | undefined): readonly number[] {
-  const { single } = rolesOf(skeleton, space);
+  const { single } = partsOf(skeleton, space?.up);
   const hands = new Set([single.get('left hand'), single.get('right hand')]);
   const kept = new Set<number>();
   above.forEach((parent, p) => {

@@ -1,6 +1,6 @@
 /** A first look at a take, on a few of its frames: which joints are which, and what is usual in it. */
 import { percentile } from '../evaluate/frame-shapes.ts';
-import { LIMB_SIDES, rolesOf } from '../evaluate/retarget/roles.ts';
+import { LIMB_SIDES, partsOf } from '../evaluate/retarget/roles.ts';
 import type { Space } from '../model/space.ts';
 import type { TakeFrames } from './frames.ts';
 
@@ -39,7 +39,7 @@ export interface Survey {
 
 export function survey(frames: TakeFrames, space: Space | undefined): Survey {
   const { skeleton, count, pointCount, above } = frames;
-  const { single } = rolesOf(skeleton, space);
+  const { single } = partsOf(skeleton, space?.up);
   const dofs = new Float64Array(frames.dofCount);
   const looked = Math.min(MOST, count);
   const points = Array.from({ length: looked }, (_, i) => {

@@ -8,7 +8,7 @@ import { contactSpans, feetOf, type JointPaths, standingHeight } from '../../eva
 import { compileSkeleton, worldMatrices } from '../../evaluate/kinematics.ts';
 import { metresPerUnit } from '../../evaluate/metres.ts';
 import { dofCountOf, poseFrom, poseSource } from '../../evaluate/pose.ts';
-import { rolesOf } from '../../evaluate/retarget/roles.ts';
+import { partsOf } from '../../evaluate/retarget/roles.ts';
 import { applySpace } from '../../evaluate/space.ts';
 import { type Steps, within } from '../../evaluate/steps.ts';
 import type { Vec3 } from '../../math/vec3.ts';
@@ -158,7 +158,7 @@ function contactOf(
 
 /** IK in which only the legs move: everything above the thighs is locked. */
 function legsOnly(skeleton: Skeleton, { space }: Character, balls: readonly number[]): IkSetup {
-  const { single } = rolesOf(skeleton, space);
+  const { single } = partsOf(skeleton, space?.up);
   const thighs = new Set([single.get('left thigh'), single.get('right thigh')]);
   const locked = new Set<number>();
   for (const ball of balls) {

@@ -8,7 +8,7 @@
  * alike, or so that the foot that stands in both stays where it is. Without an overlap it goes on by the mean of the
  * two speeds; a second take that goes on by itself, such as the second half of one that was cut, is not moved.
  */
-import { rolesOf } from '../../evaluate/retarget/roles.ts';
+import { partsOf } from '../../evaluate/retarget/roles.ts';
 import type { Steps } from '../../evaluate/steps.ts';
 import { smoothstep } from '../../math/smoothstep.ts';
 import type { ChannelClip } from '../../model/clip.ts';
@@ -153,7 +153,7 @@ function standingFoot(
   overlap: number,
 ): { readonly own: Float64Array; readonly theirs: Float64Array } | undefined {
   const frames = Math.max(overlap, AROUND);
-  const { single } = rolesOf(character.skeleton, character.space);
+  const { single } = partsOf(character.skeleton, character.space?.up);
   const feet = (['left', 'right'] as const).flatMap((side) => {
     const joint = single.get(`${side} toe`) ?? single.get(`${side} foot`);
     if (joint === undefined) return [];

@@ -6,8 +6,9 @@
  *           └─ thigh ─ shin ─ foot ─ toe                      (left and right)
  */
 
+import { perSkeleton } from '../../model/per-skeleton.ts';
 import type { Skeleton } from '../../model/skeleton.ts';
-import type { Space } from '../../model/space.ts';
+import { DEFAULT_SPACE, type Space } from '../../model/space.ts';
 import { figureOf, type RetargetFigure } from './figure.ts';
 import { type NameParts, readName, type Word } from './names.ts';
 import { rolesByShape } from './shape.ts';
@@ -21,7 +22,8 @@ export type BodySide = (typeof LIMB_SIDES)[number];
 /** `left thigh`, or `hips`. */
 export type Role = `${BodySide} ${LimbPart}` | 'hips' | 'head';
 
-export interface Roles {
+/** What a skeleton's joints are, whatever its unit and its place. */
+export interface BodyParts {
   readonly single: ReadonlyMap<Role, number>;
   /** From the bottom up. */
   readonly spine: readonly number[];
@@ -29,13 +31,29 @@ export interface Roles {
   /** Joints recognised by shape. */
   readonly byShape: ReadonlySet<number>;
   readonly names: readonly NameParts[];
+}
+
+export interface Roles extends BodyParts {
   readonly rest: RetargetFigure;
 }
 
 export function rolesOf(skeleton: Skeleton, space: Space | undefined): Roles {
+  return { ...partsOf(skeleton, space?.up), rest: figureOf(skeleton, space) };
+}
+
+/** Cached. @param up by which shapes are recognised; default y */
+export function partsOf(skeleton: Skeleton, up: Space['up'] = 'y'): BodyParts {
+  return PARTS[up](skeleton);
+}
+
+const PARTS = {
+  y: perSkeleton((skeleton) => find(skeleton, 'y')),
+  z: perSkeleton((skeleton) => find(skeleton, 'z')),
+} as const satisfies Readonly<Record<Space['up'], (skeleton: Skeleton) => BodyParts>>;
+
+function find(skeleton: Skeleton, up: Space['up']): BodyParts {
   const { joints } = skeleton;
   const names = statedNames(skeleton) ?? joints.map(({ name }) => readName(name));
-  const rest = figureOf(skeleton, space);
   const single = new Map<Role, number>();
   const byShape = new Set<number>();
   const chainTo = (joint: number) => {
@@ -72,7 +90,7 @@ export function rolesOf(skeleton: Skeleton, space: Space | undefined): Roles {
   } else take('hips', named, first('hips', 'middle'));
   take('head', first('head', 'middle'));
 
-  const shape = hasLimbs(single) ? undefined : rolesByShape(skeleton, rest);
+  const shape = hasLimbs(single) ? undefined : rolesByShape(skeleton, figureOf(skeleton, { ...DEFAULT_SPACE, up }));
   if (shape) {
     const guess = (role: Role, joint: number | undefined) => {
       if (joint === undefined || joint < 0 || single.has(role)) return;
@@ -113,7 +131,7 @@ export function rolesOf(skeleton: Skeleton, space: Space | undefined): Roles {
     const top = neck.pop();
     if (top !== undefined) single.set('head', top);
   }
-  return { single, spine, neck, byShape, names, rest };
+  return { single, spine, neck, byShape, names };
 }
 
 /** The parts of the body that a file states, as names; undefined if it states none. */
