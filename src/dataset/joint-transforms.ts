@@ -3,8 +3,9 @@
  *
  *     local q = q of J(φ)        world q = q_parent · q        world p = p_parent + q_parent · t        t: from the pivot
  *
- * Where no joint stretches, quaternions are made of angles, without matrices: the sines and cosines of a whole frame in
- * one go. Where one does, rotations are those of the world matrices, and local ones follow from these.
+ * Frames come in blocks, and a block joint by joint: what is the same in all frames stays at hand, and what is written is
+ * near by. Where no joint stretches, quaternions are made of angles, without matrices: the sines and cosines of a joint's
+ * block in one go. Where one does, rotations are those of the world matrices, and local ones follow from these.
  *
  * In the scene: metres, y up, on the ground (`evaluate/space.ts`); the root's rotation includes that of the up axis, so
  * local rotations and the offsets compose to the world ones. Without a space all is as in the file.
@@ -19,35 +20,51 @@ import { writeSinesAndCosines } from '../math/sines-cosines.ts';
 import { stretches } from '../model/joint-types.ts';
 import type { Skeleton } from '../model/skeleton.ts';
 import type { Space } from '../model/space.ts';
+import type { Floats } from './data-array.ts';
+
+/** Most frames of a block: what is computed of them fits into the processor's nearer memory. */
+export const BLOCK = 32;
+
+/** What is written of each joint, frame after frame. */
+export interface JointRows {
+  /** 3, 4, 4 and 6 numbers per joint. */
+  readonly positions: Floats;
+  readonly worldQuat: Floats;
+  readonly localQuat: Floats;
+  /** The first two columns of the local rotation. */
+  readonly local6d: Floats;
+}
+
+/** A rotation by three angles: its DOFs, which of x, y, z they turn about, and the sign, as in `renamedAxes`. */
+interface Turn {
+  readonly dofs: readonly [number, number, number];
+  readonly axes: readonly [number, number, number];
+  readonly sign: number;
+}
 
 export class JointTransforms {
-  /** Four per joint, unit. From one frame to the next the signs change as little as they can. */
-  readonly local: Float64Array;
-  readonly world: Float64Array;
-  /** Three per joint. */
-  readonly positions: Float64Array;
+  /** Of each frame of the block x y z of each joint, then of each End Site. */
+  readonly points: readonly Float64Array[];
 
   private readonly compiled: CompiledSkeleton;
-  /** Whether the next frame is the first: its quaternions have w ≥ 0. */
-  private isFirst = true;
   private readonly isRigid: boolean;
   private readonly metres: number;
   private readonly isTurned: boolean;
-  /** Rotations by three angles: their joints; three DOFs, and three axes (0, 1, 2), each; signs as in `renamedAxes`. */
-  private readonly eulerJoints: Int32Array;
-  private readonly eulerDofs: Int32Array;
-  private readonly eulerAxes: Int32Array;
-  private readonly eulerSigns: Float64Array;
-  /** DOFs along an axis of these joints; which of `ways` they move, and from where. */
-  private readonly slidingDofs: Int32Array;
-  private readonly slidingWays: Int32Array;
-  private readonly slidingOffsets: Float64Array;
-  /** All other joints. */
-  private readonly otherJoints: Int32Array;
-  private readonly halves: Float64Array;
-  private readonly turned: Float64Array;
-  /** From the pivot's parent to the pivot, three per joint, in the file's unit. */
-  private readonly ways: Float64Array;
+  /** Of each joint; undefined for those that turn otherwise. */
+  private readonly turns: readonly (Turn | undefined)[];
+  /** All of `points`, and how many numbers a frame has. */
+  private readonly allPoints: Float64Array;
+  private readonly width: number;
+  /** Rotations of the block, four numbers per frame, joint by joint. */
+  private readonly local: Float64Array;
+  private readonly world: Float64Array;
+  /** Those of the frame before the block, four per joint: from one frame to the next signs change as little as they can. */
+  private readonly localBefore: Float64Array;
+  private readonly worldBefore: Float64Array;
+  /** Of one joint, per frame: angles, their sines and cosines; from the parent's pivot to its own, in the file's unit. */
+  private readonly halves = new Float64Array(3 * BLOCK);
+  private readonly turned = new Float64Array(6 * BLOCK);
+  private readonly ways = new Float64Array(3 * BLOCK);
   private readonly matrices: Float64Array;
   /** Joints of the End Sites, and x y z in their spaces. */
   private readonly endJoints: Int32Array;
@@ -64,204 +81,307 @@ export class JointTransforms {
     this.metres = space ? metresPerUnit(space) : 1;
     this.isTurned = space?.up === 'z';
     const count = joints.length;
-    this.local = new Float64Array(4 * count);
-    this.world = new Float64Array(4 * count);
-    this.positions = new Float64Array(3 * count);
-    this.ways = Float64Array.from(compiled.offsets);
     this.endJoints = Int32Array.from(joints.flatMap(({ endSites = [] }, j) => endSites.map(() => j)));
     this.ends = Float64Array.from(joints.flatMap(({ endSites = [] }) => endSites.flat()));
-    const eulers: number[] = [];
-    const others: number[] = [];
-    for (let j = 0; j < count; j++) (compiled.turns[3 * j] >= 0 ? eulers : others).push(j);
-    const rules = eulers.map((j) => {
-      const euler = eulerDofs(joints[j].motion);
+    this.width = 3 * (count + this.endJoints.length);
+    this.allPoints = new Float64Array(BLOCK * this.width);
+    this.points = Array.from({ length: BLOCK }, (_, b) =>
+      this.allPoints.subarray(b * this.width, (b + 1) * this.width),
+    );
+    this.local = new Float64Array(4 * BLOCK * count);
+    this.world = new Float64Array(4 * BLOCK * count);
+    this.localBefore = new Float64Array(4 * count);
+    this.worldBefore = new Float64Array(4 * count);
+    this.turns = joints.map(({ motion }, j) => {
+      if (compiled.turns[3 * j] < 0) return undefined;
+      const euler = eulerDofs(motion);
       if (!euler) throw new Error(`Joint ${j} turns by three angles, but has no order of them.`);
-      return { dofs: appliedDofs(euler).map((dof) => compiled.firstDof[j] + dof), ...renamedAxes(euler.order) };
+      const [a, b, c] = appliedDofs(euler);
+      const first = compiled.firstDof[j];
+      return { dofs: [first + a, first + b, first + c], ...renamedAxes(euler.order) };
     });
-    this.eulerJoints = Int32Array.from(eulers);
-    this.eulerDofs = Int32Array.from(rules.flatMap(({ dofs }) => dofs));
-    this.eulerAxes = Int32Array.from(rules.flatMap(({ axes }) => axes));
-    this.eulerSigns = Float64Array.from(rules, ({ sign }) => sign);
-    const sliding = eulers.flatMap((j) => [3 * j, 3 * j + 1, 3 * j + 2]).filter((way) => compiled.slides[way] >= 0);
-    this.slidingDofs = Int32Array.from(sliding, (way) => compiled.slides[way]);
-    this.slidingWays = Int32Array.from(sliding);
-    this.slidingOffsets = Float64Array.from(sliding, (way) => compiled.offsets[way]);
-    this.otherJoints = Int32Array.from(others);
-    this.halves = new Float64Array(3 * eulers.length);
-    this.turned = new Float64Array(6 * eulers.length);
     this.matrices = new Float64Array(16 * (this.isRigid ? 1 : count));
+    this.restart();
   }
 
-  /** The next frame is the first again. */
+  /** The next frame is the first: its quaternions have w ≥ 0. */
   restart(): void {
-    this.isFirst = true;
+    const { localBefore, worldBefore } = this;
+    for (let i = 0; i < localBefore.length; i++) localBefore[i] = worldBefore[i] = i % 4 === 3 ? 1 : 0;
   }
 
-  /** @param dofs of the character, with limits and links applied */
-  pose(dofs: Float64Array): void {
-    if (this.isRigid) {
-      this.poseEulers(dofs);
-      this.poseOthers(dofs);
-      this.compose();
-    } else this.poseByMatrices(dofs);
-    this.isFirst = false;
+  /**
+   * Poses a block of frames, which follow those before.
+   * @param dofs of the character, with limits and links applied, frame after frame
+   * @param count of frames, at most `BLOCK`
+   * @param rows where to write them, from which row on; absent: nowhere but to `points`
+   */
+  pose(dofs: Float64Array, count: number, rows?: JointRows, row = 0): void {
+    const stride = dofs.length / BLOCK;
+    if (!this.isRigid) this.poseByMatrices(dofs, stride, count);
+    for (let j = 0; j < this.compiled.jointCount; j++) {
+      if (this.isRigid) {
+        const turn = this.turns[j];
+        this.follow(dofs, stride, count, j);
+        if (turn) this.turnByAngles(dofs, stride, count, j, turn);
+        else this.turnByMotion(dofs, stride, count, j);
+        this.compose(count, j);
+      }
+      if (rows) this.write(rows, row, count, j);
+    }
+    this.placeEnds(count);
   }
 
-  /** Writes x y z of each End Site, in the order of the joints. */
-  writeEnds(out: Float64Array): void {
-    const { endJoints, ends, matrices: m, world, positions, metres } = this;
+  /** Writes `ways` of a joint. */
+  private follow(dofs: Float64Array, stride: number, count: number, j: number): void {
+    const { ways, compiled } = this;
+    const { offsets, slides, hasRootTranslation } = compiled;
+    for (let k = 0; k < 3; k++) {
+      const offset = offsets[3 * j + k];
+      const slide = slides[3 * j + k];
+      for (let b = 0; b < count; b++) ways[3 * b + k] = slide < 0 ? offset : offset + dofs[b * stride + slide];
+      if (j > 0 || !hasRootTranslation) continue;
+      for (let b = 0; b < count; b++) ways[3 * b + k] += dofs[b * stride + k];
+    }
+  }
+
+  /** Writes `local` of a joint, of any sign. */
+  private turnByAngles(dofs: Float64Array, stride: number, count: number, j: number, turn: Turn): void {
+    const { halves, turned, local } = this;
+    const { sign } = turn;
+    const [first, second, third] = turn.dofs;
+    const [ax, ay, az] = turn.axes;
+    const half = sign / 2;
+    for (let b = 0; b < count; b++) {
+      halves[3 * b] = half * dofs[b * stride + first];
+      halves[3 * b + 1] = half * dofs[b * stride + second];
+      halves[3 * b + 2] = half * dofs[b * stride + third];
+    }
+    writeSinesAndCosines(halves, 3 * count, turned);
+    let o = 4 * BLOCK * j;
+    for (let t = 0; t < 6 * count; t += 6) {
+      const sx = turned[t];
+      const cx = turned[t + 1];
+      const sy = turned[t + 2];
+      const cy = turned[t + 3];
+      const sz = turned[t + 4];
+      const cz = turned[t + 5];
+      const cc = cy * cz;
+      const ss = sy * sz;
+      const sc = sy * cz;
+      const cs = cy * sz;
+      local[o + ax] = sign * (sx * cc - cx * ss);
+      local[o + ay] = sign * (cx * sc + sx * cs);
+      local[o + az] = sign * (cx * cs - sx * sc);
+      local[o + 3] = cx * cc + sx * ss;
+      o += 4;
+    }
+  }
+
+  /** As `turnByAngles`, of a joint of another kind, which may also move its pivot. */
+  private turnByMotion(dofs: Float64Array, stride: number, count: number, j: number): void {
+    const { compiled, matrices, local, ways } = this;
+    const { motions, firstDof, offsets, hasRootTranslation } = compiled;
+    const isMoved = j === 0 && hasRootTranslation;
+    for (let b = 0; b < count; b++) {
+      motions[j].write(dofs, b * stride + firstDof[j], matrices, 0);
+      for (let k = 0; k < 3; k++) {
+        const way = offsets[3 * j + k] + matrices[12 + k];
+        ways[3 * b + k] = isMoved ? dofs[b * stride + k] + way : way;
+      }
+      writeRotationPart(matrices, 0, rotation, 0, 3);
+      readQuaternion();
+      local.set(quaternion, 4 * (BLOCK * j + b));
+    }
+  }
+
+  /** World rotations and positions of a joint, and the signs of its rotations. */
+  private compose(count: number, j: number): void {
+    const { compiled, local, world, localBefore, worldBefore, ways, allPoints, width, metres } = this;
+    const above = compiled.parent[j];
+    if (above < 0) {
+      this.composeRoot(count, j);
+      return;
+    }
+    let lx = localBefore[4 * j];
+    let ly = localBefore[4 * j + 1];
+    let lz = localBefore[4 * j + 2];
+    let lw = localBefore[4 * j + 3];
+    let x = worldBefore[4 * j];
+    let y = worldBefore[4 * j + 1];
+    let z = worldBefore[4 * j + 2];
+    let w = worldBefore[4 * j + 3];
+    for (let b = 0; b < count; b++) {
+      const o = 4 * (BLOCK * j + b);
+      const p = 4 * (BLOCK * above + b);
+      const ax = world[p];
+      const ay = world[p + 1];
+      const az = world[p + 2];
+      const aw = world[p + 3];
+      let bx = local[o];
+      let by = local[o + 1];
+      let bz = local[o + 2];
+      let bw = local[o + 3];
+      if (bx * lx + by * ly + bz * lz + bw * lw < 0) {
+        bx = -bx;
+        by = -by;
+        bz = -bz;
+        bw = -bw;
+      }
+      local[o] = lx = bx;
+      local[o + 1] = ly = by;
+      local[o + 2] = lz = bz;
+      local[o + 3] = lw = bw;
+      const nx = aw * bx + ax * bw + ay * bz - az * by;
+      const ny = aw * by - ax * bz + ay * bw + az * bx;
+      const nz = aw * bz + ax * by - ay * bx + az * bw;
+      const nw = aw * bw - ax * bx - ay * by - az * bz;
+      const sign = nx * x + ny * y + nz * z + nw * w < 0 ? -1 : 1;
+      world[o] = x = sign * nx;
+      world[o + 1] = y = sign * ny;
+      world[o + 2] = z = sign * nz;
+      world[o + 3] = w = sign * nw;
+      // v + 2 a × (a × v + w v), of Rodrigues
+      const vx = metres * ways[3 * b];
+      const vy = metres * ways[3 * b + 1];
+      const vz = metres * ways[3 * b + 2];
+      const cx = ay * vz - az * vy + aw * vx;
+      const cy = az * vx - ax * vz + aw * vy;
+      const cz = ax * vy - ay * vx + aw * vz;
+      const from = b * width + 3 * above;
+      const to = b * width + 3 * j;
+      allPoints[to] = allPoints[from] + vx + 2 * (ay * cz - az * cy);
+      allPoints[to + 1] = allPoints[from + 1] + vy + 2 * (az * cx - ax * cz);
+      allPoints[to + 2] = allPoints[from + 2] + vz + 2 * (ax * cy - ay * cx);
+    }
+    localBefore[4 * j] = lx;
+    localBefore[4 * j + 1] = ly;
+    localBefore[4 * j + 2] = lz;
+    localBefore[4 * j + 3] = lw;
+    worldBefore[4 * j] = x;
+    worldBefore[4 * j + 1] = y;
+    worldBefore[4 * j + 2] = z;
+    worldBefore[4 * j + 3] = w;
+  }
+
+  private composeRoot(count: number, j: number): void {
+    const { local, world, worldBefore, ways, points, space, isTurned } = this;
+    for (let b = 0; b < count; b++) {
+      const o = 4 * (BLOCK * j + b);
+      if (isTurned) turnUp(local, o);
+      put(local, o, local[o], local[o + 1], local[o + 2], local[o + 3], worldBefore, 4 * j);
+      for (let k = 0; k < 4; k++) world[o + k] = local[o + k];
+      applySpace(space, ways[3 * b], ways[3 * b + 1], ways[3 * b + 2], point);
+      points[b].set(point, 3 * j);
+    }
+  }
+
+  private poseByMatrices(dofs: Float64Array, stride: number, count: number): void {
+    const { compiled, matrices, local, world, localBefore, worldBefore, points, space, isTurned } = this;
+    const { parent, jointCount } = compiled;
+    for (let b = 0; b < count; b++) {
+      worldMatrices(compiled, dofs.subarray(b * stride, (b + 1) * stride), matrices);
+      for (let j = 0; j < jointCount; j++) {
+        const o = 4 * (BLOCK * j + b);
+        writeRotationPart(matrices, 16 * j, rotation, 0, 3);
+        readQuaternion();
+        if (isTurned) turnUp(quaternion, 0);
+        put(world, o, quaternion[0], quaternion[1], quaternion[2], quaternion[3], worldBefore, 4 * j);
+        applySpace(space, matrices[16 * j + 12], matrices[16 * j + 13], matrices[16 * j + 14], point);
+        points[b].set(point, 3 * j);
+        const above = parent[j];
+        if (above < 0) {
+          for (let k = 0; k < 4; k++) local[o + k] = world[o + k];
+          continue;
+        }
+        const p = 4 * (BLOCK * above + b);
+        const [ax, ay, az, aw] = [-world[p], -world[p + 1], -world[p + 2], world[p + 3]];
+        const [bx, by, bz, bw] = [world[o], world[o + 1], world[o + 2], world[o + 3]];
+        const x = aw * bx + ax * bw + ay * bz - az * by;
+        const y = aw * by - ax * bz + ay * bw + az * bx;
+        const z = aw * bz + ax * by - ay * bx + az * bw;
+        const w = aw * bw - ax * bx - ay * by - az * bz;
+        put(local, o, x, y, z, w, localBefore, 4 * j);
+      }
+      this.placeEndsByMatrices(b);
+    }
+  }
+
+  /** Writes the rows of a joint. */
+  private write(rows: JointRows, row: number, count: number, j: number): void {
+    const { local, world, allPoints, width, compiled } = this;
+    const { positions, worldQuat, localQuat, local6d } = rows;
+    const { jointCount } = compiled;
+    for (let b = 0; b < count; b++) {
+      const at = (row + b) * jointCount + j;
+      const o = 4 * (BLOCK * j + b);
+      const p = b * width + 3 * j;
+      positions[3 * at] = allPoints[p];
+      positions[3 * at + 1] = allPoints[p + 1];
+      positions[3 * at + 2] = allPoints[p + 2];
+      worldQuat[4 * at] = world[o];
+      worldQuat[4 * at + 1] = world[o + 1];
+      worldQuat[4 * at + 2] = world[o + 2];
+      worldQuat[4 * at + 3] = world[o + 3];
+      const x = local[o];
+      const y = local[o + 1];
+      const z = local[o + 2];
+      const w = local[o + 3];
+      localQuat[4 * at] = x;
+      localQuat[4 * at + 1] = y;
+      localQuat[4 * at + 2] = z;
+      localQuat[4 * at + 3] = w;
+      local6d[6 * at] = 1 - 2 * (y * y + z * z);
+      local6d[6 * at + 1] = 2 * (x * y + w * z);
+      local6d[6 * at + 2] = 2 * (x * z - w * y);
+      local6d[6 * at + 3] = 2 * (x * y - w * z);
+      local6d[6 * at + 4] = 1 - 2 * (x * x + z * z);
+      local6d[6 * at + 5] = 2 * (y * z + w * x);
+    }
+  }
+
+  /** By the rotations of rigid joints; the others have placed them. */
+  private placeEnds(count: number): void {
+    const { endJoints, ends, world, allPoints, width, metres, compiled } = this;
+    if (!this.isRigid) return;
     for (let e = 0; e < endJoints.length; e++) {
       const j = endJoints[e];
-      const o = 3 * e;
-      const x = ends[o];
-      const y = ends[o + 1];
-      const z = ends[o + 2];
-      if (this.isRigid) {
-        turnBy(world, 4 * j, metres * x, metres * y, metres * z);
-        for (let k = 0; k < 3; k++) out[o + k] = positions[3 * j + k] + point[k];
-        continue;
+      const x = metres * ends[3 * e];
+      const y = metres * ends[3 * e + 1];
+      const z = metres * ends[3 * e + 2];
+      for (let b = 0; b < count; b++) {
+        const from = b * width + 3 * j;
+        const to = b * width + 3 * (compiled.jointCount + e);
+        const q = 4 * (BLOCK * j + b);
+        const ax = world[q];
+        const ay = world[q + 1];
+        const az = world[q + 2];
+        const aw = world[q + 3];
+        const cx = ay * z - az * y + aw * x;
+        const cy = az * x - ax * z + aw * y;
+        const cz = ax * y - ay * x + aw * z;
+        allPoints[to] = allPoints[from] + (x + 2 * (ay * cz - az * cy));
+        allPoints[to + 1] = allPoints[from + 1] + (y + 2 * (az * cx - ax * cz));
+        allPoints[to + 2] = allPoints[from + 2] + (z + 2 * (ax * cy - ay * cx));
       }
-      const at = 16 * j;
+    }
+  }
+
+  private placeEndsByMatrices(frame: number): void {
+    const { endJoints, ends, matrices: m, points, compiled, space } = this;
+    for (let e = 0; e < endJoints.length; e++) {
+      const at = 16 * endJoints[e];
+      const x = ends[3 * e];
+      const y = ends[3 * e + 1];
+      const z = ends[3 * e + 2];
       applySpace(
-        this.space,
+        space,
         m[at] * x + m[at + 4] * y + m[at + 8] * z + m[at + 12],
         m[at + 1] * x + m[at + 5] * y + m[at + 9] * z + m[at + 13],
         m[at + 2] * x + m[at + 6] * y + m[at + 10] * z + m[at + 14],
         point,
       );
-      for (let k = 0; k < 3; k++) out[o + k] = point[k];
-    }
-  }
-
-  private poseEulers(dofs: Float64Array): void {
-    const { eulerJoints, eulerDofs, eulerAxes, eulerSigns, halves, turned, isFirst } = this;
-    const { ways, slidingDofs, slidingWays, slidingOffsets } = this;
-    const q = this.local;
-    for (let r = 0; r < eulerJoints.length; r++) {
-      const half = eulerSigns[r] / 2;
-      halves[3 * r] = half * dofs[eulerDofs[3 * r]];
-      halves[3 * r + 1] = half * dofs[eulerDofs[3 * r + 1]];
-      halves[3 * r + 2] = half * dofs[eulerDofs[3 * r + 2]];
-    }
-    writeSinesAndCosines(halves, halves.length, turned);
-    for (let r = 0; r < eulerJoints.length; r++) {
-      const j = eulerJoints[r];
-      const sx = turned[6 * r];
-      const cx = turned[6 * r + 1];
-      const sy = turned[6 * r + 2];
-      const cy = turned[6 * r + 3];
-      const sz = turned[6 * r + 4];
-      const cz = turned[6 * r + 5];
-      const cc = cy * cz;
-      const ss = sy * sz;
-      const sc = sy * cz;
-      const cs = cy * sz;
-      let sign = eulerSigns[r];
-      let w = cx * cc + sx * ss;
-      const o = 4 * j;
-      const a = o + eulerAxes[3 * r];
-      const b = o + eulerAxes[3 * r + 1];
-      const c = o + eulerAxes[3 * r + 2];
-      const x = sign * (sx * cc - cx * ss);
-      const y = sign * (cx * sc + sx * cs);
-      const z = sign * (cx * cs - sx * sc);
-      const near = isFirst ? w : x * q[a] + y * q[b] + z * q[c] + w * q[o + 3];
-      sign = near < 0 ? -1 : 1;
-      w *= sign;
-      q[a] = sign * x;
-      q[b] = sign * y;
-      q[c] = sign * z;
-      q[o + 3] = w;
-    }
-    for (let i = 0; i < slidingDofs.length; i++) ways[slidingWays[i]] = slidingOffsets[i] + dofs[slidingDofs[i]];
-  }
-
-  private poseOthers(dofs: Float64Array): void {
-    const { compiled, otherJoints, ways, matrices, local, isFirst } = this;
-    const { motions, firstDof, offsets } = compiled;
-    for (let i = 0; i < otherJoints.length; i++) {
-      const j = otherJoints[i];
-      motions[j].write(dofs, firstDof[j], matrices, 0);
-      for (let k = 0; k < 3; k++) ways[3 * j + k] = offsets[3 * j + k] + matrices[12 + k];
-      writeRotationPart(matrices, 0, rotation, 0, 3);
-      readQuaternion();
-      put(local, 4 * j, quaternion[0], quaternion[1], quaternion[2], quaternion[3], isFirst);
-    }
-    if (!compiled.hasRootTranslation) return;
-    // Of a root with three angles nothing has been computed yet in this frame.
-    const isEuler = compiled.turns[0] >= 0;
-    for (let k = 0; k < 3; k++) {
-      const slide = compiled.slides[k];
-      ways[k] = dofs[k] + (isEuler ? offsets[k] + (slide < 0 ? 0 : dofs[slide]) : ways[k]);
-    }
-  }
-
-  /** World rotations and positions, from the root down. */
-  private compose(): void {
-    const { compiled, local, world, positions, ways, metres, space, isTurned, isFirst } = this;
-    const { parent, jointCount } = compiled;
-    for (let j = 0; j < jointCount; j++) {
-      const above = parent[j];
-      const o = 4 * j;
-      if (above < 0) {
-        if (isTurned) turnUp(local, o);
-        put(world, o, local[o], local[o + 1], local[o + 2], local[o + 3], isFirst);
-        for (let k = 0; k < 4; k++) local[o + k] = world[o + k];
-        applySpace(space, ways[3 * j], ways[3 * j + 1], ways[3 * j + 2], point);
-        for (let k = 0; k < 3; k++) positions[3 * j + k] = point[k];
-        continue;
-      }
-      const p = 4 * above;
-      const ax = world[p];
-      const ay = world[p + 1];
-      const az = world[p + 2];
-      const aw = world[p + 3];
-      const bx = local[o];
-      const by = local[o + 1];
-      const bz = local[o + 2];
-      const bw = local[o + 3];
-      const x = aw * bx + ax * bw + ay * bz - az * by;
-      const y = aw * by - ax * bz + ay * bw + az * bx;
-      const z = aw * bz + ax * by - ay * bx + az * bw;
-      const w = aw * bw - ax * bx - ay * by - az * bz;
-      put(world, o, x, y, z, w, isFirst);
-      // v + 2 a × (a × v + w v), of Rodrigues
-      const vx = metres * ways[3 * j];
-      const vy = metres * ways[3 * j + 1];
-      const vz = metres * ways[3 * j + 2];
-      const cx = ay * vz - az * vy + aw * vx;
-      const cy = az * vx - ax * vz + aw * vy;
-      const cz = ax * vy - ay * vx + aw * vz;
-      positions[3 * j] = positions[3 * above] + vx + 2 * (ay * cz - az * cy);
-      positions[3 * j + 1] = positions[3 * above + 1] + vy + 2 * (az * cx - ax * cz);
-      positions[3 * j + 2] = positions[3 * above + 2] + vz + 2 * (ax * cy - ay * cx);
-    }
-  }
-
-  private poseByMatrices(dofs: Float64Array): void {
-    const { compiled, matrices, local, world, positions, space, isTurned, isFirst } = this;
-    worldMatrices(compiled, dofs, matrices);
-    for (let j = 0; j < compiled.jointCount; j++) {
-      const o = 4 * j;
-      writeRotationPart(matrices, 16 * j, rotation, 0, 3);
-      readQuaternion();
-      if (isTurned) turnUp(quaternion, 0);
-      put(world, o, quaternion[0], quaternion[1], quaternion[2], quaternion[3], isFirst);
-      applySpace(space, matrices[16 * j + 12], matrices[16 * j + 13], matrices[16 * j + 14], point);
-      for (let k = 0; k < 3; k++) positions[3 * j + k] = point[k];
-      const above = compiled.parent[j];
-      if (above < 0) {
-        for (let k = 0; k < 4; k++) local[o + k] = world[o + k];
-        continue;
-      }
-      const p = 4 * above;
-      const [ax, ay, az, aw] = [-world[p], -world[p + 1], -world[p + 2], world[p + 3]];
-      const [bx, by, bz, bw] = [world[o], world[o + 1], world[o + 2], world[o + 3]];
-      const x = aw * bx + ax * bw + ay * bz - az * by;
-      const y = aw * by - ax * bz + ay * bw + az * bx;
-      const z = aw * bz + ax * by - ay * bx + az * bw;
-      const w = aw * bw - ax * bx - ay * by - az * bz;
-      put(local, o, x, y, z, w, isFirst);
+      points[frame].set(point, 3 * (compiled.jointCount + e));
     }
   }
 }
@@ -280,24 +400,23 @@ function readQuaternion(): void {
   for (let k = 0; k < 4; k++) quaternion[k] /= length;
 }
 
-/** Writes a quaternion with the sign nearer to the one there, or in the first frame with w ≥ 0. */
-function put(out: Float64Array, o: number, x: number, y: number, z: number, w: number, isFirst: boolean): void {
-  const near = isFirst ? w : x * out[o] + y * out[o + 1] + z * out[o + 2] + w * out[o + 3];
+/** Writes a quaternion with the sign nearer to the one before, which it becomes. */
+function put(
+  out: Float64Array,
+  o: number,
+  x: number,
+  y: number,
+  z: number,
+  w: number,
+  before: Float64Array,
+  p: number,
+): void {
+  const near = x * before[p] + y * before[p + 1] + z * before[p + 2] + w * before[p + 3];
   const sign = near < 0 ? -1 : 1;
-  out[o] = sign * x;
-  out[o + 1] = sign * y;
-  out[o + 2] = sign * z;
-  out[o + 3] = sign * w;
-}
-
-/** Rotates `point` to v by the quaternion at `q[o]`. */
-function turnBy(q: Float64Array, o: number, x: number, y: number, z: number): void {
-  const cx = q[o + 1] * z - q[o + 2] * y + q[o + 3] * x;
-  const cy = q[o + 2] * x - q[o] * z + q[o + 3] * y;
-  const cz = q[o] * y - q[o + 1] * x + q[o + 3] * z;
-  point[0] = x + 2 * (q[o + 1] * cz - q[o + 2] * cy);
-  point[1] = y + 2 * (q[o + 2] * cx - q[o] * cz);
-  point[2] = z + 2 * (q[o] * cy - q[o + 1] * cx);
+  out[o] = before[p] = sign * x;
+  out[o + 1] = before[p + 1] = sign * y;
+  out[o + 2] = before[p + 2] = sign * z;
+  out[o + 3] = before[p + 3] = sign * w;
 }
 
 /** Turns q by the up axis, (x, y, z) → (x, z, −y): the product of −√½ i + √½ and q. */

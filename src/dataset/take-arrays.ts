@@ -25,7 +25,7 @@ import type { Skeleton } from '../model/skeleton.ts';
 import type { Space } from '../model/space.ts';
 import type { DataArray, Floats } from './data-array.ts';
 import type { FloatPool, Precision } from './float-pool.ts';
-import { JointTransforms } from './joint-transforms.ts';
+import { BLOCK, JointTransforms } from './joint-transforms.ts';
 import type { Take } from './take.ts';
 
 /** Numbers per joint and frame: positions, two quaternions, 6D, velocities. */
@@ -72,6 +72,7 @@ export function takeArrays(take: Take, pool: FloatPool, watcher?: FrameWatcher):
   const { joints } = skeleton;
   const J = joints.length;
   const ends = joints.flatMap(({ endSites = [] }, joint) => endSites.map((at) => ({ joint, at })));
+  const E = ends.length;
   pool.reset();
   refuseTooLarge(count, PER_JOINT * J + 3 * ends.length + 3, pool.precision);
   const floats = (size: number) => pool.take(size);
@@ -91,34 +92,30 @@ export function takeArrays(take: Take, pool: FloatPool, watcher?: FrameWatcher):
   const feet = new FootPaths(take);
   const transforms = new JointTransforms(skeleton, space);
   const source = poseSource(character);
-  const dofs = new Float64Array(dofCountOf(character));
+  const width = dofCountOf(character);
+  const dofs = new Float64Array(BLOCK * width);
+  const dofsOf = Array.from({ length: BLOCK }, (_, b) => dofs.subarray(b * width, (b + 1) * width));
   const speeds = new Speeds(velocities, 3 * J, fps);
-  const E = ends.length;
-  const points = new Float64Array(3 * (J + E));
-  const endPoints = points.subarray(3 * J);
+  const rows = { positions, worldQuat, localQuat, local6d };
   // Contacts are found over the whole take, so that a part of it has the same ones.
   const [from, to] = feet.balls.length || watcher ? [0, frames.frameCount] : [first, first + count];
-  for (let f = from; f < to; f++) {
+  for (let f = from, n = 0; f < to; f += n) {
     if (f === first) transforms.restart();
-    poseFrom(source, frames.startSeconds + f * frames.frameSeconds, dofs);
-    transforms.pose(dofs);
-    const at = transforms.positions;
-    feet.take(f, at);
-    const row = f - first;
-    const isPart = row >= 0 && row < count;
-    if (isPart || watcher) transforms.writeEnds(endPoints);
-    if (watcher) {
-      points.set(at);
-      watcher.frame(f, dofs, points);
+    // Blocks end where the part begins and ends.
+    n = Math.min(BLOCK, (f < first ? first : f < first + count ? first + count : to) - f);
+    const isPart = f >= first && f < first + count;
+    for (let b = 0; b < n; b++) poseFrom(source, frames.startSeconds + (f + b) * frames.frameSeconds, dofsOf[b]);
+    transforms.pose(dofs, n, isPart ? rows : undefined, f - first);
+    for (let b = 0; b < n; b++) {
+      const points = transforms.points[b];
+      feet.take(f + b, points);
+      watcher?.frame(f + b, dofsOf[b], points);
+      if (!isPart) continue;
+      const row = f + b - first;
+      for (let k = 0; k < 3; k++) rootPositions[3 * row + k] = points[3 * carrier + k];
+      for (let i = 0; i < 3 * E; i++) endPositions[3 * E * row + i] = points[3 * J + i];
+      speeds.take(row, points);
     }
-    if (!isPart) continue;
-    positions.set(at, 3 * J * row);
-    worldQuat.set(transforms.world, 4 * J * row);
-    localQuat.set(transforms.local, 4 * J * row);
-    writeColumns(transforms.local, local6d, 6 * J * row);
-    for (let k = 0; k < 3; k++) rootPositions[3 * row + k] = at[3 * carrier + k];
-    endPositions.set(endPoints, 3 * E * row);
-    speeds.take(row, at);
   }
   speeds.end(count);
   return {
@@ -201,23 +198,6 @@ function endNamesOf({ joints }: Skeleton): readonly string[] {
   return joints.flatMap(({ name, endSites = [] }) => endSites.map((_, i) => `${name}_end${i > 0 ? i + 1 : ''}`));
 }
 
-/** The first two columns of the rotation of each quaternion. */
-function writeColumns(quaternions: Float64Array, out: Floats, o: number): void {
-  for (let i = 0; i < quaternions.length; i += 4) {
-    const x = quaternions[i];
-    const y = quaternions[i + 1];
-    const z = quaternions[i + 2];
-    const w = quaternions[i + 3];
-    out[o] = 1 - 2 * (y * y + z * z);
-    out[o + 1] = 2 * (x * y + w * z);
-    out[o + 2] = 2 * (x * z - w * y);
-    out[o + 3] = 2 * (x * y - w * z);
-    out[o + 4] = 1 - 2 * (x * x + z * z);
-    out[o + 5] = 2 * (y * z + w * x);
-    o += 6;
-  }
-}
-
 /** Velocities by central differences of positions in doubles, of which it keeps two frames. */
 class Speeds {
   private before: Float64Array;
@@ -232,17 +212,17 @@ class Speeds {
     this.last = new Float64Array(width);
   }
 
-  /** Rows come in order, from 0. */
-  take(row: number, positions: Float64Array): void {
+  /** Rows come in order, from 0. @param points of which the first are the joints */
+  take(row: number, points: Float64Array): void {
     const { out, width, before, last, fps } = this;
     if (row > 0) {
       // Of the row before: from the one before that, or one-sided.
       const from = row > 1 ? before : last;
       const rate = row > 1 ? fps / 2 : fps;
       const o = (row - 1) * width;
-      for (let i = 0; i < width; i++) out[o + i] = (positions[i] - from[i]) * rate;
+      for (let i = 0; i < width; i++) out[o + i] = (points[i] - from[i]) * rate;
     }
-    before.set(positions);
+    for (let i = 0; i < width; i++) before[i] = points[i];
     this.before = last;
     this.last = before;
   }
@@ -279,7 +259,8 @@ class FootPaths {
     for (let i = 0; i < balls.length; i++) {
       const p = 3 * balls[i];
       applySpace(toMetres, positions[p], positions[p + 1], positions[p + 2], foot);
-      points.set(foot, 3 * (frame * balls.length + i));
+      const o = 3 * (frame * balls.length + i);
+      for (let k = 0; k < 3; k++) points[o + k] = foot[k];
     }
   }
 
