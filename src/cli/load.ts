@@ -85,6 +85,11 @@ export async function loadAny(args: readonly string[], folder: string, otherwise
   return loadFiles(args, folder, otherwise, imported);
 }
 
+/** As `loadAny`, of files that were found already. */
+export async function loadFound(given: readonly GivenPath[], folder: string): Promise<Loaded> {
+  return loadGiven(given, undefined, await importGiven(given, folder));
+}
+
 /** Files that were imported, and those that are parts of them, by their paths. */
 type ImportedPaths = ReadonlyMap<string, LoadedOne | 'part'>;
 

@@ -3,7 +3,7 @@ import type { ChannelClip } from '../model/clip.ts';
 import { type Character, DEFAULT_PLACEMENT } from '../model/document.ts';
 import { filePose } from '../model/dofs.ts';
 import type { Skeleton } from '../model/skeleton.ts';
-import { dofCountOf, poseAt } from './pose.ts';
+import { poseFrom, poseSource } from './pose.ts';
 
 /** A character with nothing but a skeleton and perhaps a take; its limits are not enforced. */
 export function bareFigure(skeleton: Skeleton, clip: ChannelClip | undefined): Character {
@@ -36,11 +36,12 @@ export function forFrames(
   visit: (dofs: Float64Array) => void,
 ): void {
   const figure = bareFigure(skeleton, clip);
-  const dofs = new Float64Array(dofCountOf(figure));
+  const source = poseSource(figure);
+  const dofs = new Float64Array(source.count);
   const [start, end] = clip?.range ?? [0, 0];
   const count = end > start ? Math.max(2, Math.min(most, clip?.samples?.frameCount ?? most)) : 1;
   for (let i = 0; i < count; i++) {
-    poseAt(figure, start + ((end - start) * i) / Math.max(1, count - 1), dofs);
+    poseFrom(source, start + ((end - start) * i) / Math.max(1, count - 1), dofs);
     visit(dofs);
   }
 }

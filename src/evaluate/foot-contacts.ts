@@ -35,7 +35,8 @@ export interface JointPaths {
 
 /** Height of a path when its foot stands; metres. */
 export function standingHeight({ count, width, points }: JointPaths, column: number): number {
-  const heights = Array.from({ length: count }, (_, f) => points[3 * (f * width + column) + 1]);
+  const heights = new Float64Array(count);
+  for (let f = 0; f < count; f++) heights[f] = points[3 * (f * width + column) + 1];
   return percentile(heights, STANDING) || 0;
 }
 
@@ -47,14 +48,17 @@ export function standingHeight({ count, width, points }: JointPaths, column: num
 export function contactSpans(paths: JointPaths, column: number, height: number, leg: number): Float64Array {
   const { count, start, step, width, points } = paths;
   if (!(step > 0)) return new Float64Array(0);
-  const at = (f: number, k: number) => points[3 * (f * width + column) + k];
   const reach = Math.max(1, Math.round(HALF_WINDOW / step));
   const spans: [number, number][] = [];
   for (let f = 0; f < count; f++) {
-    if (!(at(f, 1) < height + LOW * leg)) continue;
+    if (!(points[3 * (f * width + column) + 1] < height + LOW * leg)) continue;
     const [a, b] = [Math.max(0, f - reach), Math.min(count - 1, f + reach)];
-    const way = Math.hypot(at(b, 0) - at(a, 0), at(b, 1) - at(a, 1), at(b, 2) - at(a, 2));
-    if (!(way < SLOW * leg * step * (b - a))) continue;
+    const from = 3 * (a * width + column);
+    const to = 3 * (b * width + column);
+    const x = points[to] - points[from];
+    const y = points[to + 1] - points[from + 1];
+    const z = points[to + 2] - points[from + 2];
+    if (!(Math.sqrt(x * x + y * y + z * z) < SLOW * leg * step * (b - a))) continue;
     const seconds = start + f * step;
     const last = spans.at(-1);
     if (last && seconds - last[1] <= Math.max(SHORTEST_GAP, 1.5 * step)) last[1] = seconds;

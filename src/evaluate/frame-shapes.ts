@@ -1,5 +1,4 @@
 /** Positions and extents of a figure in frames of its take, in its own space; for guesses about the space. */
-import type { Vec3 } from '../math/vec3.ts';
 import type { ChannelClip } from '../model/clip.ts';
 import type { Skeleton } from '../model/skeleton.ts';
 import { forFrames } from './figure-frames.ts';
@@ -14,7 +13,6 @@ export interface FrameShape {
 
 /** Frames examined, evenly over the clip. */
 const MAX_FRAMES = 64;
-const NO_POINTS: readonly Vec3[] = [];
 
 /** One, of the file pose, without a clip. */
 export function frameShapes(skeleton: Skeleton, clip: ChannelClip | undefined): FrameShape[] {
@@ -28,29 +26,39 @@ export function frameShapes(skeleton: Skeleton, clip: ChannelClip | undefined): 
   return shapes;
 }
 
-function shapeOf(skeleton: Skeleton, world: Float64Array): FrameShape {
+function shapeOf({ joints }: Skeleton, world: Float64Array): FrameShape {
+  const points = new Float64Array(3 * joints.length);
   const min = [Infinity, Infinity, Infinity];
   const max = [-Infinity, -Infinity, -Infinity];
-  const points = new Float64Array(3 * skeleton.joints.length);
-  skeleton.joints.forEach(({ endSites }, j) => {
-    const o = 16 * j;
-    for (let k = 0; k < 3; k++) {
-      points[3 * j + k] = world[o + 12 + k];
-      min[k] = Math.min(min[k], world[o + 12 + k]);
-      max[k] = Math.max(max[k], world[o + 12 + k]);
-      for (const [x, y, z] of endSites ?? NO_POINTS) {
-        const at = world[o + k] * x + world[o + 4 + k] * y + world[o + 8 + k] * z + world[o + 12 + k];
-        min[k] = Math.min(min[k], at);
-        max[k] = Math.max(max[k], at);
+  for (let k = 0; k < 3; k++) {
+    let least = Infinity;
+    let most = -Infinity;
+    for (let j = 0; j < joints.length; j++) {
+      const o = 16 * j + k;
+      const at = world[o + 12];
+      points[3 * j + k] = at;
+      least = Math.min(least, at);
+      most = Math.max(most, at);
+      const { endSites } = joints[j];
+      if (!endSites) continue;
+      for (const [x, y, z] of endSites) {
+        const end = world[o] * x + world[o + 4] * y + world[o + 8] * z + at;
+        least = Math.min(least, end);
+        most = Math.max(most, end);
       }
     }
-  });
+    min[k] = least;
+    max[k] = most;
+  }
   return { min, max, points };
 }
 
 /** Of the finite numbers; NaN if there are none. */
-export function percentile(values: readonly number[], part: number): number {
+export function percentile(values: ArrayLike<number>, part: number): number {
+  const finite = new Float64Array(values.length);
+  let count = 0;
+  for (let i = 0; i < values.length; i++) if (Number.isFinite(values[i])) finite[count++] = values[i];
   // Typed arrays are sorted as numbers, without calls.
-  const sorted = Float64Array.from(values.filter(Number.isFinite)).sort();
+  const sorted = finite.subarray(0, count).sort();
   return sorted[Math.round(part * (sorted.length - 1))] ?? Number.NaN;
 }

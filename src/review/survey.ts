@@ -85,9 +85,8 @@ function chain(above: Int32Array, lengthOf: (joint: number) => number, from: num
 }
 
 export function between(points: Float64Array, a: number, b: number): number {
-  return Math.hypot(
-    points[3 * a] - points[3 * b],
-    points[3 * a + 1] - points[3 * b + 1],
-    points[3 * a + 2] - points[3 * b + 2],
-  );
+  const x = points[3 * a] - points[3 * b];
+  const y = points[3 * a + 1] - points[3 * b + 1];
+  const z = points[3 * a + 2] - points[3 * b + 2];
+  return Math.sqrt(x * x + y * y + z * z);
 }

@@ -1,6 +1,6 @@
 /** Exports the takes of one input: what a thread does. */
 import { createHash } from 'node:crypto';
-import { closeSync, mkdirSync, openSync, readSync, statSync } from 'node:fs';
+import { mkdirSync, statSync } from 'node:fs';
 import { dirname, join } from 'node:path';
 import { FloatPool } from '../../dataset/float-pool.ts';
 import { takeOf } from '../../dataset/take.ts';
@@ -8,12 +8,13 @@ import { takeArrays } from '../../dataset/take-arrays.ts';
 import { CommandError } from '../../edit/store.ts';
 import type { Diagnostic } from '../../model/diagnostic.ts';
 import { flagText } from '../../review/flags.ts';
-import { loadAny, openLoaded } from '../load.ts';
+import { loadFound, openLoaded } from '../load.ts';
 import type { Work } from '../threads.ts';
 import { writeOutput } from '../write-output.ts';
 import { type ExportedFile, FORMATS } from './formats.ts';
 import { metaOf } from './meta.ts';
 import { isMotion, motionFiles } from './motion-files.ts';
+import { hashOf, InputReader, type ReadInput } from './read-input.ts';
 import { isWritten, type TakeRecord, type WrittenTake } from './records.ts';
 import type { ExportSettings } from './settings.ts';
 import { checkOf, flagsOf } from './take-check.ts';
@@ -36,7 +37,8 @@ export interface ExportResult {
 export const exportWork: Work<ExportSettings, ExportPiece, ExportResult> = (settings) => {
   const loading = loadTarget(settings, settings.folder);
   const pool = new FloatPool(settings.precision);
-  return async (piece) => exportInput(piece, { settings, target: await loading, pool });
+  const inputs = new InputReader();
+  return async (piece) => exportInput(piece, { settings, target: await loading, pool, inputs });
 };
 
 /** What a thread keeps from one input to the next. */
@@ -44,6 +46,7 @@ interface Exporter {
   readonly settings: ExportSettings;
   readonly target: Target;
   readonly pool: FloatPool;
+  readonly inputs: InputReader;
 }
 
 async function exportInput({ input, before }: ExportPiece, exporter: Exporter): Promise<ExportResult> {
@@ -55,13 +58,14 @@ async function exportInput({ input, before }: ExportPiece, exporter: Exporter): 
   let hash: string | undefined;
   try {
     if (!statSync(input.absolute, { throwIfNoEntry: false })) return failed('There is no file of this name.');
-    hash = hashOf(input.absolute);
+    const read = exporter.inputs.read(input.absolute);
+    hash = read.hash;
     const key = keyOf(settings.key, hash, input);
     const written = before.filter(isWritten);
     if (written.length > 0 && written.length === before.length && written.every((w) => isThere(w, key, settings))) {
       return { records: written, isKept: true };
     }
-    return { records: await takesOf(input, { hash, key }, exporter), isKept: false };
+    return { records: await takesOf(input, { ...read, key }, exporter), isKept: false };
   } catch (error) {
     if (error instanceof CommandError) return failed(error.message, hash);
     const reason = error instanceof Error ? error.message : String(error);
@@ -70,8 +74,7 @@ async function exportInput({ input, before }: ExportPiece, exporter: Exporter): 
 }
 
 /** What identifies an input and what is made of it. */
-interface Identity {
-  readonly hash: string;
+interface Identity extends ReadInput {
   readonly key: string;
 }
 
@@ -84,31 +87,16 @@ function keyOf(options: string, hash: string, { skeleton }: TakeInput): string {
   return createHash('sha256').update(parts.join('\n')).digest('hex').slice(0, 32);
 }
 
-const CHUNK_BYTES = 1 << 20;
-/** Scratch; never escapes. */
-const chunk = new Uint8Array(CHUNK_BYTES);
-
-/** SHA-256 of a file, hexadecimal. */
-export function hashOf(path: string): string {
-  const hash = createHash('sha256');
-  const file = openSync(path, 'r');
-  try {
-    for (let read = readSync(file, chunk); read > 0; read = readSync(file, chunk)) hash.update(chunk.subarray(0, read));
-  } finally {
-    closeSync(file);
-  }
-  return hash.digest('hex');
-}
-
 /** A record for each take that the input has. @throws CommandError */
 async function takesOf(
   input: TakeInput,
-  { hash, key }: Identity,
+  { hash, key, bytes: content }: Identity,
   { settings, target, pool }: Exporter,
 ): Promise<readonly TakeRecord[]> {
   const begun = performance.now();
-  const paths = [...(input.skeleton ? [input.skeleton.path] : []), input.path];
-  const { document, diagnostics } = openLoaded(await loadAny(paths, settings.folder));
+  const { path, absolute, skeleton } = input;
+  const files = [...(skeleton ? [skeleton] : []), { path, absolute, ...(content && { bytes: content }) }];
+  const { document, diagnostics } = openLoaded(await loadFound(files, settings.folder));
   const error = diagnostics.find(({ severity }) => severity === 'error');
   if (error) throw new CommandError(sentenceOf(error));
   const takes = document.characters.flatMap((c) =>
@@ -127,10 +115,10 @@ async function takesOf(
     const take = takeOf(character, options);
     const { to } = settings;
     const check = settings.isChecked && !isMotion(to) ? checkOf(take, character) : undefined;
-    const files = isMotion(to)
+    const made = isMotion(to)
       ? motionFiles(character, to, options)
       : FORMATS[to].write(takeArrays(take, pool, check), metaOf(character, take, input, hash, settings));
-    const { output, bytes } = writeTake(stem, files, settings);
+    const { output, bytes } = writeTake(stem, made, settings);
     const now = performance.now();
     records.push({
       ...{ input: input.path, hash, output, bytes },

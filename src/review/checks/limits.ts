@@ -3,7 +3,8 @@
  * a knee folded by more than 165°, so that its bones pass through each other.
  */
 import { characterDofs } from '../../model/dofs.ts';
-import { isUnlimited } from '../../model/skeleton.ts';
+import { perSkeleton } from '../../model/per-skeleton.ts';
+import { type DofUnit, isUnlimited } from '../../model/skeleton.ts';
 import type { Flag } from '../flags.ts';
 import type { TakeFrames } from '../frames.ts';
 import type { Hinge, Survey } from '../survey.ts';
@@ -15,11 +16,23 @@ const BEYOND_LENGTH = 0.001;
 const FOLDED = (165 * Math.PI) / 180;
 const SHORTEST = 0.03;
 
-interface Limited {
+interface LimitedDof {
   readonly dof: number;
   readonly joint: number;
   readonly min: number;
   readonly max: number;
+  readonly unit: DofUnit;
+}
+
+/** Cached. */
+const limitedDofs = perSkeleton((skeleton): readonly LimitedDof[] =>
+  characterDofs(skeleton, []).flatMap(({ joint, limit, takesLimits, unit }, dof) => {
+    const { min, max } = limit;
+    return !takesLimits || min > max || isUnlimited(limit) ? [] : [{ dof, joint, min, max, unit }];
+  }),
+);
+
+interface Limited extends LimitedDof {
   /** How far beyond counts. */
   readonly least: number;
   readonly span: Span;
@@ -37,11 +50,11 @@ export class Limits implements Check {
     metres: number,
   ) {
     this.hinges = hinges.map((hinge) => ({ hinge, span: new Span(1) }));
-    this.limited = characterDofs(frames.skeleton, []).flatMap(({ joint, limit, takesLimits, unit }, dof) => {
-      if (!takesLimits || limit.min > limit.max || isUnlimited(limit)) return [];
-      const least = unit === 'length' ? BEYOND_LENGTH / metres : BEYOND_ANGLE;
-      return [{ dof, joint, min: limit.min, max: limit.max, least, span: new Span(1) }];
-    });
+    this.limited = limitedDofs(frames.skeleton).map((limited) => ({
+      ...limited,
+      least: limited.unit === 'length' ? BEYOND_LENGTH / metres : BEYOND_ANGLE,
+      span: new Span(1),
+    }));
   }
 
   frame(frame: number, points: Float64Array, dofs: Float64Array): void {

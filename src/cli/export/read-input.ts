@@ -1,0 +1,52 @@
+/** Reads inputs once, for their hash and for what is made of them. */
+import { createHash } from 'node:crypto';
+import { closeSync, fstatSync, openSync, readSync } from 'node:fs';
+
+export interface ReadInput {
+  /** SHA-256 of all bytes, hexadecimal. */
+  readonly hash: string;
+  /** Absent: too many to be held. Overwritten by the next input. */
+  readonly bytes?: Uint8Array;
+}
+
+/** Larger files are read twice, a megabyte at a time, so that memory is bounded. */
+const MOST_HELD = 32 << 20;
+const CHUNK_BYTES = 1 << 20;
+/** Scratch; never escapes. */
+const chunk = new Uint8Array(CHUNK_BYTES);
+
+export class InputReader {
+  /** As large as the largest input so far, since fresh memory for each costs as much as reading it. */
+  private held = new Uint8Array(0);
+
+  read(path: string): ReadInput {
+    const file = openSync(path, 'r');
+    try {
+      const { size } = fstatSync(file);
+      // One more byte tells that the file has not grown.
+      if (size >= MOST_HELD) return { hash: hashOf(path) };
+      if (this.held.length <= size) this.held = new Uint8Array(size + 1);
+      let length = 0;
+      for (let read = -1; read !== 0 && length < this.held.length; length += read) {
+        read = readSync(file, this.held, length, this.held.length - length, null);
+      }
+      if (length > size) return { hash: hashOf(path) };
+      const bytes = this.held.subarray(0, length);
+      return { hash: createHash('sha256').update(bytes).digest('hex'), bytes };
+    } finally {
+      closeSync(file);
+    }
+  }
+}
+
+/** SHA-256 of a file, hexadecimal. */
+export function hashOf(path: string): string {
+  const hash = createHash('sha256');
+  const file = openSync(path, 'r');
+  try {
+    for (let read = readSync(file, chunk); read > 0; read = readSync(file, chunk)) hash.update(chunk.subarray(0, read));
+  } finally {
+    closeSync(file);
+  }
+  return hash.digest('hex');
+}
