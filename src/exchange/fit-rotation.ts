@@ -15,8 +15,11 @@ import type { QuaternionCurve } from './scene.ts';
  * Radians. A fiftieth of a 2000th: along a chain of as many joints the sum stays within a 2000th of the size.
  */
 const TOLERANCE = 1e-5;
-/** Halvings of the time between two keys. */
-const MOST_HALVINGS = 9;
+/** Halvings of the time between two keys: cubics of quaternions that pass near 0 turn in a moment. */
+const MOST_HALVINGS = 16;
+/** Fitted keys of a curve: so many for each of its own, and so many more where few are needed most. */
+const MOST_PER_KEY = 64;
+const MOST_MORE = 1024;
 /** Of that time, for slopes. */
 const STEP = 1e-3;
 
@@ -144,7 +147,8 @@ function fitBetween(
     dofs.write(exact, after);
   }
   const time = end === 1 ? times[key + 1] : times[key] + seconds * end;
-  const isTooFast = seconds <= 0 || halvings >= MOST_HALVINGS;
+  const isFull = keys.length >= MOST_PER_KEY * times.length + MOST_MORE;
+  const isTooFast = seconds <= 0 || halvings >= MOST_HALVINGS || isFull;
   const push = (slopesIn: Float64Array | undefined, slopesOut: Float64Array | undefined) => {
     before.slopesOut = slopesOut;
     now.set(after);

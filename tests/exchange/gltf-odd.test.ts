@@ -94,6 +94,14 @@ describe('rotations', () => {
   });
 });
 
+it('a node that turns in a moment, where a cubic of quaternions passes near 0, is where three.js has it', async () => {
+  const first = [0.89, 0.26, 0.08, -0.36];
+  const second = [-0.91, -0.28, -0.09, 0.38];
+  const out = [0.09, 0.03, 0.01, -0.04];
+  const still = [0, 0, 0, 0];
+  await expectAsThree(turning([...still, ...first, ...out, ...still, ...second, ...still], 'CUBICSPLINE'));
+});
+
 /** Two triangles in one mesh, with whatever is asked for. */
 function triangles(
   attributes: (maker: GltfMaker) => Record<string, unknown>,
