@@ -22,13 +22,20 @@ export class GltfMaker {
     );
   }
 
-  /** An accessor; its index. */
-  add(type: keyof typeof WIDTHS, values: Values, more: Record<string, unknown> = {}): number {
+  /**
+   * An accessor; its index.
+   * @param more `stride`: bytes from one element to the next, where other values lie between them
+   */
+  add(type: keyof typeof WIDTHS, values: Values, { stride, ...more }: More = {}): number {
     const count = values.length / WIDTHS[type];
     const componentType = COMPONENTS[values.constructor.name];
-    // Readers ask for them, of positions.
-    const bounds = type === 'VEC3' && { min: [0, 0, 0], max: [1, 1, 1] };
-    return this.accessors.push({ bufferView: this.view(values), componentType, type, count, ...bounds, ...more }) - 1;
+    const bufferView = this.view(values, stride === undefined ? {} : { byteStride: stride });
+    return this.accessors.push({ bufferView, componentType, type, count, ...boundsOf(type), ...more }) - 1;
+  }
+
+  /** An accessor of floats without bytes: zeros, but for what `more` replaces. */
+  bare(type: keyof typeof WIDTHS, count: number, more: Record<string, unknown> = {}): number {
+    return this.accessors.push({ componentType: 5126, type, count, ...boundsOf(type), ...more }) - 1;
   }
 
   made(rest: Record<string, unknown>): Made {
@@ -51,6 +58,12 @@ export class GltfMaker {
   }
 }
 
+/** Readers ask for them, of positions. */
+function boundsOf(type: keyof typeof WIDTHS) {
+  return type === 'VEC3' && { min: [0, 0, 0], max: [1, 1, 1] };
+}
+
+type More = Record<string, unknown> & { readonly stride?: number };
 type Values = Float32Array | Uint8Array | Uint16Array | Uint32Array | Int8Array | Int16Array;
 const WIDTHS = { SCALAR: 1, VEC2: 2, VEC3: 3, VEC4: 4, MAT4: 16 } as const;
 const COMPONENTS: Readonly<Record<string, number>> = {

@@ -58,6 +58,8 @@ export async function gltfReference(json: GltfJson, buffers: readonly Uint8Array
     ...mesh,
     primitives: mesh.primitives.map(({ material: _, ...primitive }) => primitive),
   }));
+  // Of several scenes it knows the nodes of the last only.
+  if (json.scenes) Object.assign(plain, { scenes: [json.scenes[json.scene ?? 0]], scene: 0 });
   plain.buffers = (json.buffers ?? []).map((buffer, i) => ({
     ...buffer,
     uri: `data:application/octet-stream;base64,${Buffer.from(buffers[i]).toString('base64')}`,
@@ -69,15 +71,20 @@ export async function gltfReference(json: GltfJson, buffers: readonly Uint8Array
   const needed = neededNodes(json);
   const objects: Object3D[] = [];
   const meshes: Mesh[] = [];
+  const nodes: readonly Object3D[] = await parser.getDependencies('node');
+  const indexOf = new Map(nodes.map((object, n) => [object, n]));
   scene.traverse((object) => {
-    const node = parser.associations.get(object)?.nodes;
+    const node = indexOf.get(object);
     if (node !== undefined && needed.has(node)) objects.push(object);
   });
   // Primitives of one node that share their vertices are one list of vertices.
   for (const object of objects) {
-    const own: Mesh[] = object instanceof Mesh ? [object] : [];
-    for (const child of object.children) {
-      if (child instanceof Mesh && parser.associations.get(child)?.nodes === undefined) own.push(child);
+    const own: Mesh[] = [];
+    const pending = [object];
+    // Several primitives of a joint are in a group of their own.
+    for (let next = pending.pop(); next; next = pending.pop()) {
+      if (next instanceof Mesh) own.push(next);
+      pending.push(...next.children.filter((child) => !indexOf.has(child)).reverse());
     }
     const known = new Set<unknown>();
     for (const mesh of own) {
@@ -135,6 +142,7 @@ function skinned(mesh: SkinnedMesh, vertex: number, point: Vector3): Vector3 {
   for (const [joints, weights] of [
     [attributes.skinIndex, attributes.skinWeight],
     [attributes.joints_1, attributes.weights_1],
+    [attributes.joints_2, attributes.weights_2],
   ]) {
     for (let k = 0; joints && k < 4; k++) {
       const weight = weights.getComponent(vertex, k);
