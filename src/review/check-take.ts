@@ -3,7 +3,9 @@
  * with its thresholds; what they find is a hint to look, not a judgement.
  */
 import { metresPerUnit } from '../evaluate/metres.ts';
+import { runToEnd, type Steps } from '../evaluate/steps.ts';
 import type { ChannelClip } from '../model/clip.ts';
+import type { Character } from '../model/document.ts';
 import type { Skeleton } from '../model/skeleton.ts';
 import { DEFAULT_SPACE, type Space } from '../model/space.ts';
 import { Bones } from './checks/bones.ts';
@@ -16,7 +18,7 @@ import { Limits } from './checks/limits.ts';
 import { Spikes } from './checks/spikes.ts';
 import { stillFrames } from './checks/still.ts';
 import type { Flag } from './flags.ts';
-import { type TakeFrames, takeFrames } from './frames.ts';
+import { displayedFrames, type TakeFrames, takeFrames } from './frames.ts';
 import { survey } from './survey.ts';
 
 /** The checks of one take, for whoever has its frames already. */
@@ -60,11 +62,27 @@ export class TakeCheck {
  */
 export function checkTake(skeleton: Skeleton, clip: ChannelClip, space: Space = DEFAULT_SPACE): readonly Flag[] {
   if (skeleton.joints.length === 0) return [];
-  const frames = takeFrames(skeleton, clip, space);
+  return runToEnd(checking(takeFrames(skeleton, clip, space), space));
+}
+
+/**
+ * The same of what a character plays, as displayed, retargeted takes too; in seconds of the clip that plays. Yields
+ * progress, 0 to 1. None without a take.
+ */
+export function* checkDisplayed(character: Character): Steps<readonly Flag[]> {
+  const frames = displayedFrames(character);
+  return frames && frames.skeleton.joints.length > 0 ? yield* checking(frames, character.space) : [];
+}
+
+/** Frames between two progress reports, a few milliseconds at most. */
+const FRAMES_AT_A_TIME = 32;
+
+function* checking(frames: TakeFrames, space: Space = DEFAULT_SPACE): Steps<readonly Flag[]> {
   const check = new TakeCheck(frames, space);
   const dofs = new Float64Array(frames.dofCount);
   const points = new Float64Array(3 * frames.pointCount);
   for (let f = 0; f < frames.count; f++) {
+    if (f % FRAMES_AT_A_TIME === 0) yield f / frames.count;
     frames.write(f, dofs, points);
     check.frame(f, dofs, points);
   }

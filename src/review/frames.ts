@@ -1,10 +1,12 @@
 /** A take frame by frame, as points in metres with y up and the ground at 0. */
+import { playedClip } from '../evaluate/bake.ts';
 import { bareFigure } from '../evaluate/figure-frames.ts';
 import { type CompiledSkeleton, compileSkeleton, worldMatrices } from '../evaluate/kinematics.ts';
 import { metresPerUnit } from '../evaluate/metres.ts';
 import { dofCountOf, type PoseSource, poseFrom, poseSource } from '../evaluate/pose.ts';
 import { PoseRotations } from '../evaluate/pose-rotations.ts';
 import type { ChannelClip } from '../model/clip.ts';
+import type { Character } from '../model/document.ts';
 import type { Skeleton } from '../model/skeleton.ts';
 import { DEFAULT_SPACE, type Space } from '../model/space.ts';
 
@@ -32,8 +34,25 @@ export interface TakeFrames {
 }
 
 export function takeFrames(skeleton: Skeleton, clip: ChannelClip, space: Space = DEFAULT_SPACE): TakeFrames {
+  return framesOfFigure({ ...bareFigure(skeleton, clip), space }, skeleton, clip, 0);
+}
+
+/**
+ * The frames of what a character plays, as displayed: a take that is retargeted to it, or its own, within its limits if
+ * these are enforced. Undefined without a skeleton or a take.
+ */
+export function displayedFrames(character: Character): TakeFrames | undefined {
+  const { unkeyed: _, ...keyed } = character;
+  const clip = playedClip(character);
+  if (!character.skeleton || !clip) return undefined;
+  const offset = character.driver?.source.timeOffsetSeconds ?? 0;
+  return framesOfFigure({ ...keyed, timeOffsetSeconds: 0 }, character.skeleton, clip, offset);
+}
+
+/** @param offsetSeconds from the figure's time to that of the clip */
+function framesOfFigure(figure: Character, skeleton: Skeleton, clip: ChannelClip, offsetSeconds: number): TakeFrames {
   const { samples, range } = clip;
-  const figure = bareFigure(skeleton, clip);
+  const space = figure.space ?? DEFAULT_SPACE;
   const source = poseSource(figure);
   const frameSeconds = samples?.frameSeconds ?? 1 / RATE;
   const keyed = Math.min(MOST_KEYED_FRAMES, Math.max(1, Math.round((range[1] - range[0]) / frameSeconds) + 1));
@@ -62,7 +81,7 @@ export function takeFrames(skeleton: Skeleton, clip: ChannelClip, space: Space =
     above: Int32Array.from([...skeleton.joints.map(({ parent }) => parent), ...ends.map(({ joint }) => joint)]),
     nameOf: (joint) => skeleton.joints[joint]?.name ?? '',
     secondsOf,
-    write: (frame, dofs, points) => writePoints(posing, secondsOf(frame), dofs, points),
+    write: (frame, dofs, points) => writePoints(posing, secondsOf(frame) - offsetSeconds, dofs, points),
     dofCount: dofCountOf(figure),
   };
 }

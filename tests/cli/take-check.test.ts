@@ -26,15 +26,43 @@ describeShared('checks of exported takes', () => {
     'frames given in passing have the flags of a pass of their own: %s',
     (name) => {
       const read = opened(name);
-      expect(flagsInPassing(read)).toEqual(flagsOf(read));
+      expect(flagsInPassing(read)).toEqual(flagsOf(takeOf(read, {}), read));
     },
   );
 
   it('a part of a take has the flags of all of it', () => {
     const read = opened('perception-neuron-course.bvh');
     const flags = flagsInPassing(read, { crop: { from: 1, to: 2 } });
-    expect(flags).toEqual(flagsOf(read));
+    expect(flags).toEqual(flagsOf(takeOf(read, {}), read));
     expect(flags).not.toEqual([]);
+  });
+
+  it('a mirrored take has the flags of the other side', () => {
+    const read = opened('perception-neuron-course.bvh');
+    const mirrored = flagsOf(takeOf(read, { isMirrored: true }), read);
+    const exchanged = mirrored.map((flag) =>
+      flag.replace(/Left|Right/, (side) => (side === 'Left' ? 'Right' : 'Left')),
+    );
+    const sided = (flags: readonly string[]) => flags.filter((flag) => /Left|Right/.test(flag)).sort();
+    expect(sided(mirrored)).not.toEqual([]);
+    expect(sided(exchanged)).toEqual(sided(flagsOf(takeOf(read, {}), read)));
+  });
+
+  it('a retargeted take has the flags of the result: of joints of the target, and its own when it is the target', () => {
+    const read = opened('perception-neuron-course.bvh');
+    const own = flagsOf(takeOf(read, {}), read);
+    const kinds = (flags: readonly string[]) => flags.map((flag) => flag.split(' ')[0]);
+    expect(kinds(flagsOf(takeOf(read, { target: { character: { ...read, id: 'c2' } } }), read))).toEqual(kinds(own));
+    // A jump of the root comes through; what was odd about the bones of the source doesn't.
+    const [clip] = read.clips;
+    const values = clip.samples?.values.slice() ?? new Float64Array(0);
+    values[60 * (clip.samples?.scales.length ?? 0)] += 100;
+    const jumping = { ...read, clips: [{ ...clip, ...(clip.samples && { samples: { ...clip.samples, values } }) }] };
+    const target = { character: { ...opened('cmu-01_01.bvh'), id: 'c2' } };
+    expect(flagsOf(takeOf(jumping, { target }), jumping)).toEqual([
+      expect.stringMatching(/^slide 0.* RightToeBase$/),
+      'spike 0.48 Hips',
+    ]);
   });
 
   it('frames other than those that were read are checked by a pass of their own', () => {
@@ -50,7 +78,7 @@ describeShared('checks of exported takes', () => {
     const limited: Character = { ...read, skeleton: { name: '', joints } };
     const free = flagsInPassing({ ...limited, clampsToLimits: false });
     expect(free?.filter((flag) => flag.startsWith('limit'))).not.toEqual([]);
-    expect(free).toEqual(flagsOf(limited));
+    expect(free).toEqual(flagsOf(takeOf(limited, {}), limited));
     expect(flagsInPassing({ ...limited, clampsToLimits: true })).toBeUndefined();
   });
 });

@@ -123,7 +123,7 @@ async function takesOf(
     records.push({
       ...{ input: input.path, hash, output, bytes },
       ...{ frames: take.count, fps: take.fps, joints: take.skeleton.joints.length },
-      ...(settings.isChecked && { flags: check?.end().map(flagText) ?? flagsOf(character) }),
+      ...(settings.isChecked && { flags: check?.end().map(flagText) ?? flagsOf(take, character) }),
       ...(warnings.length > 0 && { warnings }),
       key,
       ...(settings.isTimed && { ms: Math.round(now - since) }),

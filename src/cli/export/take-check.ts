@@ -1,13 +1,20 @@
 /** The review's checks of takes that are exported. */
 import type { Take } from '../../dataset/take.ts';
+import { runToEnd } from '../../evaluate/steps.ts';
 import type { Character } from '../../model/document.ts';
 import { isUnlimited } from '../../model/skeleton.ts';
-import { checkTake, TakeCheck } from '../../review/check-take.ts';
+import { checkDisplayed, checkTake, TakeCheck } from '../../review/check-take.ts';
 import { flagText } from '../../review/flags.ts';
 import { takeFrames } from '../../review/frames.ts';
 
-/** What the checks find in a take as it was read, as texts. */
-export function flagsOf({ skeleton, clips, shownClip, space }: Character): readonly string[] {
+/**
+ * What the checks find, as texts: in a take as it was read, at all of its frames; in one that is mirrored or retargeted,
+ * in the result, whose joints are others.
+ */
+export function flagsOf(take: Take, read: Character): readonly string[] {
+  const { character } = take;
+  const { skeleton, clips, shownClip, space } = read;
+  if (character !== read) return runToEnd(checkDisplayed(character)).map(flagText);
   return skeleton ? checkTake(skeleton, clips[shownClip], space).map(flagText) : [];
 }
 
