@@ -39,6 +39,7 @@ const LOAD: Readonly<Record<DialogName, () => Promise<MakeDialog>>> = {
   insertTake: async () => (await takeTools()).insertDialog,
   cutOut: async () => (await takeTools()).cutOutDialog,
   takeSpeed: async () => (await takeTools()).speedDialog,
+  checkTake: async () => (await import('../editors/takes/check-dialog.ts')).checkDialog,
   outsideCycle: async () => (await import('../editors/timeline/cycle-dialog.ts')).cycleDialog,
   retarget: async () => (await import('../editors/retarget/dialog.ts')).retargetDialog,
   holdPins: async () => (await import('../editors/ik/hold-dialog.ts')).holdDialog,

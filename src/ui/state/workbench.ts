@@ -166,7 +166,7 @@ export type DialogName =
 /** The curve tools with a dialog. */
 export type CurveToolName = 'simplify' | 'resample' | 'bake' | 'scaleKeys' | SampleToolName;
 /** The tools for whole takes with a dialog. */
-export type TakeToolName = 'loopTake' | 'lockFeet' | 'joinTakes' | 'insertTake' | 'cutOut' | 'takeSpeed';
+export type TakeToolName = 'checkTake' | 'loopTake' | 'lockFeet' | 'joinTakes' | 'insertTake' | 'cutOut' | 'takeSpeed';
 /** Those for samples with a dialog. */
 export type SampleToolName = 'convertToKeys' | 'smoothSamples' | 'resampleSamples';
 

@@ -10,7 +10,8 @@ const commands = () => import('../../../edit/commands/retarget.ts');
 export const RETARGET_ACTIONS: readonly Action[] = [
   {
     id: 'retarget.open',
-    label: 'Retarget take…',
+    name: 'Retarget take',
+    label: (wb) => (currentCharacter(wb)?.driver ? 'Change retargeting…' : 'Retarget take…'),
     group: 'Edit',
     menu: 'Edit',
     section: 3,

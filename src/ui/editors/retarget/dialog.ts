@@ -19,6 +19,7 @@ import { atMostEvery } from '../../kit/frame.ts';
 import { icon } from '../../kit/icons.ts';
 import { parseNumber, shown } from '../../kit/number-text.ts';
 import { setTooltip } from '../../kit/tooltip.ts';
+import type { Offer } from '../../state/messages.ts';
 import { stopsOnFrame } from '../../state/pause-playback.ts';
 import type { Uses } from '../../state/workbench.ts';
 import { pairTable } from './pair-table.ts';
@@ -192,6 +193,10 @@ export function retargetDialog(
     // The range may have become that of a shorter take.
     if (wasInRange) wb.transport.update(intoRange);
     close();
+    if (findCharacter(store.document, target.id)?.driver) {
+      const check: Offer = { label: 'Check take…', run: () => wb.dialog.set('checkTake') };
+      wb.messages.confirm(`${target.name} plays ${sourceTake()}. Measure plots its feet and speeds.`, check);
+    }
   }
 
   targets.addEventListener('change', () => {

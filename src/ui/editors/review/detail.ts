@@ -1,11 +1,11 @@
 /** Beside the list: the flags of the take with the focus, each of which leads to its moment, and its tags and notes. */
 import type { Review } from '../../../model/review.ts';
 import type { Flag } from '../../../review/flags.ts';
-import { button, element, setText } from '../../kit/dom.ts';
+import { element, setText } from '../../kit/dom.ts';
 import { middleCut } from '../../kit/middle-cut.ts';
 import { setTooltip } from '../../kit/tooltip.ts';
+import { flagItem } from './flag-item.ts';
 import type { ReviewRow } from './rows.ts';
-import { amountText, FLAG_NAMES, momentText } from './texts.ts';
 
 export interface DetailEvents {
   /** Of the selected takes. */
@@ -63,27 +63,6 @@ export class ReviewDetail {
     this.none.hidden = this.none.textContent === '';
     if (found === this.listed) return;
     this.listed = found;
-    this.flags.replaceChildren(...(found ?? []).map((flag) => this.item(flag)));
-  }
-
-  private item(flag: Flag): HTMLElement {
-    const joint = flag.joint ?? '';
-    const text = `${FLAG_NAMES[flag.kind]}${joint ? ` of ${joint}` : ''}`;
-    const made = button(
-      `${text}, ${momentText(flag)}, ${amountText(flag)}`,
-      { class: 'review-flag', tooltip: `${text}: go to ${momentText(flag)}` },
-      element(
-        'span',
-        { class: 'review-flag-what' },
-        FLAG_NAMES[flag.kind],
-        joint !== '' && element('span', { class: 'faint' }, ` ${joint}`),
-      ),
-      () => this.events.seek(flag),
-    );
-    made.append(
-      element('span', { class: 'number' }, amountText(flag)),
-      element('span', { class: 'number' }, momentText(flag)),
-    );
-    return element('li', {}, made);
+    this.flags.replaceChildren(...(found ?? []).map((flag) => flagItem(flag, this.events.seek)));
   }
 }

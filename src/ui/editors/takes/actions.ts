@@ -7,7 +7,7 @@ import { onDemand } from '../../state/on-demand.ts';
 import { openPanel } from '../../state/panels.ts';
 import type { Action, TakeToolName, Uses, Workbench } from '../../state/workbench.ts';
 import { endComparison } from './compare.ts';
-import { editsFrames, editsTakes, joinsTakes } from './edited.ts';
+import { editsFrames, editsTakes, joinsTakes, playsTake } from './edited.ts';
 import {
   align,
   charactersMeant,
@@ -174,6 +174,7 @@ export const TAKE_ACTIONS: readonly Action[] = [
     enabled: editsTakes,
     run: async (wb) => (await onDemand(wb.messages, 'Mirroring', () => import('./mirror-takes.ts')))?.runMirror(wb),
   },
+  edited('checkTake', 'Check take…', 'Check take', 'Spikes, sliding feet and others, of what is displayed', playsTake),
   edited('joinTakes', 'Join…', 'Join takes', 'Cross-fade of the selected takes', joinsTakes),
   edited('insertTake', 'Insert take or hold…', 'Insert take or hold', 'At the current time', editsFrames),
   edited('cutOut', 'Cut out…', 'Cut out of take', 'The playback range, or any other', editsFrames),

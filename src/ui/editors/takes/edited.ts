@@ -1,5 +1,7 @@
 /** Which takes the editing of whole takes applies to. */
 import type { TakeRef } from '../../../edit/commands/takes.ts';
+import { playedClip } from '../../../evaluate/bake.ts';
+import { currentCharacter } from '../../state/action.ts';
 import { needs } from '../../state/needs.ts';
 import type { Uses } from '../../state/workbench.ts';
 import { currentTake } from '../timeline/current-take.ts';
@@ -47,3 +49,7 @@ export const editsFrames = needs(
   'The current take has no samples.',
   (wb: Uses<'store'>) => currentTake(wb)?.clip.samples !== undefined,
 );
+export const playsTake = needs('The current character plays no take.', (wb: Uses<'store'>) => {
+  const character = currentCharacter(wb);
+  return character?.skeleton !== undefined && playedClip(character) !== undefined;
+});

@@ -1,0 +1,59 @@
+/** *Check take*: what looks wrong in what the current character plays, a retargeted take too; each leads to its moment. */
+import { playedClip } from '../../../evaluate/bake.ts';
+import { checkDisplayed } from '../../../review/check-take.ts';
+import type { Flag } from '../../../review/flags.ts';
+import { runInSlices } from '../../../view/slices.ts';
+import type { DialogContent } from '../../kit/dialog.ts';
+import { element, setText } from '../../kit/dom.ts';
+import { plural } from '../../kit/number-text.ts';
+import { currentCharacter } from '../../state/action.ts';
+import { openPanel } from '../../state/panels.ts';
+import type { Uses } from '../../state/workbench.ts';
+import { flagItem } from '../review/flag-item.ts';
+import { flagsText } from '../review/texts.ts';
+
+type Page = Uses<'store' | 'transport' | 'timeline' | 'settings' | 'dialog'>;
+
+export function checkDialog(wb: Page, close: () => void): DialogContent {
+  const character = currentCharacter(wb);
+  const clip = character && playedClip(character);
+  const result = element('p', { class: 'tool-result', role: 'status' }, 'Checking …');
+  const list = element('ul', { class: 'review-flag-list check-flags', 'aria-label': 'Flags' });
+  const measure = element('button', { type: 'button', class: 'plain' }, 'Measure feet and speeds');
+  const done = element('button', { type: 'button', class: 'plain primary', autofocus: true }, 'Done');
+  const body = element(
+    'div',
+    { class: 'tool-form' },
+    element('p', { class: 'faint' }, aboutText(character?.name, clip?.name, character?.driver !== undefined)),
+    result,
+    list,
+    element('div', { class: 'tool-buttons' }, measure, done),
+  );
+  const stop = new AbortController();
+  const stopDialog = wb.dialog.subscribe((name) => {
+    if (name === 'checkTake') return;
+    stop.abort();
+    stopDialog();
+  });
+  // Times of flags are those of the clip.
+  const offset = character ? character.timeOffsetSeconds + (character.driver?.source.timeOffsetSeconds ?? 0) : 0;
+  const seek = ({ from }: Flag) =>
+    wb.transport.update((now) => ({ ...now, playing: false, timeSeconds: from - offset }));
+  const show = (flags: readonly Flag[]) => {
+    setText(result, flags.length > 0 ? `${plural(flags.length, 'flag')}: ${flagsText(flags)}.` : 'No flags.');
+    list.replaceChildren(...flags.map((flag) => flagItem(flag, seek)));
+  };
+  if (character && clip) void runInSlices(checkDisplayed(character), stop.signal).then((flags) => flags && show(flags));
+  else setText(result, 'There is no take to check.');
+  measure.addEventListener('click', () => {
+    close();
+    openPanel(wb, 'timeline', true);
+    wb.timeline.change({ tab: 'measure' });
+  });
+  done.addEventListener('click', close);
+  return { title: 'Check take', body, kind: 'tool-dialog is-aside', stays: true };
+}
+
+function aboutText(character = 'no character', take = 'no take', isRetargeted: boolean): string {
+  return isRetargeted ? `What looks wrong in ${take} as ${character} plays it.` : `What looks wrong in ${take}.`;
+}
