@@ -17,12 +17,12 @@ export function framesIn({ startSeconds, frameSeconds, frameCount }: FrameRow, {
 }
 
 /**
- * Adds a line to the path. One with more frames than pixels is the range of each column of pixels, so that no peak is
- * lost at any zoom.
+ * Adds a line to the path, through the values at their times. One with more frames than pixels goes through the first,
+ * the least and the largest value of each column of pixels, so that no peak is lost at any zoom.
  * @param y of a value, in pixels
  */
 export function traceFrames(
-  g: CanvasRenderingContext2D,
+  g: Pick<CanvasRenderingContext2D, 'lineTo' | 'arc'>,
   view: TimeView,
   frames: FrameRow,
   values: ArrayLike<number>,
@@ -31,29 +31,27 @@ export function traceFrames(
   const { startSeconds, frameSeconds } = frames;
   const [first, end] = framesIn(frames, view.window);
   const perPixel = (view.window.to - view.window.from) / view.width / frameSeconds;
+  const x = (f: number) => timeX(view, startSeconds + f * frameSeconds);
   if (perPixel <= 2) {
-    for (let f = first; f < end; f++) {
-      g.lineTo(timeX(view, startSeconds + f * frameSeconds), y(values[f]));
-    }
+    for (let f = first; f < end; f++) g.lineTo(x(f), y(values[f]));
     // A take of one frame is a point.
-    if (end - first === 1) g.arc(timeX(view, startSeconds + first * frameSeconds), y(values[first]), 1, 0, 7);
+    if (end - first === 1) g.arc(x(first), y(values[first]), 1, 0, 7);
     return;
   }
   let f = first;
   while (f < end) {
-    const x = Math.floor(timeX(view, startSeconds + f * frameSeconds));
     const past = Math.min(end, Math.max(f + 1, Math.floor(f + perPixel)));
-    let least = values[f];
-    let most = least;
+    let least = f;
+    let most = f;
     for (let i = f + 1; i < past; i++) {
-      const value = values[i];
-      if (value < least) least = value;
-      else if (value > most) most = value;
+      if (values[i] < values[least]) least = i;
+      else if (values[i] > values[most]) most = i;
     }
-    g.lineTo(x + 0.5, y(values[f]));
-    g.lineTo(x + 0.5, y(least));
-    g.lineTo(x + 0.5, y(most));
-    g.lineTo(x + 0.5, y(values[past - 1]));
+    g.lineTo(x(f), y(values[f]));
+    const [before, after] = least < most ? [least, most] : [most, least];
+    if (before > f) g.lineTo(x(before), y(values[before]));
+    if (after > before) g.lineTo(x(after), y(values[after]));
     f = past;
   }
+  if (end > first) g.lineTo(x(end - 1), y(values[end - 1]));
 }
