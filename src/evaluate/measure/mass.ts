@@ -3,8 +3,10 @@
  * between two joints.
  *
  * Of a body whose arms and legs are recognised, the masses and centres of segments are those of P. de Leva, *Adjustments
- * to Zatsiorsky-Seluyanov's segment inertia parameters*, Journal of Biomechanics 29 (1996), table 4, men. Head and hands
- * have their mass at their joint, as skeletons don't say where they end. Any other skeleton is uniform over its bones:
+ * to Zatsiorsky-Seluyanov's segment inertia parameters*, Journal of Biomechanics 29 (1996), table 4, men: of the trunk
+ * that from the middle of the shoulders to that of the hips, of the shank that to the ankle. Head and hands have their
+ * mass at their joint, as skeletons don't say where they end; the foot, from heel to toes in the table, has its own
+ * between ankle and toes. Any other skeleton is uniform over its bones:
  * each from a joint to its parent, as heavy as it is long at rest.
  */
 import { perObject } from '../../model/per-object.ts';
@@ -39,7 +41,7 @@ const SEGMENTS: readonly Segment[] = [
   { from: 'foot', to: 'toe', mass: 0.0137, centre: 0.4415 },
 ];
 /** From the middle of the shoulders to the middle of the hips. */
-const TRUNK = { mass: 0.4346, centre: 0.4486 };
+const TRUNK = { mass: 0.4346, centre: 0.431 };
 const HEAD = 0.0694;
 
 /** Cached. */

@@ -21,6 +21,7 @@ import { jointMasses, type MassModel } from './mass.ts';
 export interface Tracks {
   /** Frame f is at `startSeconds + f · frameSeconds` of the transport. */
   readonly frames: Frames;
+  /** Those asked for, then feet that are not among them. */
   readonly joints: readonly number[];
   /** x y z per frame, one row per joint. */
   readonly positions: readonly Float64Array[];
@@ -54,13 +55,15 @@ const FRAMES_AT_A_TIME = 32;
  * Samples in steps: yields progress, 0 to 1.
  * @throws Error if the character has no skeleton
  */
-export function* trackJoints(character: Character, frames: Frames, joints: readonly number[]): Steps<Tracks> {
+export function* trackJoints(character: Character, frames: Frames, asked: readonly number[]): Steps<Tracks> {
   const { skeleton, space } = character;
   if (!skeleton) throw new Error(`${character.name} has no skeleton: there is nothing to measure.`);
   const { frameCount, startSeconds, frameSeconds } = frames;
   const compiled = compileSkeleton(skeleton);
   const world = new Float64Array(16 * skeleton.joints.length);
   worldMatrices(compiled, Float64Array.from(restPose(skeleton, 0)), world);
+  const { balls: feet, leg } = feetOf(skeleton, space);
+  const joints = [...asked, ...feet.filter((foot) => !asked.includes(foot))];
   const rests = joints.map((joint) => {
     const rest = new Float64Array(9);
     writeLocal(world, joint, skeleton.joints[joint].parent, rest);
@@ -72,7 +75,6 @@ export function* trackJoints(character: Character, frames: Frames, joints: reado
   const rotations = rows(joints.length, 4);
   const mass = new Float64Array(3 * frameCount);
   const masses = jointMasses(skeleton);
-  const { balls: feet, leg } = feetOf(skeleton, space);
   const points = new Float64Array(3 * feet.length * frameCount);
   const toScene = new Float64Array(16);
   placementMatrix(character.placements[0], space, NO_TRAVEL, toScene);

@@ -25,6 +25,8 @@ export interface Settings {
   readonly gizmoScale: number;
   /** Whether joints and boxes snap to the grid in rig mode, unless Shift is held. */
   readonly snapsToGrid: boolean;
+  /** What the tab *Measure* plots, by its own names; unknown ones are its defaults. */
+  readonly measured: { readonly quantity: string; readonly subject: string };
   /** Sections of the inspector and groups of the outliner that the user has expanded (true) or collapsed. */
   readonly folds: Readonly<Record<string, boolean>>;
   /** Megabytes that undo may keep; 0: what the browser gives decides (`shell/undo-memory.ts`). */
@@ -74,6 +76,7 @@ export const DEFAULT_SETTINGS: Settings = {
   gizmoScale: 1,
   snapsToGrid: true,
   undoMegabytes: 0,
+  measured: { quantity: 'speed', subject: 'joints' },
   folds: {},
   singleKeys: true,
   firstSteps: true,
@@ -124,6 +127,7 @@ export function parseSettings(text: string | null): Settings {
     gizmoScale: within(GIZMO_SCALES, kept.gizmoScale, d.gizmoScale),
     snapsToGrid: typeof kept.snapsToGrid === 'boolean' ? kept.snapsToGrid : d.snapsToGrid,
     undoMegabytes: within([0, 1e5], kept.undoMegabytes, d.undoMegabytes),
+    measured: sameTypes(d.measured, asRecord(kept.measured)),
     folds: Object.fromEntries(Object.entries(asRecord(kept.folds)).filter(isFold)),
     singleKeys: typeof singleKeys === 'boolean' ? singleKeys : d.singleKeys,
     firstSteps: typeof kept.firstSteps === 'boolean' ? kept.firstSteps : d.firstSteps,

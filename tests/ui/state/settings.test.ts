@@ -17,6 +17,7 @@ describe('parseSettings', () => {
       display: { ...DEFAULT_SETTINGS.display, skin: 'xray' as const, grid: false },
       panels: { ...DEFAULT_SETTINGS.panels, outlinerWidth: 300, inspectorOpen: false },
       gizmoScale: 1.5,
+      measured: { quantity: 'contact', subject: 'mass' },
       folds: { 'inspector/all': true },
       keys: { 'draw.axes': ['Q'], 'draw.grid': [] },
       singleKeys: false,
@@ -30,6 +31,7 @@ describe('parseSettings', () => {
       angles: 'radians',
       display: { skin: 'glass', grid: 'yes', bones: true },
       gizmoScale: 40,
+      measured: { quantity: 3, subject: 'mass' },
       panels: { outlinerWidth: -5, inspectorWidth: 1e9, filesHeight: 100 },
       folds: { a: true, b: 'no' },
       keys: { a: ['X'], b: [3] },
@@ -39,6 +41,7 @@ describe('parseSettings', () => {
       angles: 'radians',
       display: { ...DEFAULT_SETTINGS.display, bones: true },
       panels: { ...DEFAULT_SETTINGS.panels, filesHeight: 100 },
+      measured: { quantity: 'speed', subject: 'mass' },
       folds: { a: true },
       keys: { a: ['X'] },
     });

@@ -4,9 +4,11 @@
  */
 import { QUANTITIES, type Quantity } from '../../../evaluate/measure/quantities.ts';
 import { copyText } from '../../kit/clipboard.ts';
-import { button, element, keepsFocusElsewhere, setAttribute, setText } from '../../kit/dom.ts';
+import { element, keepsFocusElsewhere, setAttribute, setText } from '../../kit/dom.ts';
 import { focusPanel, HAS_KEYS } from '../../kit/focus.ts';
 import { oncePerFrame } from '../../kit/frame.ts';
+import { icon } from '../../kit/icons.ts';
+import { menuButton } from '../../kit/menu.ts';
 import { middleCut } from '../../kit/middle-cut.ts';
 import { plural, shown } from '../../kit/number-text.ts';
 import { fitWindow, snapTime } from '../../kit/time-window.ts';
@@ -37,7 +39,11 @@ type Parts = Uses<'store' | 'transport' | 'timeline' | 'settings' | 'messages' |
 
 /** Distance within which the pointer reads a line; CSS pixels. */
 const REACH_PIXELS = 14;
-const SUBJECT_LABELS: Readonly<Record<Subject, string>> = { joints: 'Selected joints', mass: 'Centre of mass' };
+const SUBJECT_LABELS: Readonly<Record<Subject, string>> = {
+  joints: 'Selected joints',
+  feet: 'Feet',
+  mass: 'Centre of mass',
+};
 
 export function measurePanel(wb: Parts): TimelineTab {
   return new MeasurePanel(wb);
@@ -58,11 +64,10 @@ class MeasurePanel implements TimelineTab, TimePlot {
   private readonly empty = element('p', { class: 'empty time-note', role: 'status', hidden: true });
   private readonly picture = new PlotPicture();
   private readonly measuring: Measuring;
-  private readonly save: HTMLButtonElement;
-  private readonly copy: HTMLButtonElement;
+  private readonly exports: HTMLButtonElement;
   readonly drawSoon = oncePerFrame(() => this.draw());
-  private quantity: Quantity = 'speed';
-  private subject: Subject = 'joints';
+  private quantity: Quantity;
+  private subject: Subject;
   private series: readonly Series[] = [];
   private values: HTMLElement[] = [];
   private unit = '';
@@ -73,6 +78,9 @@ class MeasurePanel implements TimelineTab, TimePlot {
 
   constructor(private readonly wb: Parts) {
     this.measuring = new Measuring(wb);
+    const { measured } = wb.settings.get();
+    this.quantity = QUANTITIES.find((known) => known === measured.quantity) ?? 'speed';
+    this.subject = SUBJECTS.find((known) => known === measured.subject) ?? 'joints';
     this.chart.append(this.picture.element);
     this.element.append(
       element('div', { class: 'time-plot' }, this.chart, this.empty),
@@ -81,18 +89,22 @@ class MeasurePanel implements TimelineTab, TimePlot {
     const quantities = choice('Quantity', QUANTITIES, (quantity) => QUANTITY_LABELS[quantity].label, this.quantity);
     quantities.onChoice((quantity) => {
       this.quantity = quantity;
-      this.show();
+      this.remember();
     });
     const subjects = choice('Of', SUBJECTS, (subject) => SUBJECT_LABELS[subject], this.subject);
     subjects.onChoice((subject) => {
       this.subject = subject;
-      this.show();
+      this.remember();
     });
-    this.save = tool('Save the plotted values as CSV', 'CSV', () =>
-      this.wb.files.saveText(`${this.quantity}.csv`, this.csv()),
+    this.exports = keepsFocusElsewhere(
+      element('button', { type: 'button', class: 'tool text-tool' }, 'Values', icon('fold')),
     );
-    this.copy = tool('Copy the plotted values as CSV', 'Copy', () => void this.copyValues());
-    this.tools = element('div', { class: 'measure-tools' }, quantities.element, subjects.element, this.save, this.copy);
+    setTooltip(this.exports, 'Copy or save the plotted values');
+    menuButton(this.exports, 'Values', () => [
+      { kind: 'item', label: 'Copy as CSV', enabled: true, run: () => void this.copyValues() },
+      { kind: 'item', label: 'Save as CSV', enabled: true, run: () => this.saveValues() },
+    ]);
+    this.tools = element('div', { class: 'measure-tools' }, quantities.element, subjects.element, this.exports);
     const chart: TimeChart = {
       element: this.chart,
       timeView: () => this.timeView(),
@@ -154,7 +166,7 @@ class MeasurePanel implements TimelineTab, TimePlot {
     const isEmpty = this.series.length === 0;
     this.empty.hidden = !isEmpty;
     setText(this.empty, isEmpty ? emptyText(sources, subject, quantity) : '');
-    this.save.disabled = this.copy.disabled = isEmpty;
+    this.exports.disabled = isEmpty;
     const left = sources.length > MOST_OVERLAID ? `The first ${MOST_OVERLAID} of ${sources.length} characters` : '';
     const notes = [massText(all, subject, quantity), left].filter(Boolean);
     setText(this.note, notes.join('. '));
@@ -256,6 +268,16 @@ class MeasurePanel implements TimelineTab, TimePlot {
     return seriesAsCsv(this.series, this.quantity, this.unit);
   }
 
+  private remember(): void {
+    const { quantity, subject } = this;
+    this.wb.settings.update((now) => ({ ...now, measured: { quantity, subject } }));
+    this.show();
+  }
+
+  private saveValues(): void {
+    this.wb.files.saveText(`${this.quantity}.csv`, this.csv());
+  }
+
   private async copyValues(): Promise<void> {
     const isCopied = await copyText(this.csv());
     const what = plural(this.series.length, 'column');
@@ -269,10 +291,6 @@ const SWATCHES = ['solid', 'dashed', 'dotted', 'double'];
 
 /** Quantities that have no natural 0 at the bottom of the plot. */
 const IS_PLACE: Readonly<Partial<Record<Quantity, true>>> = { x: true, height: true, z: true };
-
-function tool(label: string, text: string, run: () => void): HTMLButtonElement {
-  return keepsFocusElsewhere(button(label, { class: 'tool text-tool' }, text, run));
-}
 
 interface Choice<T> {
   readonly element: HTMLSelectElement;

@@ -10,7 +10,7 @@ import { exact } from '../../kit/number-text.ts';
 import { comparedIn, drawnDocument, playedName } from '../../state/takes.ts';
 import type { Uses } from '../../state/workbench.ts';
 
-export const SUBJECTS = ['joints', 'mass'] as const;
+export const SUBJECTS = ['joints', 'feet', 'mass'] as const;
 export type Subject = (typeof SUBJECTS)[number];
 
 /** More characters can't be told apart. */
@@ -92,7 +92,7 @@ export function sourcesOf(wb: Uses<'store' | 'timeline' | 'transport'>): readonl
 
 /** Rows of one quantity. */
 export function seriesOf(all: readonly Measured[], subject: Subject, quantity: Quantity): readonly Series[] {
-  return all.flatMap(({ source: { character, frames }, tracks }, source) => {
+  return all.flatMap(({ source: { character, frames, joints }, tracks }, source) => {
     const { skeleton } = character;
     const name = (own: string) => (all.length > 1 ? `${playedName(character)}: ${own}` : own);
     const named = (own: string, values: Float64Array | undefined, ordinal: number): Series[] =>
@@ -103,8 +103,9 @@ export function seriesOf(all: readonly Measured[], subject: Subject, quantity: Q
     const { frameSeconds } = frames;
     if (subject === 'mass')
       return named('Centre of mass', quantityOf({ positions: tracks.mass }, quantity, frameSeconds), 0);
-    return tracks.joints.flatMap((joint, i) => {
-      const motion = { positions: tracks.positions[i], rotations: tracks.rotations[i] };
+    return (subject === 'feet' ? tracks.feet : joints).flatMap((joint, i) => {
+      const at = tracks.joints.indexOf(joint);
+      const motion = { positions: tracks.positions[at], rotations: tracks.rotations[at] };
       return named(jointName(skeleton, joint), quantityOf(motion, quantity, frameSeconds), i);
     });
   });
@@ -121,7 +122,8 @@ export function unitOf(all: readonly Pick<Measured, 'source'>[], quantity: Quant
 /** Why nothing is shown. */
 export function emptyText(sources: readonly Source[], subject: Subject, quantity: Quantity): string {
   if (!sources.length) return 'No visible character has a take. Open one, or show its character.';
-  if (quantity === 'contact') return 'No feet were recognised: a leg needs a thigh, a shin and a foot.';
+  if (quantity === 'contact' || subject === 'feet')
+    return 'No feet were recognised: a leg needs a thigh, a shin and a foot.';
   if (subject === 'mass') return 'The centre of mass does not rotate. Choose joints, or another quantity.';
   return 'No character has the selected joints.';
 }
@@ -131,7 +133,7 @@ export function massText(all: readonly Measured[], subject: Subject, quantity: Q
   if (subject !== 'mass' || quantity === 'contact' || !all.length) return '';
   const isBody = all.every(({ tracks }) => tracks.massModel === 'segments');
   const isNone = all.every(({ tracks }) => tracks.massModel === 'bones');
-  if (isBody) return 'Masses of limb segments by de Leva (1996)';
+  if (isBody) return 'Masses of limb segments by de Leva (1996), men';
   return isNone
     ? 'Mass uniform over the bones'
     : 'Masses by de Leva (1996) where there are limbs, else uniform over the bones';

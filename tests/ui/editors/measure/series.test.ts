@@ -1,4 +1,5 @@
 import { describe, expect, it } from 'vitest';
+import { setRetarget } from '../../../../src/edit/commands/retarget.ts';
 import { trackJoints } from '../../../../src/evaluate/measure/tracks.ts';
 import { runToEnd } from '../../../../src/evaluate/steps.ts';
 import type { Character } from '../../../../src/model/document.ts';
@@ -16,6 +17,7 @@ import {
 } from '../../../../src/ui/editors/measure/series.ts';
 import { listOfTakes } from '../../../../src/ui/editors/takes/play.ts';
 import { compareTakes } from '../../../../src/ui/editors/takes/start-comparison.ts';
+import { sliding } from '../../../edit/hold/sliding.ts';
 import { character, clip, documentOf, joint, skeleton } from '../../../helpers/builders.ts';
 import { workbench } from '../../builders.ts';
 
@@ -90,6 +92,18 @@ describe('the plotted series', () => {
     expect(seriesOf(all, 'joints', 'contact')).toEqual([]);
     expect(emptyText(sourcesOf(wb), 'joints', 'contact')).toContain('No feet');
     expect(emptyText([], 'joints', 'x')).toContain('No visible character has a take');
+  });
+
+  it('feet are measured without being selected, also of a take that is retargeted', () => {
+    const { wb } = workbench(documentOf({ ...sliding(0.01), id: 'a' }, { ...sliding(0), id: 'b', name: 'b' }));
+    wb.store.apply(setRetarget, { characterId: 'b', sourceId: 'a' });
+    const all = measured(sourcesOf(wb));
+    const series = seriesOf(all, 'feet', 'speed');
+    expect(series.map(({ label }) => label.split(': ')[1])).toEqual(['LeftToe', 'RightToe', 'LeftToe', 'RightToe']);
+    // They slide by a centimetre in a tenth of a second.
+    for (const { values } of series) expect(values[5]).toBeCloseTo(0.1, 3);
+    expect(seriesOf(all, 'joints', 'speed')).toHaveLength(2);
+    expect(seriesOf(measured(sourcesOf(workbench(documentOf(take('a', 0))).wb)), 'feet', 'speed')).toEqual([]);
   });
 
   it('the CSV has exact numbers, a column a series, and a row for the times of all', () => {
