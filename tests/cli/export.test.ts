@@ -111,6 +111,45 @@ describe('marrow export', () => {
     );
   });
 
+  it('a second export with --resume makes a .gltf anew whose buffer has changed or is gone', async () => {
+    const buffer = (z: number) =>
+      new Uint8Array(Float32Array.of(0, 1, 0, 0, 0, 1, 0, 0, z, Math.sqrt(1 - z * z)).buffer);
+    const accessor = (byteOffset: number, count: number, type: string) => ({
+      ...{ bufferView: 0, byteOffset, componentType: 5126, count, type },
+      ...(type === 'SCALAR' && { min: [0], max: [1] }),
+    });
+    const gltf = {
+      asset: { version: '2.0' },
+      scene: 0,
+      scenes: [{ nodes: [0] }],
+      nodes: [
+        { name: 'Hips', children: [1] },
+        { name: 'Arm', translation: [0, 1, 0] },
+      ],
+      animations: [
+        { channels: [{ sampler: 0, target: { node: 1, path: 'rotation' } }], samplers: [{ input: 0, output: 1 }] },
+      ],
+      accessors: [accessor(0, 2, 'SCALAR'), accessor(8, 2, 'VEC4')],
+      bufferViews: [{ buffer: 0, byteOffset: 0, byteLength: 40 }],
+      buffers: [{ uri: 'wave.bin', byteLength: 40 }],
+    };
+    mkdirSync(join(folder, 'waves'));
+    writeFileSync(join(folder, 'waves/wave.gltf'), JSON.stringify(gltf));
+    writeFileSync(join(folder, 'waves/wave.bin'), buffer(0.5));
+    const args = ['waves', '--to', 'npz', '--out', 'out', '--float64', '--resume'];
+    expect(await exported(...args)).toMatchObject({ code: 0, err: '' });
+    const last = () => npz('out/wave.npz').local_quat.values.at(-2);
+    expect(last()).toBeCloseTo(0.5, 6);
+    expect(manifest()[0].beside).toEqual([{ path: 'waves/wave.bin', hash: expect.stringMatching(/^[0-9a-f]{64}$/) }]);
+    expect((await exported(...args)).out).toBe('out: nothing to do, all 1 take is exported\n');
+    writeFileSync(join(folder, 'waves/wave.bin'), buffer(0.25));
+    expect((await exported(...args)).out).toMatch(/^out: 1 take exported/);
+    expect(last()).toBeCloseTo(0.25, 6);
+    rmSync(join(folder, 'waves/wave.bin'));
+    const gone = await exported(...args);
+    expect([gone.code, gone.err]).toEqual([1, expect.stringContaining('wave.bin')]);
+  });
+
   it('files that exist are kept without --resume or --force, and the take fails in words', async () => {
     await exported('takes', '--to', 'npz', '--out', 'out');
     const { code, err } = await exported('takes', '--to', 'npz', '--out', 'out', '--fps', '5');
@@ -193,11 +232,39 @@ describe('marrow export', () => {
     const { code, err } = await exported('takes', 'takes/b', '--to', 'npz', '--out', 'out2');
     expect([code, err]).toEqual([0, '']);
     mkdirSync(join(folder, 'other'));
-    writeFileSync(join(folder, 'other/walk.bvh'), WALK);
-    const clash = await exported('takes', 'other', '--to', 'npz', '--out', 'out3');
+    for (const name of ['walk.bvh', 'walk.bvh.bvh', 'walk.skel', 'walk.anim']) {
+      writeFileSync(join(folder, 'other', name), WALK);
+    }
+    const clash = await exported('other', '--to', 'npz', '--out', 'out3');
     expect(clash.code).toBe(2);
-    expect(clash.err).toContain('other/walk.bvh and takes/walk.bvh would have the same output, walk');
+    expect(clash.err).toContain('other/walk.bvh and other/walk.bvh.bvh would have the same output, walk.bvh');
     expect(existsSync(join(folder, 'out3'))).toBe(false);
+  });
+
+  it('where takes of two named folders have equal paths, all are placed below the folder that they share', async () => {
+    mkdirSync(join(folder, 'other/b'), { recursive: true });
+    writeFileSync(join(folder, 'other/b/run.bvh'), WALK);
+    const apart = await exported('takes', 'other', '--to', 'npz', '--out', 'out');
+    expect([apart.code, filesIn('out')]).toEqual([
+      0,
+      ['b/run.npz', 'b/walk.npz', 'manifest.ndjson', 'two.1.npz', 'two.2.npz', 'walk.npz'],
+    ]);
+    writeFileSync(join(folder, 'other/b/walk.bvh'), WALK);
+    const equal = ['other/b/run.npz', 'other/b/walk.npz', 'takes/b/walk.npz', 'takes/two.1.npz', 'takes/two.2.npz'];
+    for (const [out, ...parts] of [['whole'], ['parts', '--shard', '1/2'], ['parts', '--shard', '2/2']]) {
+      const { code, err } = await exported('takes', 'other', '--to', 'npz', '--out', out, '--no-times', ...parts);
+      expect([code, err]).toEqual([0, '']);
+    }
+    expect(filesIn('whole')).toEqual(['manifest.ndjson', ...equal, 'takes/walk.npz']);
+    for (const name of filesIn('whole')) {
+      expect(readFileSync(join(folder, 'parts', name)).equals(readFileSync(join(folder, 'whole', name)))).toBe(true);
+    }
+    // The same takes belong elsewhere now; what is at the old places is told.
+    const again = await exported('takes', 'other', '--to', 'npz', '--out', 'out', '--resume');
+    expect(again.out).toMatch(/^out: 6 takes exported/);
+    expect(again.err).toMatch(
+      /^marrow: 5 outputs of earlier runs are no longer listed.*: b\/run\.npz, b\/walk\.npz, two/,
+    );
   });
 
   it('files outside the folder where it is called keep equal names apart by the folder that they share', async () => {

@@ -32,7 +32,7 @@ export interface ExportSummary {
   /** Takes that were read with assumptions. */
   readonly warned: number;
   readonly failures: readonly FailedTake[];
-  /** Outputs of earlier runs whose inputs are no longer listed. */
+  /** Outputs of earlier runs that are none of this list any more. */
   readonly stale: readonly string[];
 }
 
@@ -54,6 +54,7 @@ export async function exportTakes(
     pieces.flatMap(({ before }) => before),
   );
   const failures: FailedTake[] = [];
+  const replaced: string[] = [];
   let [written, kept, bytes, warned, done] = [0, 0, 0, 0, 0];
   await shareWork(
     {
@@ -63,8 +64,10 @@ export async function exportTakes(
       pieces,
       ...(threads !== undefined && { threads }),
       few: FEW,
-      done(_, { records, isKept }: ExportResult) {
+      done({ before }, { records, isKept }: ExportResult) {
         manifest.add(records);
+        const outputs = new Set(records.filter(isWritten).map(({ output }) => output));
+        replaced.push(...before.filter(isWritten).flatMap(({ output }) => (outputs.has(output) ? [] : [output])));
         for (const record of records) {
           if (!isWritten(record)) failures.push(record);
           else if (isKept) kept++;
@@ -87,7 +90,8 @@ export async function exportTakes(
   const listed = new Set(inputs.map(({ path }) => path));
   const gone = [...earlier].filter(([input]) => !listed.has(input)).flatMap(([, records]) => records);
   failures.sort((a, b) => (a.input < b.input ? -1 : 1));
-  return { written, kept, bytes, warned, failures, stale: gone.filter(isWritten).map(({ output }) => output) };
+  const unlisted = gone.filter(isWritten).map(({ output }) => output);
+  return { written, kept, bytes, warned, failures, stale: [...unlisted, ...replaced.sort()] };
 }
 
 /** Of everything but the input that decides what its outputs are. */

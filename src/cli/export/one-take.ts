@@ -1,7 +1,7 @@
 /** Exports the takes of one input: what a thread does. */
 import { createHash } from 'node:crypto';
 import { mkdirSync, statSync } from 'node:fs';
-import { dirname, join } from 'node:path';
+import { dirname, join, resolve } from 'node:path';
 import { FloatPool } from '../../dataset/float-pool.ts';
 import { takeOf } from '../../dataset/take.ts';
 import { takeArrays } from '../../dataset/take-arrays.ts';
@@ -15,7 +15,7 @@ import { type ExportedFile, FORMATS } from './formats.ts';
 import { metaOf } from './meta.ts';
 import { isMotion, motionFiles } from './motion-files.ts';
 import { hashOf, InputReader, type ReadInput } from './read-input.ts';
-import { isWritten, type TakeRecord, type WrittenTake } from './records.ts';
+import { isWritten, type PartHash, type TakeRecord, type WrittenTake } from './records.ts';
 import type { ExportSettings } from './settings.ts';
 import { checkOf, flagsOf } from './take-check.ts';
 import type { TakeInput } from './take-inputs.ts';
@@ -62,7 +62,8 @@ async function exportInput({ input, before }: ExportPiece, exporter: Exporter): 
     hash = read.hash;
     const key = keyOf(settings.key, hash, input);
     const written = before.filter(isWritten);
-    if (written.length > 0 && written.length === before.length && written.every((w) => isThere(w, key, settings))) {
+    const isWhole = written.length > 0 && written.length === before.length;
+    if (isWhole && written.every((take) => isThere(take, input, key, settings))) {
       return { records: written, isKept: true };
     }
     return { records: await takesOf(input, { ...read, key }, exporter), isKept: false };
@@ -78,8 +79,19 @@ interface Identity extends ReadInput {
   readonly key: string;
 }
 
-function isThere({ output, bytes, key: own }: WrittenTake, key: string, { out }: ExportSettings): boolean {
-  return own === key && statSync(join(out, output), { throwIfNoEntry: false })?.size === bytes;
+/** Whether an earlier output is what would be made now. */
+function isThere(
+  { output, bytes, key: own, beside = [] }: WrittenTake,
+  { stem }: TakeInput,
+  key: string,
+  { out, folder }: ExportSettings,
+): boolean {
+  if (own !== key || !output.startsWith(`${stem}.`)) return false;
+  const isSame = ({ path, hash }: PartHash) => {
+    const absolute = resolve(folder, path);
+    return statSync(absolute, { throwIfNoEntry: false })?.isFile() === true && hashOf(absolute) === hash;
+  };
+  return statSync(join(out, output), { throwIfNoEntry: false })?.size === bytes && beside.every(isSame);
 }
 
 function keyOf(options: string, hash: string, { skeleton }: TakeInput): string {
@@ -96,7 +108,8 @@ async function takesOf(
   const begun = performance.now();
   const { path, absolute, skeleton } = input;
   const files = [...(skeleton ? [skeleton] : []), { path, absolute, ...(content && { bytes: content }) }];
-  const { document, diagnostics } = openLoaded(await loadFound(files, settings.folder));
+  const loaded = await loadFound(files, settings.folder);
+  const { document, diagnostics } = openLoaded(loaded);
   const error = diagnostics.find(({ severity }) => severity === 'error');
   if (error) throw new CommandError(sentenceOf(error));
   const takes = document.characters.flatMap((c) =>
@@ -107,6 +120,9 @@ async function takesOf(
     throw new CommandError('An animation alone has no joints. Its skeleton must be among the files.');
   }
   const warnings = diagnostics.filter(({ severity }) => severity === 'warning').map(sentenceOf);
+  const beside = loaded.files
+    .flatMap((file) => file.beside ?? [])
+    .map((part): PartHash => ({ path: part.path, hash: hashOf(resolve(settings.folder, part.path)) }));
   const records: WrittenTake[] = [];
   let since = begun;
   for (const [i, character] of takes.entries()) {
@@ -121,7 +137,7 @@ async function takesOf(
     const { output, bytes } = writeTake(stem, made, settings);
     const now = performance.now();
     records.push({
-      ...{ input: input.path, hash, output, bytes },
+      ...{ input: input.path, hash, ...(beside.length > 0 && { beside }), output, bytes },
       ...{ frames: take.count, fps: take.fps, joints: take.skeleton.joints.length },
       ...(settings.isChecked && { flags: check?.end().map(flagText) ?? flagsOf(take, character) }),
       ...(warnings.length > 0 && { warnings }),

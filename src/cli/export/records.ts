@@ -1,11 +1,20 @@
 /** What became of each take: the lines of the manifest. */
 
+/** A file that is a part of another one. */
+export interface PartHash {
+  /** As listed: relative to the folder in which the command ran. */
+  readonly path: string;
+  readonly hash: string;
+}
+
 /** A take that was written. In the order of its line. */
 export interface WrittenTake {
   /** As listed: relative to the folder in which the command ran. */
   readonly input: string;
   /** Of the input's bytes, SHA-256. */
   readonly hash: string;
+  /** Other files that are in the input, such as the buffers of a `.gltf`; absent rather than empty. */
+  readonly beside?: readonly PartHash[];
   /** Below the output folder. */
   readonly output: string;
   readonly bytes: number;

@@ -75,7 +75,9 @@ function animationsIn(files: readonly GivenPath[]): Omit<TakeInput, 'stem'>[] {
 
 /**
  * Names the outputs after the inputs: the path below the folder that was named; of a file that was named itself, below
- * the caller's, or, outside it, below the folder that all such files share. Where two differ only in their endings, these are kept: `walk.bvh.npz`, `walk.anim.npz`.
+ * the caller's, or, outside it, below the folder that all such files share. Where two would be the same, all are named by
+ * their paths below the folder that all inputs share: `day1/walk.npz`, `day2/walk.npz`. Where two differ only in their
+ * endings, these are kept: `walk.bvh.npz`, `walk.anim.npz`.
  */
 function withStems(
   inputs: readonly Omit<TakeInput, 'stem'>[],
@@ -86,11 +88,11 @@ function withStems(
   const homes = [...folders, callers];
   const strays = inputs.map(({ absolute }) => absolute).filter((path) => !homes.some((folder) => isIn(folder, path)));
   if (strays.length > 0) homes.push(sharedFolder(strays));
-  const below = inputs.map(({ absolute }) =>
-    relative(homes.find((folder) => isIn(folder, absolute)) ?? dirname(absolute), absolute)
-      .split(sep)
-      .join('/'),
-  );
+  const paths = inputs.map(({ absolute }) => absolute);
+  const belowHomes = paths.map((path) => pathBelow(homes.find((folder) => isIn(folder, path)) ?? dirname(path), path));
+  const areDistinct = new Set(belowHomes).size === paths.length;
+  const shared = areDistinct ? '' : sharedFolder(paths);
+  const below = areDistinct ? belowHomes : paths.map((path) => pathBelow(shared, path));
   const short = below.map((path) => path.slice(0, path.length - extname(path).length));
   const counts = new Map<string, number>();
   for (const stem of short) counts.set(stem, (counts.get(stem) ?? 0) + 1);
@@ -109,6 +111,10 @@ function withStems(
     seen.set(stem, input.path);
     return { ...input, stem };
   });
+}
+
+function pathBelow(folder: string, path: string): string {
+  return relative(folder, path).split(sep).join('/');
 }
 
 /** The deepest folder that all these files are below. */
