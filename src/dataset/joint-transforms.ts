@@ -18,6 +18,7 @@ import { writeRotationPart } from '../math/mat3.ts';
 import { quaternionOfRotation } from '../math/quaternion.ts';
 import { writeSinesAndCosines } from '../math/sines-cosines.ts';
 import { stretches } from '../model/joint-types.ts';
+import { perSkeleton } from '../model/per-skeleton.ts';
 import type { Skeleton } from '../model/skeleton.ts';
 import type { Space } from '../model/space.ts';
 import type { Floats } from './data-array.ts';
@@ -41,6 +42,18 @@ interface Turn {
   readonly axes: readonly [number, number, number];
   readonly sign: number;
 }
+
+/** Cached. */
+const turnsOf = perSkeleton((skeleton): readonly (Turn | undefined)[] => {
+  const { turns, firstDof } = compileSkeleton(skeleton);
+  return skeleton.joints.map(({ motion }, j) => {
+    if (turns[3 * j] < 0) return undefined;
+    const euler = eulerDofs(motion);
+    if (!euler) throw new Error(`Joint ${j} turns by three angles, but has no order of them.`);
+    const [a, b, c] = appliedDofs(euler);
+    return { dofs: [firstDof[j] + a, firstDof[j] + b, firstDof[j] + c], ...renamedAxes(euler.order) };
+  });
+});
 
 export class JointTransforms {
   /** Of each frame of the block x y z of each joint, then of each End Site. */
@@ -92,14 +105,7 @@ export class JointTransforms {
     this.world = new Float64Array(4 * BLOCK * count);
     this.localBefore = new Float64Array(4 * count);
     this.worldBefore = new Float64Array(4 * count);
-    this.turns = joints.map(({ motion }, j) => {
-      if (compiled.turns[3 * j] < 0) return undefined;
-      const euler = eulerDofs(motion);
-      if (!euler) throw new Error(`Joint ${j} turns by three angles, but has no order of them.`);
-      const [a, b, c] = appliedDofs(euler);
-      const first = compiled.firstDof[j];
-      return { dofs: [first + a, first + b, first + c], ...renamedAxes(euler.order) };
-    });
+    this.turns = turnsOf(skeleton);
     this.matrices = new Float64Array(16 * (this.isRigid ? 1 : count));
     this.restart();
   }

@@ -114,8 +114,8 @@ export function takeArrays(take: Take, pool: FloatPool, watcher?: FrameWatcher):
       const row = f + b - first;
       for (let k = 0; k < 3; k++) rootPositions[3 * row + k] = points[3 * carrier + k];
       for (let i = 0; i < 3 * E; i++) endPositions[3 * E * row + i] = points[3 * J + i];
-      speeds.take(row, points);
     }
+    if (isPart) speeds.take(f - first, n, transforms.points);
   }
   speeds.end(count);
   return {
@@ -198,7 +198,7 @@ function endNamesOf({ joints }: Skeleton): readonly string[] {
   return joints.flatMap(({ name, endSites = [] }) => endSites.map((_, i) => `${name}_end${i > 0 ? i + 1 : ''}`));
 }
 
-/** Velocities by central differences of positions in doubles, of which it keeps two frames. */
+/** Velocities by central differences of positions in doubles, of which it keeps two frames from block to block. */
 class Speeds {
   private before: Float64Array;
   private last: Float64Array;
@@ -212,19 +212,26 @@ class Speeds {
     this.last = new Float64Array(width);
   }
 
-  /** Rows come in order, from 0. @param points of which the first are the joints */
-  take(row: number, points: Float64Array): void {
-    const { out, width, before, last, fps } = this;
-    if (row > 0) {
-      // Of the row before: from the one before that, or one-sided.
-      const from = row > 1 ? before : last;
-      const rate = row > 1 ? fps / 2 : fps;
-      const o = (row - 1) * width;
-      for (let i = 0; i < width; i++) out[o + i] = (points[i] - from[i]) * rate;
+  /** Rows come in order, from 0. @param points of each, of which the first are the joints */
+  take(row: number, count: number, points: readonly Float64Array[]): void {
+    const { out, width, fps } = this;
+    let { before, last } = this;
+    for (let b = 0; b < count; b++) {
+      const now = points[b];
+      const r = row + b;
+      if (r > 0) {
+        // Of the row before: from the one before that, or one-sided.
+        const from = r > 1 ? before : last;
+        const rate = r > 1 ? fps / 2 : fps;
+        const o = (r - 1) * width;
+        for (let i = 0; i < width; i++) out[o + i] = (now[i] - from[i]) * rate;
+      }
+      before = last;
+      last = now;
     }
-    for (let i = 0; i < width; i++) before[i] = points[i];
-    this.before = last;
-    this.last = before;
+    // The rows of the block are overwritten by the next one.
+    this.before = before.slice(0, width);
+    this.last = last.slice(0, width);
   }
 
   end(count: number): void {

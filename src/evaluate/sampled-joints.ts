@@ -1,6 +1,8 @@
 /** Which DOFs of a skeleton a clip's samples drive, grouped by how they are interpolated between frames. */
 import { firstDofs } from '../model/dofs.ts';
 import { quaternionDofs } from '../model/joint-types.ts';
+import { perPair } from '../model/per-object.ts';
+import { perSkeleton } from '../model/per-skeleton.ts';
 import type { Skeleton } from '../model/skeleton.ts';
 import type { CompiledClip } from './compiled-clip.ts';
 import { appliedDofs, eulerDofs, renamedAxes, turningDofs } from './euler-dofs.ts';
@@ -32,21 +34,32 @@ export interface SampledJoints {
   readonly quaternionColumns: Int32Array;
 }
 
-const known = new WeakMap<CompiledClip, WeakMap<Skeleton, SampledJoints>>();
+/** What the joints of a clip depend on, and the result. */
+interface Sorted {
+  readonly columns: Int32Array;
+  readonly scales: Float64Array | undefined;
+  readonly joints: SampledJoints;
+}
+
+/** The latest one of each skeleton: takes of one session have the same columns, and share it. */
+const latest = perSkeleton((): { sorted?: Sorted } => ({}));
 
 /** Cached per clip and skeleton. */
-export function sampledJoints(clip: CompiledClip, skeleton: Skeleton): SampledJoints {
-  let bySkeleton = known.get(clip);
-  if (!bySkeleton) {
-    bySkeleton = new WeakMap();
-    known.set(clip, bySkeleton);
-  }
-  let made = bySkeleton.get(skeleton);
-  if (!made) {
-    made = sort(clip, skeleton);
-    bySkeleton.set(skeleton, made);
-  }
-  return made;
+export const sampledJoints = perPair((clip: CompiledClip, skeleton: Skeleton): SampledJoints => {
+  const { columns, samples } = clip;
+  const kept = latest(skeleton);
+  const { sorted } = kept;
+  if (sorted && isSame(sorted.columns, columns) && isSame(sorted.scales, samples?.scales)) return sorted.joints;
+  const joints = sort(clip, skeleton);
+  kept.sorted = { columns, scales: samples?.scales, joints };
+  return joints;
+});
+
+function isSame(a: ArrayLike<number> | undefined, b: ArrayLike<number> | undefined): boolean {
+  if (a === b) return true;
+  if (a?.length !== b?.length || !a || !b) return false;
+  for (let i = 0; i < a.length; i++) if (a[i] !== b[i]) return false;
+  return true;
 }
 
 /** If only some of a joint's angles are sampled, they are not a rotation: each is interpolated alone. */

@@ -114,15 +114,11 @@ function bodyIn(skeleton: Skeleton, up: Space['up']): Body | undefined {
   };
 }
 
-type Point = readonly [number, number, number];
-
-function pointOf({ points }: FrameShape, joint: number): Point {
-  return [points[3 * joint], points[3 * joint + 1], points[3 * joint + 2]];
-}
-
-function distance(frame: FrameShape, a: number, b: number): number {
-  const [p, q] = [pointOf(frame, a), pointOf(frame, b)];
-  return Math.hypot(p[0] - q[0], p[1] - q[1], p[2] - q[2]);
+function distance({ points }: FrameShape, a: number, b: number): number {
+  const x = points[3 * a] - points[3 * b];
+  const y = points[3 * a + 1] - points[3 * b + 1];
+  const z = points[3 * a + 2] - points[3 * b + 2];
+  return Math.sqrt(x * x + y * y + z * z);
 }
 
 /** Thigh and shin, the average of both. */
@@ -221,10 +217,8 @@ function upOf(skeleton: Skeleton, body: Body | undefined, frames: readonly Frame
 }
 
 function stands(frame: FrameShape, body: Body, axis: 1 | 2): boolean {
-  const along = (a: number, b: number) => {
-    const [p, q] = [pointOf(frame, a), pointOf(frame, b)];
-    return (q[axis] - p[axis]) / (distance(frame, a, b) || 1);
-  };
+  const along = (a: number, b: number) =>
+    (frame.points[3 * b + axis] - frame.points[3 * a + axis]) / (distance(frame, a, b) || 1);
   const { hips, head, legs } = body;
   return (
     along(hips, head) > ALONG &&

@@ -19,7 +19,7 @@ import { ParseError } from '../report.ts';
 import { AT_END, CR, FULL, LF, type Scan, scanNumbers } from '../scan.ts';
 import type { Tokens } from '../tokens.ts';
 
-/** Initial capacity in numbers, before the size of a number is known; half a megabyte. */
+/** Initial capacity in numbers where no count is declared; half a megabyte. */
 const AT_FIRST = 65536;
 /** A declared count is trusted up to this factor of the estimate from bytes. */
 const TRUSTED = 1.3;
@@ -53,7 +53,7 @@ export class Rows {
     private readonly byteLength: number | undefined,
   ) {
     this.declared = frames !== undefined && frames > 0 ? Math.ceil(frames) * width : 0;
-    const atHand = Math.min(t.numbersAtHand(), AT_FIRST, this.declared || AT_FIRST);
+    const atHand = Math.min(t.numbersAtHand(), this.declared || AT_FIRST);
     this.values = new Float64Array(Math.max(width, Math.ceil(atHand / (width || 1)) * width));
   }
 
