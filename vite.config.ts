@@ -9,6 +9,7 @@ import { defineConfig, type TestProjectInlineConfiguration } from 'vitest/config
 import { givenFiles } from './src/cli/given-files.ts';
 import { draco } from './vite.draco.ts';
 import { offline } from './vite.offline.ts';
+import { policy } from './vite.policy.ts';
 import { leanThree } from './vite.three.ts';
 
 const page: UserConfig = {
@@ -91,7 +92,7 @@ export default defineConfig(({ mode }) => {
     base: './',
     ...building,
     worker: { format: 'es', plugins: () => [draco()] },
-    plugins: [givenFiles(), draco(), ...(building.plugins ?? [])],
+    plugins: [givenFiles(), draco(), policy(), ...(building.plugins ?? [])],
     test: {
       reporters: ['default', './tests/helpers/count-reporter.ts'],
       projects: [

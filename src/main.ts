@@ -18,6 +18,7 @@ import { fetchFiles, filesInQuery } from './io/address.ts';
 import * as disk from './io/disk-files.ts';
 import { download } from './io/download.ts';
 import { onLaunched } from './io/launched.ts';
+import { trustOwnScripts } from './io/trusted-scripts.ts';
 import type { DumpFile } from './project/open/open-files.ts';
 import { oncePerFrame } from './ui/kit/frame.ts';
 import { observable } from './ui/kit/observable.ts';
@@ -35,6 +36,7 @@ import type { Action, DialogName, Loading, Workbench } from './ui/state/workbenc
 import { Viewport } from './view/viewport.ts';
 import { WorkerClient } from './worker/client.ts';
 
+trustOwnScripts();
 const root = document.getElementById('app');
 if (!root) throw new Error('index.html has no element "app".');
 

@@ -80,6 +80,13 @@ const STILL: ExtraFiles = {
   'samples/post.skel': 'balljoint post { boxmin -0.1 0 -0.1 boxmax 0.1 1 0.1 }',
 };
 
+/** Runs in the page: what its Content-Security-Policy refuses is a problem, also where the browser is silent. */
+function tellViolations(): void {
+  document.addEventListener('securitypolicyviolation', ({ effectiveDirective, blockedURI, sample }) => {
+    console.error(`refused by the policy: ${effectiveDirective} ${blockedURI} ${sample}`);
+  });
+}
+
 /**
  * Runs in the page. A visitor who has closed the hint and turned shadows off: drawn in software, a shadow takes almost
  * half of the time of a frame.
@@ -125,6 +132,7 @@ export async function withPage(body: (open: OpenPage) => Promise<void>, options:
     const openAnother = async (query = '') => {
       const another = await context.newPage();
       collectProblems(another, server.url, problems);
+      await another.addInitScript(tellViolations);
       if (!options.firstVisit) await another.addInitScript(asKnownVisitor);
       if (options.before) await another.addInitScript(options.before);
       await another.goto(server.url + query);
@@ -249,7 +257,8 @@ export async function readPixels(
   page: Page,
   clip?: { x: number; y: number; width: number; height: number },
 ): Promise<Pixels> {
-  const picture = await page.screenshot(clip ? { clip } : {});
+  // To hide a caret, Playwright adds a style to the page in Firefox, which the policy refuses.
+  const picture = await page.screenshot({ caret: 'initial', ...(clip && { clip }) });
   const decoded = await page.evaluate(async (base64) => {
     const bytes = Uint8Array.from(atob(base64), (letter) => letter.charCodeAt(0));
     const bitmap = await createImageBitmap(new Blob([bytes], { type: 'image/png' }), { premultiplyAlpha: 'none' });

@@ -1,10 +1,11 @@
 /**
- * A plain static host: the files of a folder under a sub-path, 404 for everything else. Vite's own preview answers
- * unknown addresses with the page, which would hide wrong addresses.
+ * A plain static host: the files of a folder under a sub-path, with the headers of docs/hosting.md; 404 for everything
+ * else. Vite's own preview answers unknown addresses with the page, which would hide wrong addresses.
  */
 import { createReadStream, statSync } from 'node:fs';
 import { createServer } from 'node:http';
 import { extname, join, normalize, sep } from 'node:path';
+import { HEADERS } from '../../vite.policy.ts';
 
 /** Files served in addition to the folder's, by their path below the sub-path: `given/a.skel`. */
 export type ExtraFiles = Readonly<Record<string, Uint8Array | string>>;
@@ -39,7 +40,7 @@ export async function serveFolder(folder: string, subPath: string): Promise<Stat
     const { pathname } = new URL(request.url ?? '/', 'http://localhost');
     if (!pathname.startsWith(subPath)) return void response.writeHead(404).end();
     const path = decodeURIComponent(pathname.slice(subPath.length)) || 'index.html';
-    const headers = { 'content-type': TYPES[extname(path).toLowerCase()] ?? 'application/octet-stream' };
+    const headers = { ...HEADERS, 'content-type': TYPES[extname(path).toLowerCase()] ?? 'application/octet-stream' };
 
     const given = extra.find((files) => Object.hasOwn(files, path))?.[path];
     if (given !== undefined) return void response.writeHead(200, headers).end(given);

@@ -44,14 +44,12 @@ export function pairTable(changed: () => void): PairTable {
           const select = jointSelect(`${name} follows`, source, chosen.get(t));
           // For screen readers, along with the choice; others see colour and tooltip.
           select.setAttribute('aria-describedby', why.id);
+          const label = element('span', {}, name);
+          label.style.paddingLeft = `${Math.min(depths[t], 12) * 6}px`;
           const row = element(
             'tr',
             {},
-            element(
-              'th',
-              { scope: 'row', tooltip: name },
-              element('span', { style: `padding-left: ${Math.min(depths[t], 12) * 6}px` }, name),
-            ),
+            element('th', { scope: 'row', tooltip: name }, label),
             element('td', {}, select),
             why,
           );
