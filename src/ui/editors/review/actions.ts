@@ -2,7 +2,7 @@
 import { needs } from '../../state/needs.ts';
 import { openPanel } from '../../state/panels.ts';
 import type { Action, Uses, Workbench } from '../../state/workbench.ts';
-import { chosenPaths, hasReview } from './at-hand.ts';
+import { chosenPaths, hasChosenTake, hasReview } from './at-hand.ts';
 
 const MENU = 'Play/Review';
 const edits = () => import('./edits.ts');
@@ -10,7 +10,7 @@ const NO_REVIEW = 'No takes are reviewed: drop a folder with more than 20 motion
 const hasTakes = needs(NO_REVIEW, hasReview);
 const hasChosen = needs(
   (wb: Uses<'store' | 'timeline'>) => (hasReview(wb) ? 'Select a take in the Review tab first.' : NO_REVIEW),
-  (wb: Uses<'store' | 'timeline'>) => chosenPaths(wb).length > 0,
+  hasChosenTake,
 );
 
 export const REVIEW_ACTIONS: readonly Action[] = [

@@ -1,5 +1,6 @@
 /** The list of takes in review: what each row says, which are listed, and in which order. */
 import { baseName } from '../../../model/files.ts';
+import { perObject } from '../../../model/per-object.ts';
 import type { ReviewedTake } from '../../../model/review.ts';
 import type { TakeDigest } from '../../../review/digest.ts';
 import { badness, FLAG_KINDS, type Flag, type FlagKind, worstOf } from '../../../review/flags.ts';
@@ -14,6 +15,8 @@ export interface ReviewRow {
   readonly hasFile: boolean;
 }
 
+const nameOf = perObject(({ path }: ReviewedTake): string => baseName(path).replace(/\.bvh$/i, ''));
+
 /** Rows of all takes, in the order of the list. */
 export function reviewRows(
   takes: readonly ReviewedTake[],
@@ -21,7 +24,7 @@ export function reviewRows(
 ): readonly ReviewRow[] {
   return takes.map((take) => ({
     take,
-    name: baseName(take.path).replace(/\.bvh$/i, ''),
+    name: nameOf(take),
     digest: files?.digest(take.path),
     hasFile: files?.has(take.path) ?? false,
   }));
