@@ -17,9 +17,13 @@ import type { QuaternionCurve } from './scene.ts';
 const TOLERANCE = 1e-5;
 /** Halvings of the time between two keys: cubics of quaternions that pass near 0 turn in a moment. */
 const MOST_HALVINGS = 16;
-/** Fitted keys of a curve: so many for each of its own, and so many more where few are needed most. */
-const MOST_PER_KEY = 64;
-const MOST_MORE = 1024;
+/** Fitted keys of a curve for each of its own; what it needs beyond is spare. */
+const MOST_PER_KEY = 8;
+
+/** Fitted keys that the curves of a character may need beyond the usual, together. */
+export class SpareKeys {
+  left = 20_000;
+}
 /** Of that time, for slopes. */
 const STEP = 1e-3;
 
@@ -99,8 +103,16 @@ interface FittedKey {
 /**
  * Channels for the DOFs.
  * @param rest DOFs to be near to at the first key
+ * @param spare less by what this curve takes of it; where it runs out, fitted keys are further apart
  */
-export function fitRotation(curve: QuaternionCurve, dofs: RotationDofs, rest: Float64Array): readonly Channel[] {
+export function fitRotation(
+  curve: QuaternionCurve,
+  dofs: RotationDofs,
+  rest: Float64Array,
+  spare: SpareKeys,
+): readonly Channel[] {
+  const usual = MOST_PER_KEY * curve.times.length;
+  const most = usual + spare.left;
   const keys: FittedKey[] = [];
   const now = rest.slice();
   const q = new Float64Array(4);
@@ -118,8 +130,9 @@ export function fitRotation(curve: QuaternionCurve, dofs: RotationDofs, rest: Fl
       rotationWithin(curve, k + 1, 0, q);
       dofs.write(q, now);
       add(curve.times[k + 1]);
-    } else fitBetween(curve, k, 0, 1, dofs, keys, now, 0);
+    } else fitBetween(curve, k, 0, 1, dofs, keys, now, 0, most);
   }
+  spare.left -= Math.max(0, Math.min(keys.length, most) - usual);
   return Array.from({ length: dofs.count }, (_, d) => channelOf(keys, d));
 }
 
@@ -136,6 +149,7 @@ function fitBetween(
   keys: FittedKey[],
   now: Float64Array,
   halvings: number,
+  most: number,
 ): void {
   const before = keys[keys.length - 1];
   const { times } = curve;
@@ -147,8 +161,7 @@ function fitBetween(
     dofs.write(exact, after);
   }
   const time = end === 1 ? times[key + 1] : times[key] + seconds * end;
-  const isFull = keys.length >= MOST_PER_KEY * times.length + MOST_MORE;
-  const isTooFast = seconds <= 0 || halvings >= MOST_HALVINGS || isFull;
+  const isTooFast = seconds <= 0 || halvings >= MOST_HALVINGS || keys.length >= most;
   const push = (slopesIn: Float64Array | undefined, slopesOut: Float64Array | undefined) => {
     before.slopesOut = slopesOut;
     now.set(after);
@@ -169,8 +182,8 @@ function fitBetween(
     return;
   }
   const middle = (start + end) / 2;
-  fitBetween(curve, key, start, middle, dofs, keys, now, halvings + 1);
-  fitBetween(curve, key, middle, end, dofs, keys, now, halvings + 1);
+  fitBetween(curve, key, start, middle, dofs, keys, now, halvings + 1, most);
+  fitBetween(curve, key, middle, end, dofs, keys, now, halvings + 1, most);
 }
 
 /** `part` may be 1. */

@@ -40,15 +40,15 @@ export class ImportError extends Error {
 
 /** What is wrong with or lost of a file, while it is read. Each sentence is told once. */
 export class Remarks {
-  private readonly told: Diagnostic[] = [];
+  private readonly told = new Map<string, Diagnostic>();
   private readonly lost = new Set<string>();
 
   constructor(private readonly fileName: string) {}
 
   /** @param assumed what is used instead */
   warn(code: string, message: string, assumed: string): void {
-    if (this.told.some((d) => d.code === code && d.message === message)) return;
-    this.told.push(withoutPlace('warning', code, message, this.fileName, assumed));
+    const key = `${code} ${message}`;
+    if (!this.told.has(key)) this.told.set(key, withoutPlace('warning', code, message, this.fileName, assumed));
   }
 
   /** Names something that a character can't hold: "2 cameras". */
@@ -63,11 +63,13 @@ export class Remarks {
 
   /** All of it; what is left out in one message. */
   finish(): readonly Diagnostic[] {
-    const shown = this.told.slice(0, MOST_SHOWN);
-    const more = this.told.length - shown.length;
+    const shown = [...this.told.values()].slice(0, MOST_SHOWN);
+    const more = this.told.size - shown.length;
     if (more > 0) shown.push(withoutPlace('warning', 'more-warnings', `And ${more} more warnings.`, this.fileName));
     if (this.lost.size === 0) return shown;
-    const message = `Not read: ${[...this.lost].join(', ')}.`;
+    const lost = [...this.lost].slice(0, MOST_SHOWN);
+    if (lost.length < this.lost.size) lost.push(`${this.lost.size - lost.length} more`);
+    const message = `Not read: ${lost.join(', ')}.`;
     return [...shown, withoutPlace('info', 'content-left-out', message, this.fileName, 'left out')];
   }
 }

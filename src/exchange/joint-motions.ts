@@ -12,7 +12,14 @@
 import type { Vec3 } from '../math/vec3.ts';
 import { type Channel, keysOf, restChannel } from '../model/clip.ts';
 import { type CompoundDof, EULER_ORDERS, type EulerOrder, type Motion } from '../model/skeleton.ts';
-import { eulerRotation, fitRotation, QUATERNION_ROTATION, type RotationDofs, rotationWithin } from './fit-rotation.ts';
+import {
+  eulerRotation,
+  fitRotation,
+  QUATERNION_ROTATION,
+  type RotationDofs,
+  rotationWithin,
+  type SpareKeys,
+} from './fit-rotation.ts';
 import { lockedness } from './rotations.ts';
 import type { AxisCurves, QuaternionCurve, SceneMove, SceneNode } from './scene.ts';
 
@@ -31,8 +38,11 @@ const CLEAR = Math.sin((80 * Math.PI) / 180);
 /** From 88° on, a rotation is better kept as a quaternion. */
 const LOCKED = Math.sin((88 * Math.PI) / 180);
 
-/** @param size of the character */
-export function jointMotion(node: SceneNode, moves: readonly SceneMove[], size: number): JointMotion {
+/**
+ * @param size of the character
+ * @param spare for rotations that need many keys
+ */
+export function jointMotion(node: SceneNode, moves: readonly SceneMove[], size: number, spare: SpareKeys): JointMotion {
   const { translation, scale, euler, role } = node;
   const rest = Float64Array.from(node.rotation);
   const movesBy = (curves: AxisCurves | undefined, values: Vec3, tolerance: number) =>
@@ -62,7 +72,7 @@ export function jointMotion(node: SceneNode, moves: readonly SceneMove[], size: 
     const rotation = move?.rotation;
     if (!rotation) return [...angles].map((value) => restChannel(value));
     if (rotation.kind === 'euler') return axisChannels(rotation.angles, euler?.angles ?? [0, 0, 0]);
-    return fitRotation(rotation.curve, dofs, angles);
+    return fitRotation(rotation.curve, dofs, angles, spare);
   };
   const scaledBy = (move: SceneMove | undefined) => axisChannels(move?.scale, scale);
 

@@ -10,6 +10,7 @@ import { DEFAULT_BOX, type Joint, type Skeleton, UNLIMITED } from '../model/skel
 import type { Attachments, Material, Skin, Surface } from '../model/skin.ts';
 import { type Binding, type BoundMesh, bindMeshes, inverted } from './bind.ts';
 import { cleanFileName, cleanName, DistinctNames } from './clean-names.ts';
+import { SpareKeys } from './fit-rotation.ts';
 import { type JointMotion, jointMotion } from './joint-motions.ts';
 import type { Scene, SceneMesh, SceneTake } from './scene.ts';
 
@@ -31,10 +32,12 @@ export function toCharacter(scene: Scene): WholeCharacter | undefined {
   const { slots, slotOf, furtherOf } = jointSlots(scene, binding);
   if (slots.length === 0) return undefined;
   const size = sizeOf(scene, worlds, binding);
+  const movesOf = takes.map(({ moves }) => new Map(moves.map((move) => [move.node, move])));
+  const spare = new SpareKeys();
   const motions = slots.map(({ node }): JointMotion | undefined => {
     if (node < 0) return undefined;
-    const moves = takes.flatMap((take) => take.moves.find((move) => move.node === node) ?? []);
-    return jointMotion(nodes[node], moves, size);
+    const moves = movesOf.flatMap((own) => own.get(node) ?? []);
+    return jointMotion(nodes[node], moves, size, spare);
   });
   const joints = slots.map((slot, j): Joint => {
     const { motion, offset, pose } = motions[j] ?? FIXED;
@@ -274,11 +277,10 @@ function morphsOf(meshes: readonly SceneMesh[], binding: Binding) {
     });
     first += mesh.positions.length / 3;
   });
-  const weightsOf = ({ weights }: SceneTake): readonly Channel[] =>
-    targets.map(
-      ([mesh, target, weight]) =>
-        weights.find((w) => w.mesh === mesh && w.target === target)?.curve ?? restChannel(weight),
-    );
+  const weightsOf = ({ weights }: SceneTake): readonly Channel[] => {
+    const curves = new Map(weights.map(({ mesh, target, curve }) => [`${mesh} ${target}`, curve]));
+    return targets.map(([mesh, target, weight]) => curves.get(`${mesh} ${target}`) ?? restChannel(weight));
+  };
   return { morphs, weightsOf };
 }
 

@@ -264,6 +264,19 @@ describe('files that are not as they should be', () => {
       'has billions of zeros',
       () => withJson('accessors.0', { componentType: 5126, type: 'VEC3', count: 4e9 }),
     ],
+    ['file-too-large', 'has one mesh on very many nodes', () => withJson('nodes', Array(20000).fill({ mesh: 0 }))],
+    [
+      'file-too-large',
+      'uses the same bytes very many times',
+      () => {
+        const maker = new GltfMaker();
+        const POSITION = maker.add('VEC3', new Float32Array(30000));
+        const primitives = Array.from({ length: 300 }, (_, i) => ({
+          attributes: { POSITION, _OTHER: i },
+        }));
+        return glbOf(maker.made({ nodes: [{ mesh: 0 }], meshes: [{ primitives }] }));
+      },
+    ],
     ['buffer-too-short', 'has a view past its buffer', () => withJson('bufferViews.0.byteLength', 1e9)],
     ['part-not-given', 'needs a file that is not there', () => withJson('buffers.0.uri', 'x.bin')],
     ['file-empty', 'has neither mesh nor animation', () => withJson('nodes', [{}])],

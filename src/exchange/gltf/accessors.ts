@@ -25,8 +25,8 @@ const COMPONENTS: Readonly<Record<number, Component>> = {
 
 const WIDTHS: Readonly<Record<string, number>> = { SCALAR: 1, VEC2: 2, VEC3: 3, VEC4: 4, MAT2: 4, MAT3: 9, MAT4: 16 };
 
-/** Numbers that a file may leave out because they are 0: a count alone must not take all memory. */
-const MOST_ZEROS = 2 ** 24;
+/** Numbers that a file may leave out because they are 0, besides one for each of its bytes. */
+const MOST_ZEROS = 2 ** 16;
 
 /** Elements of `width` numbers each. */
 export interface Numbers {
@@ -75,9 +75,10 @@ export class Accessors {
 
   /** The elements of an accessor that differ from 0, if it says so; undefined if it lists all. */
   sparse(index: unknown, width: number, where: string): SparseNumbers | undefined {
-    const { json, count, component, isNormalized } = this.header(index, where);
+    const { json, count, component, isNormalized, width: found } = this.header(index, where);
+    if (json.bufferView !== undefined || found !== width) return undefined;
     const sparse = objectOf(json.sparse);
-    if (!sparse || json.bufferView !== undefined) return undefined;
+    if (!sparse) return { indices: new Uint32Array(0), width, values: new Float64Array(0) };
     return this.replaced(sparse, count, component, width, isNormalized, Number(index));
   }
 
@@ -100,8 +101,9 @@ export class Accessors {
     let values: Float64Array;
     if (json.bufferView === undefined) {
       this.zeros += count * width;
-      if (this.zeros > MOST_ZEROS) {
-        const message = `${called} has ${count} elements without any bytes; up to ${MOST_ZEROS} numbers are read.`;
+      const most = MOST_ZEROS + this.buffers.budget.bytes;
+      if (this.zeros > most) {
+        const message = `${called} has ${count} elements without any bytes; up to ${most} numbers of this file are read.`;
         throw new ImportError('accessor-too-large', message);
       }
       values = new Float64Array(count * width);
@@ -140,6 +142,7 @@ export class Accessors {
       const found = `${called} needs ${end} bytes of its buffer view, which has ${bytes.length}.`;
       throw new ImportError('accessor-too-long', `${found} The file may have been cut off: copy or export it again.`);
     }
+    this.buffers.budget.spend(count * width, called);
     const view = new DataView(bytes.buffer, bytes.byteOffset, bytes.byteLength);
     const values = new Float64Array(count * width);
     const perColumn = isMatrix ? rows : width;

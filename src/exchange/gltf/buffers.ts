@@ -1,5 +1,6 @@
 /** Buffers and the views into them: where the numbers of a glTF file are. */
 import type { SourceFile } from '../../model/files.ts';
+import { Budget } from '../budget.ts';
 import { type Beside, counted, type Import, ImportError, type Remarks } from '../imported.ts';
 import type { Container } from './container.ts';
 import { readDataUri, unescaped } from './data-uri.ts';
@@ -25,6 +26,8 @@ export class Buffers {
     private readonly decoder: MeshoptDecoder | undefined,
     /** Files that were used. */
     readonly sources: readonly SourceFile[],
+    /** Of all that is read from them. */
+    readonly budget: Budget,
   ) {}
 
   /** Fetches what the buffers name. A buffer without bytes is an error only where it is used. */
@@ -32,8 +35,16 @@ export class Buffers {
     const buffers = new Map<number, Uint8Array<ArrayBuffer>>();
     const sources: SourceFile[] = [];
     const missing: string[] = [];
+    // Buffers may name the same file.
+    const known = new Map<unknown, Uint8Array<ArrayBuffer> | undefined>();
+    let size = given.bytes.length;
     for (const [index, buffer] of document.all('buffers').entries()) {
-      const bytes = await bytesOf(buffer, index, binary, given, sources, missing);
+      const isKnown = known.has(buffer.uri) && buffer.uri !== undefined;
+      const bytes = isKnown ? known.get(buffer.uri) : await bytesOf(buffer, index, binary, given, sources, missing);
+      if (!isKnown && buffer.uri !== undefined) {
+        known.set(buffer.uri, bytes);
+        size += bytes?.length ?? 0;
+      }
       if (!bytes) continue;
       const stated = countOf(buffer.byteLength);
       // The chunk of a GLB is padded.
@@ -41,7 +52,10 @@ export class Buffers {
       else buffers.set(index, bytes);
     }
     if (missing.length) throw notGiven(missing);
-    return new Buffers(document, buffers, meshopt, sources);
+    const budget = new Budget(size, (message) => {
+      throw new ImportError('file-too-large', message);
+    });
+    return new Buffers(document, buffers, meshopt, sources, budget);
   }
 
   /**
@@ -77,6 +91,7 @@ export class Buffers {
     const { bytes } = this.range(packed, index);
     const count = countOf(packed.count) ?? 0;
     const stride = countOf(packed.byteStride) ?? 0;
+    this.budget.spend((count * stride) / 8, `bufferView ${index}`);
     if (!this.decoder) throw new Error('The decoder is loaded for files that have such views.');
     const mode = textOf(packed.mode) ?? '';
     const filter = textOf(packed.filter) ?? 'NONE';

@@ -2,6 +2,7 @@
  * KHR_draco_mesh_compression: primitives packed by Draco. Its decoder, 190 kB of WebAssembly, is fetched only for files
  * that have some.
  */
+import type { Budget } from '../budget.ts';
 import { ImportError } from '../imported.ts';
 import type { Numbers } from './accessors.ts';
 import type { Buffers } from './buffers.ts';
@@ -10,9 +11,6 @@ import { type Document, extensionOf, type Json, listOf, objectOf } from './json.
 import type { Unpacked } from './meshes.ts';
 
 export const DRACO = 'KHR_draco_mesh_compression';
-
-/** Vertices and corners that a primitive may unpack to. */
-const MOST_ELEMENTS = 2e7;
 
 type Module = Awaited<ReturnType<typeof loadModule>>;
 
@@ -29,7 +27,10 @@ export async function unpackDraco(document: Document, buffers: Buffers): Promise
       const { bytes } = buffers.view(packed.bufferView, where);
       module ??= await loadModule();
       try {
-        out.set(primitive, unpacked(module, document, bytes, packed, objectOf(primitive.attributes) ?? {}, where));
+        out.set(
+          primitive,
+          unpacked(module, document, bytes, packed, objectOf(primitive.attributes) ?? {}, where, buffers.budget),
+        );
       } catch (error) {
         if (error instanceof ImportError) throw error;
         const reason = error instanceof Error ? error.message : String(error);
@@ -52,6 +53,7 @@ function unpacked(
   packed: Json,
   attributes: Json,
   where: string,
+  budget: Budget,
 ): Unpacked {
   const decoder = new module.Decoder();
   const buffer = new module.DecoderBuffer();
@@ -63,7 +65,7 @@ function unpacked(
     if (!status.ok()) throw new Error(status.error_msg());
     const points = mesh.num_points();
     const corners = 3 * mesh.num_faces();
-    if (points > MOST_ELEMENTS || corners > MOST_ELEMENTS) throw new Error(`it has ${points} vertices`);
+    budget.spend(points + corners, where);
     const indices = new Uint32Array(
       read(module, 4 * corners, (pointer) => decoder.GetTrianglesUInt32Array(mesh, 4 * corners, pointer)),
     );
@@ -73,6 +75,7 @@ function unpacked(
       const accessor = attributes[name] === undefined ? {} : document.at('accessors', attributes[name], where);
       const width = attribute.num_components();
       const count = width * points;
+      budget.spend(count, where);
       const isFloat = accessor.componentType === undefined || accessor.componentType === 5126;
       // Integers as they are: how they are scaled is said by the accessor.
       const type = isFloat ? module.DT_FLOAT32 : module.DT_INT32;

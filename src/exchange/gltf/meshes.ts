@@ -1,4 +1,5 @@
 /** The meshes of nodes: vertices of all primitives, triangles by material, attachments, morph targets. */
+import type { Budget } from '../budget.ts';
 import { counted, ImportError, type Remarks } from '../imported.ts';
 import type { SceneMesh, SceneSkin, SceneSkinned, SceneSurface, SceneTarget } from '../scene.ts';
 import { type Accessors, firstNotFinite, type Numbers } from './accessors.ts';
@@ -6,8 +7,9 @@ import { countOf, type Document, extensionOf, type Json, listOf, numberOf, objec
 import type { Mapping } from './materials.ts';
 import type { Nodes } from './nodes.ts';
 
-/** Vertices of all meshes of a file: a mesh may be on many nodes, a count may be made up. */
-const MOST_VERTICES = 2e7;
+/** Numbers for what a mesh of a node and each of its targets take beside those of their vertices. */
+const PER_MESH = 500;
+const PER_TARGET = 64;
 
 /** What a compressed primitive holds: by the names of its attributes. */
 export interface Unpacked {
@@ -27,7 +29,6 @@ interface Part {
 
 export class Meshes {
   private readonly skins = new Map<number, SceneSkin>();
-  private vertices = 0;
 
   constructor(
     private readonly document: Document,
@@ -35,6 +36,7 @@ export class Meshes {
     private readonly mappings: readonly Mapping[],
     /** By the primitive's object. */
     private readonly unpacked: ReadonlyMap<Json, Unpacked>,
+    private readonly budget: Budget,
     private readonly remarks: Remarks,
   ) {}
 
@@ -45,6 +47,7 @@ export class Meshes {
     return sources.flatMap((source, node) => {
       if (extensionOf(source, 'EXT_mesh_gpu_instancing')) this.remarks.leaveOut('instances (EXT_mesh_gpu_instancing)');
       if (source.mesh === undefined) return [];
+      this.budget.spend(PER_MESH, 'A mesh on so many nodes');
       const called = `Node ${indexInFile[node]}`;
       const json = this.document.at('meshes', source.mesh, called);
       const skin = source.skin === undefined ? undefined : this.skin(source.skin, called, indexOf);
@@ -87,11 +90,8 @@ export class Meshes {
         const { count } = this.attribute({ attributes, unpacked }, 'POSITION', 3, called) ?? { count: 0 };
         part = { attributes, targets, unpacked, mapping, count, first: total };
         total += count;
-        this.vertices += count;
-        if (this.vertices > MOST_VERTICES) {
-          const message = `The meshes have more than ${MOST_VERTICES} vertices together; up to that many are read.`;
-          throw new ImportError('mesh-too-large', message);
-        }
+        // Position, normal and place in the texture.
+        this.budget.spend(8 * count, called);
         places.set(key, part);
         parts.push(part);
       }
@@ -109,6 +109,7 @@ export class Meshes {
     }
     const normals = this.joined(parts, 'NORMAL', 3, total, called);
     const texcoords = this.texcoords(parts, total, called);
+    this.budget.spend(16 * (skin?.joints.length ?? 0), called);
     const skinned = skin && this.skinned(parts, total, skin, called);
     return {
       name: textOf(json.name) ?? '',
@@ -182,18 +183,18 @@ export class Meshes {
   }
 
   private triangles(primitive: Json, mode: number, part: Part, called: string): Uint32Array {
-    let corners = part.unpacked?.indices;
-    if (!corners && primitive.indices !== undefined) {
-      const { values } = this.accessors.numbers(primitive.indices, 1, `${called}, indices`);
-      const beyond = values.find((v) => !(v < part.count));
-      if (beyond !== undefined) {
-        throw new ImportError('index-out-of-range', `${called} has the index ${beyond}, but ${part.count} vertices.`);
-      }
-      corners = Uint32Array.from(values);
+    const isIndexed = part.unpacked !== undefined || primitive.indices !== undefined;
+    const corners = isIndexed
+      ? (part.unpacked?.indices ?? this.accessors.numbers(primitive.indices, 1, `${called}, indices`).values)
+      : undefined;
+    const beyond = corners?.find((v) => !(v < part.count));
+    if (beyond !== undefined) {
+      throw new ImportError('index-out-of-range', `${called} has the index ${beyond}, but ${part.count} vertices.`);
     }
     const at = (i: number) => part.first + (corners ? corners[i] : i);
     const n = corners ? corners.length : part.count;
     const count = mode === 4 ? Math.floor(n / 3) : Math.max(0, n - 2);
+    this.budget.spend(3 * count, called);
     const out = new Uint32Array(3 * count);
     for (let t = 0; t < count; t++) {
       // Of a strip every other triangle is turned over; a fan turns about its first vertex.
@@ -251,6 +252,7 @@ export class Meshes {
             `${called} has ${part.count} positions, but ${j.count} of JOINTS_${s}.`,
           );
         }
+        this.budget.spend(8 * part.count, called);
         sets.push({ joints: j.values, weights: w.values });
       }
       if (sets.length) isAttached = true;
@@ -297,6 +299,7 @@ export class Meshes {
   ): readonly SceneTarget[] {
     const names = listOf(objectOf(json.extras)?.targetNames);
     const count = parts.reduce((most, part) => Math.max(most, part.targets.length), 0);
+    this.budget.spend(PER_TARGET * count, called);
     return Array.from({ length: count }, (_, t) => ({
       name: textOf(names[t]) ?? '',
       positions: this.rows(parts, t, 'POSITION', positions, called),
@@ -315,10 +318,15 @@ export class Meshes {
       const where = `${called}, target ${target}`;
       const sparse = this.accessors.sparse(accessor, 3, where);
       const found = sparse ?? this.accessors.numbers(accessor, 3, where);
-      const own = new Map<number, number>();
-      for (let i = 0; i < found.values.length / 3; i++) own.set(sparse ? sparse.indices[i] : i, 3 * i);
-      for (const [v, at] of own) {
-        const [x, y, z] = found.values.subarray(at, at + 3);
+      this.budget.spend(2 * found.values.length, where);
+      // Of a vertex that is listed twice the last counts.
+      const last = sparse && new Map(Array.from(sparse.indices, (v, i) => [v, i]));
+      for (let i = 0; i < found.values.length / 3; i++) {
+        const v = sparse ? sparse.indices[i] : i;
+        if (last && last.get(v) !== i) continue;
+        const x = found.values[3 * i];
+        const y = found.values[3 * i + 1];
+        const z = found.values[3 * i + 2];
         if (v >= part.count || !Number.isFinite(x + y + z)) {
           throw new ImportError(
             'index-out-of-range',

@@ -34,8 +34,8 @@ async function read(given: Import, remarks: Remarks) {
   const { materials, textures, mappings, sources } = await readMaterials(document, buffers, given, remarks);
   const unpacked = await unpackDraco(document, buffers);
   const nodes = readNodes(document, readHumanoid(document), remarks);
-  const meshes = new Meshes(document, accessors, mappings, unpacked, remarks).read(nodes);
-  const takes = readTakes(document, accessors, nodes.indexOf, meshes, remarks);
+  const meshes = new Meshes(document, accessors, mappings, unpacked, buffers.budget, remarks).read(nodes);
+  const takes = readTakes(document, accessors, buffers.budget, nodes.indexOf, meshes, remarks);
   const name = stemOf({ name: given.fileName, path: given.fileName, bytes: 0 });
   return {
     scene: { name, nodes: nodes.nodes, meshes, materials, textures, takes },

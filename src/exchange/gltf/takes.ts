@@ -6,6 +6,7 @@
  *     CUBICSPLINE   the slopes of the file, per second
  */
 import { type Channel, FIXED_TANGENT, FLAT, type KeyedChannel, LINEAR, type Tangents } from '../../model/clip.ts';
+import type { Budget } from '../budget.ts';
 import { ImportError, type Remarks } from '../imported.ts';
 import type { QuaternionCurve, SceneMesh, SceneMove, SceneTake, SceneWeight } from '../scene.ts';
 import { type Accessors, firstNotFinite } from './accessors.ts';
@@ -22,18 +23,26 @@ interface Sampler {
 type Path = 'translation' | 'rotation' | 'scale' | 'weights';
 const WIDTHS = { translation: 3, rotation: 4, scale: 3 } as const;
 
+/** Numbers that a key becomes: for each value a time and tangents, twice those of steps; rotations are fitted by several. */
+const PER_VALUE = 8;
+const PER_ROTATION = 32;
+
 export function readTakes(
   document: Document,
   accessors: Accessors,
+  budget: Budget,
   indexOf: ReadonlyMap<number, number>,
   meshes: readonly SceneMesh[],
   remarks: Remarks,
 ): readonly SceneTake[] {
+  const meshesOf = new Map<number, number[]>();
+  for (const [m, { node }] of meshes.entries()) meshesOf.set(node, [...(meshesOf.get(node) ?? []), m]);
   return document.all('animations').flatMap((json, a) => {
     const called = `Animation ${a}`;
     const samplers = listOf(json.samplers).map((item) => objectOf(item) ?? {});
     const moves = new Map<number, { -readonly [K in keyof SceneMove]: SceneMove[K] }>();
     const weights: SceneWeight[] = [];
+    const weighted = new Set<number>();
     let range: readonly [number, number] | undefined;
     for (const item of listOf(json.channels)) {
       const channel = objectOf(item) ?? {};
@@ -42,20 +51,22 @@ export function readTakes(
       if (!target || !path || target.node === undefined) continue;
       document.at('nodes', target.node, called);
       const node = indexOf.get(Number(target.node));
-      const own = node === undefined ? [] : meshes.flatMap((mesh, m) => (mesh.node === node ? [m] : []));
+      const own = node === undefined ? [] : (meshesOf.get(node) ?? []);
       const targets = own.reduce((most, m) => Math.max(most, meshes[m].targets.length), 0);
       const width = path === 'weights' ? targets : WIDTHS[path];
       const sampler = samplers[countOf(channel.sampler) ?? -1];
       if (!sampler) throw new ImportError('index-out-of-range', `${called} has no sampler ${channel.sampler}.`);
       const read = width > 0 ? readSampler(accessors, sampler, width, called, remarks) : undefined;
       if (!read) continue;
+      budget.spend((path === 'rotation' ? PER_ROTATION : PER_VALUE * width) * read.times.length, called);
       const [first, last] = [read.times[0], read.times[read.times.length - 1]];
       range = range ? [Math.min(range[0], first), Math.max(range[1], last)] : [first, last];
       if (node === undefined) continue;
       if (path === 'weights') {
         for (const mesh of own) {
+          if (weighted.has(mesh)) continue;
+          weighted.add(mesh);
           meshes[mesh].targets.forEach((_, t) => {
-            if (weights.some((w) => w.mesh === mesh && w.target === t)) return;
             weights.push({ mesh, target: t, curve: channelOf(read, t) });
           });
         }

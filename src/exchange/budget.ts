@@ -1,0 +1,34 @@
+/**
+ * How much a file of another program may become in memory: as much as its own size makes likely. Bytes may be used many
+ * times over, by instances, accessors of the same view, curves of many nodes, or be packed a thousandfold, so that a few
+ * hundred of them would else ask for gigabytes.
+ */
+
+/** Numbers of any file. */
+const BASE = 4e6;
+/** For each of its bytes: real files, packed ones too, need less than half. */
+const PER_BYTE = 16;
+
+export class Budget {
+  private left: number;
+
+  /**
+   * @param bytes of the file and those beside it
+   * @param fail says why the file can't be read, and throws
+   */
+  constructor(
+    readonly bytes: number,
+    private readonly fail: (message: string) => never,
+  ) {
+    this.left = BASE + PER_BYTE * bytes;
+  }
+
+  /** Counts numbers that are about to be made of the file's; fails if they are more than it may have. @param what for messages */
+  spend(numbers: number, what: string): void {
+    this.left -= numbers;
+    if (this.left >= 0) return;
+    this.fail(
+      `${what} goes beyond ${BASE + PER_BYTE * this.bytes} numbers in memory, more than is read of a file of ${this.bytes} bytes. It may be damaged, or use the same bytes too often: export it again, with less.`,
+    );
+  }
+}
