@@ -3,6 +3,7 @@
  * are in depth-first pre-order, so one pass makes the rows, for any depth and number.
  */
 import type { Character, Document } from '../../../model/document.ts';
+import { shortJointName } from '../../../model/joint-name.ts';
 import type { Joint } from '../../../model/skeleton.ts';
 import { vertexCount } from '../../../model/skin.ts';
 import { duration, plural } from '../../kit/number-text.ts';
@@ -17,6 +18,8 @@ export interface OutlineRow {
   readonly depth: number;
   /** Empty if the file gives no name. */
   readonly label: string;
+  /** The whole name, if the label leaves something out. */
+  readonly name?: string;
   readonly detail: string;
   readonly characterId: string;
   /** Into the character's joints, skins, clips or morphs; -1 for the character and groups. */
@@ -109,11 +112,13 @@ function addJoints(rows: OutlineRow[], character: Character, isOpen: IsOpen, nee
     const byDefault = joints.length <= SMALL_SKELETON || depth < OPEN_DEPTH;
     const expanded = expandable && (needle !== '' || isOpen(key, byDefault));
     if (expandable && !expanded) closedDepth = depth;
+    const label = name && shortJointName(character.skeleton, j);
     rows.push({
       key,
       kind: 'joint',
       depth: depth + 2,
-      label: name,
+      label,
+      ...(label !== name && { name }),
       detail: String(j),
       characterId: character.id,
       index: j,

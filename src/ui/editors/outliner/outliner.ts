@@ -111,7 +111,12 @@ export function outliner(wb: Workbench): HTMLElement {
     field?.select();
   }
   function renameField(row: OutlineRow): HTMLElement {
-    const field = element('input', { type: 'text', class: 'rename', 'aria-label': 'Name', value: row.label });
+    const field = element('input', {
+      type: 'text',
+      class: 'rename',
+      'aria-label': 'Name',
+      value: row.name ?? row.label,
+    });
     const finish = (keep: boolean) => {
       if (renaming === undefined) return;
       renaming = undefined;

@@ -34,7 +34,7 @@ export function drawRow(wb: Uses<'store' | 'files'>, row: OutlineRow, marks: rea
         element('span', {}, row.label.slice(-TAIL)),
       );
     }
-    setTooltip(label, row.label);
+    setTooltip(label, row.name ?? row.label);
   }
   const isTold = row.kind === 'joint' && row.label === '';
   const detail = isTold ? '' : row.detail;

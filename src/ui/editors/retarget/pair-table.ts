@@ -3,7 +3,7 @@
  * are filled in when a list is opened: a hundred joints with a hundred options each would be ten thousand elements.
  */
 import type { MatchedPair } from '../../../evaluate/retarget/match.ts';
-import { jointName } from '../../../model/joint-name.ts';
+import { jointName, shortJointName } from '../../../model/joint-name.ts';
 import type { JointPair } from '../../../model/retarget.ts';
 import type { Skeleton } from '../../../model/skeleton.ts';
 import { element, setText, uniqueId } from '../../kit/dom.ts';
@@ -44,7 +44,7 @@ export function pairTable(changed: () => void): PairTable {
           const select = jointSelect(`${name} follows`, source, chosen.get(t));
           // For screen readers, along with the choice; others see colour and tooltip.
           select.setAttribute('aria-describedby', why.id);
-          const label = element('span', {}, name);
+          const label = element('span', {}, shortJointName(target, t));
           label.style.paddingLeft = `${Math.min(depths[t], 12) * 6}px`;
           const row = element(
             'tr',
@@ -91,7 +91,7 @@ function head(text: string): HTMLElement {
 }
 
 function jointSelect(label: string, source: Skeleton, chosen: number | undefined): HTMLSelectElement {
-  const optionOf = (s: number) => element('option', { value: s, selected: s === chosen }, jointName(source, s));
+  const optionOf = (s: number) => element('option', { value: s, selected: s === chosen }, shortJointName(source, s));
   const none = () => element('option', { value: '', selected: chosen === undefined }, '—');
   const select = element('select', { 'aria-label': label }, chosen === undefined ? none() : optionOf(chosen));
   const fill = () => {

@@ -6,7 +6,7 @@ import { keysOf, spanOfChannel } from '../../../model/clip.ts';
 import { coupleOf } from '../../../model/couples.ts';
 import { type Character, shownClip } from '../../../model/document.ts';
 import { type CharacterDof, characterDofs, firstDofs, unitOfChannel } from '../../../model/dofs.ts';
-import { jointName } from '../../../model/joint-name.ts';
+import { shortJointName } from '../../../model/joint-name.ts';
 import { dofsOf } from '../../../model/joint-types.ts';
 import type { Morph } from '../../../model/morph.ts';
 import { perPair } from '../../../model/per-object.ts';
@@ -106,7 +106,7 @@ export function namedChannel(character: Character, channel: number): ListedChann
   return {
     channel,
     ...(follows !== undefined && { follows }),
-    joint: ofJoint ? jointName(character.skeleton, dof.joint) : '',
+    joint: ofJoint ? shortJointName(character.skeleton, dof.joint) : '',
     dof: dof?.name ?? `channel ${channel}`,
     unit: unitOfChannel(dofs, channel),
     keyCount: keysOf(clip?.channels[channel]).times.length,
@@ -119,7 +119,7 @@ export function followedName(character: Character, channel: number): string | un
   const couple = coupleOf(character.skeleton, channel);
   const followed = couple && dofsFor(character)[couple.follows];
   if (!followed) return undefined;
-  return channelName({ joint: jointName(character.skeleton, followed.joint), dof: followed.name });
+  return channelName({ joint: shortJointName(character.skeleton, followed.joint), dof: followed.name });
 }
 
 /** First and end (exclusive) of a joint's channels, for the root including the root translation. */

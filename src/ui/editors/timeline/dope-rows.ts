@@ -16,6 +16,7 @@ import type { ChannelClip } from '../../../model/clip.ts';
 import { type Character, shownClip } from '../../../model/document.ts';
 import { type AxisLetter, axisOfDof } from '../../../model/dof-axis.ts';
 import { type CharacterDof, rootDofCount } from '../../../model/dofs.ts';
+import { shortJointName } from '../../../model/joint-name.ts';
 import type { DofUnit } from '../../../model/skeleton.ts';
 import { dofsFor, followedName } from './channels.ts';
 
@@ -141,7 +142,11 @@ function groupsOf(character: Character, dofs: readonly CharacterDof[], channelCo
     while (end < dofs.length && dofs[end].joint === joint) end++;
     const count = end - first;
     if (joint < 0) add({ kind: 'morphs', fold: MORPHS_FOLD, label: 'Morphs', first, count });
-    else add({ kind: 'joint', fold: joint, label: character.skeleton?.joints[joint].name ?? '', joint, first, count });
+    else {
+      const name = character.skeleton?.joints[joint].name ?? '';
+      const label = name && shortJointName(character.skeleton, joint);
+      add({ kind: 'joint', fold: joint, label, joint, first, count });
+    }
     first = end;
   }
   const left = channelCount - first;

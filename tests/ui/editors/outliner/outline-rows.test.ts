@@ -51,6 +51,12 @@ describe('outlineRows', () => {
     ]);
   });
 
+  it('leaves a namespace that all joints share out of labels; names and search have it', () => {
+    const named = { ...wasp, skeleton: skeleton(['mixamorig:Hips', -1], ['mixamorig:LeftLeg', 0]) };
+    const [joint] = outlineRows(documentOf(named), asIs, 'mixamorig:left').filter(({ index }) => index === 1);
+    expect(joint).toMatchObject({ label: 'LeftLeg', name: 'mixamorig:LeftLeg' });
+  });
+
   it('marks the shown alternative', () => {
     const rows = outlineRows(documentOf(wasp), asIs).filter((r) => r.kind === 'skin');
     expect(rows.map((r) => r.shown)).toEqual([false, true]);
