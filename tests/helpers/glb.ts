@@ -87,6 +87,22 @@ function jsonOf(bytes: Uint8Array): GltfJson {
   return JSON.parse(new TextDecoder().decode(bytes.subarray(20, 20 + length))) as GltfJson;
 }
 
+/** The same file with further members of its JSON. */
+export function withJson({ bytes, json }: Glb, more: Readonly<Record<string, unknown>>): Uint8Array<ArrayBuffer> {
+  const text = new TextEncoder().encode(JSON.stringify({ ...json, ...more }));
+  const length = 4 * Math.ceil(text.length / 4);
+  const rest = bytes.subarray(20 + new DataView(bytes.buffer).getUint32(12, true));
+  const out = new Uint8Array(20 + length + rest.length);
+  out.set(bytes.subarray(0, 20));
+  out.fill(32, 20, 20 + length);
+  out.set(text, 20);
+  out.set(rest, 20 + length);
+  const view = new DataView(out.buffer);
+  view.setUint32(8, out.length, true);
+  view.setUint32(12, length, true);
+  return out;
+}
+
 /** Errors and warnings of the Khronos validator. */
 export async function complaintsOf(bytes: Uint8Array): Promise<readonly string[]> {
   const { issues } = await validateBytes(bytes, { maxIssues: 0 });

@@ -69,6 +69,7 @@ export interface OpenPage {
 export interface DownloadedFile {
   readonly name: string;
   readonly text: string;
+  readonly bytes: Uint8Array;
 }
 
 /**
@@ -158,7 +159,11 @@ export async function withPage(body: (open: OpenPage) => Promise<void>, options:
 
 async function downloadedBy(page: Page, act: () => Promise<unknown>): Promise<DownloadedFile> {
   const [download] = await Promise.all([page.waitForEvent('download'), act()]);
-  return { name: download.suggestedFilename(), text: readFileSync(await download.path(), 'utf8') };
+  return fileOf(download.suggestedFilename(), readFileSync(await download.path()));
+}
+
+function fileOf(name: string, bytes: Buffer): DownloadedFile {
+  return { name, bytes, text: bytes.toString('utf8') };
 }
 
 async function downloadedInto(folder: string, act: () => Promise<unknown>): Promise<DownloadedFile> {
@@ -169,8 +174,8 @@ async function downloadedInto(folder: string, act: () => Promise<unknown>): Prom
     .poll(() => {
       // While it is written it is empty, beside a `.part`.
       const name = readdirSync(folder).find((file) => !before.has(file) && !file.endsWith('.part'));
-      const text = name === undefined ? '' : readFileSync(join(folder, name), 'utf8');
-      if (name !== undefined && text) found = { name, text };
+      const bytes = name === undefined ? undefined : readFileSync(join(folder, name));
+      if (name !== undefined && bytes?.length) found = fileOf(name, bytes);
       return found;
     })
     .toBeDefined();

@@ -21,7 +21,8 @@ export const HERO = [
   { name: 'hero_walk.anim', bytes: anim(0.5) },
 ];
 
-function noDisk(): void {
+/** Browsers without dialogs for files: they download. */
+export function noDisk(): void {
   delete window.showOpenFilePicker;
   delete window.showSaveFilePicker;
 }
