@@ -85,7 +85,7 @@ export function loopTakesSteps(
   return changingTakes(document, takes, function* (character, clip) {
     const skeleton = skeletonOf(character);
     if (!clip.samples) return loopedKeys(character, clip);
-    const samples = framesOnly(clip);
+    const samples = framesOnly(character, clip);
     const wanted = Math.max(1, Math.round(blendSeconds / samples.frameSeconds));
     const overlap = Math.min(wanted, Math.floor(samples.frameCount / 2));
     const made = yield* looping({ character: { ...character, skeleton }, clip }, samples, overlap);

@@ -108,7 +108,7 @@ export function cutOutSteps(document: Document, args: CutOut): Steps<Document> {
   const [from, to] = [finiteNumber(args.from, '"from"'), finiteNumber(args.to, '"to"')];
   if (from > to) throw new CommandError(`The range ends at ${to} s, before it begins at ${from} s.`);
   return changingTakes(document, args.takes, function* (character, clip) {
-    const samples = framesOnly(clip);
+    const samples = framesOnly(character, clip);
     const offset = args.areOfTransport ? character.timeOffsetSeconds : 0;
     const first = firstFrameFrom(samples, from + offset);
     const end = lastFrameTo(samples, to + offset) + 1;
@@ -159,7 +159,7 @@ export function insertSteps(document: Document, args: InsertInto): Steps<Documen
   return changingTakes(document, [args.into], (character, clip) =>
     args.take
       ? insertingTake(document, character, clip, args.take, at, how)
-      : holding(clip, at, finiteNumber(args.holdSeconds, 'The time to hold')),
+      : holding(character, clip, at, finiteNumber(args.holdSeconds, 'The time to hold')),
   );
 }
 
@@ -172,7 +172,7 @@ function* insertingTake(
   how: Joined,
 ): Steps<ChannelClip> {
   const [ref] = takesToChange(document, [take]);
-  const samples = framesOnly(clip);
+  const samples = framesOnly(character, clip);
   const middle = framesLike(character, document, ref, samples);
   const at = firstFrameFrom(samples, atSeconds);
   const joined = { character: { ...character, skeleton: skeletonOf(character) }, clip, alignment: how.align };
@@ -199,9 +199,9 @@ function* insertingTake(
 }
 
 /** The frame at or after a time, repeated. */
-function* holding(clip: ChannelClip, atSeconds: number, holdSeconds: number): Steps<ChannelClip> {
+function* holding(character: Character, clip: ChannelClip, atSeconds: number, holdSeconds: number): Steps<ChannelClip> {
   if (!(holdSeconds >= 0)) throw new CommandError(`The time to hold must not be negative, found ${holdSeconds}.`);
-  const samples = framesOnly(clip);
+  const samples = framesOnly(character, clip);
   const count = Math.round(holdSeconds / samples.frameSeconds);
   if (count === 0) return clip;
   const at = Math.min(samples.frameCount - 1, firstFrameFrom(samples, atSeconds));

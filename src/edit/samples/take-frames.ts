@@ -4,7 +4,7 @@
 import { bakeClip, framesOf, ownFrames } from '../../evaluate/bake.ts';
 import { type ChannelClip, SAMPLED } from '../../model/clip.ts';
 import type { Character } from '../../model/document.ts';
-import { characterDofs } from '../../model/dofs.ts';
+import { characterDofs, jointDofCount, rootDofCount } from '../../model/dofs.ts';
 import { rangeOfSamples, type Samples } from '../../model/samples.ts';
 import { CommandError } from '../store.ts';
 import { firstFrameFrom, framesBetween, lastFrameTo, requireSamples } from './frames.ts';
@@ -37,10 +37,16 @@ export function takeFrames(character: Character, clip: ChannelClip, framesPerSec
   return bakeClip(alone, frames);
 }
 
-/** The samples of a take whose channels all follow them; refuses keys. */
-export function framesOnly(clip: ChannelClip): Samples {
+/** The samples of a take whose channels all follow them, and drive all DOFs; refuses others. */
+export function framesOnly({ skeleton }: Pick<Character, 'skeleton'>, clip: ChannelClip): Samples {
   const samples = requireSamples(clip);
   const isAll = samples.firstChannel === 0 && samples.scales.length >= clip.channels.length;
+  const [found, all] = [clip.channels.length, rootDofCount(skeleton) + jointDofCount(skeleton)];
+  if (found < all) {
+    throw new CommandError(
+      `${clip.name} has frames for ${found} of ${all} DOFs, and they can't be moved without the others.`,
+    );
+  }
   if (isAll && clip.channels.every(({ kind }) => kind === 'samples')) return samples;
   throw new CommandError(`${clip.name} has keys beside its samples, and frames can't be moved without them.`);
 }

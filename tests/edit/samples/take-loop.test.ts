@@ -47,6 +47,14 @@ const apart = (a: readonly number[], b: readonly number[]) => Math.max(...a.map(
 describe('making a take loop', () => {
   const WALKER = figure();
 
+  it('a take with frames for some DOFs only is refused, not filled with numbers that are none', () => {
+    const { samples, ...walk } = take(WALKER, [[0, 90, 0] as const, [0, 91, 12] as const, [0, 90, 24] as const]);
+    if (!samples) throw new Error('no samples');
+    const narrow = { ...samples, scales: samples.scales.slice(0, 1), values: Float64Array.of(0, 1, 2) };
+    const clip = { ...walk, channels: walk.channels.slice(0, 1), samples: narrow };
+    expect(() => looped(WALKER, clip, 0.1)).toThrow(/frames for 1 of \d+ DOFs/);
+  });
+
   it('a walk at an even pace goes on at that pace, round after round', () => {
     const walk = take(
       WALKER,
