@@ -3,6 +3,7 @@
  * script does can be undone, and what it reads is what is drawn.
  */
 import { finiteNumber } from '../edit/arguments.ts';
+import type { CommandInfo } from '../edit/commands/all.ts';
 import { play } from '../edit/playback.ts';
 import type { Store } from '../edit/store.ts';
 import { type EndSitePosition, endSitePositions } from '../evaluate/end-sites.ts';
@@ -82,9 +83,11 @@ export interface MarrowApi {
    * `timeSeconds` and `playedRange` default to the selected character, the current time and the playback range.
    * Commands on whole curves, samples, other characters' takes, pins and skeletons (`channels.…`, `samples.…`,
    * `retarget.…`, `ik.…`, `rig.…`), and actions that use them, are loaded on first use and return a promise; before
-   * the menus have come, all do.
+   * the menus have come, all do. Arguments are checked: `commands()` says what each command takes.
    */
   run(commandId: string, args?: Readonly<Record<string, unknown>>): Promise<void> | undefined;
+  /** All commands with their arguments in words; their scripts are loaded on first use. */
+  commands(): Promise<readonly CommandInfo[]>;
   /**
    * Keys of a channel of the shown clip, by default the selected keys of all channels: seconds of the clip, values, and
    * slopes and kinds of their tangents.
@@ -166,6 +169,7 @@ export function scriptingApi(
       if (rest.page) return rest.page.run(id, args);
       return rest.fetch().then((page) => page?.run(id, args));
     },
+    commands: async () => (await (rest.page ?? rest.fetch()))?.commands() ?? [],
     keys: (channel, character) => keysOf(store, character, channel),
     placeOf: (channel, seconds, value) => workbench.timeline.tab?.placeOf?.(channel, seconds, value),
     pointOnPage(point, character) {

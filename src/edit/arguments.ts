@@ -2,6 +2,7 @@
  * Checks of command arguments, which may come unchecked from the console or a script. Each throws a `CommandError` that
  * says what was expected.
  */
+import { cutText } from '../model/cut-text.ts';
 import { CommandError } from './store.ts';
 
 export function finiteNumber(value: unknown, what: string): number {
@@ -31,6 +32,10 @@ export function indexIn(value: unknown, from: number, to: number, what: string):
   throw new CommandError(`There is no ${what} number ${described(value)}; there are ${to}.`);
 }
 
-function described(value: unknown): string {
-  return typeof value === 'string' ? JSON.stringify(value) : value === undefined ? 'nothing' : String(value);
+/** A value for a message: numbers and texts as they are, others by what they are. Reads none of its properties. */
+export function described(value: unknown): string {
+  if (typeof value === 'string') return JSON.stringify(cutText(value));
+  if (typeof value === 'number' || typeof value === 'boolean' || value === null) return `${value}`;
+  if (typeof value === 'object') return Array.isArray(value) ? 'a list' : 'an object';
+  return value === undefined ? 'nothing' : `a ${typeof value}`;
 }

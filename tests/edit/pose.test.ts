@@ -46,7 +46,7 @@ describe('pose.setDofs', () => {
   });
 
   it('refuses a DOF that is not there, and values that are no numbers', () => {
-    expect(() => set(still, 7, 0)).toThrow('7 DOFs');
+    expect(() => set(still, 7, 0)).toThrow('There is no DOF number 7; there are 7.');
     expect(() => set(still, 3, Number.NaN)).toThrow('finite');
   });
 

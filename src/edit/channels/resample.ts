@@ -54,6 +54,12 @@ export function resampleChannel(channel: KeyedChannel, resampling: Resampling): 
   // Adding 0 avoids −0, which would be written to files.
   const firstFrame = Math.ceil((from - offsetSeconds - ON_FRAME) * framesPerSecond) + 0;
   const lastFrame = Math.floor((to - offsetSeconds + ON_FRAME) * framesPerSecond) + 0;
+  // Beyond, one frame isn't told from the next.
+  if (!Number.isSafeInteger(firstFrame) || !Number.isSafeInteger(lastFrame)) {
+    throw new CommandError(
+      `Times from ${from} s to ${to} s are too large to count frames at ${framesPerSecond} per second.`,
+    );
+  }
   if (lastFrame - firstFrame >= MAX_KEYS) {
     throw new CommandError(`That would take ${lastFrame - firstFrame + 1} keys per curve, which is too many.`);
   }

@@ -1,10 +1,24 @@
 /**
- * The commands that come with the page's menus, by id. Those for keys, whole curves, samples, takes side by side,
- * retargeting, pins and skeletons come with their editors: with the algorithms they need they are larger than all of
- * these (`all.ts`).
+ * The commands that come with the page's menus, each with the arguments that it takes from scripts. Those for keys,
+ * whole curves, samples, takes side by side, retargeting, pins and skeletons come with their editors: with the
+ * algorithms they need they are larger than all of these (`all.ts`).
  */
-import type { Document } from '../../model/document.ts';
-import type { Command, Edit } from '../store.ts';
+import { INTERPOLATIONS } from '../../model/samples.ts';
+import { LENGTH_UNITS } from '../../model/space.ts';
+import {
+  CHANNELS,
+  CHARACTER,
+  extrapolation,
+  indices,
+  KEY_OPTIONS,
+  key,
+  NOW,
+  placement,
+  range,
+  side,
+} from '../schema/parts.ts';
+import { boolean, index, list, nullable, number, oneOf, optional, record, text, whole } from '../schema/shape.ts';
+import { type Taking, takes } from '../schema/takes.ts';
 import {
   addCopy,
   placeCharacter,
@@ -23,38 +37,45 @@ import { resetPose, setClamping, setDofs } from './pose.ts';
 import { setHidden, setPositionChannels, setSpace } from './spaces.ts';
 import { discardUnkeyed } from './unkeyed.ts';
 
-/** Arguments are not checked here: each command checks its own and throws a `CommandError`. */
-const COMMANDS: readonly Command<never, Document | Edit>[] = [
-  setDofs,
-  resetPose,
-  setClamping,
-  discardUnkeyed,
-  keyPose,
-  createClip,
-  renameClip,
-  duplicateClip,
-  removeClip,
-  setClipRange,
-  setInterpolation,
-  setSpace,
-  setPositionChannels,
-  setHidden,
-  setLimit,
-  clearLimit,
-  setExtrapolation,
-  removeCharacter,
-  renameCharacter,
-  showSkin,
-  showClip,
-  setTimeOffset,
-  placeCharacter,
-  addCopy,
-  removeCopy,
+/** The shown take unless another is given. */
+const TAKE = { ...CHARACTER, clip: optional(index) } as const;
+
+const space = record({
+  up: oneOf(['y', 'z']),
+  unit: oneOf(LENGTH_UNITS),
+  lift: number,
+  metres: optional(number),
+});
+
+const COMMANDS: readonly Taking[] = [
+  takes(setDofs, { ...NOW, dofs: list(record({ index, value: number })), key }),
+  takes(resetPose, { ...NOW, to: oneOf(['file', 'zero']), key }),
+  takes(setClamping, { ...CHARACTER, clamps: boolean }),
+  takes(discardUnkeyed, { exceptSeconds: nullable(number) }),
+  takes(keyPose, { ...NOW, dofs: optional(indices), ...KEY_OPTIONS }),
+  takes(createClip, { ...CHARACTER, range, name: optional(text) }),
+  takes(renameClip, { ...TAKE, name: text }),
+  takes(duplicateClip, TAKE),
+  takes(removeClip, TAKE),
+  takes(setClipRange, { ...TAKE, range }),
+  takes(setInterpolation, { ...TAKE, interpolation: oneOf(INTERPOLATIONS) }),
+  takes(setSpace, { ...CHARACTER, space, ofSkeleton: optional(boolean) }),
+  takes(setPositionChannels, { ...CHARACTER, positions: oneOf(['replace', 'add']) }),
+  takes(setHidden, { ids: list(text), hidden: boolean }),
+  takes(setLimit, { ...CHARACTER, dof: index, min: number, max: number }),
+  takes(clearLimit, { ...CHARACTER, dof: index }),
+  takes(setExtrapolation, { ...CHANNELS, side, extrapolation }),
+  takes(removeCharacter, CHARACTER),
+  takes(renameCharacter, { ...CHARACTER, name: text }),
+  takes(showSkin, { ...CHARACTER, skin: index }),
+  takes(showClip, { ...CHARACTER, clip: whole(-1) }),
+  takes(setTimeOffset, { ...CHARACTER, seconds: number }),
+  takes(placeCharacter, { ...CHARACTER, index, placement }),
+  takes(addCopy, { ...CHARACTER, placement }),
+  takes(removeCopy, { ...CHARACTER, index }),
 ];
 
-export const COMMANDS_AT_HAND: ReadonlyMap<string, Command<never, Document | Edit>> = new Map(
-  COMMANDS.map((c) => [c.id, c]),
-);
+export const COMMANDS_AT_HAND: ReadonlyMap<string, Taking> = new Map(COMMANDS.map((c) => [c.command.id, c]));
 
 /** Ids of the commands loaded on demand. A test compares them with those in `all.ts`. */
 export const FETCHED_IDS: ReadonlySet<string> = new Set([

@@ -1,4 +1,5 @@
 /** Pastes copied keys (`keys/clipboard.ts`) and selects them. Refused if one would land in samples. */
+import { FIXED_TANGENT, TANGENT_KINDS, type Tangents } from '../../model/clip.ts';
 import { finiteNumber, listOf, oneOf } from '../arguments.ts';
 import { clipOf, requireKeyable, withClipChannels } from '../channel-edits.ts';
 import { checkPlacing } from '../check-placing.ts';
@@ -53,8 +54,14 @@ function checkCopied(copied: CopiedKeys): void {
     const fit =
       count > 0 &&
       columns.every((c) => c instanceof Float64Array && c.length === count && c.every(Number.isFinite)) &&
-      [tangentsIn, tangentsOut].every(({ kinds }) => kinds instanceof Uint8Array && kinds.length === count) &&
+      [tangentsIn, tangentsOut].every((tangents) => areTangents(tangents, count)) &&
       times.every((t, k) => k === 0 || t >= times[k - 1]);
     if (!fit) throw new CommandError('"copied" must be the result of copying: columns of keys of equal length.');
   }
+}
+
+/** Slopes are numbers of fixed tangents only. */
+function areTangents({ kinds, slopes }: Tangents, count: number): boolean {
+  if (!(kinds instanceof Uint8Array) || kinds.length !== count) return false;
+  return kinds.every((kind, k) => kind < TANGENT_KINDS.length && (kind === FIXED_TANGENT || slopes[k] === 0));
 }

@@ -16,11 +16,11 @@ import { channelOf, dofCountOf, poseAt } from '../../evaluate/pose.ts';
 import { movedDofs } from '../../evaluate/retarget/moved-dofs.ts';
 import { type Character, type Document, shownClip } from '../../model/document.ts';
 import { type CharacterDof, characterDofs, type DofValue, filePose, restPose } from '../../model/dofs.ts';
-import { finiteNumber, listOf, oneOf } from '../arguments.ts';
+import { finiteNumber, indexIn, listOf, oneOf } from '../arguments.ts';
 import { changeCharacter, requireCharacter } from '../characters.ts';
 import { type KeyOptions, keyDofs } from '../key-dofs.ts';
 import { characterIn, dofsIn, poseLabel } from '../step-names.ts';
-import { type Command, CommandError, type Edit } from '../store.ts';
+import type { Command, Edit } from '../store.ts';
 import { withTake } from '../takes.ts';
 import { unkeyedAt, withoutUnkeyed, withUnkeyed } from '../unkeyed.ts';
 
@@ -47,10 +47,9 @@ export const setDofs: Command<SetDofs, Document | Edit> = {
       const values = new Map<number, number>();
       listOf(dofs, '"dofs"');
       for (const { index, value } of dofs) {
-        const dof = all[index];
-        if (!dof) throw new CommandError(`${character.name} has ${all.length} DOFs; there is no number ${index}.`);
+        indexIn(index, 0, all.length, 'DOF');
         finiteNumber(value, `The value of DOF ${index}`);
-        values.set(index, character.clampsToLimits ? withinLimit(dof, value) : value);
+        values.set(index, character.clampsToLimits ? withinLimit(all[index], value) : value);
       }
       return values;
     }),

@@ -196,9 +196,12 @@ function checkedPairs(pairs: readonly JointPair[], target: Skeleton, source: Ske
   return checked;
 }
 
+/** Of ants to mountains; beyond it, positions are no longer finite. */
+const LARGEST_SCALE = 1e9;
+
 function checkedOptions({ scale, reference, plantsFeet }: RetargetOptions): RetargetOptions {
-  if (scale !== undefined && !(finiteNumber(scale, 'The scale') > 0)) {
-    throw new CommandError(`The scale must be greater than 0, found ${scale}.`);
+  if (scale !== undefined && !(finiteNumber(scale, 'The scale') > 0 && scale <= LARGEST_SCALE)) {
+    throw new CommandError(`The scale must be greater than 0, and at most ${LARGEST_SCALE}, found ${scale}.`);
   }
   return {
     ...(scale !== undefined && { scale }),

@@ -23,7 +23,7 @@ import { type Command, CommandError } from '../store.ts';
  * that nothing moves; for a skin that follows the root as a whole. `file`: the mesh as in its file, with the skeleton
  * as posed now.
  */
-const BIND_PLACES = ['bound', 'drawn', 'file'] as const;
+export const BIND_PLACES = ['bound', 'drawn', 'file'] as const;
 export type BindPlace = (typeof BIND_PLACES)[number];
 
 export interface AutoWeights {

@@ -1,4 +1,5 @@
 /** Builds the page around a workbench and its first frame. */
+import type { CommandInfo } from '../../edit/commands/all.ts';
 import type { ThemeName } from '../../view/theme.ts';
 import { outliner } from '../editors/outliner/outliner.ts';
 import { followOpened } from '../editors/posing/opened.ts';
@@ -17,7 +18,7 @@ import { startDialogs } from './dialogs.ts';
 import { inspectorPanel } from './inspector-panel.ts';
 import { layout } from './layout.ts';
 import { menuBar } from './menu-bar.ts';
-import { runById } from './run-by-id.ts';
+import { commands, runById } from './run-by-id.ts';
 import { leaveRefusalsBehind } from './stale-messages.ts';
 import { statusBar } from './status-bar.ts';
 import { timelinePanel } from './timeline-panel.ts';
@@ -36,6 +37,8 @@ export interface Beginnings {
 export interface MountedPage {
   /** For `marrow.run`: a command or an action by its id; returns a promise if it is loaded first. */
   run(id: string, args: Readonly<Record<string, unknown>>): Promise<void> | undefined;
+  /** For `marrow.commands`. */
+  commands(): Promise<readonly CommandInfo[]>;
 }
 
 /**
@@ -91,5 +94,5 @@ export function mountWorkbench(
   startDialogs(wb, root);
   startTooltips(signal);
   listenToKeys(wb, signal);
-  return { run: (id, args) => runById(wb, id, args) };
+  return { run: (id, args) => runById(wb, id, args), commands };
 }

@@ -1,19 +1,20 @@
 /** What scripts run: commands and actions by their ids. */
+import type { CommandInfo } from '../../edit/commands/all.ts';
 import { COMMANDS_AT_HAND, FETCHED_IDS } from '../../edit/commands/at-hand.ts';
-import type { Command, Edit } from '../../edit/store.ts';
-import type { Document } from '../../model/document.ts';
+import { argumentsFrom, finiteOnly } from '../../edit/schema/door.ts';
+import type { Taking } from '../../edit/schema/takes.ts';
 import { runAction } from '../state/action.ts';
-import { type CharacterRef, resolveCharacter } from '../state/character-ref.ts';
+import { resolveCharacter } from '../state/character-ref.ts';
 import type { Uses } from '../state/workbench.ts';
 
 /**
  * Runs a command of the document, or an action of the menus; returns a promise if its script is loaded first. Throws
- * if there is none of that id, or if it refuses. `args` as in `marrow.run`.
+ * if there is none of that id, or if it refuses. `args` as in `marrow.run`, of any type: they come from a console.
  */
 export function runById(
   wb: Uses<'store' | 'actions' | 'transport'>,
   id: string,
-  args: Readonly<Record<string, unknown>>,
+  args: unknown,
 ): Promise<void> | undefined {
   const command = COMMANDS_AT_HAND.get(id);
   if (command) apply(wb, command, args);
@@ -22,34 +23,22 @@ export function runById(
   return undefined;
 }
 
-async function fetchAndRun(
-  wb: Uses<'store' | 'transport'>,
-  id: string,
-  args: Readonly<Record<string, unknown>>,
-): Promise<void> {
-  const { COMMANDS_BY_ID } = await import('../../edit/commands/all.ts');
-  const command = COMMANDS_BY_ID.get(id);
+async function fetchAndRun(wb: Uses<'store' | 'transport'>, id: string, args: unknown): Promise<void> {
+  const { ALL_COMMANDS } = await import('../../edit/commands/all.ts');
+  const command = ALL_COMMANDS.get(id);
   if (!command) throw new Error(`There is no command "${id}".`);
   apply(wb, command, args);
 }
 
-function apply(
-  { store, transport }: Uses<'store' | 'transport'>,
-  command: Command<never, Document | Edit>,
-  args: Readonly<Record<string, unknown>>,
-): void {
-  const named = asReference(args.characterId ?? args.character);
+function apply({ store, transport }: Uses<'store' | 'transport'>, taking: Taking, args: unknown): void {
   const { timeSeconds, range } = transport.get();
-  const given = {
-    timeSeconds,
-    playedRange: range,
-    ...args,
-    ...(named === undefined && command.makesCharacter ? {} : { characterId: resolveCharacter(store, named).id }),
-  };
-  // Console arguments are untyped; each command checks its own.
-  store.apply(command, given as never);
+  const defaults = { timeSeconds, playedRange: range };
+  const given = argumentsFrom(taking, args, defaults, (ref) => resolveCharacter(store, ref).id);
+  store.apply(finiteOnly(taking), given);
 }
 
-function asReference(value: unknown): CharacterRef | undefined {
-  return typeof value === 'string' || typeof value === 'number' ? value : undefined;
+/** What each command takes, in words. */
+export async function commands(): Promise<readonly CommandInfo[]> {
+  const { commandList } = await import('../../edit/commands/all.ts');
+  return commandList();
 }

@@ -1,5 +1,7 @@
 /** Characters as scripts name them. */
-import type { Store } from '../../edit/store.ts';
+import { described } from '../../edit/arguments.ts';
+import { CommandError, type Store } from '../../edit/store.ts';
+import { cutText } from '../../model/cut-text.ts';
 import type { Character } from '../../model/document.ts';
 
 /** A character by id, name, index, or any object with an id (as in `marrow.characters()`). */
@@ -17,5 +19,7 @@ export function resolveCharacter(store: Store, ref: CharacterRef | undefined): C
         : (characters.find((c) => c.id === id) ?? characters.find((c) => c.name === id));
   if (found) return found;
   const there = characters.map((c) => `"${c.name}"`).join(', ') || 'none';
-  throw new Error(`There is no character ${id === undefined ? 'yet' : JSON.stringify(id)}. Characters here: ${there}.`);
+  throw new CommandError(
+    `There is no character ${id === undefined ? 'yet' : described(id)}. Characters here: ${cutText(there)}.`,
+  );
 }

@@ -213,7 +213,7 @@ export function randomDocument(seed: number): Document {
       rootIsFree: true,
     },
   });
-  return documentOf(hero, ...(clips.length ? [follower(dice, hero, skeleton)] : []));
+  return { ...documentOf(hero, ...(clips.length ? [follower(dice, hero, skeleton)] : [])), charactersMade: 2 };
 }
 
 function follower(dice: Dice, hero: Character, skeleton: Skeleton): Character {

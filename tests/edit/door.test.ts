@@ -1,0 +1,98 @@
+/** What scripts give to commands, and in which words it is refused. */
+import { describe, expect, it } from 'vitest';
+import { ALL_COMMANDS } from '../../src/edit/commands/all.ts';
+import { argumentsFrom, finiteOnly } from '../../src/edit/schema/door.ts';
+import { takes } from '../../src/edit/schema/takes.ts';
+import { type Command, Store } from '../../src/edit/store.ts';
+import type { Character, Document } from '../../src/model/document.ts';
+import { character, clip, documentOf, joint } from '../helpers/builders.ts';
+
+const ARM = character({
+  skeleton: { name: 'arm', joints: [joint(-1, { name: 'arm' })] },
+  clips: [clip('wave', [0, 1, 2, 3], [0, 2])],
+  shownClip: 0,
+});
+const DEFAULTS = { timeSeconds: 0.5, playedRange: [0, 2] as const };
+
+function run(id: string, args: unknown, document: Document = documentOf(ARM)): Document {
+  const taking = ALL_COMMANDS.get(id);
+  if (!taking) throw new Error(`There is no command ${id}.`);
+  const store = new Store(document);
+  store.apply(
+    finiteOnly(taking),
+    argumentsFrom(taking, args, DEFAULTS, () => 'c1'),
+  );
+  return store.document;
+}
+
+describe('arguments from scripts', () => {
+  it.each(['length', 2 ** 32 - 1, 'map', '__proto__', -1, 0.5, null])('a DOF with the index %j is refused', (index) => {
+    const { skeleton } = ARM;
+    const document = documentOf(character({ ...(skeleton && { skeleton }) }));
+    expect(() => run('pose.setDofs', { dofs: [{ index, value: 2 ** 32 - 1 }] }, document)).toThrow(/index|DOF number/);
+    expect(document.characters[0].pose).toHaveLength(6);
+  });
+
+  it('arguments from scripts are refused with the command, the argument, what was found and what was expected', () => {
+    const refused = (id: string, args: unknown) => (message: string) => expect(() => run(id, args)).toThrow(message);
+    refused('pose.setDofs', { dofs: [{ index: 'length', value: 1 }] })(
+      'pose.setDofs: "dofs[0].index" must be a whole number from 0, found "length".',
+    );
+    refused('pose.setDofs', { dofs: [{ index: 1 }] })('"dofs[0].value" must be a finite number, found nothing.');
+    refused('pose.setDofs', 7)('pose.setDofs: The arguments must be an object, found 7.');
+    refused('rig.setOffset', { joint: 0, offset: [1, 2], children: 'stay' })(
+      '"offset" must be a list of 3 finite numbers',
+    );
+    refused('rig.setOffset', { joint: 0, offest: [1, 2, 3] })('"offest" is not known here; expected characterId');
+    refused('character.rename', { characterId: Symbol('c1'), name: 'a' })('found a symbol.');
+    refused('takes.endOverlay', {})('Scripts can’t run this');
+  });
+
+  it('arguments from scripts that throw when they are read are refused', () => {
+    const trap = () => {
+      throw new RangeError('A trap.');
+    };
+    expect(() => run('pose.setDofs', { dofs: new Proxy([], { get: trap }) })).toThrow('reading them failed');
+    expect(() => run('pose.setDofs', new Proxy({}, { ownKeys: trap }))).toThrow('reading them failed');
+  });
+
+  it('arguments from scripts are copied, so that what a script does to them later changes nothing', () => {
+    const position = [1, 2, 3];
+    const after = run('character.addCopy', { placement: { position, turn: [0, 0, 0], scale: 1 } });
+    position[0] = Number.NaN;
+    expect(after.characters[0].placements[1].position).toEqual([1, 2, 3]);
+  });
+
+  it('arguments from scripts that are left out are those of the page, but for those whose absence means something', () => {
+    const keyed = run('keys.insert', { channels: [1] });
+    expect(keyed.characters[0].clips[0].channels[1]).toMatchObject({ times: Float64Array.of(0, 0.5) });
+    const keys = [{ channel: 1, indices: [0] }];
+    const set = run('keys.set', { keys, value: 7 });
+    expect(set.characters[0].clips[0].channels[1]).toMatchObject({
+      times: Float64Array.of(0),
+      values: Float64Array.of(7),
+    });
+  });
+
+  it('a result that is not finite is refused, with its place, but for limits', () => {
+    const changed = (change: Partial<Character>): Command<object> => ({
+      id: 'test.change',
+      label: () => 'Change',
+      run: (document) => ({ ...document, characters: [{ ...document.characters[0], ...change }] }),
+    });
+    const document = documentOf(ARM);
+    const result = (change: Partial<Character>) => finiteOnly(takes(changed(change), {})).run(document, {});
+    expect(() => result({ pose: ARM.pose.with(2, Infinity) })).toThrow('characters[0].pose[2] is Infinity');
+    expect(() => result({ clips: [{ ...ARM.clips[0], range: [0, Number.NaN] }] })).toThrow('clips[0].range[1] is NaN');
+    const free = joint(-1, { limits: Array.from({ length: 3 }, () => ({ min: -Infinity, max: Infinity })) });
+    expect(() => result({ skeleton: { name: 'arm', joints: [free] } })).not.toThrow();
+  });
+});
+
+describe('frames that can not be counted', () => {
+  it('frames that can not be counted, of times beyond any frame, are refused', () => {
+    const args = { channels: [1], framesPerSecond: 30, tangents: 'linear' };
+    expect(() => run('channels.resample', { ...args, from: 1e16, to: 1e16 })).toThrow('too large to count frames');
+    expect(() => run('channels.resample', { ...args, from: 0, to: 1e308 })).toThrow('too large to count frames');
+  });
+});
