@@ -46,10 +46,10 @@ export interface MovedNodes {
  * The share of the tolerance that each track gets at first: errors along a chain rarely all add up. Half of it takes
  * fewest keys, and many rounds of correcting them; a smaller one takes 7 % more keys and half the time.
  */
-const SHARE = 0.5;
+const SHARE = 0.6;
 const SHARE_OF_LONG = 0.3;
 /** Breaks of a take that is long. */
-const LONG = 20_000;
+const LONG = 6_000;
 /** Rows of a stretch, as many as this many numbers are, within bounds. */
 const NUMBERS = 2_000_000;
 const MOST_ROWS = 4096;

@@ -146,12 +146,37 @@ export function keepNear(rows: Float64Array, before: number, o: number, nodeCoun
   }
 }
 
+/** Nodes from `first` up to (excluding) `end`. */
+export interface NodeRange {
+  readonly first: number;
+  readonly end: number;
+}
+
+/** Each node with all below it. */
+export function subtrees(nodes: readonly JointNode[]): readonly NodeRange[] {
+  const ends = nodes.map((_, n) => n + 1);
+  for (let n = nodes.length - 1; n >= 0; n--) {
+    const { parent } = nodes[n];
+    if (parent >= 0) ends[parent] = Math.max(ends[parent], ends[n]);
+  }
+  return ends.map((end, first) => ({ first, end }));
+}
+
 /**
- * World matrices of all nodes from a row, 16 numbers each, before any placement.
+ * World matrices of nodes from a row, 16 numbers each, before any placement; those above `first` are there already.
  * @param o of the row
+ * @param to where the matrix of node 0 is in `out`
  */
-export function nodeWorlds(nodes: readonly JointNode[], row: Float64Array, o: number, out: Float64Array, to = 0): void {
-  for (let n = 0; n < nodes.length; n++) {
+export function nodeWorlds(
+  nodes: readonly JointNode[],
+  row: Float64Array,
+  o: number,
+  out: Float64Array,
+  to = 0,
+  first = 0,
+  end = nodes.length,
+): void {
+  for (let n = first; n < end; n++) {
     const at = o + NODE_WIDTH * n;
     const x = row[at + 3];
     const y = row[at + 4];

@@ -6,7 +6,7 @@ import type { Track } from './tracks.ts';
 /** Seconds between the two keys of a step. */
 export const STEP_SECONDS = 1e-5;
 /** Fraction of the tolerance by which a straight line between two rows may be off. */
-const FINENESS = 0.06;
+const FINENESS = 0.08;
 /** Rows are never closer, in seconds. */
 const CLOSEST = 1e-4;
 /** Between two breaks at first: per second, and at most. */

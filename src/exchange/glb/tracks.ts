@@ -1,6 +1,6 @@
 /** What of a character moves in a take, and how far an error of it is seen. */
 import { type JointNode, NODE_WIDTH, ROTATION, SCALE } from './joint-nodes.ts';
-import type { Watch } from './watch.ts';
+import { pointOfPair, type Watch } from './watch.ts';
 
 /** One property of one node, or all morph weights: a channel of an animation. */
 export interface Track {
@@ -19,52 +19,108 @@ export function rowWidth(nodeCount: number, weightCount: number): number {
   return NODE_WIDTH * nodeCount + weightCount;
 }
 
+/** How a character is seen in a moment of its takes. */
+export interface Moment {
+  /** World matrices of the nodes, 16 numbers each. */
+  readonly worlds: Float64Array;
+  /** The nodes' numbers and the morph weights. */
+  readonly row: Float64Array;
+}
+
+type Reach = { -readonly [P in 'translation' | 'rotation' | 'scale']: number };
+
 /**
  * All tracks of a character.
- * @param worlds of the nodes in some pose, 16 numbers each
- * @param morphReach the largest displacement by a morph of weight 1; the number of morphs
+ * @param moments in which it reaches as far as it does, about
  */
 export function tracksOf(
   nodes: readonly JointNode[],
-  worlds: Float64Array,
+  moments: readonly Moment[],
   watch: Watch,
-  morphs: { readonly count: number; readonly reach: number },
+  morphCount: number,
 ): readonly Track[] {
-  const reaches = reachesOf(nodes, worlds, watch);
+  const reaches = reachesOf(nodes, moments, watch);
   const tracks = nodes.flatMap((node, n): Track[] => {
     const at = NODE_WIDTH * n;
-    const above = node.parent < 0 ? 1 : scaleOf(worlds, 16 * node.parent);
     return [
-      { path: 'translation', node: n, at, width: 3, reach: above },
-      { path: 'rotation', node: n, at: at + ROTATION, width: 4, reach: reaches[n] },
-      ...(node.hasScale ? [{ path: 'scale', node: n, at: at + SCALE, width: 3, reach: reaches[n] } as const] : []),
+      { path: 'translation', node: n, at, width: 3, reach: reaches[n].translation },
+      { path: 'rotation', node: n, at: at + ROTATION, width: 4, reach: reaches[n].rotation },
+      ...(node.hasScale
+        ? [{ path: 'scale', node: n, at: at + SCALE, width: 3, reach: reaches[n].scale } as const]
+        : []),
     ];
   });
-  if (!morphs.count) return tracks;
+  if (!morphCount) return tracks;
   const at = NODE_WIDTH * nodes.length;
-  return [...tracks, { path: 'weights', node: -1, at, width: morphs.count, reach: morphs.reach }];
+  return [...tracks, { path: 'weights', node: -1, at, width: morphCount, reach: morphReach(moments, watch) }];
 }
 
-/** How far the farthest point is moved by each node: its distance times the weight of the joints below the node. */
-function reachesOf(nodes: readonly JointNode[], worlds: Float64Array, { start, nodeOf, local }: Watch): Float64Array {
-  const reaches = new Float64Array(nodes.length);
-  const lever = new Float64Array(nodes.length);
-  for (let p = 0; p + 1 < start.length; p++) {
-    lever.fill(0);
-    for (let i = start[p]; i < start[p + 1]; i++) {
-      const m = 16 * nodeOf[i];
-      const [lx, ly, lz, weight] = local.subarray(4 * i, 4 * i + 4);
-      const on = (r: number) =>
-        worlds[m + r] * lx + worlds[m + 4 + r] * ly + worlds[m + 8 + r] * lz + worlds[m + 12 + r];
-      const [x, y, z] = [on(0), on(1), on(2)];
-      for (let n = nodeOf[i]; n >= 0; n = nodes[n].parent) {
-        const o = 16 * n + 12;
-        lever[n] += weight * Math.hypot(x - worlds[o], y - worlds[o + 1], z - worlds[o + 2]);
-        reaches[n] = Math.max(reaches[n], lever[n]);
+/**
+ * How far the farthest point is moved by each node's translation, rotation and scale: its distance in the space of the
+ * node, times the weight of the joints below, times what the nodes above make of a length.
+ */
+function reachesOf(nodes: readonly JointNode[], moments: readonly Moment[], watch: Watch): readonly Reach[] {
+  const { start, nodeOf, local } = watch;
+  const reaches = nodes.map((): Reach => ({ translation: 0, rotation: 0, scale: 0 }));
+  const turned = new Float64Array(nodes.length);
+  const scaled = new Float64Array(nodes.length);
+  const above = new Float64Array(nodes.length);
+  const at = new Float64Array(3);
+  for (const { worlds, row } of moments) {
+    nodes.forEach(({ parent }, n) => {
+      above[n] = parent < 0 ? 1 : scaleOf(worlds, 16 * parent);
+      reaches[n].translation = Math.max(reaches[n].translation, above[n]);
+    });
+    for (let p = 0; p + 1 < start.length; p++) {
+      turned.fill(0);
+      scaled.fill(0);
+      for (let i = start[p]; i < start[p + 1]; i++) {
+        pointOfPair(watch, i, row, 0, at);
+        for (let n = nodeOf[i]; n >= 0; n = nodes[n].parent) {
+          const o = NODE_WIDTH * n;
+          const factor = local[4 * i + 3] * above[n];
+          scaled[n] += factor * Math.hypot(at[0], at[1], at[2]);
+          for (let k = 0; k < 3; k++) at[k] *= row[o + SCALE + k];
+          turned[n] += factor * Math.hypot(at[0], at[1], at[2]);
+          reaches[n].scale = Math.max(reaches[n].scale, scaled[n]);
+          reaches[n].rotation = Math.max(reaches[n].rotation, turned[n]);
+          turn(row, o + ROTATION, at);
+          for (let k = 0; k < 3; k++) at[k] += row[o + k];
+        }
       }
     }
   }
   return reaches;
+}
+
+/** Turns x y z by the unit quaternion at `o`. */
+function turn(q: Float64Array, o: number, v: Float64Array): void {
+  const [x, y, z, w] = [q[o], q[o + 1], q[o + 2], q[o + 3]];
+  const tx = 2 * (y * v[2] - z * v[1]);
+  const ty = 2 * (z * v[0] - x * v[2]);
+  const tz = 2 * (x * v[1] - y * v[0]);
+  v[0] += w * tx + y * tz - z * ty;
+  v[1] += w * ty + z * tx - x * tz;
+  v[2] += w * tz + x * ty - y * tx;
+}
+
+/** How far the farthest point is moved by any weight of 1. */
+function morphReach(moments: readonly Moment[], { start, nodeOf, local, morphStart, by }: Watch): number {
+  let reach = 0;
+  for (const { worlds } of moments) {
+    for (let p = 0; p + 1 < start.length; p++) {
+      let sum = 0;
+      for (let i = start[p]; i < start[p + 1]; i++) {
+        let most = 0;
+        for (let k = 3 * morphStart[i]; k < 3 * morphStart[i + 1]; k += 3) {
+          most = Math.max(most, Math.hypot(by[k], by[k + 1], by[k + 2]));
+        }
+        sum += local[4 * i + 3] * most * scaleOf(worlds, 16 * nodeOf[i]);
+      }
+      reach = Math.max(reach, sum);
+    }
+  }
+  return reach;
 }
 
 /** The largest factor by which a matrix lengthens an axis. */

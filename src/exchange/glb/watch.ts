@@ -4,6 +4,7 @@
  * part by a wrong matrix is largest at a corner of its hull.
  */
 import type { CompiledSkin } from '../../evaluate/deform.ts';
+import type { Morph } from '../../model/morph.ts';
 import type { Skeleton } from '../../model/skeleton.ts';
 import type { JointNode, JointNodes } from './joint-nodes.ts';
 
@@ -14,6 +15,22 @@ export interface Watch {
   readonly nodeOf: Int32Array;
   /** x y z of the point in the space of the node, and its weight: 4 numbers per pair. */
   readonly local: Float64Array;
+  /** Pair i is displaced by the morphs `morphStart[i]` up to (excluding) `morphStart[i + 1]`. */
+  readonly morphStart: Int32Array;
+  /** Where in a row the weight is that displaces a pair. */
+  readonly weightAt: Int32Array;
+  /** x y z by a weight of 1, in the space of the node. */
+  readonly by: Float64Array;
+}
+
+/** Morphs, and how far they go. */
+export interface WatchedMorphs {
+  readonly morphs: readonly Morph[];
+  /** Where their weights begin in a row. */
+  readonly weightsAt: number;
+  /** The least and greatest weight of each in the takes. */
+  readonly least: readonly number[];
+  readonly greatest: readonly number[];
 }
 
 /** 26 directions: towards faces, edges and corners of a cube. */
@@ -32,14 +49,19 @@ export function watchPoints(
   skeleton: Skeleton,
   { lastOf }: JointNodes,
   skin: CompiledSkin | undefined,
+  watched: WatchedMorphs,
   rigid: readonly RigidPoint[] = [],
 ): Watch {
   const start = [0];
   const nodeOf: number[] = [];
   const local: number[] = [];
+  const morphStart = [0];
+  const weightAt: number[] = [];
+  const by: number[] = [];
   const pair = (joint: number, point: readonly number[], weight: number) => {
     nodeOf.push(lastOf[joint]);
     local.push(...point, weight);
+    morphStart.push(weightAt.length);
   };
   skeleton.joints.forEach(({ endSites = [], length }, joint) => {
     const ends = length ? [...endSites, [0, length, 0] as const] : endSites;
@@ -53,14 +75,71 @@ export function watchPoints(
     start.push(nodeOf.length);
   }
   if (skin) {
-    for (const v of outermost(skin, lastOf.length)) {
+    const { morphs, weightsAt } = watched;
+    const displacements = morphs.map((morph) => displacementOf(skin, morph));
+    for (const v of extremes(skin, lastOf.length, watched, displacements)) {
       for (const { joint, weight } of attachmentsOf(skin, v)) {
-        if (joint < lastOf.length) pair(joint, inJoint(skin, joint, v), weight);
+        if (joint >= lastOf.length) continue;
+        displacements.forEach((displacement, m) => {
+          const own = displacement.subarray(3 * v, 3 * v + 3);
+          if (own.every((d) => d === 0)) return;
+          weightAt.push(weightsAt + m);
+          by.push(...inJoint(skin, joint, own, 0));
+        });
+        pair(joint, inJoint(skin, joint, skin.skin.positions.subarray(3 * v, 3 * v + 3), 1), weight);
       }
       start.push(nodeOf.length);
     }
   }
-  return { start: Int32Array.from(start), nodeOf: Int32Array.from(nodeOf), local: Float64Array.from(local) };
+  return {
+    start: Int32Array.from(start),
+    nodeOf: Int32Array.from(nodeOf),
+    local: Float64Array.from(local),
+    morphStart: Int32Array.from(morphStart),
+    weightAt: Int32Array.from(weightAt),
+    by: Float64Array.from(by),
+  };
+}
+
+/** How far a morph of weight 1 moves each vertex. */
+function displacementOf({ vertexCount, skin }: CompiledSkin, { positions: { indices, values } }: Morph): Float64Array {
+  const out = new Float64Array(3 * vertexCount);
+  indices.forEach((v, row) => {
+    for (let k = 0; k < 3; k++) out[3 * v + k] = values[3 * row + k] - skin.positions[3 * v + k];
+  });
+  return out;
+}
+
+/** The outermost vertices without morphs, with those of the takes, and those that a morph moves farthest. */
+function extremes(
+  skin: CompiledSkin,
+  jointCount: number,
+  { least, greatest }: WatchedMorphs,
+  displacements: readonly Float64Array[],
+): ReadonlySet<number> {
+  const { positions } = skin.skin;
+  const found = outermost(skin, jointCount, positions);
+  const moved = displacements.filter((_, m) => least[m] !== 0 || greatest[m] !== 0);
+  if (moved.length === 0) return found;
+  for (const weights of [least, greatest]) {
+    const morphed = positions.slice();
+    displacements.forEach((displacement, m) => {
+      for (let i = 0; i < morphed.length; i++) morphed[i] += weights[m] * displacement[i];
+    });
+    for (const v of outermost(skin, jointCount, morphed)) found.add(v);
+  }
+  for (const displacement of moved) {
+    for (const [dx, dy, dz] of DIRECTIONS) {
+      let most = 0;
+      let vertex = 0;
+      for (let v = 0; v < skin.vertexCount; v++) {
+        const far = dx * displacement[3 * v] + dy * displacement[3 * v + 1] + dz * displacement[3 * v + 2];
+        if (far > most) [most, vertex] = [far, v];
+      }
+      found.add(vertex);
+    }
+  }
+  return found;
 }
 
 interface Attachment {
@@ -78,15 +157,20 @@ function attachmentsOf({ skin: { attachments } }: CompiledSkin, v: number): read
   return Array.from(own, (w, a) => ({ joint: joints[start[v] + a], weight: w / sum })).filter(({ weight }) => weight);
 }
 
-/** The vertex in the space of a joint. */
-function inJoint({ skin: { positions }, inverseBindings: m }: CompiledSkin, joint: number, v: number): number[] {
+/** A point (w = 1) or a displacement (w = 0) of a vertex in the space of a joint. */
+function inJoint(
+  { inverseBindings: m, matrixCount }: CompiledSkin,
+  joint: number,
+  [x, y, z]: ArrayLike<number> & Iterable<number>,
+  w: 0 | 1,
+): number[] {
+  if (joint >= matrixCount) return [x, y, z];
   const o = 16 * joint;
-  const [x, y, z] = positions.subarray(3 * v, 3 * v + 3);
-  return [0, 1, 2].map((r) => m[o + r] * x + m[o + 4 + r] * y + m[o + 8 + r] * z + m[o + 12 + r]);
+  return [0, 1, 2].map((r) => m[o + r] * x + m[o + 4 + r] * y + m[o + 8 + r] * z + w * m[o + 12 + r]);
 }
 
 /** The vertices that are outermost in some direction among those that follow one joint most. */
-function outermost(skin: CompiledSkin, jointCount: number): ReadonlySet<number> {
+function outermost(skin: CompiledSkin, jointCount: number, positions: Float64Array): Set<number> {
   const farthest = new Float64Array(DIRECTIONS.length * jointCount).fill(-Infinity);
   const vertexOf = new Int32Array(farthest.length).fill(-1);
   const { start, joints, weights } = skin.skin.attachments ?? {
@@ -101,7 +185,7 @@ function outermost(skin: CompiledSkin, jointCount: number): ReadonlySet<number> 
       for (let a = start[v]; a < start[v + 1]; a++) if (weights[a] > most) [most, joint] = [weights[a], joints[a]];
     }
     if (joint < 0 || joint >= jointCount || joint >= skin.matrixCount) continue;
-    const [x, y, z] = inJoint(skin, joint, v);
+    const [x, y, z] = inJoint(skin, joint, positions.subarray(3 * v, 3 * v + 3), 1);
     DIRECTIONS.forEach(([dx, dy, dz], d) => {
       const far = dx * x + dy * y + dz * z;
       const at = DIRECTIONS.length * joint + d;
@@ -113,63 +197,86 @@ function outermost(skin: CompiledSkin, jointCount: number): ReadonlySet<number> 
   return new Set(vertexOf.filter((v) => v >= 0));
 }
 
+const at = new Float64Array(3);
+
 /**
- * The largest distance between the points of two poses, and the point.
- * @param worlds, others of the nodes, 16 numbers each, from `o` and `p` on
- * @param out receives the squared distance and the index of the point
+ * Where a point is.
+ * @param worlds of the nodes, 16 numbers each, from `o` on
+ * @param row the nodes' numbers, then the morph weights, from `r` on
+ * @param out receives x y z at `to`
  */
-export function farthestApart(
-  { start, nodeOf, local }: Watch,
+export function movedPoint(
+  watch: Watch,
+  point: number,
   worlds: Float64Array,
   o: number,
-  others: Float64Array,
-  p: number,
+  row: Float64Array,
+  r: number,
+  out: Float64Array,
+  to: number,
+): void {
+  const { start, local } = watch;
+  let px = 0;
+  let py = 0;
+  let pz = 0;
+  for (let i = start[point], end = start[point + 1]; i < end; i++) {
+    movedPair(watch, i, worlds, o, row, r, at);
+    const w = local[4 * i + 3];
+    px += w * at[0];
+    py += w * at[1];
+    pz += w * at[2];
+  }
+  out[to] = px;
+  out[to + 1] = py;
+  out[to + 2] = pz;
+}
+
+/** Where a point would be by one of its pairs alone. */
+export function movedPair(
+  watch: Watch,
+  i: number,
+  worlds: Float64Array,
+  o: number,
+  row: Float64Array,
+  r: number,
   out: Float64Array,
 ): void {
-  let most = -1;
-  let where = 0;
-  let i = 0;
-  for (let point = 0; point + 1 < start.length; point++) {
-    let dx = 0;
-    let dy = 0;
-    let dz = 0;
-    for (const end = start[point + 1]; i < end; i++) {
-      const a = o + 16 * nodeOf[i];
-      const b = p + 16 * nodeOf[i];
-      const x = local[4 * i];
-      const y = local[4 * i + 1];
-      const z = local[4 * i + 2];
-      const w = local[4 * i + 3];
-      dx +=
-        w *
-        ((worlds[a] - others[b]) * x +
-          (worlds[a + 4] - others[b + 4]) * y +
-          (worlds[a + 8] - others[b + 8]) * z +
-          worlds[a + 12] -
-          others[b + 12]);
-      dy +=
-        w *
-        ((worlds[a + 1] - others[b + 1]) * x +
-          (worlds[a + 5] - others[b + 5]) * y +
-          (worlds[a + 9] - others[b + 9]) * z +
-          worlds[a + 13] -
-          others[b + 13]);
-      dz +=
-        w *
-        ((worlds[a + 2] - others[b + 2]) * x +
-          (worlds[a + 6] - others[b + 6]) * y +
-          (worlds[a + 10] - others[b + 10]) * z +
-          worlds[a + 14] -
-          others[b + 14]);
-    }
-    const sum = dx * dx + dy * dy + dz * dz;
-    if (sum > most) {
-      most = sum;
-      where = point;
-    }
+  const a = o + 16 * watch.nodeOf[i];
+  pointOfPair(watch, i, row, r, out);
+  const x = out[0];
+  const y = out[1];
+  const z = out[2];
+  out[0] = worlds[a] * x + worlds[a + 4] * y + worlds[a + 8] * z + worlds[a + 12];
+  out[1] = worlds[a + 1] * x + worlds[a + 5] * y + worlds[a + 9] * z + worlds[a + 13];
+  out[2] = worlds[a + 2] * x + worlds[a + 6] * y + worlds[a + 10] * z + worlds[a + 14];
+}
+
+/** Writes where a pair's point is in the space of its node, displaced by the morph weights of a row from `r` on. */
+export function pointOfPair(
+  { local, morphStart, weightAt, by }: Watch,
+  i: number,
+  row: Float64Array,
+  r: number,
+  out: Float64Array,
+): void {
+  for (let k = 0; k < 3; k++) out[k] = local[4 * i + k];
+  for (let m = morphStart[i]; m < morphStart[i + 1]; m++) {
+    for (let k = 0; k < 3; k++) out[k] += row[r + weightAt[m]] * by[3 * m + k];
   }
-  out[0] = most;
-  out[1] = where;
+}
+
+/** The points that each node moves: its own and those of all nodes below. */
+export function pointsBelow(nodes: readonly JointNode[], watch: Watch): readonly Int32Array[] {
+  const lists = nodes.map((): number[] => []);
+  for (let p = 0; p + 1 < watch.start.length; p++) for (const n of nodesMoving(nodes, watch, p)) lists[n].push(p);
+  return lists.map((list) => Int32Array.from(list));
+}
+
+/** The points that morphs move. */
+export function pointsMorphed({ start, morphStart }: Watch): Int32Array {
+  const found: number[] = [];
+  for (let p = 0; p + 1 < start.length; p++) if (morphStart[start[p + 1]] > morphStart[start[p]]) found.push(p);
+  return Int32Array.from(found);
 }
 
 /** The nodes that move a point, from its own up to the root. */

@@ -16,14 +16,14 @@ import { stubPoints } from './body.ts';
 import { BinaryChunk, type Json } from './container.ts';
 import { type Figure, type FigureJoints, figureOf } from './figure.ts';
 import { type FitOptions, fitTake, type TrackKeys } from './fit-take.ts';
-import { NODE_WIDTH, nodeWriter, ROTATION, SCALE } from './joint-nodes.ts';
+import { type JointNode, NODE_WIDTH, nodeWorlds, nodeWriter, ROTATION, SCALE } from './joint-nodes.ts';
 import { lossesOf } from './losses.ts';
 import { addMaterials } from './materials.ts';
 import { addMesh } from './mesh.ts';
 import type { GlbOptions } from './options.ts';
 import type { GlbReport, TakeReport } from './report.ts';
 import { TakeError, type TakeMotion, takeMotion } from './take-motion.ts';
-import { rowWidth, type Track, tracksOf } from './tracks.ts';
+import { type Moment, rowWidth, type Track, tracksOf } from './tracks.ts';
 import { type RigidPoint, watchPoints } from './watch.ts';
 
 export interface GlbFile {
@@ -147,29 +147,58 @@ function takesOf(
     throw new TakeError(`${character.name} has no take ${options.take}; ${known}.`);
   }
   const compiled = compileSkeleton(joints.skeleton);
+  const { nodes } = joints.nodes;
+  const weightsAt = NODE_WIDTH * nodes.length;
+  const motions = played.flatMap((one) => takeMotion(one, nodeWriter(compiled, joints.nodes), weightsAt) ?? []);
+  const own = character.skins.length > 0;
+  const morphs = own ? character.morphs : [];
+  const width = rowWidth(nodes.length, character.morphs.length);
+  const moments = momentsOf(motions, nodes, width);
+  const weightsOf = (m: number) => [0, ...moments.map(({ row }) => row[weightsAt + m])];
   const watch = watchPoints(
     joints.skeleton,
     joints.nodes,
-    skin && character.skins.length ? compileSkin(skin) : undefined,
-    skin && character.skins.length === 0 ? stubsOf(joints) : [],
+    skin && own ? compileSkin(skin) : undefined,
+    {
+      morphs,
+      weightsAt,
+      least: morphs.map((_, m) => Math.min(...weightsOf(m))),
+      greatest: morphs.map((_, m) => Math.max(...weightsOf(m))),
+    },
+    skin && !own ? stubsOf(joints) : [],
   );
-  const { nodes } = joints.nodes;
-  const morphCount = character.skins.length ? character.morphs.length : 0;
-  const width = rowWidth(nodes.length, character.morphs.length);
-  const tracks = tracksOf(nodes, joints.worlds, watch, { count: morphCount, reach: morphReach(character, skin) });
+  const tracks = tracksOf(nodes, moments, watch, morphs.length);
   const moved = { nodes, watch, tracks, width };
-  return played.flatMap((one, i) => {
-    const motion = takeMotion(one, nodeWriter(compiled, joints.nodes), NODE_WIDTH * nodes.length);
-    if (!motion) return [];
+  return motions.map((motion, i) => {
     const fit: FitOptions = {
       style: options.keys,
       tolerance,
       size,
       ...(options.framesPerSecond !== undefined && { framesPerSecond: options.framesPerSecond }),
-      onProgress: (part) => onProgress?.({ label: motion.name, fraction: (i + part) / played.length }),
+      onProgress: (part) => onProgress?.({ label: motion.name, fraction: (i + part) / motions.length }),
     };
-    return [{ motion, keys: fitTake(motion, moved, fit) }];
+    return { motion, keys: fitTake(motion, moved, fit) };
   });
+}
+
+/** Moments of each take, and of all takes at most, from which is seen how far its nodes reach. */
+const MOMENTS = 24;
+const MOST_MOMENTS = 240;
+
+/** Moments at even distances, and the first and the last one, of some of the takes. */
+function momentsOf(motions: readonly TakeMotion[], nodes: readonly JointNode[], width: number): readonly Moment[] {
+  const every = Math.max(1, Math.ceil((motions.length * MOMENTS) / MOST_MOMENTS));
+  return motions
+    .filter((_, i) => i % every === 0)
+    .flatMap((motion) =>
+      Array.from({ length: MOMENTS }, (_, i) => {
+        const row = new Float64Array(width);
+        motion.write(motion.start + ((motion.end - motion.start) * i) / (MOMENTS - 1), row);
+        const worlds = new Float64Array(16 * nodes.length);
+        nodeWorlds(nodes, row, 0, worlds);
+        return { row, worlds };
+      }),
+    );
 }
 
 /** What the body shows of joints that nothing else shows. */
@@ -180,22 +209,6 @@ function stubsOf({ skeleton, nodes: { lastOf }, worlds }: FigureJoints): readonl
     const point = [0, 1, 2].map((r) => inverse[r] * x + inverse[4 + r] * y + inverse[8 + r] * z + inverse[12 + r]);
     return point.every(Number.isFinite) ? [{ joint, point }] : [];
   });
-}
-
-/** The largest displacement by any morph with weight 1. */
-function morphReach({ morphs, skins }: Character, skin: Skin | undefined): number {
-  if (!skin || !skins.length) return 0;
-  let sum = 0;
-  for (const { positions } of morphs) {
-    let most = 0;
-    positions.indices.forEach((v, row) => {
-      const by = [0, 1, 2].map((k) => positions.values[3 * row + k] - skin.positions[3 * v + k]);
-      const length = Math.hypot(...by);
-      if (length > most) most = length;
-    });
-    sum = Math.max(sum, most);
-  }
-  return sum;
 }
 
 /** Animations of all takes: of each property of a node that changes in any of them. */
