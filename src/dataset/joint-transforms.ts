@@ -74,10 +74,13 @@ export class JointTransforms {
   /** Those of the frame before the block, four per joint: from one frame to the next signs change as little as they can. */
   private readonly localBefore: Float64Array;
   private readonly worldBefore: Float64Array;
-  /** Of one joint, per frame: angles, their sines and cosines; from the parent's pivot to its own, in the file's unit. */
+  /** From the parent's pivot to the joint's, in the file's unit: three numbers per frame, joint by joint. */
+  private readonly ways: Float64Array;
+  /** Whether its DOFs move the pivot of a joint; that of others stays where it is. */
+  private readonly moves: readonly boolean[];
+  /** Of one joint, per frame: angles, their sines and cosines. */
   private readonly halves = new Float64Array(3 * BLOCK);
   private readonly turned = new Float64Array(6 * BLOCK);
-  private readonly ways = new Float64Array(3 * BLOCK);
   private readonly matrices: Float64Array;
   /** Joints of the End Sites, and x y z in their spaces. */
   private readonly endJoints: Int32Array;
@@ -106,6 +109,12 @@ export class JointTransforms {
     this.localBefore = new Float64Array(4 * count);
     this.worldBefore = new Float64Array(4 * count);
     this.turns = turnsOf(skeleton);
+    const { slides, offsets, hasRootTranslation } = compiled;
+    this.moves = joints.map(
+      (_, j) => (j === 0 && hasRootTranslation) || slides.subarray(3 * j, 3 * j + 3).some((d) => d >= 0),
+    );
+    this.ways = new Float64Array(3 * BLOCK * count);
+    for (let i = 0; i < this.ways.length; i++) this.ways[i] = offsets[3 * Math.floor(i / (3 * BLOCK)) + (i % 3)];
     this.matrices = new Float64Array(16 * (this.isRigid ? 1 : count));
     this.restart();
   }
@@ -128,9 +137,10 @@ export class JointTransforms {
     for (let j = 0; j < this.compiled.jointCount; j++) {
       if (this.isRigid) {
         const turn = this.turns[j];
-        this.follow(dofs, stride, count, j);
-        if (turn) this.turnByAngles(dofs, stride, count, j, turn);
-        else this.turnByMotion(dofs, stride, count, j);
+        if (turn) {
+          if (this.moves[j]) this.follow(dofs, stride, count, j);
+          this.turnByAngles(dofs, stride, count, j, turn);
+        } else this.turnByMotion(dofs, stride, count, j);
         this.compose(count, j);
       }
       if (rows) this.write(rows, row, count, j);
@@ -138,16 +148,18 @@ export class JointTransforms {
     this.placeEnds(count);
   }
 
-  /** Writes `ways` of a joint. */
+  /** Writes `ways` of a joint that moves. */
   private follow(dofs: Float64Array, stride: number, count: number, j: number): void {
     const { ways, compiled } = this;
     const { offsets, slides, hasRootTranslation } = compiled;
+    const isCarried = j === 0 && hasRootTranslation;
     for (let k = 0; k < 3; k++) {
       const offset = offsets[3 * j + k];
       const slide = slides[3 * j + k];
-      for (let b = 0; b < count; b++) ways[3 * b + k] = slide < 0 ? offset : offset + dofs[b * stride + slide];
-      if (j > 0 || !hasRootTranslation) continue;
-      for (let b = 0; b < count; b++) ways[3 * b + k] += dofs[b * stride + k];
+      for (let b = 0; b < count; b++) {
+        const way = slide < 0 ? offset : offset + dofs[b * stride + slide];
+        ways[3 * (BLOCK * j + b) + k] = isCarried ? way + dofs[b * stride + k] : way;
+      }
     }
   }
 
@@ -193,7 +205,7 @@ export class JointTransforms {
       motions[j].write(dofs, b * stride + firstDof[j], matrices, 0);
       for (let k = 0; k < 3; k++) {
         const way = offsets[3 * j + k] + matrices[12 + k];
-        ways[3 * b + k] = isMoved ? dofs[b * stride + k] + way : way;
+        ways[3 * (BLOCK * j + b) + k] = isMoved ? dofs[b * stride + k] + way : way;
       }
       writeRotationPart(matrices, 0, rotation, 0, 3);
       readQuaternion();
@@ -248,9 +260,10 @@ export class JointTransforms {
       world[o + 2] = z = sign * nz;
       world[o + 3] = w = sign * nw;
       // v + 2 a × (a × v + w v), of Rodrigues
-      const vx = metres * ways[3 * b];
-      const vy = metres * ways[3 * b + 1];
-      const vz = metres * ways[3 * b + 2];
+      const v = 3 * (BLOCK * j + b);
+      const vx = metres * ways[v];
+      const vy = metres * ways[v + 1];
+      const vz = metres * ways[v + 2];
       const cx = ay * vz - az * vy + aw * vx;
       const cy = az * vx - ax * vz + aw * vy;
       const cz = ax * vy - ay * vx + aw * vz;
@@ -277,7 +290,8 @@ export class JointTransforms {
       if (isTurned) turnUp(local, o);
       put(local, o, local[o], local[o + 1], local[o + 2], local[o + 3], worldBefore, 4 * j);
       for (let k = 0; k < 4; k++) world[o + k] = local[o + k];
-      applySpace(space, ways[3 * b], ways[3 * b + 1], ways[3 * b + 2], point);
+      const v = 3 * (BLOCK * j + b);
+      applySpace(space, ways[v], ways[v + 1], ways[v + 2], point);
       points[b].set(point, 3 * j);
     }
   }

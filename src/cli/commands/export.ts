@@ -38,7 +38,7 @@ which takes, and where
   --jobs N               threads; default: as many as cores
   --resume               skips takes whose input, options and version are those of an earlier run
   --force                replaces files that exist
-  --no-checks            leaves the flags out of the manifest; the checks take about a sixth of the time
+  --no-checks            leaves the flags out of the manifest; the checks take about a fifth of the time
   --no-times             leaves milliseconds out of the manifest: its bytes then depend on inputs and options only
   --json                 prints the summary as JSON
 `,
