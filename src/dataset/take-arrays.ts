@@ -135,10 +135,16 @@ export function takeArrays(take: Take, pool: FloatPool, watcher?: FrameWatcher):
     contacts: feet.contacts(),
     contactJoints: Int32Array.from(feet.balls),
     fps,
-    times: Float64Array.from({ length: count }, (_, f) => frames.startSeconds + (first + f) / fps),
+    times: timesOf(take),
     frameCount: count,
     carrier,
   };
+}
+
+function timesOf({ frames, first, count, fps }: Take): Float64Array {
+  const out = new Float64Array(count);
+  for (let f = 0; f < count; f++) out[f] = frames.startSeconds + (first + f) / fps;
+  return out;
 }
 
 /** All of them, with the names and shapes of the comment above. */

@@ -19,16 +19,19 @@ export class InputReader {
   /** As large as the largest input so far, since fresh memory for each costs as much as reading it. */
   private held = new Uint8Array(0);
 
+  /** @param most larger files are not held; bytes */
+  constructor(private readonly most = MOST_HELD) {}
+
   read(path: string): ReadInput {
     const file = openSync(path, 'r');
     try {
       const { size } = fstatSync(file);
+      if (size > this.most) return { hash: hashOf(path) };
       // One more byte tells that the file has not grown.
-      if (size >= MOST_HELD) return { hash: hashOf(path) };
       if (this.held.length <= size) this.held = new Uint8Array(size + 1);
       let length = 0;
-      for (let read = -1; read !== 0 && length < this.held.length; length += read) {
-        read = readSync(file, this.held, length, this.held.length - length, null);
+      for (let read = -1; read !== 0 && length <= size; length += read) {
+        read = readSync(file, this.held, length, size + 1 - length, null);
       }
       if (length > size) return { hash: hashOf(path) };
       const bytes = this.held.subarray(0, length);
