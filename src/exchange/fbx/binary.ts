@@ -6,19 +6,17 @@
  *              { record }, an empty record if there were any
  *     value  = type: C Z B Y I F D L of 1 to 8 bytes; S R with u32 length; f d l i b c: arrays of n, packed by zlib or not
  *
- * Lengths are checked before anything is allocated: arrays take no more memory than the file says and deflate can hold,
- * and all of them together at most `MAX_UNPACKED`.
+ * Lengths are checked before anything is allocated: arrays take no more memory than the file says, deflate can hold, and
+ * the budget of the file allows.
  */
 import type { FbxReport } from './failure.ts';
-import { inflateExactly } from './inflate.ts';
+import { canUnpackTo, inflateExactly } from './inflate.ts';
 import type { FbxFile, FbxNumbers, FbxRecord, FbxValue } from './record.ts';
 
 const MAGIC = 'Kaydara FBX Binary  \0';
 const HEADER = 27;
 /** Real files have less than ten levels. */
 const MAX_DEPTH = 64;
-/** Unpacked bytes of all arrays. */
-const MAX_UNPACKED = 2 ** 30;
 const UTF8 = new TextDecoder();
 
 export function isBinaryFbx(bytes: Uint8Array): boolean {
@@ -43,7 +41,6 @@ interface Cursor {
 class BinaryReader {
   private readonly view: DataView;
   private readonly headerBytes: number;
-  private unpacked = 0;
 
   constructor(
     private readonly bytes: Uint8Array<ArrayBuffer>,
@@ -189,14 +186,13 @@ class BinaryReader {
         offset,
       );
     }
-    this.unpacked += size;
-    if (this.unpacked > MAX_UNPACKED) {
-      this.report.fail('too-large', `The arrays of this file unpack to more than ${MAX_UNPACKED} bytes.`, offset);
-    }
     // Copied, since numbers have to be aligned.
     if (encoding === 0) return data.slice();
-    const unpacked = inflateExactly(data, size);
-    if (unpacked) return unpacked;
+    if (canUnpackTo(data.length, size)) {
+      this.report.budget.spend(size / 8, 'A packed array');
+      const unpacked = inflateExactly(data, size);
+      if (unpacked) return unpacked;
+    }
     return this.report.fail('bad-array', `A packed array is damaged: it does not unpack to ${size} bytes.`, offset);
   }
 }

@@ -31,6 +31,11 @@ export function channelOf(curve: FbxCurve, tolerance: number, factor = 1, offset
   return list.channel(factor, offset, mode(before, curve.before), mode(after, curve.after));
 }
 
+/** How many keys a curve becomes, or few more. */
+export function channelKeys(curve: FbxCurve): number {
+  return curve.times.length * (1 + repetitionsOf(curve, curve.before) + repetitionsOf(curve, curve.after));
+}
+
 const EXTRAPOLATIONS: { readonly [M in Beyond['mode']]: Extrapolation } = {
   constant: 'constant',
   slope: 'linear',

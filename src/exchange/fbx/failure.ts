@@ -1,18 +1,27 @@
 /** Errors of FBX files: a binary file has byte offsets, a text has lines. */
 import { type Place, WHOLE_FILE } from '../../formats/places.ts';
 import { ParseError, type Report } from '../../formats/report.ts';
+import { Budget } from '../budget.ts';
 
 const SHOWN = 800;
 const LF = 10;
 
 /** Reports problems of one file at offsets of its bytes. */
 export class FbxReport {
+  /** Of all that is read from the file. */
+  readonly budget: Budget;
+
   constructor(
     private readonly report: Report,
     private readonly bytes: Uint8Array,
     /** Whether offsets are told as lines. */
     private readonly isText: boolean,
-  ) {}
+  ) {
+    this.budget = new Budget(bytes.length, (message) => {
+      report.error('file-too-large', message, WHOLE_FILE);
+      throw new ParseError(message);
+    });
+  }
 
   /** Reports an error after which nothing can be read. */
   fail(code: string, message: string, offset: number): never {

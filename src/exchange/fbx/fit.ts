@@ -19,6 +19,7 @@ const STEP = 1e-4;
  * @param stops ascending, at least one: where the function may jump or bend
  * @param start the values nearest to which the first ones are
  * @param tolerances one per value
+ * @param most keys until which spans are cut
  * @returns the keys of each value, all at the same times
  */
 export function fitKeys(
@@ -26,6 +27,7 @@ export function fitKeys(
   stops: readonly number[],
   start: ArrayLike<number>,
   tolerances: readonly number[],
+  most = Number.POSITIVE_INFINITY,
 ): KeyList[] {
   const width = tolerances.length;
   const lists = tolerances.map(() => new KeyList());
@@ -34,7 +36,7 @@ export function fitKeys(
   write(stops[0], last, value);
   last.set(value);
   for (let k = 0; k < width; k++) lists[k].add(stops[0], value[k], 0, 0);
-  const span = new Span(write, width, tolerances);
+  const span = new Span(write, width, tolerances, most);
   for (let i = 0; i < stops.length; i++) {
     if (i > 0) span.fit(stops[i - 1], stops[i], last, lists, 0);
     // What the function is from here on, if it jumps.
@@ -61,6 +63,7 @@ class Span {
     private readonly write: Fitted,
     private readonly width: number,
     private readonly tolerances: readonly number[],
+    private readonly most: number,
   ) {
     const scratch = () => new Float64Array(width);
     [this.a, this.b, this.c, this.end] = [scratch(), scratch(), scratch(), scratch()];
@@ -98,7 +101,7 @@ class Span {
       end[k] = 3 * a[k] - 3 * b[k] + c[k];
       to[k] = (5 * a[k] - 8 * b[k] + 3 * c[k]) / (2 * step);
     }
-    if (cuts < MAX_CUTS && !this.holds(start, duration, last)) {
+    if (cuts < MAX_CUTS && lists[0].count < this.most && !this.holds(start, duration, last)) {
       const middle = start + duration / 2;
       this.fit(start, middle, last, lists, cuts + 1);
       this.fit(middle, stop, last, lists, cuts + 1);

@@ -5,7 +5,7 @@
  * A vertex is a point with one normal and one pair of texture coordinates; a point on a seam becomes several.
  */
 import type { FbxReport } from './failure.ts';
-import { cutPolygon } from './polygons.ts';
+import { cutPolygon, type Effort } from './polygons.ts';
 import { childOf, childrenOf, type FbxNumbers, type FbxRecord, numbersOf, textAt } from './record.ts';
 
 export interface FbxMesh {
@@ -25,9 +25,15 @@ export interface FbxMesh {
 
 const NOTHING = new Float64Array(0);
 
-export function meshOf(record: FbxRecord, report: FbxReport): FbxMesh {
+/** Numbers that a point and a corner of a polygon become: a vertex each, with its normal, its place in the texture, triangles. */
+const PER_POINT = 12;
+const PER_CORNER = 12;
+
+/** @param effort that cutting polygons may take */
+export function meshOf(record: FbxRecord, report: FbxReport, effort: Effort): FbxMesh {
   const points = finitePoints(numbersOf(childOf(record, 'Vertices')));
   const corners = numbersOf(childOf(record, 'PolygonVertexIndex'));
+  report.budget.spend(PER_POINT * (points.length / 3) + PER_CORNER * corners.length, 'A mesh');
   const normals = layerOf(record, 'LayerElementNormal', 'Normals', 'NormalsIndex', 3);
   const texcoords = layerOf(record, 'LayerElementUV', 'UV', 'UVIndex', 2);
   const materials = materialLayer(record);
@@ -48,7 +54,7 @@ export function meshOf(record: FbxRecord, report: FbxReport): FbxMesh {
       const triangles = slots.get(slot) ?? [];
       slots.set(slot, triangles);
       cut.length = 0;
-      cutPolygon(points, own, cut);
+      cutPolygon(points, own, cut, effort);
       for (const corner of cut) triangles.push(made[corner]);
     }
     start = end;
@@ -138,6 +144,9 @@ function materialLayer(mesh: FbxRecord): (polygon: number) => number {
 /** Normals that differ by less are the same: exporters round those of one point differently. */
 const SAME_NORMAL = 1e-6;
 
+/** Vertices of one point that a corner is compared with: some points have thousands. */
+const MOST_COMPARED = 256;
+
 /** Vertices by point: a chain of those that each point has become. */
 class Vertices {
   readonly points: number[] = [];
@@ -160,7 +169,9 @@ class Vertices {
     const t = texcoords?.indexOf(corner, point, polygon) ?? -1;
     const [x, y, z] = [read(normals, n, 0), read(normals, n, 1), read(normals, n, 2)];
     const [u, v] = [read(texcoords, t, 0), read(texcoords, t, 1)];
-    for (let vertex = this.first[point]; vertex >= 0; vertex = this.next[vertex]) {
+    let compared = 0;
+    for (let vertex = this.first[point]; vertex >= 0 && compared < MOST_COMPARED; vertex = this.next[vertex]) {
+      compared++;
       const isSame =
         (!this.hasNormals ||
           (Math.abs(this.normals[3 * vertex] - x) <= SAME_NORMAL &&

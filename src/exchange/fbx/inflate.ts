@@ -4,13 +4,17 @@ import { Unzlib } from 'fflate';
 /** So that data that unpacks to more than it says is noticed after at most 1032 times as many bytes. */
 const STEP = 4096;
 
+/** Whether so many bytes can unpack to that size: deflate packs at most 1032 into one. */
+export function canUnpackTo(packedBytes: number, size: number): boolean {
+  return size <= 1040 * packedBytes + 64;
+}
+
 /**
  * The unpacked bytes; undefined if the data is damaged or unpacks to another size. What is beyond that size is never
  * kept, and hardly unpacked.
  */
 export function inflateExactly(packed: Uint8Array, size: number): Uint8Array<ArrayBuffer> | undefined {
-  // Deflate packs at most 1032 bytes into one: no memory for sizes that can't be.
-  if (size > 1040 * packed.length + 64) return undefined;
+  if (!canUnpackTo(packed.length, size)) return undefined;
   const out = new Uint8Array(size);
   let at = 0;
   let isDone = false;

@@ -64,20 +64,25 @@ function turnsOf({ order, pivots }: FbxNode): Vec3 | undefined {
   return turns;
 }
 
+/** Times of a take at which stretches are compared, at most. */
+const MOST_TIMES = 5000;
+
 /** Whether each node is ever stretched by different factors along its axes, as far as its keys say. */
 function unevenStretches(nodes: readonly FbxNode[], takes: readonly FbxTake[]): boolean[] {
   const uneven = nodes.map(() => false);
+  // Most files have none that depends on it.
+  if (nodes.every(({ inherits }) => inherits === 'normal')) return uneven;
+  const sources = nodes.map((_, i) => stretchSource(nodes, i));
+  const stretches = new Float64Array(3 * nodes.length);
   for (const take of [undefined, ...takes]) {
-    const stretch = new Stretches(nodes, take);
-    const times = nodes.map(({ object }) => scaleTimes(take, object.id));
-    for (const [i] of nodes.entries()) {
-      // All times at which one of those it inherits from has a key, and some between.
-      const own = new Set<number>([0]);
-      for (let a = i; a >= 0; a = nodes[a].inherits === 'normal' ? -1 : nodes[a].parent) {
-        for (const time of times[a]) own.add(time);
-      }
-      for (const time of own) {
-        const [x, y, z] = stretch.of(i, time);
+    const motions = nodes.map((node) => new NodeMotion(node, take));
+    for (const time of scaleTimes(take, nodes)) {
+      for (let i = 0; i < nodes.length; i++) {
+        const motion = motions[i];
+        const from = 3 * sources[i];
+        motion.at(time);
+        for (let k = 0; k < 3; k++) stretches[3 * i + k] = motion.scale[k] * (from < 0 ? 1 : stretches[from + k]);
+        const [x, y, z] = [stretches[3 * i], stretches[3 * i + 1], stretches[3 * i + 2]];
         const size = Math.max(Math.abs(x), Math.abs(y), Math.abs(z));
         if (Math.abs(x - y) + Math.abs(x - z) > 1e-5 * size || x === 0) uneven[i] = true;
       }
@@ -86,18 +91,23 @@ function unevenStretches(nodes: readonly FbxNode[], takes: readonly FbxTake[]): 
   return uneven;
 }
 
-function scaleTimes(take: FbxTake | undefined, id: string): number[] {
-  const times: number[] = [];
+/** All times at which a scale has a key, and some between. */
+function scaleTimes(take: FbxTake | undefined, nodes: readonly FbxNode[]): readonly number[] {
+  const times = new Set<number>([0]);
   for (const { driven } of take?.layers ?? []) {
-    for (const curve of driven.get(drivenKey(id, 'Lcl Scaling'))?.curves ?? []) {
-      for (const [i, time] of curve?.times.entries() ?? []) {
-        times.push(time);
-        if (curve && i > 0)
-          times.push((curve.times[i - 1] + time) / 2, curve.times[i - 1] + 0.2 * (time - curve.times[i - 1]));
+    for (const { object } of nodes) {
+      for (const curve of driven.get(drivenKey(object.id, 'Lcl Scaling'))?.curves ?? []) {
+        curve?.times.forEach((time, i) => {
+          times.add(time);
+          if (i === 0) return;
+          const before = curve.times[i - 1];
+          times.add((before + time) / 2).add(before + 0.2 * (time - before));
+        });
       }
     }
   }
-  return times;
+  const every = Math.ceil(times.size / MOST_TIMES);
+  return [...times].filter((_, i) => i % every === 0);
 }
 
 const ONE: Vec3 = [1, 1, 1];

@@ -12,6 +12,7 @@ import { type FbxMesh, meshOf } from './geometry.ts';
 import type { FbxJoint } from './joints.ts';
 import type { Materials } from './materials.ts';
 import { inRadians } from './nodes.ts';
+import { Effort } from './polygons.ts';
 import { channelsOf, type FbxChannel, shapeWeight } from './shapes.ts';
 import { boundOf, type FbxSkin, isNear, skinsOf } from './skins.ts';
 
@@ -38,6 +39,7 @@ export function meshesOf(source: MeshSource, report: FbxReport): BuiltMesh[] {
   const { document, joints, lost } = source;
   const indices = new Map(joints.map(({ node }, i) => [node.object.id, i]));
   const skins = new Skins();
+  const effort = new Effort();
   const read = new Map<string, FbxMesh>();
   return joints.flatMap(({ node: { object } }, i) =>
     document.partsOf(object.id).flatMap(({ object: geometry }) => {
@@ -46,11 +48,13 @@ export function meshesOf(source: MeshSource, report: FbxReport): BuiltMesh[] {
         lost.add(`shapes of the kind ${geometry.type || 'without a name'}`);
         return [];
       }
-      const mesh = read.get(geometry.id) ?? meshOf(geometry.record, report);
+      const mesh = read.get(geometry.id) ?? meshOf(geometry.record, report, effort);
       read.set(geometry.id, mesh);
       if (mesh.vertexPoints.length === 0) return [];
       if (mesh.hasColors) lost.add('vertex colours');
       if (mesh.texcoordSets > 1) lost.add('texture coordinates but the first set');
+      // A mesh may be on many models.
+      report.budget.spend(PER_MESH + PER_VERTEX * mesh.vertexPoints.length, 'A mesh');
       return [built(source, skins, i, geometry, mesh, (id) => indices.get(id) ?? -1)];
     }),
   );
@@ -101,6 +105,10 @@ function built(
     sources,
   };
 }
+
+/** Numbers of a mesh on a node beside its vertices, and of each of these. */
+const PER_MESH = 500;
+const PER_VERTEX = 16;
 
 const ONE = [1, 1, 1] as const;
 

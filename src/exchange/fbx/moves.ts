@@ -7,10 +7,11 @@ import type { Vec3 } from '../../math/vec3.ts';
 import type { Channel } from '../../model/clip.ts';
 import type { EulerOrder } from '../../model/skeleton.ts';
 import { EULER_ORDERS } from '../../model/skeleton.ts';
+import type { Budget } from '../budget.ts';
 import { middleAxis, writeAnglesNear } from '../rotations.ts';
 import type { AxisCurves, SceneMove } from '../scene.ts';
 import type { Driven, FbxTake } from './animation.ts';
-import { ascending, channelOf } from './channels.ts';
+import { ascending, channelKeys, channelOf } from './channels.ts';
 import type { Beyond, FbxCurve } from './curve.ts';
 import { fitKeys } from './fit.ts';
 import { type FbxJoint, Stretches } from './joints.ts';
@@ -31,7 +32,14 @@ export interface Fitting {
   readonly nodes: Set<string>;
   keysBefore: number;
   keysAfter: number;
+  /** Keys that may still be made beyond a few for each key of the file. */
+  spare: number;
 }
+
+/** Keys that fitting makes of one of the file's before it needs spare ones. */
+const USUAL_KEYS = 4;
+/** Numbers that a key of a curve becomes. */
+const PER_KEY = 8;
 
 type Drivers = readonly (Driven | undefined)[];
 
@@ -94,6 +102,7 @@ export class Mover {
     private readonly take: FbxTake,
     private readonly tolerances: Tolerances,
     private readonly fitting: Fitting,
+    private readonly budget: Budget,
   ) {
     const nodes = joints.map(({ node }) => node);
     this.stretches = new Stretches(nodes, take);
@@ -109,6 +118,9 @@ export class Mover {
       rotation: driversOf(this.take, id, 'Lcl Rotation'),
       scale: driversOf(this.take, id, 'Lcl Scaling'),
     };
+    for (const curve of Object.values(drivers).flatMap((own) => curvesOf(own, this.take))) {
+      this.budget.spend(PER_KEY * channelKeys(curve), `The curves of ${node.object.name}`);
+    }
     const translation = this.translation(joint, drivers.translation, drivers.rotation, drivers.scale);
     const angles = this.rotation(joint, drivers.rotation, order);
     const scale = this.scale(joint, drivers.scale);
@@ -228,9 +240,15 @@ export class Mover {
     tolerance: number,
     write: (time: number, near: Float64Array, out: Float64Array) => void,
   ): AxisCurves {
-    const lists = fitKeys(write, stopsOf(curves, this.take.range), rest, [tolerance, tolerance, tolerance]);
-    this.fitting.nodes.add(node.object.id);
-    this.fitting.keysBefore += curves.reduce((sum, { times }) => sum + times.length, 0);
+    const { fitting } = this;
+    const keys = curves.reduce((sum, { times }) => sum + times.length, 0);
+    const stops = stopsOf(curves, this.take.range, fitting.spare);
+    const usual = USUAL_KEYS * keys;
+    const most = usual + Math.max(0, fitting.spare);
+    const lists = fitKeys(write, stops, rest, [tolerance, tolerance, tolerance], most);
+    fitting.spare -= Math.max(0, lists[0].count - usual);
+    fitting.nodes.add(node.object.id);
+    fitting.keysBefore += keys;
     return asCurves((k) => {
       const list = lists[k];
       const isRest = list.isConstant(1e-9) && Math.abs(list.firstValue - rest[k]) <= 1e-9;
@@ -299,8 +317,14 @@ const MOST_REPEATED = 20000;
 /**
  * Where curves may bend: their keys; within the range also those repeated, and its ends, where something goes on beyond
  * keys. At least one.
+ * @param spare how many may be repeated ones
  */
-export function stopsOf(curves: readonly FbxCurve[], [start, end]: readonly [number, number]): number[] {
+export function stopsOf(
+  curves: readonly FbxCurve[],
+  [start, end]: readonly [number, number],
+  spare = MOST_REPEATED,
+): number[] {
+  const mostRepeated = Math.max(0, Math.min(MOST_REPEATED, spare / Math.max(1, curves.length)));
   const stops: number[] = [];
   for (const { times, before, after } of curves) {
     for (const time of times) stops.push(time);
@@ -308,21 +332,28 @@ export function stopsOf(curves: readonly FbxCurve[], [start, end]: readonly [num
     const goesOn = (beyond: Beyond) => beyond.mode !== 'constant' && times.length > 1;
     if (start < first && goesOn(before)) {
       stops.push(start);
-      addRepeated(stops, times, before, Math.ceil((first - start) / (last - first)), -1);
+      addRepeated(stops, times, before, Math.ceil((first - start) / (last - first)), -1, mostRepeated);
     }
     if (end > last && goesOn(after)) {
       stops.push(end);
-      addRepeated(stops, times, after, Math.ceil((end - last) / (last - first)), 1);
+      addRepeated(stops, times, after, Math.ceil((end - last) / (last - first)), 1, mostRepeated);
     }
   }
   return stops.length > 0 ? ascending(stops) : [start];
 }
 
-function addRepeated(stops: number[], times: Float64Array, beyond: Beyond, turns: number, direction: 1 | -1): void {
+function addRepeated(
+  stops: number[],
+  times: Float64Array,
+  beyond: Beyond,
+  turns: number,
+  direction: 1 | -1,
+  mostRepeated: number,
+): void {
   const { mode, count } = beyond;
   if (mode === 'slope') return;
   const [first, last] = [times[0], times[times.length - 1]];
-  const most = Math.min(turns, count, Math.floor(MOST_REPEATED / times.length));
+  const most = Math.min(turns, count, Math.floor(mostRepeated / times.length));
   for (let turn = 1; turn <= most; turn++) {
     const runsBack = mode === 'mirror' && turn % 2 === 1;
     for (const time of times) stops.push((runsBack ? first + last - time : time) + direction * turn * (last - first));

@@ -4,25 +4,31 @@ import { length3 } from '../../math/vec3.ts';
 /** With more corners a polygon is cut as a fan, since finding ears can take time with the cube of their number. */
 const MOST_CORNERS = 400;
 
+/** How many points may be looked at to find ears in all polygons of a file; then they are cut as fans. */
+export class Effort {
+  left = 2e7;
+}
+
 /**
  * Appends three indices of corners per triangle.
  * @param points x y z per point
  * @param corners the points of the polygon in order, at least three
+ * @param effort less by what it takes
  */
-export function cutPolygon(points: ArrayLike<number>, corners: ArrayLike<number>, out: number[]): void {
+export function cutPolygon(points: ArrayLike<number>, corners: ArrayLike<number>, out: number[], effort: Effort): void {
   const count = corners.length;
   if (count === 3) {
     out.push(0, 1, 2);
     return;
   }
   const flat = flattened(points, corners);
-  if (!flat || count > MOST_CORNERS) {
+  if (!flat || count > MOST_CORNERS || effort.left <= 0) {
     for (let i = 2; i < count; i++) out.push(0, i - 1, i);
     return;
   }
   const left = Array.from({ length: count }, (_, i) => i);
   while (left.length > 3) {
-    const ear = earOf(flat, left);
+    const ear = earOf(flat, left, effort);
     const n = left.length;
     out.push(left[(ear + n - 1) % n], left[ear], left[(ear + 1) % n]);
     left.splice(ear, 1);
@@ -56,13 +62,15 @@ function flattened(points: ArrayLike<number>, corners: ArrayLike<number>): Float
 }
 
 /** Of the corners left, one that can be cut off; the first if there is none. */
-function earOf(flat: Float64Array, left: readonly number[]): number {
+function earOf(flat: Float64Array, left: readonly number[], effort: Effort): number {
   const n = left.length;
+  if (effort.left <= 0) return 1;
   // Quads are cut from their first corner to their third unless one of the others is turned inwards.
   for (let k = 0; k < n; k++) {
     const i = (k + 1) % n;
     const [a, b, c] = [left[(i + n - 1) % n], left[i], left[(i + 1) % n]];
     if (!(area(flat, a, b, c) > 0)) continue;
+    effort.left -= n;
     const isEmpty = left.every((p) => p === a || p === b || p === c || !contains(flat, a, b, c, p));
     if (isEmpty) return i;
   }

@@ -2,6 +2,7 @@
 import { quaternionOfRotation } from '../../math/quaternion.ts';
 import { ZERO } from '../../math/vec3.ts';
 import type { EulerOrder } from '../../model/skeleton.ts';
+import type { Budget } from '../budget.ts';
 import { writeQuaternion } from '../rotations.ts';
 import type { Scene, SceneNode, SceneTake, SceneWeight } from '../scene.ts';
 import { type FbxTake, takesOf } from './animation.ts';
@@ -31,6 +32,8 @@ import { shapeWeight } from './shapes.ts';
 
 /** Of the size, for lengths; an angle that moves the end of a bone of that size by less; a factor likewise. */
 const TOLERANCE = 2e-5;
+/** Keys that fitting may make beyond the usual, besides one for two bytes of the file. */
+const MOST_SPARE = 20_000;
 const BONES = new Set(['LimbNode', 'Limb', 'Root', 'Effector']);
 
 /** Undefined, after an error, if the file has no models. */
@@ -51,14 +54,15 @@ export function sceneOf(file: FbxFile, name: string, report: FbxReport): Scene |
   const materials = new Materials(document);
   const meshes = meshesOf({ document, joints, worlds: rest.worlds, axes: axes.matrix, materials, lost }, report);
   const tolerances = tolerancesOf(rest.worlds, meshes);
-  const fitting: Fitting = { nodes: new Set(), keysBefore: 0, keysAfter: 0 };
+  const spare = MOST_SPARE + report.budget.bytes / 2;
+  const fitting: Fitting = { nodes: new Set(), keysBefore: 0, keysAfter: 0, spare };
   const scene = {
     name,
     nodes: sceneNodes(joints, orders, axes),
     meshes: meshes.map(({ mesh }) => mesh),
     materials: materials.materials,
     textures: materials.textures,
-    takes: takes.map((take) => takeOf(take, joints, orders, meshes, tolerances, fitting)),
+    takes: takes.map((take) => takeOf(take, joints, orders, meshes, tolerances, fitting, report.budget)),
   };
   tellSpace(axes, unitOf(document.settings), report);
   tellFitting(fitting, report);
@@ -150,8 +154,9 @@ function takeOf(
   meshes: readonly BuiltMesh[],
   tolerances: Tolerances,
   fitting: Fitting,
+  budget: Budget,
 ): SceneTake {
-  const mover = new Mover(joints, take, tolerances, fitting);
+  const mover = new Mover(joints, take, tolerances, fitting, budget);
   const moves = joints.flatMap((joint, i) => mover.of(joint, orders[i]));
   const weights = meshes.flatMap(({ sources }, mesh) =>
     sources.flatMap((source, target) => weightOf(take, source, mesh, target)),
@@ -192,8 +197,12 @@ function tellSpace({ isIdentity, up, isLeftHanded }: FbxAxes, unit: string, repo
   report.info('fbx-space', `One unit of length is ${unit}, the file’s own; ${turned}${mirrored}.`);
 }
 
-function tellFitting({ nodes, keysBefore, keysAfter }: Fitting, report: FbxReport): void {
+function tellFitting({ nodes, keysBefore, keysAfter, spare }: Fitting, report: FbxReport): void {
   if (nodes.size === 0) return;
+  if (spare <= 0) {
+    const message = `Curves repeat or bend so often that they would need more than ${keysAfter} keys.`;
+    report.warn('curves-too-long', message, 0, 'fewer, further off than the tolerance');
+  }
   const what = nodes.size === 1 ? 'One node has' : `${nodes.size} nodes have`;
   report.info(
     'curves-fitted',

@@ -482,6 +482,36 @@ describe('files that are no FBX 7', () => {
     }
   });
 
+  it('small files that ask for much are refused by their size', () => {
+    const packed = (count: number) => rec('Vertices', [new Float64Array(count)]);
+    expect(errorOf(fbxBytes({ ...meshFile([packed(5e6)]) }))).toMatch(/goes beyond 4\d* numbers in memory/);
+    const points = Array.from({ length: 3000 }, (_, i) => i % 7);
+    const mesh = meshFile([], { points, corners: Array.from({ length: 999 }, (_, i) => (i % 3 === 2 ? ~i : i)) });
+    const copies = Array.from(
+      { length: 900 },
+      (_, i): Obj => ({ id: 1000 + i, kind: 'Model', name: '', type: 'Mesh' }),
+    );
+    const connections = copies.flatMap(({ id }): Connection[] => [
+      [id, 0],
+      [11, id],
+    ]);
+    const many = { objects: [...mesh.objects, ...copies], connections: [...mesh.connections, ...connections] };
+    expect(errorOf(fbxBytes(many))).toMatch(/A mesh goes beyond/);
+  });
+
+  it('a curve that repeats for hours gets no more keys than its file is worth, which is said', () => {
+    const keys = [
+      { time: 0, value: 0, flags: CUBIC_USER, data: [9e4, 0, 0, 0] as const },
+      { time: 0.001, value: 99, flags: CUBIC_USER, data: [1e5, 1e5, 0, 0] as const },
+    ];
+    const fbx = turning(keys, prop('PreRotation', 20, 30, 0));
+    const cycle = rec('Post-Extrapolation', [], [rec('Type', [{ int: 82 }]), rec('Repetition', [{ int: -1 }])]);
+    const objects = fbx.objects.map((own) => (own.id === 4 ? curve(4, keys, [cycle]) : own));
+    const { value, diagnostics } = read(fbxBytes({ ...fbx, objects }));
+    expect(diagnostics.map(({ code }) => code)).toContain('curves-too-long');
+    expect(value && zCurve(value).times.length).toBeLessThan(50_000);
+  });
+
   it('models that are each other’s parents are left out', () => {
     const fbx: Fbx = {
       objects: [bone(10, 'a'), bone(11, 'b'), bone(12, 'c')],
