@@ -1,5 +1,5 @@
 /** Extracts files from a zip, by fflate. Unwanted entries are never unpacked. */
-import { unzipSync } from 'fflate';
+import { strFromU8, unzipSync } from 'fflate';
 
 export interface ZipEntry {
   /** The file's path in the archive. */
@@ -11,6 +11,8 @@ export interface ZipEntry {
 const MAX_UNPACKED_BYTES = 2 ** 31;
 /** Compressed data is never larger than what it holds, but for its headers. */
 const HEADERS = 1024;
+/** What a byte of deflated data can hold at most. */
+const MAX_RATIO = 1032;
 
 /**
  * Throws an `Error` with a sentence if it is no zip, is damaged, or would be too large unpacked.
@@ -22,7 +24,8 @@ export function unzip(
   maxBytes = MAX_UNPACKED_BYTES,
 ): { entries: ZipEntry[]; passedOver: string[] } {
   const passedOver: string[] = [];
-  let total = 0;
+  let [total, packed] = [0, 0];
+  const encrypted = encryptedEntries(bytes);
   const files = unzipSync(bytes, {
     filter({ name, size, originalSize }) {
       // Folders, and the extra files of macOS.
@@ -31,13 +34,38 @@ export function unzip(
         passedOver.push(name);
         return false;
       }
+      if (encrypted.has(name)) throw new Error(`${name} is encrypted; unpack the zip with its password first`);
       total += originalSize;
+      packed += size;
       if (total > maxBytes) throw new Error(`it would unpack to more than ${maxBytes} bytes`);
       // What is unpacked is cut at its stated size, but only after all of it was read.
       if (size > originalSize + HEADERS) throw new Error(`${name} is larger packed than unpacked`);
+      if (originalSize > MAX_RATIO * (size + HEADERS)) {
+        throw new Error(`${name} states ${originalSize} bytes, more than its ${size} packed bytes can hold`);
+      }
+      // One piece of data for many entries makes an archive of kilobytes unpack to gigabytes.
+      if (packed > bytes.length) throw new Error('its entries overlap');
       return true;
     },
   });
   const entries = Object.entries(files).map(([path, content]) => ({ path, bytes: new Uint8Array(content) }));
   return { entries, passedOver };
+}
+
+/** Names of encrypted entries, by the central directory (APPNOTE 4.3.12): fflate would unpack noise. */
+function encryptedEntries(bytes: Uint8Array): ReadonlySet<string> {
+  const found = new Set<string>();
+  const view = new DataView(bytes.buffer, bytes.byteOffset, bytes.byteLength);
+  let end = bytes.length - 22;
+  while (end >= 0 && view.getUint32(end, true) !== 0x06054b50) end--;
+  if (end < 0) return found;
+  let at = view.getUint32(end + 16, true);
+  while (at + 46 <= bytes.length && view.getUint32(at, true) === 0x02014b50) {
+    const lengths = [28, 30, 32].map((field) => view.getUint16(at + field, true));
+    if (view.getUint16(at + 8, true) & 1) {
+      found.add(strFromU8(bytes.subarray(at + 46, at + 46 + lengths[0]), !(view.getUint16(at + 8, true) & 0x800)));
+    }
+    at += 46 + lengths[0] + lengths[1] + lengths[2];
+  }
+  return found;
 }

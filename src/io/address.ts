@@ -44,19 +44,55 @@ export function fetchFiles(
   return Promise.all(
     addresses.map(async (address) => {
       const url = resolve(address, base);
-      const response = await fetch(url, signal ? { signal, cache } : { cache }).catch((error: unknown) => {
-        if (signal?.aborted) throw error;
+      // Where it leads to isn't what the address names.
+      const response = await fetch(url, { redirect: 'manual', cache, ...(signal && { signal }) }).catch(
+        (error: unknown) => {
+          if (signal?.aborted) throw error;
+          throw new FetchError(
+            `"${address}" could not be fetched: the server can’t be reached, or does not allow it (CORS).`,
+          );
+        },
+      );
+      if (response.type === 'opaqueredirect') {
         throw new FetchError(
-          `"${address}" could not be fetched: the server can’t be reached, or does not allow it (CORS).`,
+          `"${address}" could not be fetched: the server redirects it. Name the address it leads to.`,
         );
-      });
+      }
       if (!response.ok)
         throw new FetchError(`"${address}" could not be fetched: the server answered ${response.status}.`);
       const version = response.headers.get('etag') ?? response.headers.get('last-modified') ?? undefined;
       const path = decoded(url.pathname.replace(/^\//, ''));
-      return { path, blob: await response.blob(), address: url.href, ...(version !== undefined && { version }) };
+      return {
+        path,
+        blob: await bodyOf(response, address, signal),
+        address: url.href,
+        ...(version !== undefined && { version }),
+      };
     }),
   );
+}
+
+/** Reading files takes several times as much memory. */
+const MAX_BYTES = 2 ** 31;
+
+/** All of it, as far as it has an end. @throws FetchError */
+async function bodyOf(response: Response, address: string, signal?: AbortSignal): Promise<Blob> {
+  const reader = response.body?.getReader();
+  const parts: Uint8Array<ArrayBuffer>[] = [];
+  let bytes = 0;
+  try {
+    for (let next = await reader?.read(); next && !next.done; next = await reader?.read()) {
+      parts.push(next.value);
+      bytes += next.value.byteLength;
+      if (bytes > MAX_BYTES) break;
+    }
+  } catch (error) {
+    if (signal?.aborted) throw error;
+    throw new FetchError(`"${address}" could not be fetched: it ended after ${bytes} bytes, before it was complete.`);
+  }
+  if (bytes <= MAX_BYTES) return new Blob(parts);
+  void reader?.cancel();
+  throw new FetchError(`"${address}" could not be fetched: it has more than ${MAX_BYTES} bytes, or no end.`);
 }
 
 function resolve(address: string, base: string): URL {

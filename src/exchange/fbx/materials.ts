@@ -1,6 +1,6 @@
 /** The materials of an FBX file as far as they are drawn: a diffuse colour or texture, embedded or by name. */
 
-import { textureMime } from '../../formats/texture/read.ts';
+import { textureMime, tooManyPixels } from '../../formats/texture/read.ts';
 import type { Vec3 } from '../../math/vec3.ts';
 import { baseName, type Texture } from '../../model/files.ts';
 import { fromBase64 } from '../gltf/data-uri.ts';
@@ -71,6 +71,11 @@ export class Materials {
     const type = imageType(bytes);
     if (!type) {
       this.lost.add(`the image ${file}, which is no PNG, JPEG, WebP or BMP`);
+      return file;
+    }
+    const pixels = tooManyPixels(bytes);
+    if (pixels !== undefined) {
+      this.lost.add(`the image ${file}, which has ${pixels} pixels`);
       return file;
     }
     const dot = file.lastIndexOf('.');

@@ -1,5 +1,5 @@
 /** Materials and textures: of each material the base colour and its image, the only ones that a skin can have. */
-import { textureMime } from '../../formats/texture/read.ts';
+import { textureMime, tooManyPixels } from '../../formats/texture/read.ts';
 import type { Vec3 } from '../../math/vec3.ts';
 import { baseName, type SourceFile, type Texture } from '../../model/files.ts';
 import { cleanName, DistinctNames } from '../clean-names.ts';
@@ -75,6 +75,11 @@ export async function readMaterials(
         bytes = found.bytes;
         sources.push(found.source);
       }
+    }
+    const pixels = tooManyPixels(bytes);
+    if (pixels !== undefined) {
+      remarks.leaveOut(`the image ${index}, which has ${pixels} pixels`);
+      return undefined;
     }
     const mime = mimeOf(bytes) ?? stated;
     const extension = EXTENSIONS[mime ?? ''];

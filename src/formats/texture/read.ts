@@ -1,6 +1,8 @@
 /** Images that a skin's material may name. Their bytes are kept as they are; the view decodes them. */
 import type { Texture } from '../../model/files.ts';
+import { NO_PLACE } from '../places.ts';
 import { bytesReader, type Reader } from '../reader.ts';
+import { imageSize } from './image-size.ts';
 
 /** Without dots. */
 export const TEXTURE_EXTENSIONS = ['bmp', 'png', 'jpg', 'jpeg', 'webp'] as const;
@@ -13,7 +15,27 @@ export function textureMime(extension: string): string {
   return `image/${TYPES[extension] ?? extension}`;
 }
 
+/** What graphics cards draw; and 400 MB of memory, decoded. */
+const MAX_SIDE = 16_384;
+const MAX_PIXELS = 100_000_000;
+
+/** `50000 × 50000` if an image states more pixels than textures have. */
+export function tooManyPixels(bytes: Uint8Array): string | undefined {
+  const size = imageSize(bytes);
+  if (!size) return undefined;
+  const { width, height } = size;
+  return Math.max(width, height) > MAX_SIDE || width * height > MAX_PIXELS ? `${width} × ${height}` : undefined;
+}
+
 export function textureReader(fileName: string): Reader<Texture> {
   const mime = textureMime(fileName.slice(fileName.lastIndexOf('.') + 1).toLowerCase());
-  return bytesReader(fileName, (bytes) => ({ name: fileName, mime, bytes }));
+  return bytesReader(fileName, (bytes, report) => {
+    const found = tooManyPixels(bytes);
+    if (found !== undefined) {
+      const now = `Textures have up to ${MAX_SIDE} in each direction and 100 million in all. Scale it down.`;
+      report.error('texture-too-large', `The image has ${found} pixels. ${now}`, NO_PLACE);
+      return undefined;
+    }
+    return { name: fileName, mime, bytes };
+  });
 }

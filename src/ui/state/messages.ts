@@ -107,14 +107,21 @@ export class Messages {
   ): void {
     this.given++;
     const well = new Set(files);
-    this.keep((m) => m.diagnostics.length === 0 || !well.has(m.diagnostics[0].file));
-    const groups = [...groupByFile(diagnostics)].map(([file, found]) => ({ file, found, severity: worst(found) }));
-    groups.sort((a, b) => RISING.indexOf(a.severity) - RISING.indexOf(b.severity));
+    this.forget(well);
+    const groups = [...groupByFile(diagnostics)].map(([file, found]) => {
+      const severity = worst(found);
+      return { file, found, severity, fate: severity !== 'info' && file !== '' ? fateOf?.(file, found) : undefined };
+    });
     if (groups.some((g) => g.severity !== 'info')) this.markAllRead();
-    for (const { file, found, severity } of groups) {
-      const fate = severity !== 'info' && file !== '' ? fateOf?.(file, found) : undefined;
-      const message = { text: summary(file, found, fate), severity, diagnostics: found, ...(fate && { fate }) };
-      this.add(message, severity !== 'info');
+    for (const severity of RISING) {
+      const own = groups.filter((g) => g.severity === severity);
+      if (own.length > MAX_APART) this.add(foldedMessage(own, severity), severity !== 'info');
+      else {
+        for (const { file, found, fate } of own) {
+          const message = { text: summary(file, found, fate), severity, diagnostics: found, ...(fate && { fate }) };
+          this.add(message, severity !== 'info');
+        }
+      }
     }
   }
 
@@ -153,6 +160,18 @@ export class Messages {
     this.list.set([...others.filter((m) => !isAbout(m, message)), { ...message, id, unread }]);
   }
 
+  /** Removes what was said about these files. */
+  private forget(files: ReadonlySet<string>): void {
+    if (!this.list.get().some((m) => m.diagnostics.some(({ file }) => files.has(file)))) return;
+    this.list.update((all) =>
+      all.flatMap((m) => {
+        if (m.diagnostics.length === 0) return [m];
+        const diagnostics = m.diagnostics.filter(({ file }) => !files.has(file));
+        return diagnostics.length ? [{ ...m, diagnostics }] : [];
+      }),
+    );
+  }
+
   private keep(wanted: (message: Message) => boolean): void {
     if (!this.list.get().every(wanted)) this.list.update((all) => all.filter(wanted));
   }
@@ -174,7 +193,26 @@ function isAbout(a: Omit<Message, 'id' | 'unread'>, b: Omit<Message, 'id' | 'unr
   return a.diagnostics[0].file === b.diagnostics[0].file;
 }
 
-function groupByFile(diagnostics: readonly Diagnostic[]): Map<string, Diagnostic[]> {
+/** Files of one opening that have messages of their own, of one severity; more are one message. */
+const MAX_APART = 20;
+
+interface FileProblems {
+  readonly file: string;
+  readonly found: readonly Diagnostic[];
+  readonly fate: string | undefined;
+}
+
+/** `1000 files: not opened. First, a.skel:3: Expected a number, found "x".` */
+function foldedMessage(all: readonly FileProblems[], severity: Severity): Omit<Message, 'id' | 'unread'> {
+  const [{ file, found, fate }] = all;
+  const isSame = all.every((one) => one.fate === fate);
+  const shared = isSame && fate ? { fate } : {};
+  const first = summary(file, found, undefined);
+  const text = `${all.length} files${isSame && fate ? `: ${fate}` : ''}. First, ${first}`;
+  return { text, severity, diagnostics: all.flatMap((one) => one.found), ...shared };
+}
+
+export function groupByFile(diagnostics: readonly Diagnostic[]): Map<string, Diagnostic[]> {
   const groups = new Map<string, Diagnostic[]>();
   for (const diagnostic of diagnostics) {
     const group = groups.get(diagnostic.file);

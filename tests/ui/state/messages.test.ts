@@ -28,6 +28,28 @@ describe('Messages', () => {
     ]);
   });
 
+  it('the problems of a thousand files are one message, which loses those that are right when they are opened again', () => {
+    const messages = new Messages();
+    const files = Array.from({ length: 1000 }, (_, i) => `${i}.skel`);
+    messages.report(
+      files.map((file) => diagnostic({ file })),
+      [],
+      () => 'not opened',
+    );
+    expect(messages.list.get()).toMatchObject([
+      {
+        severity: 'error',
+        fate: 'not opened',
+        text: '1000 files: not opened. First, 0.skel:3: Expected a number, found "x".',
+      },
+    ]);
+    expect(messages.list.get()[0].diagnostics).toHaveLength(1000);
+    messages.report([], files.slice(1));
+    expect(messages.list.get().map(({ diagnostics }) => diagnostics.map(({ file }) => file))).toEqual([['0.skel']]);
+    messages.report([], files);
+    expect(messages.list.get()).toEqual([]);
+  });
+
   it('lists mere notes without a line of their own', () => {
     const messages = new Messages();
     messages.report([diagnostic({ severity: 'info' })]);

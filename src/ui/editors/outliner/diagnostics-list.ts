@@ -6,7 +6,7 @@ import type { Diagnostic } from '../../../model/diagnostic.ts';
 import { button, element } from '../../kit/dom.ts';
 import { icon } from '../../kit/icons.ts';
 import { count } from '../../kit/number-text.ts';
-import { caretPad, counts, type Message } from '../../state/messages.ts';
+import { caretPad, counts, groupByFile, type Message } from '../../state/messages.ts';
 import { offerButton } from '../../state/offer-button.ts';
 import { showInSource } from '../../state/show-in-source.ts';
 import type { Uses } from '../../state/workbench.ts';
@@ -39,7 +39,9 @@ export function diagnosticsList(wb: Uses<'messages' | 'timeline' | 'settings'>):
 
 function messageBlock(wb: Uses<'messages' | 'timeline' | 'settings'>, message: Message, room: number): HTMLElement {
   const { diagnostics, severity, text, fate } = message;
-  const file = diagnostics[0]?.file;
+  const first = diagnostics[0]?.file;
+  const isOfMany = diagnostics.some(({ file }) => file !== first);
+  const file = isOfMany ? '' : first;
   const shown = diagnostics.slice(0, room);
   // A single one needs no count: the icon shows its severity.
   const counted = diagnostics.length > 1 && counts(diagnostics);
@@ -54,14 +56,14 @@ function messageBlock(wb: Uses<'messages' | 'timeline' | 'settings'>, message: M
       element(
         'span',
         { class: `message-title ${file ? 'is-file' : ''}`, tooltip: text },
-        diagnostics.length ? file || 'Opening' : text,
+        diagnostics.length && !isOfMany ? file || 'Opening' : text,
       ),
       counted && element('span', { class: 'message-count' }, counted),
       ...(message.offers ?? []).map(offerButton),
       button('Dismiss', { class: 'tool small' }, icon('close'), () => wb.messages.dismiss(message.id)),
     ),
     fate && element('p', { class: 'message-fate' }, `${fate[0].toUpperCase()}${fate.slice(1)}`),
-    ...shown.map((d) => diagnosticBlock(wb, d, mixed)),
+    ...(isOfMany ? [filesBlock(wb, shown, mixed)] : shown.map((d) => diagnosticBlock(wb, d, mixed))),
     diagnostics.length > shown.length &&
       element(
         'p',
@@ -69,6 +71,15 @@ function messageBlock(wb: Uses<'messages' | 'timeline' | 'settings'>, message: M
         `… and ${count(diagnostics.length - shown.length)} more. Copy includes all of them.`,
       ),
   );
+}
+
+/** Problems of many files, unfolded on demand. */
+function filesBlock(wb: Uses<'timeline' | 'settings'>, shown: readonly Diagnostic[], mixed: boolean): HTMLElement {
+  const blocks = [...groupByFile(shown)].flatMap(([file, found]) => [
+    element('p', { class: 'message-title is-file', tooltip: file }, file || 'Opening'),
+    ...found.map((d) => diagnosticBlock(wb, d, mixed)),
+  ]);
+  return element('details', {}, element('summary', {}, 'Files'), ...blocks);
 }
 
 function diagnosticBlock(wb: Uses<'timeline' | 'settings'>, d: Diagnostic, withIcon: boolean): HTMLElement {

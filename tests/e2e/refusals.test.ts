@@ -1,0 +1,33 @@
+/** Many files that are refused, and addresses that give none. */
+import { describe, expect, it } from 'vitest';
+import { dropFiles, withPage } from '../helpers/page.ts';
+
+describe('what is refused', () => {
+  it('a thousand refused files are one message that unfolds, and an address that redirects is refused in words', () =>
+    withPage(
+      async ({ page }) => {
+        await page.waitForFunction(() => window.marrow?.characters().length);
+        const line = page.locator('.message-line');
+        const files = Array.from({ length: 1000 }, (_, i) => ({
+          name: `${i}.skel`,
+          bytes: 'balljoint a { offset x }',
+        }));
+        await dropFiles(page, files);
+        await line.getByText(/^1000 files: not opened\. First, 0\.skel:1: /).waitFor();
+        await line.getByRole('button', { name: 'Details' }).click();
+        const list = page.locator('.messages-list');
+        await expect.poll(() => list.locator('.message').count()).toBe(1);
+        await list.getByText('Files', { exact: true }).click();
+        await list.getByText('0.skel', { exact: true }).waitFor();
+        // What is unfolded is bounded, too.
+        expect(await list.locator('.diagnostic').count()).toBeLessThanOrEqual(200);
+
+        await page.route('**/given/moved.skel', (route) =>
+          route.fulfill({ status: 302, headers: { location: 'https://elsewhere.example/a.skel' } }),
+        );
+        await page.goto(`${page.url()}?files=given/moved.skel`);
+        await line.getByText('the server redirects it').waitFor();
+      },
+      { size: { width: 1024, height: 640 } },
+    ));
+});
