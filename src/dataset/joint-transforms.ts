@@ -34,6 +34,10 @@ export interface JointRows {
   readonly localQuat: Floats;
   /** The first two columns of the local rotation. */
   readonly local6d: Floats;
+  /** 3 per joint, a second: central differences of positions in doubles, one-sided at the ends. */
+  readonly velocities: Floats;
+  /** Rows per second. */
+  readonly fps: number;
 }
 
 /** A rotation by three angles: its DOFs, which of x, y, z they turn about, and the sign, as in `renamedAxes`. */
@@ -82,6 +86,8 @@ export class JointTransforms {
   private readonly halves = new Float64Array(3 * BLOCK);
   private readonly turned = new Float64Array(6 * BLOCK);
   private readonly matrices: Float64Array;
+  /** Positions in the two rows before the block: six per joint. */
+  private readonly trail: Float64Array;
   /** Joints of the End Sites, and x y z in their spaces. */
   private readonly endJoints: Int32Array;
   private readonly ends: Float64Array;
@@ -106,6 +112,7 @@ export class JointTransforms {
     );
     this.local = new Float64Array(4 * BLOCK * count);
     this.world = new Float64Array(4 * BLOCK * count);
+    this.trail = new Float64Array(6 * count);
     this.localBefore = new Float64Array(4 * count);
     this.worldBefore = new Float64Array(4 * count);
     this.turns = turnsOf(skeleton);
@@ -327,18 +334,55 @@ export class JointTransforms {
     }
   }
 
-  /** Writes the rows of a joint. */
+  /** Writes velocities of the last of `count` rows. */
+  end({ velocities, fps }: JointRows, count: number): void {
+    const { trail, compiled } = this;
+    const o = 3 * compiled.jointCount * (count - 1);
+    for (let j = 0; j < compiled.jointCount; j++) {
+      for (let k = 0; k < 3; k++) velocities[o + 3 * j + k] = (trail[6 * j + 3 + k] - trail[6 * j + k]) * fps;
+    }
+  }
+
+  /** Writes the rows of a joint, and velocities of the row before. */
   private write(rows: JointRows, row: number, count: number, j: number): void {
-    const { local, world, allPoints, width, compiled } = this;
-    const { positions, worldQuat, localQuat, local6d } = rows;
+    const { local, world, allPoints, width, compiled, trail } = this;
+    const { positions, worldQuat, localQuat, local6d, velocities, fps } = rows;
     const { jointCount } = compiled;
+    const t = 6 * j;
+    let ax = trail[t];
+    let ay = trail[t + 1];
+    let az = trail[t + 2];
+    let bx = trail[t + 3];
+    let by = trail[t + 4];
+    let bz = trail[t + 5];
     for (let b = 0; b < count; b++) {
       const at = (row + b) * jointCount + j;
       const o = 4 * (BLOCK * j + b);
       const p = b * width + 3 * j;
-      positions[3 * at] = allPoints[p];
-      positions[3 * at + 1] = allPoints[p + 1];
-      positions[3 * at + 2] = allPoints[p + 2];
+      const px = allPoints[p];
+      const py = allPoints[p + 1];
+      const pz = allPoints[p + 2];
+      positions[3 * at] = px;
+      positions[3 * at + 1] = py;
+      positions[3 * at + 2] = pz;
+      if (row + b > 0) {
+        // From the row before that one, if there is one.
+        const rate = row + b > 1 ? fps / 2 : fps;
+        const v = 3 * (at - jointCount);
+        velocities[v] = (px - ax) * rate;
+        velocities[v + 1] = (py - ay) * rate;
+        velocities[v + 2] = (pz - az) * rate;
+        ax = bx;
+        ay = by;
+        az = bz;
+      } else {
+        ax = px;
+        ay = py;
+        az = pz;
+      }
+      bx = px;
+      by = py;
+      bz = pz;
       worldQuat[4 * at] = world[o];
       worldQuat[4 * at + 1] = world[o + 1];
       worldQuat[4 * at + 2] = world[o + 2];
@@ -358,6 +402,12 @@ export class JointTransforms {
       local6d[6 * at + 4] = 1 - 2 * (x * x + z * z);
       local6d[6 * at + 5] = 2 * (y * z + w * x);
     }
+    trail[t] = ax;
+    trail[t + 1] = ay;
+    trail[t + 2] = az;
+    trail[t + 3] = bx;
+    trail[t + 4] = by;
+    trail[t + 5] = bz;
   }
 
   /** By the rotations of rigid joints; the others have placed them. */

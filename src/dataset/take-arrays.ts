@@ -95,8 +95,7 @@ export function takeArrays(take: Take, pool: FloatPool, watcher?: FrameWatcher):
   const width = dofCountOf(character);
   const dofs = new Float64Array(BLOCK * width);
   const dofsOf = Array.from({ length: BLOCK }, (_, b) => dofs.subarray(b * width, (b + 1) * width));
-  const speeds = new Speeds(velocities, 3 * J, fps);
-  const rows = { positions, worldQuat, localQuat, local6d };
+  const rows = { positions, worldQuat, localQuat, local6d, velocities, fps };
   // Contacts are found over the whole take, so that a part of it has the same ones.
   const [from, to] = feet.balls.length || watcher ? [0, frames.frameCount] : [first, first + count];
   for (let f = from, n = 0; f < to; f += n) {
@@ -115,9 +114,8 @@ export function takeArrays(take: Take, pool: FloatPool, watcher?: FrameWatcher):
       for (let k = 0; k < 3; k++) rootPositions[3 * row + k] = points[3 * carrier + k];
       for (let i = 0; i < 3 * E; i++) endPositions[3 * E * row + i] = points[3 * J + i];
     }
-    if (isPart) speeds.take(f - first, n, transforms.points);
   }
-  speeds.end(count);
+  transforms.end(rows, count);
   return {
     names: joints.map(({ name }) => name),
     parents: Int32Array.from(joints, ({ parent }) => parent),
@@ -202,53 +200,6 @@ function offsetsOf({ joints }: Skeleton, space: Space | undefined): Float64Array
 /** `Hand_end`, `Hand_end2`: those of files have no names. */
 function endNamesOf({ joints }: Skeleton): readonly string[] {
   return joints.flatMap(({ name, endSites = [] }) => endSites.map((_, i) => `${name}_end${i > 0 ? i + 1 : ''}`));
-}
-
-/** Velocities by central differences of positions in doubles, of which it keeps two frames from block to block. */
-class Speeds {
-  private before: Float64Array;
-  private last: Float64Array;
-
-  constructor(
-    private readonly out: Floats,
-    private readonly width: number,
-    private readonly fps: number,
-  ) {
-    this.before = new Float64Array(width);
-    this.last = new Float64Array(width);
-  }
-
-  /** Rows come in order, from 0. @param points of each, of which the first are the joints */
-  take(row: number, count: number, points: readonly Float64Array[]): void {
-    const { out, width, fps } = this;
-    let { before, last } = this;
-    for (let b = 0; b < count; b++) {
-      const now = points[b];
-      const r = row + b;
-      if (r > 0) {
-        // Of the row before: from the one before that, or one-sided.
-        const from = r > 1 ? before : last;
-        const rate = r > 1 ? fps / 2 : fps;
-        const o = (r - 1) * width;
-        for (let i = 0; i < width; i++) out[o + i] = (now[i] - from[i]) * rate;
-      }
-      before = last;
-      last = now;
-    }
-    // The rows of the block are overwritten by the next one.
-    this.before = before.slice(0, width);
-    this.last = last.slice(0, width);
-  }
-
-  end(count: number): void {
-    const { out, width, before, last, fps } = this;
-    const o = (count - 1) * width;
-    if (count < 2) {
-      out.fill(0, o, o + width);
-      return;
-    }
-    for (let i = 0; i < width; i++) out[o + i] = (last[i] - before[i]) * fps;
-  }
 }
 
 /** Where the feet are over the whole take, and when they are on the ground. */
