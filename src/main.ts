@@ -100,6 +100,7 @@ const workbench: Workbench = {
     settings,
     worker,
     reviewWorker: new WorkerClient(spawnWorker),
+    unpackWorker: worker,
     pictured: { viewport, transport },
   }),
   kept: observable<KeptOffer | undefined>(undefined),

@@ -1,6 +1,7 @@
 /** Actions on files in the menus, over dialogs, drops, examples and the disk. */
 import { pickFiles, pickFolder, readAgain } from '../io/disk-files.ts';
 import { fromDataTransfer, type GivenFile } from '../io/given.ts';
+import { isReviewable } from '../review/reviewable.ts';
 import { onDemand } from '../ui/state/on-demand.ts';
 import { MOST_OPENED } from '../ui/state/review.ts';
 import type { FileActions, SampleEntry, Uses } from '../ui/state/workbench.ts';
@@ -70,8 +71,9 @@ export function fileActions(parts: Parts): FileActions {
   /** Without what is for review: takes by the hundred, and lists of them. */
   const sorted = async (found: Promise<readonly GivenFile[]>) => {
     const files = await found;
-    const count = (pattern: RegExp) => files.filter(({ path }) => pattern.test(path)).length;
-    const isPlain = count(/\.(csv|json)$/i) === 0 && count(/\.bvh$/i) <= MOST_OPENED;
+    const isPlain =
+      !files.some(({ path }) => /\.(csv|json|zip)$/i.test(path)) &&
+      files.filter(({ path }) => isReviewable(path)).length <= MOST_OPENED;
     if (isPlain && !parts.store.document.review) return files;
     const module = await onDemand(parts.messages, 'The review', () => import('./reviewing.ts'));
     return module ? module.takeForReview(parts, files) : files;

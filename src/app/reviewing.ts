@@ -13,6 +13,7 @@ import { openFiles } from '../project/open/open-files.ts';
 import type { TakeDigest } from '../review/digest.ts';
 import { matchPaths } from '../review/match-paths.ts';
 import { isTakeList, readList } from '../review/read-list.ts';
+import { isReviewable } from '../review/reviewable.ts';
 import { type Observable, observable } from '../ui/kit/observable.ts';
 import { attempt } from '../ui/state/attempt.ts';
 import type { Messages } from '../ui/state/messages.ts';
@@ -39,14 +40,19 @@ export interface ReviewingParts {
   /** Reads what is shown, beside the others. */
   readonly worker: Runs<'parse'>;
   readonly reviewWorker: Runs<'review'>;
+  readonly unpackWorker: Runs<'unpack'>;
 }
 
 /**
  * Takes what is for review out of the given files: takes, if there are many or the list has them, and lists.
  * @returns the others, to be opened
  */
-export async function takeForReview(parts: ReviewingParts, given: readonly GivenFile[]): Promise<readonly GivenFile[]> {
-  const isTake = ({ path }: GivenFile) => /\.bvh$/i.test(path);
+export async function takeForReview(
+  parts: ReviewingParts,
+  asGiven: readonly GivenFile[],
+): Promise<readonly GivenFile[]> {
+  const given = (await Promise.all(asGiven.map((file) => withTakesOut(parts, file)))).flat();
+  const isTake = ({ path }: GivenFile) => isReviewable(path);
   const takes = given.filter(isTake);
   const lists = await listsIn(given);
   const others = given.filter((file) => !isTake(file) && !lists.some((list) => list.file === file));
@@ -64,6 +70,14 @@ export async function takeForReview(parts: ReviewingParts, given: readonly Given
   for (const { file, text } of lists) read(parts, file.path, text);
   // Beside takes for review, a folder's readmes are not worth a message.
   return reviewed.length > 0 || lists.length > 0 ? [...opened, ...others.filter(isForCharacters)] : given;
+}
+
+/** The takes of a zip that has many, in its place. */
+async function withTakesOut({ unpackWorker }: ReviewingParts, file: GivenFile): Promise<readonly GivenFile[]> {
+  if (!/\.zip$/i.test(file.path)) return [file];
+  const { takes } = await unpackWorker.run('unpack', { zip: { path: file.path, blob: file.blob }, most: MOST_OPENED });
+  const { version } = file;
+  return takes.length > 0 ? takes.map((take) => ({ ...take, ...(version !== undefined && { version }) })) : [file];
 }
 
 const isForCharacters = ({ path }: GivenFile) =>

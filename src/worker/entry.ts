@@ -32,6 +32,9 @@ scope.onmessage = async ({ data }) => {
     } else if (data.job === 'review') {
       const { reviewTakes } = await import('./review.ts');
       done({ id, kind: 'done', job: data.job, output: await reviewTakes(data.input) });
+    } else if (data.job === 'unpack') {
+      const { unpackTakes } = await import('./review.ts');
+      done({ id, kind: 'done', job: data.job, output: await unpackTakes(data.input) });
     } else if (data.job === 'glb') {
       const { glbOf } = await import('./glb.ts');
       done({ id, kind: 'done', job: data.job, output: glbOf(data.input, onProgress) });

@@ -27,6 +27,7 @@ export interface Jobs {
   kit: { takes: undefined; gives: KitOutput };
   glb: { takes: GlbInput; gives: GlbOutput };
   review: { takes: ReviewInput; gives: ReviewOutput };
+  unpack: { takes: UnpackInput; gives: UnpackOutput };
 }
 
 export type JobName = keyof Jobs;
@@ -53,6 +54,17 @@ export interface ParseOutput {
   readonly facts: readonly KnownSkin[];
   /** Paths of given files that are to be given again, as `before`, with those that come later. */
   readonly keeps: readonly string[];
+}
+
+/** A zip whose takes are reviewed if there are more than `most`. */
+export interface UnpackInput {
+  readonly zip: GivenBlob;
+  readonly most: number;
+}
+
+export interface UnpackOutput {
+  /** In the zip's order, below its path; none if there are fewer, or the zip is damaged. */
+  readonly takes: readonly GivenBlob[];
 }
 
 /** Skin and morphs are those in `files`, by identity. */

@@ -1,14 +1,30 @@
-/** The `review` job: takes in, what the list shows of each out. One file is in memory at a time. */
+/** The `review` job: takes in, what the list shows of each out. One file is in memory at a time. And takes out of zips. */
+import { unzip } from '../formats/unzip.ts';
 import { EMPTY_DOCUMENT } from '../model/document.ts';
 import { openFiles } from '../project/open/open-files.ts';
 import { digestOf, type TakeDigest, type TakeRead } from '../review/digest.ts';
+import { isReviewable } from '../review/reviewable.ts';
 import { parse } from './parse.ts';
-import type { GivenBlob, ReviewInput, ReviewOutput } from './protocol.ts';
+import type { GivenBlob, ReviewInput, ReviewOutput, UnpackInput, UnpackOutput } from './protocol.ts';
 
 export async function reviewTakes({ files }: ReviewInput): Promise<ReviewOutput> {
   const takes: TakeDigest[] = [];
   for (const file of files) takes.push(await digest(file));
   return { takes };
+}
+
+/** Only the names are read of a zip with few takes. */
+export async function unpackTakes({ zip, most }: UnpackInput): Promise<UnpackOutput> {
+  try {
+    const bytes = new Uint8Array(await zip.blob.arrayBuffer());
+    const names = unzip(bytes, () => false).passedOver;
+    if (names.filter(isReviewable).length <= most) return { takes: [] };
+    const { entries } = unzip(bytes, isReviewable);
+    return { takes: entries.map((entry) => ({ path: `${zip.path}/${entry.path}`, blob: new Blob([entry.bytes]) })) };
+  } catch {
+    // Opening it says what is wrong with it.
+    return { takes: [] };
+  }
 }
 
 async function digest(file: GivenBlob): Promise<TakeDigest> {

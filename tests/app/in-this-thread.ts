@@ -5,6 +5,7 @@ import { compareDumps } from '../../src/worker/compare.ts';
 import { glbOf } from '../../src/worker/glb.ts';
 import { parse } from '../../src/worker/parse.ts';
 import type { Jobs } from '../../src/worker/protocol.ts';
+import { unpackTakes } from '../../src/worker/review.ts';
 import { mapSourceOf } from '../../src/worker/source.ts';
 
 /** Runs the worker's jobs in this thread. */
@@ -20,6 +21,7 @@ export class InThisThread extends WorkerClient {
     if ('blob' in input) return mapSourceOf(input, nobody);
     if ('file' in input) return changesOf(input);
     if ('options' in input) return glbOf(input, nobody);
+    if ('zip' in input) return unpackTakes(input);
     if ('edited' in input) return checkText(input, nobody);
     return 'files' in input ? parse(input, nobody) : compareDumps(input, nobody);
   }

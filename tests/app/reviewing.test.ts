@@ -1,4 +1,5 @@
 /** Which of the given files are reviewed, which opened, and what a list says about takes. */
+import { zipSync } from 'fflate';
 import { expect, it } from 'vitest';
 import { type ReviewingParts, takeForReview } from '../../src/app/reviewing.ts';
 import { Store } from '../../src/edit/store.ts';
@@ -8,6 +9,7 @@ import { listAsCsv } from '../../src/review/write-list.ts';
 import { observable } from '../../src/ui/kit/observable.ts';
 import { DEFAULT_SETTINGS } from '../../src/ui/state/settings.ts';
 import { Timeline } from '../../src/ui/state/timeline.ts';
+import { unpackTakes } from '../../src/worker/review.ts';
 
 const given = (path: string, text = ''): GivenFile => ({ path, blob: new Blob([text]), version: '1' });
 const takes = (count: number) => Array.from({ length: count }, (_, i) => given(`lab/take${i + 1}.bvh`));
@@ -26,6 +28,7 @@ function page() {
     settings: observable(DEFAULT_SETTINGS),
     opener: { open: async () => [] },
     worker: { run: async () => ({ files: [], broken: [], diagnostics: [], facts: [], keeps: [] }) },
+    unpackWorker: { run: (_, input) => unpackTakes(input) },
     reviewWorker: {
       run: async (_, { files }) => {
         await asked;
@@ -56,6 +59,25 @@ it('more than 20 takes are reviewed, those in view read first; characters beside
       .map(({ path }) => path)
       .sort(),
   );
+});
+
+it('takes of other programs and in zips are reviewed too, if there are more than 20; smaller zips are opened', async () => {
+  const zip = (name: string, count: number) => {
+    const files = Object.fromEntries(takes(count).map(({ path }) => [path, new Uint8Array(1)]));
+    return { ...given(name), blob: new Blob([zipSync({ ...files, 'lab/notes.txt': new Uint8Array(1) })]) };
+  };
+  const { parts, verdicts } = page();
+  const small = zip('few.zip', 20);
+  expect(await takeForReview(parts, [small])).toEqual([small]);
+  expect(verdicts()).toBeUndefined();
+  expect(await takeForReview(parts, [zip('lab.zip', 21)])).toEqual([]);
+  expect(verdicts()?.slice(0, 2)).toEqual(['lab.zip/lab/take1.bvh', 'lab.zip/lab/take2.bvh']);
+  expect(parts.timeline.review.files.get()?.has('lab.zip/lab/take21.bvh')).toBe(true);
+  const others = Array.from({ length: 24 }, (_, i) => given(`more/${i}.${['fbx', 'glb', 'FBX', 'vrma'][i % 4]}`));
+  expect(await takeForReview(parts, [...others, given('more/a.gltf')])).toHaveLength(1);
+  expect(verdicts()).toHaveLength(21 + 24);
+  const broken = given('broken.zip', 'no zip');
+  expect(await takeForReview(parts, [broken])).toEqual([broken]);
 });
 
 it('20 takes and fewer are opened, but those in review get their files', async () => {

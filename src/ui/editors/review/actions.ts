@@ -6,7 +6,7 @@ import { chosenPaths, hasChosenTake, hasReview } from './at-hand.ts';
 
 const MENU = 'Play/Review';
 const edits = () => import('./edits.ts');
-const NO_REVIEW = 'No takes are reviewed: drop a folder with more than 20 motion capture files.';
+const NO_REVIEW = 'No takes are reviewed: drop a folder or a zip with more than 20 takes.';
 const hasTakes = needs(NO_REVIEW, hasReview);
 const hasChosen = needs(
   (wb: Uses<'store' | 'timeline'>) => (hasReview(wb) ? 'Select a take in the Review tab first.' : NO_REVIEW),

@@ -29,7 +29,8 @@ const MENU = [
   ['review.saveCsv', 'review.saveJson'],
   ['review.remove'],
 ];
-const EMPTY = 'No takes to review. Drop a folder with more than 20 motion capture files, or a saved review.';
+const EMPTY =
+  'No takes to review. Drop a folder or a zip with more than 20 takes (.bvh, .fbx, .glb), or a saved review.';
 /** What comes from the worker is shown this often. */
 const PROGRESS_MS = 200;
 

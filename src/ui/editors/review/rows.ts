@@ -4,6 +4,7 @@ import { perObject } from '../../../model/per-object.ts';
 import type { ReviewedTake } from '../../../model/review.ts';
 import type { TakeDigest } from '../../../review/digest.ts';
 import { badness, FLAG_KINDS, type Flag, type FlagKind, worstOf } from '../../../review/flags.ts';
+import { isReviewable } from '../../../review/reviewable.ts';
 import type { ReviewColumn, ReviewView } from '../../state/review.ts';
 
 export interface ReviewRow {
@@ -15,7 +16,9 @@ export interface ReviewRow {
   readonly hasFile: boolean;
 }
 
-const nameOf = perObject(({ path }: ReviewedTake): string => baseName(path).replace(/\.bvh$/i, ''));
+const nameOf = perObject(({ path }: ReviewedTake): string =>
+  isReviewable(path) ? baseName(path).replace(/\.\w+$/, '') : baseName(path),
+);
 
 /** Rows of all takes, in the order of the list. */
 export function reviewRows(
