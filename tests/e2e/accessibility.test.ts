@@ -50,6 +50,13 @@ const ANIM = `animation {
 `;
 /** The arm's world matrices at two times, as another program has them. */
 const DUMP = [0, 1].map((time) => `time ${time}\n${'1 0 0 0 0 1 0 0 0 0 1 0 0 0 0 1\n'.repeat(2)}`).join('');
+const ROOT = 'ROOT hips { OFFSET 0 0 0 CHANNELS 3 Xposition Yposition Zposition End Site { OFFSET 0 80 0 } }';
+/** Takes that jump in the middle, and what is said of them. */
+const TAKES = Array.from({ length: 21 }, (_, i) => ({
+  name: `take${i + 1}.bvh`,
+  bytes: `HIERARCHY ${ROOT} MOTION Frames: 16 Frame Time: 0.0333333\n${'0 90 0\n'.repeat(8)}40 90 0\n${'0 90 0\n'.repeat(7)}`,
+}));
+const REVIEW = 'path,verdict,stars,tags,notes\ntake1.bvh,good,4,calm,again\ntake2.bvh,bad,,,\n';
 /** Has an error, for the message line and the list of messages. */
 const BROKEN = 'balljoint broken { offset 0 one 0 }';
 
@@ -97,6 +104,16 @@ const STATES: readonly (readonly [name: string, enter: (page: Page) => Promise<u
     },
   ],
   ['takes are shown', (page) => tab(page, 'takes')],
+  [
+    'takes are reviewed',
+    async (page) => {
+      await dropFiles(page, [{ name: 'review.csv', bytes: REVIEW }, ...TAKES]);
+      await tab(page, 'review');
+      await page.locator('.review-row .review-worst', { hasText: 'm' }).first().waitFor({ state: 'attached' });
+      await click(page.locator('.review-row', { hasText: 'take1' }).first());
+      await page.locator('.review-flag').first().waitFor({ state: 'attached' });
+    },
+  ],
   [
     'poses are shown',
     async (page) => {

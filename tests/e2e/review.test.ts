@@ -1,6 +1,9 @@
-/** Takes by the hundred: listed, played, judged by keys, saved, and read back. */
+/** A lab's day in one page: takes listed, played, judged by keys and saved; measured, marked, and there after a reload. */
 import { expect, it } from 'vitest';
+import { RULER_HEIGHT } from '../../src/ui/editors/transport/scrubber-picture.ts';
+import { fitWindow } from '../../src/ui/kit/time-window.ts';
 import { dropFiles, withPage } from '../helpers/page.ts';
+import { kept, restore } from './checks/autosave.ts';
 
 const OFFSETS = 'OFFSET 0 90 0 CHANNELS 6 Xposition Yposition Zposition Zrotation Xrotation Yrotation';
 const HEAD = 'JOINT head { OFFSET 0 60 0 CHANNELS 3 Zrotation Xrotation Yrotation End Site { OFFSET 0 20 0 } }';
@@ -15,7 +18,7 @@ function take(index: number, isBroken: boolean): string {
 }
 const FILES = Array.from({ length: 24 }, (_, i) => ({ name: `take${i + 1}.bvh`, bytes: take(i, i === 1) }));
 
-it('takes by the hundred are listed, played, judged by keys and saved, and the list gives its verdicts back', () =>
+it('takes by the hundred are judged by keys and saved, then measured and marked, and all is there after a reload', () =>
   withPage(async ({ page, download }) => {
     await dropFiles(page, FILES);
     const table = page.getByRole('grid', { name: 'Takes in review' });
@@ -29,7 +32,7 @@ it('takes by the hundred are listed, played, judged by keys and saved, and the l
     await page.keyboard.press('Home');
     await page.keyboard.press('ArrowDown');
     await expect.poll(() => row('take2').first().textContent()).toContain('spike');
-    const flag = page.getByRole('button', { name: /Spike of hips/ });
+    const flag = page.getByRole('button', { name: /Spike hips/ });
     await flag.click();
     const time = page
       .getByLabel('Time in seconds')
@@ -70,8 +73,130 @@ it('takes by the hundred are listed, played, judged by keys and saved, and the l
     await expect.poll(() => row('take3').first().textContent()).toContain('rises, calm');
     await expect.poll(() => row('take2').first().textContent()).toContain('Bad');
 
+    // The size of the worst flag sorts, from the top.
+    await page.getByRole('columnheader', { name: 'Worst' }).click();
+    await expect.poll(() => table.locator('[aria-rowindex="2"]').textContent()).toContain('take2');
+    await expect.poll(() => table.evaluate((grid) => grid.scrollTop)).toBe(0);
+
+    // Verdicts are unsaved work, which Ctrl+S saves.
+    await page.getByLabel('Notes').fill('again, slower');
+    await page.getByLabel('Notes').press('Tab');
+    await expect.poll(() => page.title()).toBe('• review.csv – Marrow');
+    const again = await download(() => page.keyboard.press('Control+s'));
+    expect(again.text).toContain('again, slower');
+    await expect.poll(() => page.title()).toBe('Marrow');
+
     await page.evaluate(() => window.marrow?.run('review.openGood'));
     await expect
       .poll(() => page.evaluate(() => window.marrow?.characters().map(({ name }) => name)))
       .toEqual(['take3']);
+
+    // Measure: values at the playhead, the readout of another frame, two takes overlaid, and exact numbers.
+    await dropFiles(page, [{ name: 'step.bvh', bytes: take(10, false) }]);
+    await page.waitForFunction(() => window.marrow.characters().length === 2);
+    await page.getByRole('tab', { name: 'Measure' }).click();
+    const legend = page.locator('.measure-legend li');
+    await expect.poll(() => legend.count()).toBe(2);
+    await page.getByRole('combobox', { name: 'Quantity' }).selectOption('height');
+    const above = page.locator('.measure .time-picture canvas').nth(1);
+    const drawn = () =>
+      above.evaluate(async (canvas: HTMLCanvasElement) => {
+        await new Promise((next) => requestAnimationFrame(() => requestAnimationFrame(next)));
+        return canvas.toDataURL();
+      });
+    const plain = await drawn();
+    const box = await above.boundingBox();
+    if (!box) throw new Error('the plot is not shown');
+    await expect
+      .poll(async () => {
+        // Over the whole height: somewhere it meets a line.
+        for (let y = 30; y < box.height; y += 8) {
+          await page.mouse.move(box.x + box.width / 6, box.y + y);
+          if ((await drawn()) !== plain) return true;
+        }
+        return false;
+      })
+      .toBe(true);
+    await page.getByRole('button', { name: 'Values', exact: true }).click();
+    const csv = await download(() => page.getByRole('menuitem', { name: 'Save as CSV' }).click());
+    const [head, ...rows] = csv.text.trim().split('\r\n');
+    expect([csv.name, head]).toEqual(['height.csv', 'time (s),take3: hips height (y) (m),step: hips height (y) (m)']);
+    const heights = rows.map((line) => line.split(',').slice(1).map(Number));
+    expect(heights).toHaveLength(16);
+    // Both rise by a quarter of a unit a frame, which is one of those that are guessed.
+    const unit = (heights[12][0] - heights[0][0]) / 3;
+    expect(Math.min(...[0.01, 0.0254, 1].map((known) => Math.abs(known - unit)))).toBeLessThan(1e-9);
+    expect(heights[15][1] - heights[0][1]).toBeCloseTo(15 * 0.25 * unit, 9);
+    for (const frame of [0, 12]) {
+      await page.evaluate((f) => window.marrow.seek(f * 0.0333333), frame);
+      const values = heights[frame].map((height) => Number(height.toFixed(3)));
+      await expect
+        .poll(async () =>
+          (await legend.allTextContents()).map((text) => Number(/hips(.*) m$/.exec(text)?.[1].replace('−', '-'))),
+        )
+        .toEqual(values);
+    }
+
+    // Markers: set, named, dragged, a span, undone, and carried through speed and cutting out.
+    const markers = async () => JSON.parse(await page.evaluate(() => window.marrow.save('step.markers.json')));
+    await page.evaluate(() => window.marrow.seek(0.2));
+    await page.keyboard.press('m');
+    await expect.poll(markers).toEqual([{ time: 0.2, label: '1' }]);
+    await page.evaluate(() => window.marrow.run('marker.list'));
+    const dialog = page.getByRole('dialog', { name: 'Markers' });
+    await dialog.getByLabel('Label of marker 1').fill('rises');
+    await dialog.getByLabel('Label of marker 1').press('Tab');
+    await expect.poll(markers).toEqual([{ time: 0.2, label: 'rises' }]);
+    await dialog.getByRole('button', { name: 'Add span of playback range' }).click();
+    await expect.poll(async () => (await markers()).length).toBe(2);
+    await dialog.getByRole('button', { name: 'Done' }).click();
+    const scrubber = await page.locator('canvas.scrubber').boundingBox();
+    if (!scrubber) throw new Error('the scrubber is not shown');
+    const times = fitWindow([0, 0.5]);
+    const at = (seconds: number) =>
+      [
+        scrubber.x + ((seconds - times.from) / (times.to - times.from)) * scrubber.width,
+        scrubber.y + RULER_HEIGHT + 4,
+      ] as const;
+    await page.mouse.move(...at(0.2));
+    await page.mouse.down();
+    await page.mouse.move(...at(0.25));
+    await page.mouse.move(...at(0.3));
+    await expect.poll(async () => (await markers())[1].time).toBeCloseTo(0.3, 3);
+    await page.mouse.up();
+    await page.evaluate(() => window.marrow.undo());
+    const span = { time: 0, end: expect.closeTo(0.5, 3), label: '2' };
+    await expect.poll(markers).toEqual([span, { time: 0.2, label: 'rises' }]);
+    const timesAfter = async (command: string, args: object) => {
+      await page.evaluate(
+        ([id, more]) => {
+          const { id: characterId = '' } = window.marrow.characters().find(({ name }) => name === 'step') ?? {};
+          return window.marrow.run(id, { takes: [{ characterId, clip: 0 }], ...more });
+        },
+        [command, args] as const,
+      );
+      const times = (await markers()).map(({ time }: { time: number }) => Number(time.toFixed(2)));
+      await page.evaluate(() => window.marrow.undo());
+      return times;
+    };
+    expect(await timesAfter('takes.setSpeed', { factor: 0.5 })).toEqual([0, 0.4]);
+    expect(await timesAfter('takes.cutOut', { from: 0, to: 0.08, overlapSeconds: 0 })).toEqual([0, 0.1]);
+    // Its dialog would be the system's.
+    await page.evaluate(() => Object.assign(window, { showSaveFilePicker: undefined }));
+    const beside = await download(() => page.keyboard.press('Control+s'));
+    expect(beside.name).toBe('step.markers.json');
+    expect(beside.text).toContain('rises');
+    await expect.poll(() => page.title()).toBe('Marrow');
+
+    // All of it is there after a reload: markers, verdicts, tags and notes.
+    await kept(page);
+    await page.reload();
+    await restore(page);
+    await page.waitForFunction(() => window.marrow?.characters().some(({ name }) => name === 'step'));
+    await expect.poll(markers).toEqual([span, { time: 0.2, label: 'rises' }]);
+    await page.getByRole('tab', { name: 'Review' }).click();
+    await expect.poll(() => row('take2').first().textContent()).toContain('Bad');
+    await expect.poll(() => row('take3').first().textContent()).toContain('★★★★');
+    await expect.poll(() => row('take3').first().textContent()).toContain('rises, calm');
+    await expect.poll(() => page.title()).toBe('Marrow');
   }));
