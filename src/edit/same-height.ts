@@ -53,6 +53,31 @@ export function withSameHeight(
   });
 }
 
+/**
+ * Scales these characters by powers of ten to about the height of one of `all` as placed, as if their files had other
+ * units: within a factor of √10. Those without a height keep their scale. Undefined if it has none itself.
+ */
+export function withSameUnit(
+  all: readonly Character[],
+  these: readonly Character[],
+  reference: Character,
+): readonly Character[] | undefined {
+  const heightOf = heightsOf(all);
+  const target = heightOf(reference) * reference.placements[0].scale;
+  if (!(target > 0)) return undefined;
+  return sideBySide(all, these, (character) => {
+    const height = heightOf(character);
+    // Its own scale may be any, and its height is the one that counts.
+    if (character === reference || !(height > 0)) return character.placements[0].scale;
+    return 10 ** tensBetween(height, target);
+  });
+}
+
+/** The power of ten that brings the first height nearest to the second. */
+export function tensBetween(height: number, target: number): number {
+  return Math.round(Math.log10(target / height));
+}
+
 /** Scales these characters to the size that their files give. */
 export function withOwnHeights(all: readonly Character[], these: readonly Character[]): readonly Character[] {
   return sideBySide(all, these, () => 1);

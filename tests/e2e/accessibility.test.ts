@@ -214,6 +214,25 @@ const STATES: readonly (readonly [name: string, enter: (page: Page) => Promise<u
       await page.getByRole('dialog').waitFor();
     },
   ],
+  [
+    'the dialog Picture is open',
+    async (page) => {
+      await page.keyboard.press('Escape');
+      await run(page, 'save.picture');
+      await page.getByRole('dialog', { name: 'Picture' }).waitFor();
+    },
+  ],
+  [
+    'the dialog Video is open',
+    async (page) => {
+      await page.keyboard.press('Escape');
+      await run(page, 'save.video');
+      await page
+        .getByRole('dialog', { name: 'Video' })
+        .getByText(/\d frames, /)
+        .waitFor();
+    },
+  ],
 ];
 
 it('the page meets WCAG 2.2 AA in every state, theme and size', () =>

@@ -401,6 +401,10 @@ const ARGUMENTS: Readonly<Record<string, (s: Situation) => object | undefined>> 
     characterIds: dice.some([character, ...others].map(({ id }) => id)),
     like: character.id,
   }),
+  'characters.sameUnit': ({ dice, character, others }) => ({
+    characterIds: dice.some([character, ...others].map(({ id }) => id)),
+    like: character.id,
+  }),
   'characters.ownHeights': ({ dice, character, others }) => ({
     characterIds: dice.some([character, ...others].map(({ id }) => id)),
   }),

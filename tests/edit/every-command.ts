@@ -208,6 +208,11 @@ export const CASES: Readonly<Record<string, EditCase>> = {
     args: { ...BOTH, like: 'c1' },
     idle: { characterIds: [], like: 'c1' },
   },
+  'characters.sameUnit': {
+    document: UNEQUAL,
+    args: { ...BOTH, like: 'c1' },
+    idle: { characterIds: [], like: 'c1' },
+  },
   'characters.ownHeights': { document: UNEQUAL, args: BOTH, idle: { characterIds: [] } },
   'takes.show': {
     document: TWO,

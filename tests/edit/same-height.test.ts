@@ -1,6 +1,6 @@
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
-import { ownHeights, sameHeight } from '../../src/edit/commands/heights.ts';
+import { ownHeights, sameHeight, sameUnit } from '../../src/edit/commands/heights.ts';
 import { extentOf } from '../../src/edit/place-beside.ts';
 import { spreadOfHeights } from '../../src/edit/same-height.ts';
 import { type Character, DEFAULT_PLACEMENT, type Document, EMPTY_DOCUMENT } from '../../src/model/document.ts';
@@ -59,6 +59,22 @@ describe('same height', () => {
         const after = expectEdit(document, sameHeight, same(document, document.characters[at].id));
         for (const { height } of shown(after)) expect(Math.abs(height / heights[at] - 1)).toBeLessThan(1e-9);
         expect(after.characters[at].placements[0].scale).toBe(1);
+      }),
+      { numRuns: 40 },
+    );
+  });
+
+  it('same unit scales by powers of ten alone, to within √10 of the height of one of them, which keeps its own', () => {
+    fc.assert(
+      fc.property(dropped, ({ document, heights, at }) => {
+        const after = expectEdit(document, sameUnit, same(document, document.characters[at].id));
+        expect(after.characters[at].placements[0].scale).toBe(1);
+        for (const [i, { height }] of shown(after).entries()) {
+          const tens = Math.log10(after.characters[i].placements[0].scale);
+          expect(Math.abs(tens - Math.round(tens))).toBeLessThan(1e-9);
+          expect(Math.abs(Math.log10(height / heights[at]))).toBeLessThan(0.5 + 1e-9);
+        }
+        expect(sameUnit.run(after, same(document, document.characters[at].id))).toBe(after);
       }),
       { numRuns: 40 },
     );

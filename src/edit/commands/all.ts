@@ -43,7 +43,7 @@ import type { Command, Edit } from '../store.ts';
 import { COMMANDS_AT_HAND } from './at-hand.ts';
 import { bakeExtrapolation, eulerFilter, makeLoop, resample, simplify } from './channels.ts';
 import { setCouple } from './couples.ts';
-import { ownHeights, sameHeight } from './heights.ts';
+import { ownHeights, sameHeight, sameUnit } from './heights.ts';
 import { holdPins } from './hold.ts';
 import { clearPins, pinPoint, setPin, setRootFree, setStiffness, unpin } from './ik.ts';
 import { addKey, insertKeys, moveKeys, removeKeys, rippleKeys, scaleKeys, setKeys, snapKeys } from './keys.ts';
@@ -315,6 +315,7 @@ const FETCHED: readonly Taking[] = [
     mostInfluences: optional(whole(1)),
   }),
   takes(sameHeight, { ...CHARACTERS, like: text }),
+  takes(sameUnit, { ...CHARACTERS, like: text }),
   takes(ownHeights, CHARACTERS),
 ];
 

@@ -160,5 +160,6 @@ export const FETCHED_IDS: ReadonlySet<string> = new Set([
   'rig.clearLimit',
   'skin.autoWeights',
   'characters.sameHeight',
+  'characters.sameUnit',
   'characters.ownHeights',
 ]);

@@ -2,9 +2,12 @@
 import type { Character, Document } from '../../model/document.ts';
 import { listOf } from '../arguments.ts';
 import { requireCharacter } from '../characters.ts';
-import { withOwnHeights, withSameHeight } from '../same-height.ts';
+import { withOwnHeights, withSameHeight, withSameUnit } from '../same-height.ts';
 import { characterIn } from '../step-names.ts';
 import { type Command, CommandError } from '../store.ts';
+
+const noHeight = ({ name }: Character) =>
+  `${name} has no height. Select a character with more than one joint, or a skin.`;
 
 interface OfCharacters {
   readonly characterIds: readonly string[];
@@ -19,7 +22,20 @@ export const sameHeight: Command<OfCharacters & { readonly like: string }> = {
     const reference = requireCharacter(document, like);
     const characters = withSameHeight(document.characters, these, reference);
     if (characters) return placed(document, characters);
-    throw new CommandError(`${reference.name} has no height. Select a character with more than one joint, or a skin.`);
+    throw new CommandError(noHeight(reference));
+  },
+};
+
+/** Scales characters by powers of ten to about the height of `like` as placed, side by side. */
+export const sameUnit: Command<OfCharacters & { readonly like: string }> = {
+  id: 'characters.sameUnit',
+  label: (document, { like }) => `Same unit as ${characterIn(document, like)}`,
+  run(document, { characterIds, like }) {
+    const these = listed(document, characterIds);
+    const reference = requireCharacter(document, like);
+    const characters = withSameUnit(document.characters, these, reference);
+    if (characters) return placed(document, characters);
+    throw new CommandError(noHeight(reference));
   },
 };
 

@@ -13,6 +13,7 @@ export function aboutDialog(wb: Uses<'offline'>): DialogContent {
       'A workbench for text-based character animation: skeletons, skins, morphs, keyframes and motion capture.',
     ),
     element('p', {}, 'Drop .bvh, .skel, .skin, .morph, .anim and .rig files anywhere, in folders or a zip.'),
+    element('p', {}, 'Characters of other programs open too: .gltf, .glb, .vrm, .fbx.'),
     element('p', {}, 'Everything runs in this page. Nothing is uploaded.'),
     worksOffline(wb),
   );

@@ -24,6 +24,7 @@ const LOAD: Readonly<Record<DialogName, () => Promise<MakeDialog>>> = {
   picture: async () => (await import('./picture-dialogs.ts')).pictureDialog,
   video: async () => (await import('./picture-dialogs.ts')).videoDialog,
   glb: async () => (await import('./glb-dialog.ts')).glbDialog,
+  programs: async () => (await import('./programs-page.ts')).programsPage,
   about: async () => (await import('./about.ts')).aboutDialog,
   simplify: async () => (await curveTools()).simplifyDialog,
   resample: async () => (await curveTools()).resampleDialog,

@@ -1,7 +1,7 @@
 /** Actions on the document and its selection. */
 
 import { addCopy, removeCharacter } from '../../edit/commands/characters.ts';
-import { ownHeights, sameHeight } from '../../edit/commands/heights.ts';
+import { ownHeights, sameHeight, sameUnit } from '../../edit/commands/heights.ts';
 import { resetPose, setClamping } from '../../edit/commands/pose.ts';
 import { setHidden } from '../../edit/commands/spaces.ts';
 import { DEFAULT_PLACEMENT } from '../../model/document.ts';
@@ -128,6 +128,23 @@ export const EDIT_ACTIONS: readonly Action[] = [
       const character = currentCharacter(wb);
       if (!character) return;
       wb.store.apply(sameHeight, { characterIds: idsOf(wb), like: character.id });
+      wb.viewport.frameAll();
+    },
+  },
+  {
+    id: 'edit.sameUnit',
+    name: 'Same unit',
+    unchanged: 'No power of ten brings the characters nearer to the same height.',
+    label: (wb) => (hasSeveral(wb) ? `Same unit as ${currentCharacter(wb)?.name ?? ''}` : 'Same unit'),
+    group: 'Edit',
+    menu: 'Edit',
+    section: 2,
+    also: 'scale size centimetres metres hundred compare',
+    enabled: needsSeveral,
+    run(wb) {
+      const character = currentCharacter(wb);
+      if (!character) return;
+      wb.store.apply(sameUnit, { characterIds: idsOf(wb), like: character.id });
       wb.viewport.frameAll();
     },
   },

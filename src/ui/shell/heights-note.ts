@@ -1,5 +1,8 @@
-/** Offers *Same height* when the visible characters are of very different sizes; until dismissed or another is opened. */
-import { spreadOfHeights } from '../../edit/same-height.ts';
+/**
+ * Offers *Same unit* and *Same height* when the visible characters are of very different sizes; until dismissed or another
+ * is opened.
+ */
+import { spreadOfHeights, tensBetween } from '../../edit/same-height.ts';
 import type { Character } from '../../model/document.ts';
 import { button, element, setText } from '../kit/dom.ts';
 import { icon } from '../kit/icons.ts';
@@ -15,15 +18,19 @@ export function heightsNote(wb: Uses<'store' | 'actions' | 'timeline'>): HTMLEle
   const { comparison } = wb.timeline.takes;
   let dismissed = '';
   let measured: readonly Character[] = [];
+  const offerOf = (id: string, label: string) =>
+    button(label, { class: 'link' }, label, () => {
+      const action = findAction(wb, id);
+      // Refused if the selected character has no height of its own.
+      if (action) tryAction(wb, action);
+    });
+  const unit = offerOf('edit.sameUnit', 'Same unit');
   const note = element(
     'section',
     { class: 'offer heights-note', 'aria-label': 'Heights' },
     text,
-    button('Same height', { class: 'link' }, 'Same height', () => {
-      const action = findAction(wb, 'edit.sameHeight');
-      // Refused if the selected character has no height of its own.
-      if (action) tryAction(wb, action);
-    }),
+    unit,
+    offerOf('edit.sameHeight', 'Same height'),
     button('Dismiss', { class: 'tool small' }, icon('close'), () => {
       dismissed = idsOf(measured);
       show();
@@ -35,6 +42,7 @@ export function heightsNote(wb: Uses<'store' | 'actions' | 'timeline'>): HTMLEle
     const offer = isComparing || idsOf(measured) === dismissed ? undefined : heightsText(measured);
     note.hidden = offer === undefined;
     setText(text, offer ?? '');
+    unit.hidden = unitsApart(measured) === undefined;
   };
   const follow = () => {
     const visible = wb.store.document.characters.filter((c) => !c.isHidden);
@@ -50,11 +58,31 @@ export function heightsNote(wb: Uses<'store' | 'actions' | 'timeline'>): HTMLEle
   return note;
 }
 
-/** `Heights from 0.02 to 60`; undefined if they are similar. */
+/** `The characters are 0.02 to 60 units tall.` with what the units may be; undefined if they are similar. */
 export function heightsText(characters: readonly Character[]): string | undefined {
   const [least, most] = spreadOfHeights(characters) ?? [1, 1];
-  return most > FAR_APART * least ? `The characters are ${rough(least)} to ${rough(most)} tall.` : undefined;
+  if (!(most > FAR_APART * least)) return undefined;
+  const factor = unitsApart(characters);
+  const found = `The characters are ${rough(least)} to ${rough(most)} units tall.`;
+  const [one, other] = (factor !== undefined && UNITS[factor]) || [];
+  return one === undefined ? found : `${found} Some may be in ${one}, others in ${other}.`;
 }
+
+/** The power of ten between the heights, if that is about all that they differ by. */
+export function unitsApart(characters: readonly Character[]): number | undefined {
+  const [least, most] = spreadOfHeights(characters) ?? [1, 1];
+  const factor = 10 ** tensBetween(least, most);
+  const rest = most / least / factor;
+  return factor > 1 && rest < ALIKE && rest > 1 / ALIKE ? factor : undefined;
+}
+
+/** Characters of one unit differ by no more. */
+const ALIKE = 2;
+const UNITS: Readonly<Record<number, readonly [string, string]>> = {
+  10: ['metres', 'decimetres'],
+  100: ['metres', 'centimetres'],
+  1000: ['metres', 'millimetres'],
+};
 
 const rough = (height: number) => shown(Number(height.toPrecision(2)));
 

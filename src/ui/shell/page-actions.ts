@@ -123,6 +123,14 @@ export const PAGE_ACTIONS: readonly Action[] = [
     run: (wb) => wb.dialog.set('shortcuts'),
   },
   {
+    id: 'help.programs',
+    label: 'Other programs',
+    also: 'blender unity unreal godot maya gltf fbx vrm versions export import',
+    group: 'Page',
+    menu: 'Help',
+    run: (wb) => wb.dialog.set('programs'),
+  },
+  {
     id: 'help.about',
     label: `About Marrow ${VERSION}`,
     group: 'Page',

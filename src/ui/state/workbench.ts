@@ -154,6 +154,7 @@ export type DialogName =
   | 'save'
   | 'glb'
   | 'about'
+  | 'programs'
   | 'retarget'
   | 'holdPins'
   | 'skinWeights'
