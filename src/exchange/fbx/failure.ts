@@ -1,5 +1,5 @@
 /** Errors of FBX files: a binary file has byte offsets, a text has lines. */
-import { type Place, WHOLE_FILE } from '../../formats/places.ts';
+import { NO_PLACE, type Place } from '../../formats/places.ts';
 import { ParseError, type Report } from '../../formats/report.ts';
 import { Budget } from '../budget.ts';
 
@@ -18,7 +18,7 @@ export class FbxReport {
     private readonly isText: boolean,
   ) {
     this.budget = new Budget(bytes.length, (message) => {
-      report.error('file-too-large', message, WHOLE_FILE);
+      report.error('file-too-large', message, NO_PLACE);
       throw new ParseError(message);
     });
   }
@@ -42,7 +42,7 @@ export class FbxReport {
 
   /** About the file as a whole. */
   info(code: string, message: string): void {
-    this.report.info(code, message, WHOLE_FILE);
+    this.report.info(code, message, NO_PLACE);
   }
 
   private located(message: string, offset: number): string {
@@ -50,7 +50,7 @@ export class FbxReport {
   }
 
   private placeOf(offset: number): Place {
-    if (!this.isText) return WHOLE_FILE;
+    if (!this.isText) return NO_PLACE;
     const { bytes } = this;
     const at = Math.min(offset, bytes.length);
     const start = at > 0 ? bytes.lastIndexOf(LF, at - 1) + 1 : 0;

@@ -1,6 +1,6 @@
 /** The records of an FBX file of either form; says of other files what they are. */
 
-import { WHOLE_FILE } from '../../formats/places.ts';
+import { NO_PLACE } from '../../formats/places.ts';
 import { ParseError, type Report } from '../../formats/report.ts';
 import { readAscii, textVersion } from './ascii.ts';
 import { binaryVersion, isBinaryFbx, readBinary } from './binary.ts';
@@ -29,6 +29,6 @@ export function readFbxFile(bytes: Uint8Array<ArrayBuffer>, report: Report): { f
 }
 
 function refuse(report: Report, code: string, message: string): never {
-  report.error(code, message, WHOLE_FILE);
+  report.error(code, message, NO_PLACE);
   throw new ParseError(message);
 }

@@ -6,6 +6,7 @@ import type { Scene } from '../../../src/exchange/scene.ts';
 import { readWhole } from '../../../src/formats/reader.ts';
 import { FIXED_TANGENT, FLAT, LINEAR } from '../../../src/model/clip.ts';
 import { verticesAt, worldsAt } from '../scene-at.ts';
+import { walkingBones } from './walking-bones.ts';
 import {
   type Connection,
   curve,
@@ -546,4 +547,12 @@ describe('files that are no FBX 7', () => {
   it('an encrypted file says so', () => {
     expect(errorOf(recordBytes(7400, [rec('EncryptionType', ['x']), rec('Objects')]))).toMatch(/encrypted/);
   });
+});
+
+it('what is told of a binary file as a whole, or of a byte of it, has no line', () => {
+  const reader = fbxReader('a.fbx');
+  reader.feed(fbxBytes(walkingBones));
+  const { diagnostics } = reader.end();
+  expect(diagnostics.map(({ code, line }) => [code, line])).toContainEqual(['fbx-space', 0]);
+  expect(diagnostics.filter(({ line }) => line > 0)).toEqual([]);
 });
