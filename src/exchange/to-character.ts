@@ -156,7 +156,7 @@ function bindingsOf(slots: readonly Slot[], worlds: Float64Array): Float64Array 
   const out = new Float64Array(16 * slots.length);
   slots.forEach(({ inverse, node }, j) => {
     const own = inverse ? inverted(inverse) : node < 0 ? undefined : worlds.slice(16 * node, 16 * node + 16);
-    if (own && !isSingular(own)) out.set(own, 16 * j);
+    if (own && !isSingular(own) && own.every(Number.isFinite)) out.set(own, 16 * j);
     else setIdentity(out, 16 * j);
   });
   return out;
@@ -220,9 +220,14 @@ function skinOf(
 
 /** Normals, with those of vertices without one computed. */
 function completed(normals: Float64Array, positions: Float64Array, triangles: Uint32Array): Float64Array {
-  if (!normals.some((value) => Number.isNaN(value))) return normals;
+  if (normals.every((value) => Number.isFinite(value))) return normals;
   const computed = computeNormals(positions, triangles);
-  return normals.map((value, i) => (Number.isNaN(normals[i - (i % 3)]) ? computed[i] : value));
+  const out = normals.slice();
+  for (let v = 0; v < out.length; v += 3) {
+    const isWhole = Number.isFinite(out[v] + out[v + 1] + out[v + 2]);
+    if (!isWhole) out.set(computed.subarray(v, v + 3), v);
+  }
+  return out;
 }
 
 function attachmentsOf(

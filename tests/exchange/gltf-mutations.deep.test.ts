@@ -28,8 +28,10 @@ async function expectResult(bytes: Uint8Array<ArrayBuffer>, beside: Import['besi
   const { value, diagnostics } = await importFile('gltf', { fileName: 'damaged.glb', bytes, beside });
   expect(value === undefined).toBe(diagnostics.some(({ severity }) => severity === 'error'));
   for (const { skins, skeleton } of value?.characters ?? []) {
-    for (const { positions, attachments, triangles } of skins) {
-      expect(positions.every(Number.isFinite)).toBe(true);
+    for (const { positions, normals, bindings, attachments, triangles } of skins) {
+      for (const values of [positions, normals, bindings, attachments?.weights]) {
+        expect(values?.every(Number.isFinite) ?? true).toBe(true);
+      }
       expect(triangles.every((v) => v < positions.length / 3)).toBe(true);
       expect(attachments?.joints.every((j) => j < skeleton.joints.length)).toBe(true);
     }

@@ -183,6 +183,28 @@ describe('meshes', () => {
   });
   const images: { image?: number } = {};
 
+  it('passes over normals and weights that are no finite numbers, and reads targets of normals alone', async () => {
+    const made = triangles(
+      (m) => ({
+        attributes: {
+          POSITION: m.add('VEC3', TRIANGLE),
+          NORMAL: m.add('VEC3', Float32Array.of(0, 1, 0, Infinity, 0, 0, 0, 0, NaN)),
+          JOINTS_0: m.add('VEC4', new Uint8Array(12)),
+          WEIGHTS_0: m.add('VEC4', Float32Array.of(Infinity, 1, 0, 0, 1, 0, 0, 0, NaN, 0, 0, 0)),
+        },
+        targets: [{ NORMAL: m.add('VEC3', Float32Array.of(0, 0, 1, 0, 1, 0, 0, 1, 0)) }],
+      }),
+      { skins: [{ joints: [0] }], nodes: [{ mesh: 0, skin: 0 }] },
+    );
+    const { skins, morphs } = (await opened(made)).whole;
+    // Computed where the file has none.
+    expect([...(skins[0].normals ?? [])]).toEqual([0, 1, 0, 0, 0, 1, 0, 0, 1]);
+    expect([...(skins[0].attachments?.weights ?? [])]).toEqual([1, 1, 1]);
+    expect(morphs[0].positions.indices.length).toBe(0);
+    expect([...morphs[0].normals.indices]).toEqual([0]);
+    expect([...morphs[0].normals.values]).toEqual([0, 1, 1]);
+  });
+
   it('unpacks views of meshoptimizer', async () => {
     await MeshoptEncoder.ready;
     const maker = new GltfMaker();

@@ -108,6 +108,7 @@ export class Meshes {
       throw new ImportError('number-not-finite', message);
     }
     const normals = this.joined(parts, 'NORMAL', 3, total, called);
+    if (normals) clearBroken(normals);
     const texcoords = this.texcoords(parts, total, called);
     this.budget.spend(16 * (skin?.joints.length ?? 0), called);
     const skinned = skin && this.skinned(parts, total, skin, called);
@@ -262,7 +263,7 @@ export class Meshes {
         for (const set of sets) {
           for (let k = 4 * v; k < 4 * v + 4; k++) {
             const weight = set.weights[k];
-            if (!(weight > 0)) continue;
+            if (!(weight > 0 && weight < Infinity)) continue;
             sum += weight;
             own.set(set.joints[k], (own.get(set.joints[k]) ?? 0) + weight);
           }
@@ -340,5 +341,12 @@ export class Meshes {
       }
     }
     return { indices: Uint32Array.from(indices), values: Float64Array.from(values) };
+  }
+}
+
+/** Normals that are no finite numbers become NaN: absent. */
+function clearBroken(normals: Float64Array): void {
+  for (let v = 0; v < normals.length; v += 3) {
+    if (!Number.isFinite(normals[v] + normals[v + 1] + normals[v + 2])) normals.fill(Number.NaN, v, v + 3);
   }
 }
