@@ -15,6 +15,17 @@ export function roundStep(atLeast: number): number {
   return decimal(1, exponent + 1);
 }
 
+/**
+ * The whole numbers from `from` to `to`, at most `most` of them: multiples of a step. None if they are so large that one
+ * isn't told from the next, as in a window of a microsecond at a time in nanoseconds since 1970.
+ */
+export function wholeNumbers(from: number, to: number, most: number): number[] {
+  const first = Math.ceil(from) + 0;
+  const last = Math.floor(to);
+  if (!Number.isSafeInteger(first) || !(last >= first)) return [];
+  return Array.from({ length: Math.min(most, last - first + 1) }, (_, i) => first + i);
+}
+
 /** The number of unlabelled cells per labelled one: 2 is 4 × 0.5, 1 and 5 are 5 × 0.2. */
 export function subdivisions(spacing: number): number {
   const leading = Number(spacing.toExponential(0).split('e')[0]);

@@ -1,6 +1,6 @@
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
-import { gridLabel, roundStep, subdivisions } from '../../src/math/round-steps.ts';
+import { gridLabel, roundStep, subdivisions, wholeNumbers } from '../../src/math/round-steps.ts';
 
 describe('the grid', () => {
   it.each([
@@ -51,5 +51,21 @@ describe('the grid', () => {
 
   it('tells neighbouring lines apart far from the origin', () => {
     expect([1234567, 1234568].map((i) => gridLabel(i, 1))).toEqual(['1234567', '1234568']);
+  });
+});
+
+describe('multiples of a step', () => {
+  it('multiples of a step are counted from the first to the last, and no more than asked for', () => {
+    expect(wholeNumbers(-1.5, 2.5, 10)).toEqual([-1, 0, 1, 2]);
+    expect(wholeNumbers(0, 1e9, 3)).toEqual([0, 1, 2]);
+    expect(wholeNumbers(2, 1, 10)).toEqual([]);
+  });
+
+  it('multiples of a step that can not be told apart are none, and none are waited for', () => {
+    for (const far of [2 ** 53, 1e16, 1.7e21, 1e300, Infinity, -1e16, Number.NaN]) {
+      expect(wholeNumbers(far, far, 10)).toEqual([]);
+      expect(wholeNumbers(far, far + 1e20, 10)).toEqual([]);
+    }
+    expect(wholeNumbers(0, Infinity, 2)).toEqual([0, 1]);
   });
 });

@@ -8,10 +8,12 @@
  * Where the range starts or ends with the take there is no ease: nothing beyond is visible. Elsewhere it takes at least
  * one frame, so that nothing jumps.
  */
+
 import { smoothstep } from '../../math/smoothstep.ts';
 import type { Samples } from '../../model/samples.ts';
 import { sameTime } from '../keys/same-time.ts';
 import { firstFrameFrom, lastFrameTo } from '../samples/frames.ts';
+import { refuseTooMany } from '../samples/most-frames.ts';
 import { CommandError } from '../store.ts';
 
 export interface HoldWindow {
@@ -62,6 +64,7 @@ export function keyedWindow(
 /** Evenly spaced frames from one time up to (excluding) another. */
 function division(from: number, to: number, framesPerSecond: number): number[] {
   const count = Math.max(1, Math.ceil((to - from) * framesPerSecond - SAME_FRAME));
+  refuseTooMany(count, 1);
   return Array.from({ length: count }, (_, f) => from + ((to - from) * f) / count);
 }
 

@@ -2,7 +2,7 @@
  * Ticks of the time ruler. Labels are at 1, 2 or 5 times a power of ten, as dense as there is room; minor ticks divide
  * that by five or two. In frames, nothing is finer than a frame.
  */
-import { roundStep } from '../../math/round-steps.ts';
+import { roundStep, wholeNumbers } from '../../math/round-steps.ts';
 import { shown } from './number-text.ts';
 
 export interface Tick {
@@ -38,13 +38,8 @@ export function rulerTicks(scale: RulerScale): Tick[] {
   const parts = framesPerSecond && step / wanted < 1 ? Math.max(1, Math.round(step)) : wanted;
   const small = step / parts;
   const decimals = Math.max(0, -Math.floor(Math.log10(step) + 1e-9));
-  const first = Math.ceil(from / small - 1e-9);
-  const last = Math.min(Math.floor(to / small + 1e-9), first + MAX_TICKS);
-  const ticks: Tick[] = [];
-  for (let i = first; i <= last; i++) {
+  return wholeNumbers(from / small - 1e-9, to / small + 1e-9, MAX_TICKS).map((i) => {
     const timeSeconds = i * small * unit;
-    if (i % parts === 0) ticks.push({ timeSeconds, label: shown((i / parts) * step, decimals) });
-    else ticks.push({ timeSeconds });
-  }
-  return ticks;
+    return i % parts === 0 ? { timeSeconds, label: shown((i / parts) * step, decimals) } : { timeSeconds };
+  });
 }

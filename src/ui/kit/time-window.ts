@@ -10,12 +10,22 @@ export interface TimeWindow {
 const MARGIN = 0.04;
 const SHORTEST_SECONDS = 1e-3;
 const LONGEST_SECONDS = 1e6;
+/** Beyond, the length of a window may not be finite. */
+export const FARTHEST = 1e307;
+/** Of a time: a shorter window there would begin and end at one number. */
+const ROUNDING = 1e-12;
+
+/** The shortest window about a time, or axis about a value, in which pixels are still told apart. */
+export function shortestAt(seconds: number): number {
+  return Math.abs(seconds) * ROUNDING;
+}
 
 /** The range with margins, extended to `include`. An empty range gets a second. */
 export function fitWindow(range: readonly [number, number], include = range[0]): TimeWindow {
-  const from = Math.min(range[0], include);
-  const to = Math.max(range[1], include);
-  if (!(to > from)) return { from: from - 0.1, to: from + 1 };
+  const from = Math.max(-FARTHEST, Math.min(range[0], include));
+  const to = Math.min(FARTHEST, Math.max(range[1], include));
+  const least = shortestAt(Math.max(Math.abs(from), Math.abs(to)));
+  if (!(to > from && to - from >= least)) return { from: from - Math.max(0.1, least), to: to + Math.max(1, least) };
   const margin = (to - from) * MARGIN;
   return { from: from - margin, to: to + margin };
 }
@@ -23,8 +33,11 @@ export function fitWindow(range: readonly [number, number], include = range[0]):
 /** Zooms about a fixed time; `factor` above 1 zooms out. */
 export function zoomWindow(window: TimeWindow, about: number, factor: number): TimeWindow {
   const size = window.to - window.from;
-  const next = Math.min(LONGEST_SECONDS, Math.max(SHORTEST_SECONDS, size * factor));
-  const part = (about - window.from) / size;
+  const shortest = Math.max(SHORTEST_SECONDS, shortestAt(about));
+  // A range that is longer is shown whole, and zoomed from there.
+  const longest = Math.max(LONGEST_SECONDS, shortest, size);
+  const next = Math.min(longest, Math.max(shortest, size * factor));
+  const part = size > 0 ? (about - window.from) / size : 0;
   return { from: about - part * next, to: about + (1 - part) * next };
 }
 

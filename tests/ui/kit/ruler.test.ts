@@ -36,6 +36,17 @@ describe('rulerTicks', () => {
     expect(rulerTicks({ fromSeconds: 0, toSeconds: Number.POSITIVE_INFINITY, width: 9, spacing: 60 })).toEqual([]);
   });
 
+  it('rulerTicks ends at any time, in seconds and in frames', () => {
+    for (const from of [1.7e9, 1.7e15, 1.7e18, 1e300, -1e308, 1e-300]) {
+      for (const length of [1e-3, 1, 1e6, 1e300]) {
+        for (const frames of [{}, { framesPerSecond: 120 }]) {
+          const ticks = rulerTicks({ fromSeconds: from, toSeconds: from + length, width: 800, spacing: 64, ...frames });
+          expect(ticks.length).toBeLessThanOrEqual(2000);
+        }
+      }
+    }
+  });
+
   it('rulerTicks keeps labels apart and inside, whatever the stretch of time', () => {
     fc.assert(
       fc.property(

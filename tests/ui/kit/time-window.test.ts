@@ -71,3 +71,20 @@ function pixels() {
   const at = fc.integer({ min: 0, max: 250 });
   return fc.tuple(at, fc.integer({ min: 30, max: 250 })).map(([a, apart]) => [a, a + apart] as const);
 }
+
+/** Seconds, microseconds and nanoseconds since 1970, and the ends of doubles. */
+const FAR = [1.7e9, 1.7e15, 1.7e18, 1e308, -1e308, 1e-300, 0];
+
+it('a window at any time has room to tell pixels apart, however often it is zoomed', () => {
+  for (const start of FAR) {
+    for (const length of [0, 1e-300, 1e-3, 1, 1e9, 1e308]) {
+      let window = fitWindow([start, Math.min(Number.MAX_VALUE, start + length)]);
+      for (const factor of [1, 0.5, 0.1, 0.01, 1e-9, 3, 1e9]) {
+        window = zoomWindow(window, window.from + (window.to - window.from) / 2, factor);
+        const { from, to } = window;
+        expect([start, length, factor, Number.isFinite(to - from) && to > from]).toEqual([start, length, factor, true]);
+        expect(from + (to - from) / 2).toBeGreaterThan(from);
+      }
+    }
+  }
+});

@@ -2,7 +2,7 @@
  * Draws quantities over time on two canvases: lines and axes below; playhead, values there and the readout above, so
  * that playback redraws little. Contacts are bars, a row each.
  */
-import { roundStep } from '../../../math/round-steps.ts';
+import { roundStep, wholeNumbers } from '../../../math/round-steps.ts';
 import { beginPicture } from '../../kit/canvas.ts';
 import { element } from '../../kit/dom.ts';
 import { shown } from '../../kit/number-text.ts';
@@ -169,11 +169,12 @@ export function barY({ height, series }: Pick<PlotScene, 'height' | 'series'>, r
   return HEAD + ((row + 0.5) / series.length) * (height - HEAD - FOOT);
 }
 
+/** Safety limit. */
+const MOST_TICKS = 1000;
+
 function valueTicks({ height, least, most }: PlotScene): number[] {
   const step = roundStep(((most - least) * LABELS_APART) / Math.max(LABELS_APART, height - HEAD - FOOT));
-  const ticks: number[] = [];
-  for (let i = Math.ceil(least / step - 1e-9); i * step <= most + 1e-9 * step; i++) ticks.push(i * step);
-  return ticks;
+  return wholeNumbers(least / step - 1e-9, most / step + 1e-9, MOST_TICKS).map((i) => i * step);
 }
 
 function drawLine(g: CanvasRenderingContext2D, scene: PlotScene, series: Series, colour: string): void {

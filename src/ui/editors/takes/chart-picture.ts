@@ -3,7 +3,7 @@
  * redraws only a line.
  */
 import type { Distances } from '../../../evaluate/distance.ts';
-import { roundStep } from '../../../math/round-steps.ts';
+import { roundStep, wholeNumbers } from '../../../math/round-steps.ts';
 import { beginPicture } from '../../kit/canvas.ts';
 import { element } from '../../kit/dom.ts';
 import {
@@ -53,6 +53,8 @@ const FOOT = 8;
 /** Margin at the top, for its label. */
 const HEAD = TIME_RULER_HEIGHT + 18;
 const LABELS_APART = 28;
+/** Safety limit. */
+const MOST_LINES = 100;
 /** Dashes distinguish joints when colours run out. */
 const DASHES: readonly (readonly number[])[] = [[], [6, 3], [2, 3]];
 
@@ -102,7 +104,7 @@ export class ChartPicture {
     g.font = colours.font;
     g.textAlign = 'left';
     g.textBaseline = 'bottom';
-    for (let i = 0; i * step <= top; i++) {
+    for (const i of wholeNumbers(0, top / step, MOST_LINES)) {
       const y = Math.round(yAt(scene, i * step));
       g.fillStyle = i === 0 ? colours.line : colours.fineLine;
       g.fillRect(0, y, view.width, 1);

@@ -1,6 +1,8 @@
 /** Fits the view to something, with margins. */
+
 import { ChannelExtremes } from '../../../../evaluate/plot/trace-extremes.ts';
 import { keysOf, spanOfChannel } from '../../../../model/clip.ts';
+import { FARTHEST, shortestAt } from '../../../kit/time-window.ts';
 import type { CurveLine, CurveScene } from './scene.ts';
 import { type AxisName, type CurveSpace, PLOT_TOP, VALUE_AXES, type ValueAxis } from './space.ts';
 
@@ -70,19 +72,25 @@ function noBounds(): Bounds {
 }
 
 function fittedWindow(from: number, to: number, width: number) {
-  const missing = Math.max(0, SHORTEST_SECONDS - (to - from)) / 2;
+  const first = Math.max(-FARTHEST, from);
+  const last = Math.min(FARTHEST, to);
+  const least = shortestAt(Math.max(Math.abs(first), Math.abs(last)));
+  const missing = Math.max(0, Math.max(SHORTEST_SECONDS, least) - (last - first)) / 2;
   // A lone key is centred in one second.
-  const around = to > from ? missing : 0.5;
+  const around = last > first ? missing : Math.max(0.5, least);
   const part = Math.min(0.2, SIDE_PIXELS / Math.max(1, width));
-  const seconds = (to - from + 2 * around) / (1 - 2 * part);
-  return { from: from - around - part * seconds, to: to + around + part * seconds };
+  const seconds = (last - first + 2 * around) / (1 - 2 * part);
+  return { from: first - around - part * seconds, to: last + around + part * seconds };
 }
 
 function fittedAxis(axis: AxisName, bounds: Bounds, space: CurveSpace): ValueAxis {
   const low = bounds.low[axis];
   const high = bounds.high[axis];
   if (!(low <= high) || !Number.isFinite(high - low)) return space.axes[axis];
-  const least = high > low ? MIN_EXTENT[axis] : STILL_EXTENT[axis];
+  const least = Math.max(
+    high > low ? MIN_EXTENT[axis] : STILL_EXTENT[axis],
+    shortestAt(Math.max(Math.abs(low), Math.abs(high))),
+  );
   const around = Math.max(0, least - (high - low)) / 2;
   const part = Math.min(0.25, ABOVE_PIXELS / Math.max(1, space.height - PLOT_TOP));
   const extent = (high - low + 2 * around) / (1 - 2 * part);

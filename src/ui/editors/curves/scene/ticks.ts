@@ -3,7 +3,7 @@
  * 1, 2 or 5 times a power of ten, like time (`ruler.ts`).
  */
 
-import { roundStep } from '../../../../math/round-steps.ts';
+import { roundStep, wholeNumbers } from '../../../../math/round-steps.ts';
 import { shown } from '../../../kit/number-text.ts';
 import type { AxisName, ValueAxis } from './space.ts';
 
@@ -44,15 +44,10 @@ export function valueTicks(axis: ValueAxis, pixels: number, spacing: number, inD
   if (!(high > low) || !(pixels > 0) || !Number.isFinite(high - low)) return [];
   const [step, parts] = stepFor(((high - low) / pixels) * spacing, inDegrees);
   const fine = step / parts;
-  const first = Math.ceil(low / fine - 1e-9);
-  const last = Math.min(Math.floor(high / fine + 1e-9), first + MAX_TICKS);
-  const ticks: ValueTick[] = [];
-  for (let i = first; i <= last; i++) {
+  return wholeNumbers(low / fine - 1e-9, high / fine + 1e-9, MAX_TICKS).map((i) => {
     const value = i * fine * unit;
-    if (i % parts === 0) ticks.push({ value, label: labelOf((i / parts) * step, step, inDegrees) });
-    else ticks.push({ value });
-  }
-  return ticks;
+    return i % parts === 0 ? { value, label: labelOf((i / parts) * step, step, inDegrees) } : { value };
+  });
 }
 
 /** Whether an axis is labelled in degrees. */

@@ -28,6 +28,8 @@ const DENSE_SPANS = 24;
 const BESIDE_PIXELS = 8;
 /** A period of up to this many plot widths is drawn as a whole, so that its dots don't move. */
 const WHOLE_PERIOD_PLOTS = 4;
+/** Safety limit: more in view are drawn as columns. */
+const MOST_PERIODS = 10_000;
 
 const LINEAR = EXTRAPOLATIONS.indexOf('linear');
 const CYCLE = EXTRAPOLATIONS.indexOf('cycle');
@@ -196,7 +198,10 @@ function outside(
   const drift = code === CYCLE_OFFSET ? curves.beyond[4 * index + 1] : 0;
   const whole = pixels < WHOLE_PERIOD_PLOTS * map.width;
   tracer.open(curves, map, out.dotted);
-  for (let period = begin; period <= end; period++) {
+  // Beyond whole numbers that can be counted, nothing of a period is seen.
+  const count = Number.isSafeInteger(begin) ? Math.min(MOST_PERIODS, end - begin + 1) : 0;
+  for (let i = 0; i < count; i++) {
+    const period = begin + i;
     const origin = start + period * length;
     const since = whole ? 0 : Math.min(length, Math.max(0, from - origin));
     const until = whole ? length : Math.max(since, Math.min(length, to - origin));

@@ -144,3 +144,23 @@ describe('fitting', () => {
     }
   });
 });
+
+it('a view fits keys at any time and value: its ends are told apart', () => {
+  for (const far of [1.7e9, 1.7e15, 1.7e18, 1e300, -1e308, 1e-300]) {
+    for (const keys of [
+      [[far, far]],
+      [
+        [far, far],
+        [far + 1, far * 2],
+      ],
+      [
+        [-far, far],
+        [far, -far],
+      ],
+    ] as const) {
+      const { window, axes } = fitted(scene([keyed(keys)], { range: [-Math.abs(far), Math.abs(far)] }), 'all');
+      expect([far, window.to > window.from && Number.isFinite(window.to - window.from)]).toEqual([far, true]);
+      for (const { low, high } of Object.values(axes)) expect([far, high > low]).toEqual([far, true]);
+    }
+  }
+});

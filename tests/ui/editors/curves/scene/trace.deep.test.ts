@@ -228,6 +228,21 @@ describe('what is extrapolated', () => {
     }
   });
 
+  it('extrapolation ends at any time, also where periods can not be counted', () => {
+    for (const extrapolateOut of ['cycle', 'cycle_offset', 'bounce', 'linear'] as const) {
+      for (const start of [0, 1e9, 1e16, 1.7e18, 1e300]) {
+        for (const length of [1e-300, 1, 1e3, 1e18]) {
+          const times = Float64Array.of(-length, 0);
+          const channel = { ...steady(2, (i) => i, { extrapolateOut }), times };
+          for (const perSecond of [1e-18, 1, 1e9]) {
+            const { line } = trace(channel, view({ left: start, perSecond }));
+            expect(line.dotted.pointCount).toBeLessThan(1e6);
+          }
+        }
+      }
+    }
+  });
+
   it('a channel without keys is drawn at its rest, from edge to edge', () => {
     const { line } = trace(restChannel(0.25), view());
     expect(line.solid.verbCount).toBe(0);
