@@ -1,4 +1,5 @@
 /** How the browser shows unsaved work: a mark in the title, and a question before leaving the page. */
+import { cutMessage } from '../model/cut-text.ts';
 import type { FileActions } from '../ui/state/workbench.ts';
 
 /** `• wasp_walk.anim – Marrow`; `• 3 files – Marrow`. */
@@ -17,7 +18,7 @@ export function markUnsaved({ unsaved }: Pick<FileActions, 'unsaved'>, page: Win
   const ask = (event: BeforeUnloadEvent) => event.preventDefault();
   const show = () => {
     const parts = unsaved.get();
-    page.document.title = titleFor(name, parts);
+    page.document.title = cutMessage(titleFor(name, parts));
     if (parts.length) page.addEventListener('beforeunload', ask);
     else page.removeEventListener('beforeunload', ask);
   };

@@ -3,6 +3,7 @@
  * tokens are merged with a count. Without limits, a hundred megabytes with decimal commas would give ten million
  * messages.
  */
+import { cutMessage } from '../model/cut-text.ts';
 import type { Diagnostic, Excerpt, Severity } from '../model/diagnostic.ts';
 import { excerptOf, type Place } from './places.ts';
 
@@ -72,7 +73,8 @@ export class Report {
 
   private add(severity: Severity, code: string, message: string, place: Place, assumed?: string): Entry | undefined {
     if (++this.counts[severity] > KEPT) return undefined;
-    const entry: Entry = { severity, code, message, place, assumed, count: 1 };
+    const used = assumed === undefined ? undefined : cutMessage(assumed);
+    const entry: Entry = { severity, code, message: cutMessage(message), place, assumed: used, count: 1 };
     this.entries.push(entry);
     return entry;
   }

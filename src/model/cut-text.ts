@@ -2,11 +2,11 @@
 
 /** Characters of a name or word that a message, a label or a tooltip shows at most. */
 export const MOST_SHOWN = 200;
-/** Characters of a whole message. */
+/** Characters of a whole message, tooltip or accessible name. */
 const LONGEST_MESSAGE = 1000;
 
-const LONG_QUOTES = new RegExp(`"[^"]{${MOST_SHOWN + 1},}"`, 'g');
-const LONG_WORDS = new RegExp(`[^\\s"]{${MOST_SHOWN + 1},}`, 'g');
+/** Words, and names in quotes. */
+const LONG_PIECES = new RegExp(`[^\\s"]{${MOST_SHOWN + 1},}|"[^"]{${MOST_SHOWN},}"`, 'g');
 
 /** The text, or its beginning and end with an ellipsis between: at most `most` characters. */
 export function cutText(text: string, most = MOST_SHOWN): string {
@@ -18,13 +18,12 @@ export function cutText(text: string, most = MOST_SHOWN): string {
   return `${text.slice(0, end)}…${text.slice(isLowSurrogate(text, start) ? start + 1 : start)}`;
 }
 
-/** A message with its long words and quoted names cut; the same text if none is long. */
-export function cutMessage(message: string): string {
+/** A message of at most `most` characters, its long words and quoted names cut; the same text if none is long. */
+export function cutMessage(message: string, most = LONGEST_MESSAGE): string {
   if (message.length <= MOST_SHOWN) return message;
-  const named = message.replace(LONG_QUOTES, (quoted) => `"${cutText(quoted.slice(1, -1))}"`);
   return cutText(
-    named.replace(LONG_WORDS, (word) => cutText(word)),
-    LONGEST_MESSAGE,
+    message.replace(LONG_PIECES, (piece) => cutText(piece)),
+    most,
   );
 }
 

@@ -1,9 +1,11 @@
+import { cutMessage } from './cut-text.ts';
+
 /** A message to the user about a file: what was found, what was expected, where, and what was assumed. */
 export interface Diagnostic {
   readonly severity: Severity;
   /** Stable and lower-case, such as `number-expected`; tests, scripts and teachers rely on it. */
   readonly code: string;
-  /** A sentence: what was expected and what was found. */
+  /** A sentence: what was expected and what was found. Words and names of any length in it are cut. */
   readonly message: string;
   /** The file's name as given, without folders. */
   readonly file: string;
@@ -38,7 +40,8 @@ export function withoutPlace(
   file: string,
   assumed?: string,
 ): Diagnostic {
-  return { severity, code, message, file, line: 0, column: 0, ...(assumed !== undefined && { assumed }) };
+  const used = assumed !== undefined && { assumed: cutMessage(assumed) };
+  return { severity, code, message: cutMessage(message), file, line: 0, column: 0, ...used };
 }
 
 export function hasErrors(diagnostics: readonly Diagnostic[]): boolean {

@@ -2,6 +2,7 @@
  * Reads lists of takes: the CSV and JSON that are written, those columns in any order and number in a table saved by a
  * spreadsheet, or plain paths, one a line. Only the path is needed.
  */
+import { cutMessage } from '../model/cut-text.ts';
 import type { Diagnostic } from '../model/diagnostic.ts';
 import { MOST_STARS, NO_REVIEW, tagsOf, VERDICTS, type Verdict } from '../model/review.ts';
 import { readCsv, separatorOf } from './csv.ts';
@@ -46,12 +47,20 @@ class Report {
   constructor(private readonly file: string) {}
 
   warn(code: string, message: string, line: number, assumed: string): void {
-    this.diagnostics.push({ severity: 'warning', code, message, file: this.file, line, column: 0, assumed });
+    this.diagnostics.push({
+      severity: 'warning',
+      code,
+      message: cutMessage(message),
+      file: this.file,
+      line,
+      column: 0,
+      assumed,
+    });
   }
 
   fail(code: string, message: string, line: number): void {
     this.hasErrors = true;
-    this.diagnostics.push({ severity: 'error', code, message, file: this.file, line, column: 0 });
+    this.diagnostics.push({ severity: 'error', code, message: cutMessage(message), file: this.file, line, column: 0 });
   }
 }
 

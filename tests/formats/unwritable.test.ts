@@ -108,9 +108,9 @@ describe('text for messages', () => {
 
   it('text for messages has long words and quoted names cut, and the rest as it is', () => {
     const long = 'x'.repeat(1e6);
-    expect(cutMessage(`Expected a number, found "${long}".`)).toMatch(/^Expected a number, found "x{100}…x{99}"\.$/);
+    expect(cutMessage(`Expected a number, found "${long}".`)).toMatch(/^Expected a number, found "x{99}…x{98}"\.$/);
     expect(cutMessage(`Joint ${long} is twice here.`)).toMatch(/^Joint x{100}…x{99} is twice here\.$/);
-    expect(cutMessage(`The joint "${'a b '.repeat(1e5)}" is cut.`)).toHaveLength('The joint "" is cut.'.length + 200);
+    expect(cutMessage(`The joint "${'a b '.repeat(1e5)}" is cut.`)).toHaveLength('The joint  is cut.'.length + 200);
     expect(cutMessage('word '.repeat(1e5))).toHaveLength(1000);
   });
 });

@@ -1,4 +1,5 @@
 /** Sentences for screen readers only, about what is otherwise seen: a number that was copied. */
+import { cutMessage } from '../../model/cut-text.ts';
 import { element } from './dom.ts';
 
 export const BLOCKED = 'The browser blocked copying';
@@ -6,7 +7,8 @@ export const BLOCKED = 'The browser blocked copying';
 let region: HTMLElement | undefined;
 
 /** Says it, also if it is the same again. */
-export function announce(text: string): void {
+export function announce(said: string): void {
+  const text = cutMessage(said);
   // Tests of actions have no page.
   if (typeof document === 'undefined') return;
   if (!region?.isConnected) {

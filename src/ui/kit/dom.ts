@@ -1,4 +1,5 @@
 /** Creates elements, in one expression and never from markup: text from files stays text. */
+import { cutMessage } from '../../model/cut-text.ts';
 import { isTextField, leaveField } from './focus.ts';
 import { setTooltip } from './tooltip.ts';
 
@@ -15,9 +16,9 @@ export function element<K extends keyof HTMLElementTagNameMap>(
   for (const [name, value] of Object.entries(attributes)) {
     if (value === undefined || value === false) continue;
     if (name === 'tooltip') setTooltip(made, String(value));
-    else made.setAttribute(name, value === true ? '' : String(value));
+    else made.setAttribute(name, value === true ? '' : bounded(name, String(value)));
   }
-  for (const child of children) if (child) made.append(child);
+  for (const child of children) if (child) made.append(typeof child === 'string' ? cutMessage(child, LONGEST) : child);
   return made;
 }
 
@@ -42,13 +43,22 @@ export function keepsFocusElsewhere<T extends HTMLElement>(target: T): T {
 }
 
 export function setText(target: Element, text: string): void {
-  if (target.textContent !== text) target.textContent = text;
+  const shown = cutMessage(text, LONGEST);
+  if (target.textContent !== shown) target.textContent = shown;
+}
+
+/** Characters of a text: names of files and in files have any length, and a page that holds them all has none left. */
+const LONGEST = 20_000;
+
+/** Of the attributes, only names that are read aloud come from files. */
+function bounded(name: string, value: string): string {
+  return name === 'aria-label' ? cutMessage(value) : value;
 }
 
 /** For state that changes every frame: touches the DOM only if it differs. */
 export function setAttribute(target: Element, name: string, value: string | undefined): void {
   if (value === undefined) target.removeAttribute(name);
-  else if (target.getAttribute(name) !== value) target.setAttribute(name, value);
+  else if (target.getAttribute(name) !== bounded(name, value)) target.setAttribute(name, bounded(name, value));
 }
 
 /** A unique id for aria attributes to refer to. */

@@ -1,4 +1,5 @@
 /** Names that are cut before their last letters, since takes of one series begin alike: `boxing-ext…cmu-01_01`. */
+import { cutText } from '../../model/cut-text.ts';
 import { element, setAttribute, setText } from './dom.ts';
 import { setTooltip } from './tooltip.ts';
 
@@ -20,7 +21,7 @@ export function middleCut(className: string): MiddleCut {
   return {
     element: whole,
     show(name) {
-      const letters = [...name];
+      const letters = [...cutText(name)];
       const end = letters.length > TAIL + SHORT ? TAIL : 0;
       setText(head, letters.slice(0, letters.length - end).join(''));
       setText(tail, end ? letters.slice(-end).join('') : '');
@@ -36,7 +37,7 @@ const FITS = 16;
 
 /** A row's label, with the whole name as its tooltip. One that fits is plain text, which is read and copied as such. */
 export function cutLabel(name: string): HTMLElement {
-  if ([...name].length <= FITS) return element('span', { class: 'label', tooltip: name }, name);
+  if ([...cutText(name)].length <= FITS) return element('span', { class: 'label', tooltip: name }, name);
   const { element: label, show } = middleCut('label');
   show(name);
   setTooltip(label, name);

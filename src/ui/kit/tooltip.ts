@@ -3,6 +3,8 @@
  * browser's `title`, which neither focus nor touch shows. `startTooltips` (tooltip-layer.ts) displays them.
  */
 
+import { cutMessage } from '../../model/cut-text.ts';
+
 /** A function is called while shown, for texts that depend on state; empty or undefined: no tooltip. */
 export type TooltipText = string | (() => string | undefined);
 
@@ -33,7 +35,7 @@ export function setTooltip(target: Element, text: TooltipText | undefined, short
 export function tooltipOf(target: Element): Tooltip | undefined {
   const source = sources.get(target);
   const text = typeof source?.text === 'function' ? source.text() : source?.text;
-  return text ? { target, text, shortcut: source?.shortcut?.() } : undefined;
+  return text ? { target, text: cutMessage(text), shortcut: source?.shortcut?.() } : undefined;
 }
 
 /** The tooltip of an element, or of its nearest ancestor with one. */

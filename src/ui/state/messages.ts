@@ -2,6 +2,7 @@
  * Messages: problems in files, and short notices. They stay until read; nothing here interrupts. A file's problems are
  * one message with all diagnostics, so that a hundred warnings are one line.
  */
+import { cutMessage } from '../../model/cut-text.ts';
 import type { Diagnostic, Severity } from '../../model/diagnostic.ts';
 import { type Observable, observable } from '../kit/observable.ts';
 
@@ -51,7 +52,7 @@ export class Messages {
   note(text: string, severity: Severity = 'info', lasting: Lasting = 'until a step'): void {
     this.given++;
     this.offer = undefined;
-    if (severity === 'info') this.passing.set(text);
+    if (severity === 'info') this.passing.set(cutMessage(text));
     else {
       const isRefusal = severity === 'warning' && lasting === 'until a step';
       this.add({ text, severity, diagnostics: [], ...(isRefusal && { isRefusal }) });
@@ -150,7 +151,8 @@ export class Messages {
     }
   }
 
-  private add(message: Omit<Message, 'id' | 'unread'>, unread = true): void {
+  private add(given: Omit<Message, 'id' | 'unread'>, unread = true): void {
+    const message = { ...given, text: cutMessage(given.text) };
     const id = this.nextId++;
     if (unread) this.passing.set(undefined);
     // A new refusal replaces an earlier one in the line.

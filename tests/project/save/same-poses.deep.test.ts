@@ -166,7 +166,10 @@ it('whatever is done to a character, its files read again move joints and vertic
   const commands = fc.array(fc.tuple(command, thrown), { maxLength: 4 });
   fc.assert(
     fc.property(seeds, commands, (seed, all) => {
-      for (const character of edited(withChannels(seed), all).characters) expectSamePoses(character);
+      for (const { clips, ...character } of edited(withChannels(seed), all).characters) {
+        // A take that lost all its channels with the DOFs of a joint can't be written, which is said.
+        expectSamePoses({ ...character, clips: clips.filter(({ channels }) => channels.length > 0) });
+      }
     }),
     { numRuns: DOCUMENTS },
   );

@@ -1,5 +1,7 @@
 /** What a row of the outliner shows. */
+
 import { setHidden } from '../../../edit/commands/spaces.ts';
+import { cutText } from '../../../model/cut-text.ts';
 import type { PartKind } from '../../../model/files.ts';
 import { element } from '../../kit/dom.ts';
 import { icon } from '../../kit/icons.ts';
@@ -23,15 +25,16 @@ export function drawRow(wb: Uses<'store' | 'files'>, row: OutlineRow, marks: rea
   const unsaved = isUnsaved(wb, row);
   const unnamed = row.kind === 'joint' ? `joint ${row.detail}` : 'unnamed';
   const label = row.label === '' ? element('i', { class: 'label' }, unnamed) : element('span', { class: 'label' });
-  if (row.label) {
-    if (row.label.length <= 2 * TAIL) label.textContent = row.label;
+  const name = cutText(row.label);
+  if (name) {
+    if (name.length <= 2 * TAIL) label.textContent = name;
     else {
       // Read as one word.
       label.setAttribute('role', 'img');
-      label.setAttribute('aria-label', row.label);
+      label.setAttribute('aria-label', name);
       label.append(
-        element('span', { class: 'label-head' }, row.label.slice(0, -TAIL)),
-        element('span', {}, row.label.slice(-TAIL)),
+        element('span', { class: 'label-head' }, name.slice(0, -TAIL)),
+        element('span', {}, name.slice(-TAIL)),
       );
     }
     setTooltip(label, row.name ?? row.label);
