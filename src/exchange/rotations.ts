@@ -67,17 +67,12 @@ export function multiplyQuaternions(a: ArrayLike<number>, b: ArrayLike<number>, 
   out[3] = w;
 }
 
-/** The axis of an order that is turned about last: the outermost factor. */
-export function outerAxis(order: EulerOrder): number {
-  return AXES[order].axes[2];
+/** The axes of an order, the one that is turned about first first; at right angles of the second there is gimbal lock. */
+export function axesOfOrder(order: EulerOrder): readonly [number, number, number] {
+  return AXES[order].axes;
 }
 
-/** The axis of an order that is turned about first. */
-export function innerAxis(order: EulerOrder): number {
-  return AXES[order].axes[0];
-}
-
-/** The axis between them, at whose right angles there is gimbal lock. */
-export function middleAxis(order: EulerOrder): number {
-  return AXES[order].axes[1];
+/** The two orders that turn about an axis first. */
+export function ordersFrom(axis: number): readonly [EulerOrder, EulerOrder] {
+  return axis === 0 ? ['xyz', 'xzy'] : axis === 1 ? ['yxz', 'yzx'] : ['zxy', 'zyx'];
 }

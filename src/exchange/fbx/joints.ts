@@ -9,8 +9,8 @@
  */
 
 import type { Vec3 } from '../../math/vec3.ts';
-import { innerAxis, outerAxis } from '../rotations.ts';
 import { drivenKey, type FbxTake } from './animation.ts';
+import { type KeptAngles, keptAngles } from './kept-angles.ts';
 import { NodeMotion, stretchSource } from './motion.ts';
 import type { FbxNode } from './nodes.ts';
 
@@ -20,8 +20,8 @@ export interface FbxJoint {
   readonly at: number;
   /** That of the node above it that undoes its parent's stretch; -1 for none. */
   readonly unscale: number;
-  /** Added to its angles, where its constant rotations are about the axes turned last and first; undefined else. */
-  readonly turns: Vec3 | undefined;
+  /** How its curves are those of the joint; undefined where constant rotations make other angles of them. */
+  readonly kept: KeptAngles | undefined;
   /** Nodes whose stretch its scale is multiplied by and divided by; -1 for none. */
   readonly source: number;
   readonly divisor: number;
@@ -39,29 +39,11 @@ export function jointsOf(nodes: readonly FbxNode[], takes: readonly FbxTake[], f
       node,
       at: next++,
       unscale,
-      turns: turnsOf(node),
+      kept: keptAngles(node, takes),
       source: stretchSource(nodes, i),
       divisor: isNormal ? -1 : node.parent,
     };
   });
-}
-
-/** A quaternion's angle about an axis; undefined if it turns about another. */
-function angleAbout(q: Float64Array, axis: number): number | undefined {
-  const isAbout = [0, 1, 2].every((k) => k === axis || Math.abs(q[k]) < 1e-9);
-  if (!isAbout) return undefined;
-  const angle = 2 * Math.atan2(q[axis], q[3]);
-  return angle - 2 * Math.PI * Math.round(angle / (2 * Math.PI));
-}
-
-function turnsOf({ order, pivots }: FbxNode): Vec3 | undefined {
-  const before = angleAbout(pivots.before, outerAxis(order));
-  const after = angleAbout(pivots.after, innerAxis(order));
-  if (before === undefined || after === undefined) return undefined;
-  const turns: [number, number, number] = [0, 0, 0];
-  turns[outerAxis(order)] += before;
-  turns[innerAxis(order)] += after;
-  return turns;
 }
 
 /** Times of a take at which stretches are compared, at most. */

@@ -8,7 +8,7 @@ import type { Channel } from '../../model/clip.ts';
 import type { EulerOrder } from '../../model/skeleton.ts';
 import { EULER_ORDERS } from '../../model/skeleton.ts';
 import type { Budget } from '../budget.ts';
-import { middleAxis, writeAnglesNear } from '../rotations.ts';
+import { axesOfOrder, writeAnglesNear } from '../rotations.ts';
 import type { AxisCurves, SceneMove } from '../scene.ts';
 import type { Driven, FbxTake } from './animation.ts';
 import { ascending, channelKeys, channelOf } from './channels.ts';
@@ -64,8 +64,8 @@ function curvesOf(drivers: Drivers, take: FbxTake): FbxCurve[] {
 
 /** The order that a joint's angles are in: its own, or for angles that are fitted the one furthest from gimbal lock. */
 export function orderOf(joint: FbxJoint, takes: readonly FbxTake[]): EulerOrder {
-  const { node, turns } = joint;
-  if (turns) return node.order;
+  const { node, kept } = joint;
+  if (kept) return kept.order;
   const q = new Float64Array(4);
   const angles = new Float64Array(3);
   const clearances = new Map<EulerOrder, number>(EULER_ORDERS.map((order) => [order, 1]));
@@ -80,7 +80,7 @@ export function orderOf(joint: FbxJoint, takes: readonly FbxTake[]): EulerOrder 
       writeNodeRotation(node, motion.angles, q);
       for (const [order, clearance] of clearances) {
         writeAnglesNear(order, q, angles);
-        clearances.set(order, Math.min(clearance, Math.abs(Math.cos(angles[middleAxis(order)]))));
+        clearances.set(order, Math.min(clearance, Math.abs(Math.cos(angles[axesOfOrder(order)[1]]))));
       }
     }
   }
@@ -171,15 +171,17 @@ export class Mover {
   }
 
   private rotation(joint: FbxJoint, drivers: Drivers, order: EulerOrder): AxisCurves | undefined {
-    const { node, turns } = joint;
+    const { node, kept } = joint;
     if (!isDriven(drivers)) return undefined;
     const only = onlyDriver(drivers);
-    if (only && turns) {
-      return direct(only, (k) => ({
+    if (only && kept) {
+      const { turns, follows } = kept;
+      const curves = only.curves.map((curve, k) => (follows[k] ? curve : undefined));
+      return direct({ ...only, curves }, (k) => ({
         tolerance: this.tolerances.angle / RADIANS_PER_DEGREE,
-        factor: RADIANS_PER_DEGREE,
+        factor: follows[k] ? RADIANS_PER_DEGREE : 0,
         offset: turns[k],
-        rest: node.angles[k] + turns[k],
+        rest: turns[k] + (follows[k] ? node.angles[k] : 0),
       }));
     }
     const motion = new NodeMotion(node, this.take);
@@ -271,9 +273,11 @@ function quotient(a: number, b: number): number {
 }
 
 /** The angles of a joint at rest, in an order. */
-export function restAngles({ node, turns }: FbxJoint, order: EulerOrder, out: Float64Array): void {
-  for (let k = 0; k < 3; k++) out[k] = node.angles[k] + (turns?.[k] ?? 0);
-  if (turns) return;
+export function restAngles({ node, kept }: FbxJoint, order: EulerOrder, out: Float64Array): void {
+  if (kept) {
+    for (let k = 0; k < 3; k++) out[k] = kept.turns[k] + (kept.follows[k] ? node.angles[k] : 0);
+    return;
+  }
   const q = new Float64Array(4);
   writeNodeRotation(node, node.angles, q);
   out.fill(0);

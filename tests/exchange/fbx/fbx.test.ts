@@ -2,8 +2,10 @@
 import { zlibSync } from 'fflate';
 import { describe, expect, it } from 'vitest';
 import { fbxReader } from '../../../src/exchange/fbx/read.ts';
+import { multiplyQuaternions, writeQuaternion } from '../../../src/exchange/rotations.ts';
 import type { Scene } from '../../../src/exchange/scene.ts';
 import { readWhole } from '../../../src/formats/reader.ts';
+import { writeRotation } from '../../../src/math/quaternion.ts';
 import { FIXED_TANGENT, FLAT, LINEAR } from '../../../src/model/clip.ts';
 import { verticesAt, worldsAt } from '../scene-at.ts';
 import { walkingBones } from './walking-bones.ts';
@@ -38,6 +40,9 @@ function errorOf(bytes: Uint8Array | string): string {
     .map(({ message }) => message)
     .join('\n');
 }
+
+/** Degrees as radians. */
+const inRadians = (degrees: readonly number[]) => degrees.map((angle) => (angle * Math.PI) / 180);
 
 const bone = (id: number, name: string, ...props: Obj['props'] & object): Obj => ({
   id,
@@ -172,12 +177,62 @@ describe('FBX curves', () => {
     expect([...values].map((value) => (value * 180) / Math.PI)).toEqual([40, 50].map((v) => expect.closeTo(v, 9)));
   });
 
-  it('another pre-rotation is fitted and said', () => {
+  it.each([
+    [
+      [20, 30, 40],
+      [0, 0, 0],
+    ],
+    [
+      [-80, 15, 170],
+      [0, 0, 25],
+    ],
+    [
+      [20, 90, 0],
+      [0, 0, 0],
+    ],
+  ])('a node that turns about one axis keeps its keys below any pre-rotation: %j, and %j after', (before, after) => {
+    const fbx = turning(
+      [
+        { time: 0, value: 10, flags: CUBIC_USER, data: [45, 30, 0, 0] },
+        { time: 1.5, value: -90, flags: 0x4 },
+        { time: 2, value: 0, flags: 0x4 },
+      ],
+      prop('PreRotation', ...before),
+      prop('PostRotation', ...after),
+    );
+    const { value: scene, diagnostics } = read(fbxBytes(fbx));
+    if (!scene) throw new Error('not read');
+    expect(diagnostics.map(({ code }) => code)).toEqual(['fbx-space']);
+    const { times, tangentsOut, tangentsIn } = zCurve(scene);
+    expect([...times]).toEqual([0, 1.5, 2]);
+    expect([tangentsOut.kinds[0], tangentsOut.kinds[1], tangentsIn.kinds[2]]).toEqual([FIXED_TANGENT, LINEAR, LINEAR]);
+    const expected = new Float64Array(4);
+    const part = new Float64Array(4);
+    for (const [time, angle] of [
+      [0, 10],
+      [1.5, -90],
+      [1.75, -45],
+    ]) {
+      writeQuaternion('xyz', inRadians(before), expected);
+      writeQuaternion('xyz', inRadians([0, 0, angle]), part);
+      multiplyQuaternions(expected, part, expected);
+      writeQuaternion('xyz', inRadians(after), part);
+      multiplyQuaternions(expected, [-part[0], -part[1], -part[2], part[3]], expected);
+      const matrix = new Float64Array(16);
+      writeRotation(expected[0], expected[1], expected[2], expected[3], matrix, 0, 4);
+      const shown = worldsAt(scene, scene.takes[0], time)[0];
+      for (const k of [0, 1, 2, 4, 5, 6, 8, 9, 10]) expect(shown[k]).toBeCloseTo(matrix[k], 9);
+    }
+  });
+
+  it('other pre- and post-rotations are fitted and said', () => {
     const keys = [
       { time: 0, value: 10, flags: 4 },
       { time: 1, value: 20, flags: 4 },
     ];
-    const { diagnostics } = read(fbxBytes(turning(keys, prop('PreRotation', 20, 30, 0))));
+    const { diagnostics } = read(
+      fbxBytes(turning(keys, prop('PreRotation', 20, 30, 0), prop('PostRotation', 5, 0, 0))),
+    );
     expect(diagnostics.map(({ code }) => code)).toContain('curves-fitted');
   });
 
@@ -187,7 +242,7 @@ describe('FBX curves', () => {
       { time: 1, value: 20, flags: 0x102 },
       { time: 2, value: 80, flags: 0x102 },
     ];
-    const scene = sceneOf(turning(keys, prop('PreRotation', 20, 30, 0)));
+    const scene = sceneOf(turning(keys, prop('PreRotation', 20, 30, 0), prop('PostRotation', 5, 0, 0)));
     const at = (time: number) => worldsAt(scene, scene.takes[0], time)[0].map((v) => expect.closeTo(v, 4));
     expect(worldsAt(scene, scene.takes[0], 0.00003)[0]).toEqual(at(0.6));
     expect(worldsAt(scene, scene.takes[0], 0.99997)[0]).toEqual(at(0.6));
@@ -505,7 +560,7 @@ describe('files that are no FBX 7', () => {
       { time: 0, value: 0, flags: CUBIC_USER, data: [9e4, 0, 0, 0] as const },
       { time: 0.001, value: 99, flags: CUBIC_USER, data: [1e5, 1e5, 0, 0] as const },
     ];
-    const fbx = turning(keys, prop('PreRotation', 20, 30, 0));
+    const fbx = turning(keys, prop('PreRotation', 20, 30, 0), prop('PostRotation', 5, 0, 0));
     const cycle = rec('Post-Extrapolation', [], [rec('Type', [{ int: 82 }]), rec('Repetition', [{ int: -1 }])]);
     const objects = fbx.objects.map((own) => (own.id === 4 ? curve(4, keys, [cycle]) : own));
     const { value, diagnostics } = read(fbxBytes({ ...fbx, objects }));
