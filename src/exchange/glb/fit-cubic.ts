@@ -75,23 +75,28 @@ export function cubicHolds(rows: Rows, { at, width: dims, path }: Track, toleran
     const a = i * width + at;
     const b = j * width + at;
     const span = seconds[j] - seconds[i];
-    for (let m = i + 1; m < j; m++) {
-      const u = (seconds[m] - seconds[i]) / span;
+    // Halfway between rows, too: a cubic that has to turn a corner between two of them swings out.
+    for (let n = 2 * i + 1; n < 2 * j; n++) {
+      const p = n >> 1;
+      const q = (n + 1) >> 1;
+      const u = ((seconds[p] + seconds[q]) / 2 - seconds[i]) / span;
       const v = 1 - u;
       const h = u * v * v;
       const g = -u * u * v;
       const c0 = 1 - u * u * (3 - 2 * u);
       const c1 = 1 - c0;
-      const o = m * width + at;
       let sum = 0;
       let dot = 0;
+      let length = 0;
       for (let k = 0; k < dims; k++) {
-        const p = c0 * values[a + k] + c1 * values[b + k] + h * left[k] + g * right[k];
-        const d = isRotation ? p : p - values[o + k];
+        const made = c0 * values[a + k] + c1 * values[b + k] + h * left[k] + g * right[k];
+        const own = (values[p * width + at + k] + values[q * width + at + k]) / 2;
+        const d = isRotation ? made : made - own;
         sum += d * d;
-        dot += p * values[o + k];
+        dot += made * own;
+        length += own * own;
       }
-      if (isRotation ? dot * dot < limit * sum || sum < 0.25 : sum > limit) return false;
+      if (isRotation ? dot * dot < limit * sum * length || sum < 0.25 : sum > limit) return false;
     }
     return true;
   };

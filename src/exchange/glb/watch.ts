@@ -1,7 +1,7 @@
 /**
  * The points at which the motion that is written is compared with the true one: joints, End Sites, tips of bones, and of
- * the vertices that follow each joint most those that are farthest out in many directions. The displacement of a rigid
- * part by a wrong matrix is largest at a corner of its hull.
+ * the vertices that follow each joint those that are farthest out in many directions. The displacement of a rigid part by
+ * a wrong matrix is largest at a corner of its hull.
  */
 import type { CompiledSkin } from '../../evaluate/deform.ts';
 import type { Morph } from '../../model/morph.ts';
@@ -169,32 +169,60 @@ function inJoint(
   return [0, 1, 2].map((r) => m[o + r] * x + m[o + 4 + r] * y + m[o + 8 + r] * z + w * m[o + 12 + r]);
 }
 
-/** The vertices that are outermost in some direction among those that follow one joint most. */
+/**
+ * The vertices that are outermost in some direction among those that follow one joint most; and among those that follow
+ * it less, the ones that it moves farthest.
+ */
 function outermost(skin: CompiledSkin, jointCount: number, positions: Float64Array): Set<number> {
-  const farthest = new Float64Array(DIRECTIONS.length * jointCount).fill(-Infinity);
-  const vertexOf = new Int32Array(farthest.length).fill(-1);
+  const most = new Extremes(jointCount);
+  const less = new Extremes(jointCount);
   const { start, joints, weights } = skin.skin.attachments ?? {
     start: undefined,
     joints: undefined,
     weights: undefined,
   };
   for (let v = 0; v < skin.vertexCount; v++) {
-    let joint = start ? -1 : 0;
-    if (start) {
-      let most = 0;
-      for (let a = start[v]; a < start[v + 1]; a++) if (weights[a] > most) [most, joint] = [weights[a], joints[a]];
+    const point = positions.subarray(3 * v, 3 * v + 3);
+    const place = (joint: number) => inJoint(skin, joint, point, 1);
+    if (!start) {
+      most.add(v, 0, place(0), 1);
+      continue;
     }
-    if (joint < 0 || joint >= jointCount || joint >= skin.matrixCount) continue;
-    const [x, y, z] = inJoint(skin, joint, positions.subarray(3 * v, 3 * v + 3), 1);
-    DIRECTIONS.forEach(([dx, dy, dz], d) => {
-      const far = dx * x + dy * y + dz * z;
-      const at = DIRECTIONS.length * joint + d;
-      if (!(far > farthest[at])) return;
-      farthest[at] = far;
-      vertexOf[at] = v;
-    });
+    let first = start[v];
+    for (let a = start[v]; a < start[v + 1]; a++) if (weights[a] > weights[first]) first = a;
+    for (let a = start[v]; a < start[v + 1]; a++) {
+      if (joints[a] >= jointCount || joints[a] >= skin.matrixCount || !(weights[a] > 0)) continue;
+      if (a === first) most.add(v, joints[a], place(joints[a]), 1);
+      else less.add(v, joints[a], place(joints[a]), weights[a]);
+    }
   }
-  return new Set(vertexOf.filter((v) => v >= 0));
+  return new Set([...most.vertices(), ...less.vertices()]);
+}
+
+/** The vertex that is farthest in each direction in the space of each joint. */
+class Extremes {
+  private readonly farthest: Float64Array;
+  private readonly vertexOf: Int32Array;
+
+  constructor(jointCount: number) {
+    this.farthest = new Float64Array(DIRECTIONS.length * jointCount).fill(-Infinity);
+    this.vertexOf = new Int32Array(this.farthest.length).fill(-1);
+  }
+
+  add(vertex: number, joint: number, [x, y, z]: readonly number[], weight: number): void {
+    for (let d = 0; d < DIRECTIONS.length; d++) {
+      const [dx, dy, dz] = DIRECTIONS[d];
+      const far = weight * (dx * x + dy * y + dz * z);
+      const at = DIRECTIONS.length * joint + d;
+      if (!(far > this.farthest[at])) continue;
+      this.farthest[at] = far;
+      this.vertexOf[at] = vertex;
+    }
+  }
+
+  vertices(): Int32Array {
+    return this.vertexOf.filter((v) => v >= 0);
+  }
 }
 
 const at = new Float64Array(3);
