@@ -1,5 +1,5 @@
 /**
- * *Compare numbers*: where another program's numbers differ from ours, and which mistakes explain it. Follows the comparison at
+ * *Numbers*: where another program's numbers differ from ours, and which mistakes explain it. Follows the comparison at
  * the time shown; where none was compared near it, the first that differs is told. Escape ends the comparison.
  */
 import type { FirstWrong, FrameComparison } from '../../../lesson/compare.ts';

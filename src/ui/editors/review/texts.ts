@@ -41,7 +41,7 @@ export function atLeastText(kind: FlagKind, bad: number): string {
 export function noneLeft({ text, verdict, flag, tag, stars }: ReviewView): string {
   const isVerdictAlone = text === '' && flag === undefined && tag === undefined && stars === 0;
   if (verdict === '' && isVerdictAlone) return 'Every take has a verdict. Only > All takes lists them again.';
-  return 'No take is left by the filter. Only > All takes lists all, and Escape empties the field.';
+  return 'No take is left by the filter. Only > All takes lists all of them.';
 }
 
 /** `1.23 s`, or `2.1–2.65 s`. */
