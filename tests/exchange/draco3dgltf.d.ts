@@ -9,6 +9,7 @@ declare module 'draco3dgltf' {
   const draco: {
     createEncoderModule(options: object): Promise<{
       readonly Encoder: new () => {
+        SetEncodingMethod(method: number): void;
         SetAttributeQuantization(attribute: number, bits: number): void;
         EncodeMeshToDracoBuffer(mesh: Mesh, out: Bytes): number;
       };
@@ -19,6 +20,7 @@ declare module 'draco3dgltf' {
       readonly Mesh: new () => Mesh;
       readonly DracoInt8Array: new () => Bytes;
       readonly POSITION: number;
+      readonly MESH_SEQUENTIAL_ENCODING: number;
     }>;
   };
   export default draco;

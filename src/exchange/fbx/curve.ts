@@ -100,12 +100,12 @@ export function curveOf(
 
 /** Seconds in ascending order, with their values. Times that are no number count as 0. */
 function sorted(ticks: FbxNumbers, values: FbxNumbers, ticksPerSecond: number): [Float64Array, Float64Array] {
-  const times = Float64Array.from(ticks, (time) => time / ticksPerSecond);
+  const times = Float64Array.from(ticks, (time) => finite(time / ticksPerSecond));
   const isSorted = times.every((time, i) => i === 0 || time >= times[i - 1]);
-  const finite = Float64Array.from(values, (value) => (Number.isFinite(value) ? value : 0));
-  if (isSorted) return [times, finite];
+  const numbers = Float64Array.from(values, finite);
+  if (isSorted) return [times, numbers];
   const order = [...times.keys()].sort((a, b) => times[a] - times[b] || a - b);
-  return [Float64Array.from(order, (i) => times[i]), Float64Array.from(order, (i) => finite[i])];
+  return [Float64Array.from(order, (i) => times[i]), Float64Array.from(order, (i) => numbers[i])];
 }
 
 function floatsOf(data: FbxNumbers, areBits: boolean): Float32Array {

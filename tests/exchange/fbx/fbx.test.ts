@@ -249,6 +249,17 @@ describe('FBX curves', () => {
     expect(worldsAt(scene, scene.takes[0], 1.00003)[0]).toEqual(at(1.6));
   });
 
+  it('times that are no finite numbers count as 0', () => {
+    const text = fbxText(
+      turning([
+        { time: 0.5, value: 10, flags: 4 },
+        { time: 1, value: 20, flags: 4 },
+      ]),
+    );
+    const { value } = read(text.replace(/(KeyTime: [\s\S]*?a: \d+,)\d+/, '$11e999'));
+    expect(value && [...zCurve(value).times]).toEqual([0, 0.5]);
+  });
+
   it('the units of time that newer files choose are followed', () => {
     const fbx = turning([
       { time: 0, value: 0, flags: 4 },
