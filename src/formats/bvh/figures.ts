@@ -30,10 +30,15 @@ export function figuresOf(stem: string, roots: readonly Root[], motion: MotionRo
 /** `take Hips`, `take Hips 2`. */
 function namesOf(stem: string, roots: readonly Root[]): string[] {
   const taken = new Set<string>();
+  /** The next number to try: ten thousand roots may have one name. */
+  const next = new Map<string, number>();
   return roots.map(({ name }, r) => {
     const base = `${stem} ${name || r + 1}`;
     let unique = base;
-    for (let i = 2; taken.has(unique); i++) unique = `${base} ${i}`;
+    for (let i = next.get(base) ?? 2; taken.has(unique); i++) {
+      unique = `${base} ${i}`;
+      next.set(base, i + 1);
+    }
     taken.add(unique);
     return unique;
   });

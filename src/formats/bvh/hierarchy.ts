@@ -11,7 +11,14 @@
  * writes them. Many files have End Sites without OFFSET.
  */
 import type { Vec3 } from '../../math/vec3.ts';
-import { type BvhChannel, DEFAULT_BOX, type Joint, type Limit, UNLIMITED } from '../../model/skeleton.ts';
+import {
+  type BvhChannel,
+  type BvhMotion,
+  DEFAULT_BOX,
+  type Joint,
+  type Limit,
+  UNLIMITED,
+} from '../../model/skeleton.ts';
 import { braceTooMany, type GrammarPart, number, numbers, openBrace, skipStrange } from '../grammar.ts';
 import { ParseError } from '../report.ts';
 import type { Mark, Tokens } from '../tokens.ts';
@@ -181,8 +188,8 @@ function failIfCut(t: Tokens): void {
 /** Called at the joint's `}`. */
 function close(t: Tokens, joint: OpenJoint): Joint {
   const { name, parent, endSites } = joint;
-  const offset = joint.offset ?? [0, 0, 0];
-  const own = joint.channels ?? [];
+  const offset = joint.offset ?? ORIGIN;
+  const { motion, limits, rest } = motionWith(joint.channels ?? NO_CHANNELS);
   if (!joint.offset) warnMissing(t, joint, 'OFFSET', 'used 0 0 0');
   if (!joint.channels) warnMissing(t, joint, 'CHANNELS', 'it has none');
   return {
@@ -190,12 +197,39 @@ function close(t: Tokens, joint: OpenJoint): Joint {
     parent,
     offset,
     box: DEFAULT_BOX,
-    motion: { kind: 'bvh', channels: own, positions: 'replace' },
-    limits: own.map((channel) => (isPosition(channel) ? NO_LIMIT : UNLIMITED)),
+    motion,
+    limits,
     // A position channel that replaces the offset has its value at rest.
-    pose: own.map((channel) => (isPosition(channel) ? offset['xyz'.indexOf(channel[1])] : 0)),
+    pose: rest ?? motion.channels.map((name) => (isPosition(name) ? offset['xyz'.indexOf(name[1])] : 0)),
     ...(endSites.length > 0 && { endSites }),
   };
+}
+
+const ORIGIN: Vec3 = [0, 0, 0];
+const NO_CHANNELS: readonly BvhChannel[] = [];
+
+/** What joints with the same channels share: a joint would take a hundred times its bytes otherwise. */
+interface Shared {
+  readonly motion: BvhMotion;
+  readonly limits: readonly Limit[];
+  /** Absent with position channels, which rest at the joint's own offset. */
+  readonly rest?: readonly number[];
+}
+
+/** One for each order of channels, of which there are less than two thousand. */
+const SHARED = new Map<string, Shared>();
+
+function motionWith(channels: readonly BvhChannel[]): Shared {
+  const key = channels.join('');
+  const known = SHARED.get(key);
+  if (known) return known;
+  const shared: Shared = {
+    motion: { kind: 'bvh', channels, positions: 'replace' },
+    limits: channels.map((name) => (isPosition(name) ? NO_LIMIT : UNLIMITED)),
+    ...(!channels.some(isPosition) && { rest: channels.map(() => 0) }),
+  };
+  SHARED.set(key, shared);
+  return shared;
 }
 
 function warnMissing(t: Tokens, joint: OpenJoint, what: string, assumed: string): void {

@@ -11,8 +11,11 @@
  */
 import type { Vec3 } from '../../math/vec3.ts';
 import { dofsOf, takesLimits } from '../../model/joint-types.ts';
+import { perObject } from '../../model/per-object.ts';
 import {
+  type Box,
   DEFAULT_BOX,
+  type Dof,
   isUnlimited,
   type Joint,
   type Limit,
@@ -130,7 +133,7 @@ function* head(t: Tokens, type: SkelType, index: number, parent: number): Gramma
   const { min, max } = DEFAULT_BOX;
   return {
     ...{ index, parent, name, type, place, motion: type.motion },
-    ...{ offset: [0, 0, 0], boxMin: min, boxMax: max, limits: [] },
+    ...{ offset: ORIGIN, boxMin: min, boxMax: max, limits: [] },
   };
 }
 
@@ -222,7 +225,9 @@ function* limit(t: Tokens, joint: OpenJoint, dof: string): GrammarPart<void> {
 function close(t: Tokens, joint: OpenJoint): Joint {
   const { name, parent, offset, motion, pose, limits: given } = joint;
   const dofs = dofsOf(motion);
-  const limits = dofs.map((dof) => given.findLast((g) => g.dof === dof.name)?.limit ?? UNLIMITED);
+  const limits = given.length
+    ? dofs.map((dof) => given.findLast((g) => g.dof === dof.name)?.limit ?? UNLIMITED)
+    : defaultsOf(dofs).limits;
   for (const { dof, place } of given) {
     if (dofs.some((d) => d.name === dof)) continue;
     const names = dofs.map((d) => d.name).join(' ') || 'it has none';
@@ -233,7 +238,7 @@ function close(t: Tokens, joint: OpenJoint): Joint {
     const message = `Found limits on ${describe(joint)}, which takes none: its DOFs mean nothing on their own.`;
     t.report.warn('limits-not-taken', message, t.placeOf(given[0].place, 'warning'), 'kept, and ignored when clamping');
   }
-  const values = dofs.map((dof, i) => pose?.values[i] ?? dof.rest);
+  const values = pose ? dofs.map((dof, i) => pose.values[i] ?? dof.rest) : defaultsOf(dofs).pose;
   if (pose && pose.found !== dofs.length) {
     const message = `Expected ${dofs.length} values for the pose of a ${joint.type.keyword}, found ${pose.found}.`;
     if (pose.found < dofs.length) t.report.error('number-expected', message, t.placeOf(pose.place, 'error'));
@@ -245,10 +250,26 @@ function close(t: Tokens, joint: OpenJoint): Joint {
     t.report.info('pose-out-of-limits', message, t.placeOf(pose?.place ?? joint.place, 'info'), 'clamped when shown');
   }
   return {
-    ...{ name, parent, offset, box: { min: joint.boxMin, max: joint.boxMax }, motion, limits, pose: values },
+    ...{ name, parent, offset, box: boxOf(joint), motion, limits, pose: values },
     ...(joint.length !== undefined && { length: joint.length }),
     ...(joint.role !== undefined && { role: joint.role }),
   };
+}
+
+/** What a joint has that says nothing, shared: written `balljoint{}`, a joint would take fifty times its bytes. */
+interface Defaults {
+  readonly limits: readonly Limit[];
+  readonly pose: readonly number[];
+}
+
+const ORIGIN: Vec3 = [0, 0, 0];
+
+const defaultsOf = perObject(
+  (dofs: readonly Dof[]): Defaults => ({ limits: dofs.map(() => UNLIMITED), pose: dofs.map(({ rest }) => rest) }),
+);
+
+function boxOf({ boxMin, boxMax }: OpenJoint): Box {
+  return boxMin === DEFAULT_BOX.min && boxMax === DEFAULT_BOX.max ? DEFAULT_BOX : { min: boxMin, max: boxMax };
 }
 
 function isOutside(value: number, limit: Limit): boolean {

@@ -1,0 +1,49 @@
+/** Files whose joints say little, and many joints or roots: what joints have in common is held once. */
+import { expect, it } from 'vitest';
+import { readBvh } from '../../src/formats/bvh/read.ts';
+import type { Joint } from '../../src/model/skeleton.ts';
+import { read } from './read-in-pieces.ts';
+
+function jointsOf(text: string, name: string): readonly Joint[] {
+  const { value } = read(name, text);
+  if (value?.kind === 'skel') return value.skeletons[0].joints;
+  return value?.kind === 'bvh' ? value.figures[0].skeleton.joints : [];
+}
+
+const MANY = 20_000;
+
+it('joints of a .skel that say nothing share their limits, pose, box and offset', () => {
+  const [, first, ...others] = jointsOf(`balljoint{${'balljoint{}'.repeat(MANY)}}`, 'x.skel');
+  expect(others).toHaveLength(MANY - 1);
+  const isShared = (of: keyof Joint) => others.every((joint) => joint[of] === first[of]);
+  expect((['limits', 'pose', 'box', 'offset'] as const).map(isShared)).toEqual([true, true, true, true]);
+  const [own] = jointsOf('balljoint a { rotxlimit -1 1 boxmin 0 0 0 }', 'x.skel');
+  expect(own).toMatchObject({
+    limits: [{ min: -1, max: 1 }, { max: 1e5 }, {}],
+    box: { min: [0, 0, 0], max: [0.1, 0.1, 0.1] },
+  });
+});
+
+it('joints of a .bvh with the same channels share their motion and limits', () => {
+  const joint = 'JOINT a\n{ OFFSET 1 2 3 CHANNELS 3 Zrotation Xrotation Yrotation }';
+  const text = `HIERARCHY ROOT a\n{ OFFSET 0 0 0 CHANNELS 0 ${joint.repeat(MANY)} } MOTION Frames: 0 Frame Time: 1`;
+  const [, first, ...others] = jointsOf(text, 'x.bvh');
+  expect(others).toHaveLength(MANY - 1);
+  const isShared = (of: keyof Joint) => others.every((other) => other[of] === first[of]);
+  expect((['motion', 'limits', 'pose', 'box'] as const).map(isShared)).toEqual([true, true, true, true]);
+});
+
+it('ten thousand roots of one name have names of their own', () => {
+  const roots = 'ROOT a\n{ OFFSET 0 0 0 CHANNELS 1 Xrotation }\n'.repeat(10_000);
+  const { value } = readBvh(`HIERARCHY ${roots} MOTION Frames: 1 Frame Time: 1\n${'0 '.repeat(10_000)}`, 'x.bvh');
+  const names = new Set(value?.map(({ skeleton }) => skeleton.name));
+  expect(names.size).toBe(10_000);
+  expect([names.has('x a'), names.has('x a 2'), names.has('x a 10000')]).toEqual([true, true, true]);
+});
+
+it.each([
+  ['x.skel', `${'balljoint{'.repeat(MANY)}${'}'.repeat(MANY)}`],
+  ['x.axskel', `${'1 0 0 1 0 1\n'.repeat(MANY - 1)}1 0 0 1 0 0`],
+])('a chain of twenty thousand joints in %s is read and written', (name, text) => {
+  expect(jointsOf(text, name.replace('.ax', '.'))).toHaveLength(MANY);
+});
