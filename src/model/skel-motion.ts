@@ -13,7 +13,7 @@ import { type ChannelClip, restChannel } from './clip.ts';
 import { firstDofs, jointDofCount, rootDofCount, rootDofs } from './dofs.ts';
 import { dofsOf, isOfBvh, jointTypeOf, offsetBesideDofs } from './joint-types.ts';
 import { columnOf, type Samples } from './samples.ts';
-import { type Joint, type Motion, type Skeleton, UNLIMITED } from './skeleton.ts';
+import { type Couple, type Joint, type Motion, type Skeleton, UNLIMITED } from './skeleton.ts';
 
 export interface SkelMotion {
   readonly motion: Motion;
@@ -30,7 +30,7 @@ export function skelMotionOf(before: Motion): SkelMotion {
 
 /** The joint with a `.skel` motion, its limits, pose and offset converted; the same object if it has one. */
 export function skelJoint(joint: Joint): Joint {
-  const { limits, pose } = joint;
+  const { limits, pose, couples } = joint;
   if (!isOfBvh(joint.motion)) return joint;
   const { motion, dofMap } = skelMotionOf(joint.motion);
   return {
@@ -39,7 +39,14 @@ export function skelJoint(joint: Joint): Joint {
     offset: offsetBesideDofs(joint),
     limits: dofMap.map((dof) => limits[dof] ?? UNLIMITED),
     pose: dofMap.map((dof) => pose[dof] ?? 0),
+    ...(couples && { couples: couplesInOrder(couples, motion) }),
   };
+}
+
+/** Links in the order of a motion's DOFs, as they are read. */
+export function couplesInOrder(couples: readonly Couple[], motion: Motion): readonly Couple[] {
+  const order = dofsOf(motion).map(({ name }) => name);
+  return couples.toSorted((a, b) => order.indexOf(a.dof) - order.indexOf(b.dof));
 }
 
 /** The skeleton without BVH joints; the same object if it has none. Joints keep their indices. */

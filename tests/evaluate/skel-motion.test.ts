@@ -55,3 +55,14 @@ it('a skeleton without any of BVH is the very same', () => {
   const hero = plain(3);
   expect(skelSkeleton(hero)).toBe(hero);
 });
+
+it('links are in the order of the DOFs, also where this is another one', () => {
+  const link = { joint: 0, follows: 'rx', gain: 1, offset: 0 };
+  const motion: BvhMotion = { kind: 'bvh', channels: ['rx', 'ry', 'tx'], positions: 'add' };
+  const couples = [
+    { ...link, dof: 'ry' },
+    { ...link, dof: 'tx' },
+  ];
+  const [after] = skelSkeleton({ name: 'x', joints: [{ ...bvhJoint(motion, [0, 0, 0], [0, 0, 0]), couples }] }).joints;
+  expect(after.couples?.map(({ dof }) => dof)).toEqual(['tx', 'ry']);
+});

@@ -18,7 +18,7 @@ import { type Channel, type ChannelClip, restChannel } from '../../model/clip.ts
 import { filePose, firstDofs, rootDofCount } from '../../model/dofs.ts';
 import { dofsOf, isOfBvh, offsetBesideDofs } from '../../model/joint-types.ts';
 import { perObject } from '../../model/per-object.ts';
-import { skelMotionOf } from '../../model/skel-motion.ts';
+import { couplesInOrder, skelMotionOf } from '../../model/skel-motion.ts';
 import { type Box, isUnlimited, type Joint, type Limit, type Skeleton, UNLIMITED } from '../../model/skeleton.ts';
 import { keyedClip, type SampleKeyOptions } from './keys-of-samples.ts';
 
@@ -78,7 +78,8 @@ function make(skeleton: Skeleton): SkelFigure {
   });
   const known = joints.map(({ couples, ...joint }): Joint => {
     if (!couples) return joint;
-    return { ...joint, couples: couples.map((couple) => ({ ...couple, joint: numbers[couple.joint] ?? 0 })) };
+    const numbered = couples.map((couple) => ({ ...couple, joint: numbers[couple.joint] ?? 0 }));
+    return { ...joint, couples: couplesInOrder(numbered, joint.motion) };
   });
   const to: Skeleton = { name: skeleton.name, joints: known };
   return { skeleton: to, channelMap: channelMapOf(skeleton, to, origins) };
