@@ -1,11 +1,14 @@
 import { describe, expect, it } from 'vitest';
+import { setRetarget } from '../../../../src/edit/commands/retarget.ts';
 import { outlineRows } from '../../../../src/ui/editors/outliner/outline-rows.ts';
 import { takeEntries } from '../../../../src/ui/editors/outliner/row-menu.ts';
 import { takesToEdit, takesToInsert, takesToJoin } from '../../../../src/ui/editors/takes/edited.ts';
 import { takeKey } from '../../../../src/ui/editors/takes/rows.ts';
 import { timeEntries } from '../../../../src/ui/editors/timeline/time-menu.ts';
 import type { MenuEntry } from '../../../../src/ui/kit/menu.ts';
+import { actionLabel, findAction, isEnabled, whyNot } from '../../../../src/ui/state/action.ts';
 import { menuEntries } from '../../../../src/ui/state/menu-entries.ts';
+import { sliding } from '../../../edit/hold/sliding.ts';
 import { character, clip, documentOf, workbench } from '../../builders.ts';
 
 const ref = (clip: number, characterId = 'c1') => ({ characterId, clip });
@@ -39,6 +42,23 @@ describe('which takes are edited', () => {
     expect(within(timeEntries(wb, 0.5))).toEqual(expect.arrayContaining(tools));
     expect(within(takeEntries(wb, rows[0], () => undefined))).toEqual(expect.arrayContaining(tools));
     expect(within(takeEntries(wb, rows[1], () => undefined))).toEqual([]);
+  });
+
+  it('the greyed Make loop of curves leads to that of takes, and what is retargeted is changed, not retargeted anew', () => {
+    const { wb } = workbench(documentOf({ ...sliding(0), id: 'a' }, { ...sliding(0), id: 'b' }));
+    wb.store.select({ characterId: 'b' });
+    const action = (id: string) => {
+      const found = findAction(wb, id);
+      if (!found) throw new Error(`There is no ${id}.`);
+      return found;
+    };
+    expect(isEnabled(wb, action('timeline.loop'))).toBe(false);
+    expect(whyNot(wb, action('timeline.loop'))).toContain('Edit > Edit takes > Make loop');
+    expect(isEnabled(wb, action('take.loopTake'))).toBe(true);
+    expect(actionLabel(wb, action('retarget.open'))).toBe('Retarget take…');
+    wb.store.apply(setRetarget, { characterId: 'b', sourceId: 'a' });
+    expect(actionLabel(wb, action('retarget.open'))).toBe('Change retargeting…');
+    expect(isEnabled(wb, action('take.checkTake'))).toBe(true);
   });
 
   it('the only two takes are joined without being selected, and all but the current can be inserted into it', () => {
