@@ -14,6 +14,7 @@ import { distanceForHalfHeight, fitEye, lookingFrom, orthographicDepth, perspect
 import type { Vec3 } from '../math/vec3.ts';
 import { CameraTravel, newView, PressWatch, type View } from './camera-travel.ts';
 import { Grid } from './grid.ts';
+import { keepToOneKindOfPointer } from './one-kind-of-pointer.ts';
 
 export type ViewDirection = 'front' | 'back' | 'left' | 'right' | 'top' | 'bottom';
 
@@ -69,6 +70,7 @@ export class CameraRig {
     element: HTMLElement,
     private readonly changed: () => void,
   ) {
+    keepToOneKindOfPointer(element, this.listening.signal);
     this.controls = new OrbitControls(this.perspective, element);
     const { controls } = this;
     this.target = controls.target;

@@ -1,5 +1,7 @@
 import type { Attack } from './attack.ts';
+import { killed } from './page/killed.ts';
 import { lostContext } from './page/lost-context.ts';
+import { randomWalk } from './page/random-walk.ts';
 
 /** All attacks, in the order in which they run. */
-export const ATTACKS: readonly Attack[] = [lostContext];
+export const ATTACKS: readonly Attack[] = [lostContext, killed, randomWalk];

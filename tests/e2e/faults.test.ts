@@ -77,4 +77,24 @@ describe('faults', () => {
         },
       },
     ));
+
+  it('a touch anywhere on the page while a mouse button is down on the viewport, as screens with both send it, is no error', () =>
+    withPage(
+      async ({ page }) => {
+        await openArm(page);
+        const session = await page.context().newCDPSession(page);
+        await page.mouse.move(400, 300);
+        await page.mouse.down();
+        for (const point of [
+          { x: 450, y: 300 },
+          { x: 400, y: 590 },
+        ]) {
+          await session.send('Input.dispatchTouchEvent', { type: 'touchStart', touchPoints: [point] });
+          await session.send('Input.dispatchTouchEvent', { type: 'touchEnd', touchPoints: [] });
+        }
+        await page.mouse.up();
+        await expect.poll(() => page.evaluate(() => window.marrow.stats().drawCalls)).toBeGreaterThan(0);
+      },
+      { ...SMALL, touch: true },
+    ));
 });

@@ -1,10 +1,11 @@
 /**
- * When to save: shortly after the last change, and every few seconds during continuous changes. Not during a drag,
+ * When to save: shortly after the last change, and every other second during continuous changes. Not during a drag,
  * whose state is half done and where a delay would be felt; but a drag doesn't postpone saving for ever.
  */
 
 const QUIET_MS = 800;
-const MAX_MS = 5000;
+/** With the time that saving takes, no more than two seconds of work are lost. */
+const MAX_MS = 1500;
 /** A longer drag no longer postpones saving. */
 const PATIENCE_MS = 30_000;
 
