@@ -9,6 +9,9 @@ const BASE = 4e6;
 /** For each of its bytes: real files, packed ones too, need less than half. */
 const PER_BYTE = 16;
 
+/** Numbers that a take holds for each node and each morph target, moved or not. */
+const PER_NODE_OF_TAKE = 30;
+
 export class Budget {
   private left: number;
 
@@ -21,6 +24,11 @@ export class Budget {
     private readonly fail: (message: string) => never,
   ) {
     this.left = BASE + PER_BYTE * bytes;
+  }
+
+  /** Counts a take: every take of a character has channels of all its joints and morphs. */
+  spendTake(nodes: number, targets: number, what: string): void {
+    this.spend(PER_NODE_OF_TAKE * (nodes + targets), what);
   }
 
   /** Counts numbers that are about to be made of the file's; fails if they are more than it may have. @param what for messages */

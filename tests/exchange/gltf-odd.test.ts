@@ -289,6 +289,18 @@ describe('files that are not as they should be', () => {
     ['file-too-large', 'has one mesh on very many nodes', () => withJson('nodes', Array(20000).fill({ mesh: 0 }))],
     [
       'file-too-large',
+      'has very many animations of very many nodes',
+      () => {
+        const maker = new GltfMaker();
+        const input = maker.add('SCALAR', Float32Array.of(1));
+        const output = maker.add('VEC3', Float32Array.of(1, 2, 3));
+        const channels = [{ sampler: 0, target: { node: 0, path: 'translation' } }];
+        const animations = Array(800).fill({ samplers: [{ input, output }], channels });
+        return glbOf(maker.made({ nodes: Array(1000).fill({}), animations }));
+      },
+    ],
+    [
+      'file-too-large',
       'uses the same bytes very many times',
       () => {
         const maker = new GltfMaker();

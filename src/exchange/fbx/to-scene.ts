@@ -156,6 +156,8 @@ function takeOf(
   fitting: Fitting,
   budget: Budget,
 ): SceneTake {
+  const targetCount = meshes.reduce((sum, { sources }) => sum + sources.length, 0);
+  budget.spendTake(joints.length, targetCount, `The take ${take.name}`);
   const mover = new Mover(joints, take, tolerances, fitting, budget);
   const moves = joints.flatMap((joint, i) => mover.of(joint, orders[i]));
   const weights = meshes.flatMap(({ sources }, mesh) =>

@@ -37,8 +37,10 @@ export function readTakes(
 ): readonly SceneTake[] {
   const meshesOf = new Map<number, number[]>();
   for (const [m, { node }] of meshes.entries()) meshesOf.set(node, [...(meshesOf.get(node) ?? []), m]);
+  const targetCount = meshes.reduce((sum, { targets }) => sum + targets.length, 0);
   return document.all('animations').flatMap((json, a) => {
     const called = `Animation ${a}`;
+    budget.spendTake(indexOf.size, targetCount, called);
     const samplers = listOf(json.samplers).map((item) => objectOf(item) ?? {});
     const moves = new Map<number, { -readonly [K in keyof SceneMove]: SceneMove[K] }>();
     const weights: SceneWeight[] = [];
