@@ -177,6 +177,35 @@ export function withoutKey(rows: Rows, track: Track, { rows: keys, values }: Fit
   return fitted;
 }
 
+/** Seconds: Blender takes keys that are nearer for one, a hundredth of a frame apart at 24 frames per second. */
+const NEAR = 5e-4;
+
+/**
+ * The same with a key on the line before each two that are so near that programs take them for one: what leads there
+ * isn't bent towards the later one.
+ */
+export function guarded(rows: Rows, { at, width }: Track, fitted: FittedKeys, made: Float64Array): FittedKeys {
+  const { rows: keys, values } = fitted;
+  const { seconds } = rows;
+  const all: number[] = [];
+  const own: number[] = [];
+  keys.forEach((row, k) => {
+    const isFirst = k + 1 < keys.length && seconds[keys[k + 1]] - seconds[row] < NEAR;
+    if (isFirst && k > 0 && seconds[row] - seconds[keys[k - 1]] >= NEAR) {
+      let guard = row - 1;
+      while (guard > keys[k - 1] && seconds[row] - seconds[guard] < NEAR) guard--;
+      if (guard > keys[k - 1]) {
+        const o = guard * rows.width + at;
+        all.push(guard);
+        own.push(...made.subarray(o, o + width));
+      }
+    }
+    all.push(row);
+    own.push(...values.subarray(k * width, (k + 1) * width));
+  });
+  return all.length === keys.length ? fitted : { rows: all, values: Float64Array.from(own) };
+}
+
 /** Gives a key between two others its value. */
 function moveKey(rows: Rows, { at, width, path }: Track, { rows: keys, values }: FittedKeys, k: number): void {
   const row = keys[k];

@@ -5,7 +5,15 @@
  * are added where the tolerance is exceeded, and those that turn out not to be needed are removed.
  */
 import { cubicHolds, fitCubic } from './fit-cubic.ts';
-import { type FittedKeys, fitLinear, greedyKeys, lastNotAbove, linearHolds, refitLinear } from './fit-linear.ts';
+import {
+  type FittedKeys,
+  fitLinear,
+  greedyKeys,
+  guarded,
+  lastNotAbove,
+  linearHolds,
+  refitLinear,
+} from './fit-linear.ts';
 import type { JointNode } from './joint-nodes.ts';
 import { Measured } from './measured.ts';
 import { moveKeys } from './move-key.ts';
@@ -71,7 +79,7 @@ export function fitStretch(
     measured.measure();
   }
   if (improves) removeKeys(measured, limit);
-  return fits;
+  return isCubic ? fits : fits.map((fit, t) => guarded(rows, tracks[t], fit, measured.made[0]));
 }
 
 /** The rows that a key at a row, or its absence, has an effect on: two segments on either side. */

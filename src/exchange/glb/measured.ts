@@ -15,7 +15,7 @@ export class Measured {
   /** The largest squared distance of a point at each row. */
   readonly errors: Float64Array;
   /** As the rows' values: rotations by components, and along arcs where that differs. */
-  private readonly made: readonly Float64Array[];
+  readonly made: readonly Float64Array[];
   /** World matrices of the nodes at each row, 16 numbers each, of what is made. */
   private readonly worlds: readonly Float64Array[];
   /** Where points should be at each row: x y z each. */
