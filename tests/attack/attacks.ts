@@ -1,7 +1,8 @@
 import type { Attack } from './attack.ts';
 import { killed } from './page/killed.ts';
 import { lostContext } from './page/lost-context.ts';
+import { openClose } from './page/open-close.ts';
 import { randomWalk } from './page/random-walk.ts';
 
 /** All attacks, in the order in which they run. */
-export const ATTACKS: readonly Attack[] = [lostContext, killed, randomWalk];
+export const ATTACKS: readonly Attack[] = [lostContext, openClose, killed, randomWalk];
