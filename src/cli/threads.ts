@@ -3,6 +3,7 @@
  * one holds up nobody; a thread that dies takes only its own piece with it.
  */
 import { availableParallelism } from 'node:os';
+import { setImmediate as nextTurn } from 'node:timers/promises';
 import { isMainThread, type MessagePort, parentPort, Worker, workerData } from 'node:worker_threads';
 
 /** Does one kind of work: made once per thread from what all pieces share. Everything passed must be cloneable. */
@@ -46,7 +47,11 @@ export async function shareWork<Shared, Piece, Result>(
 ): Promise<void> {
   if (!program || pieces.length < few || threads < 2) {
     const own = work(shared);
-    for (const [i, piece] of pieces.entries()) done(piece, await own(piece), i);
+    for (const [i, piece] of pieces.entries()) {
+      done(piece, await own(piece), i);
+      // Without a turn of the loop in between, files that were read are never let go of, nor are signals heard.
+      await nextTurn();
+    }
     return;
   }
   let next = 0;
