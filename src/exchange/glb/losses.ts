@@ -25,6 +25,7 @@ export function lossesOf(written: Written): readonly Loss[] {
   const { missing } = written;
   return [
     ...attachmentLosses(written),
+    ...bindings(written),
     ...chains(written),
     ...splines(written),
     ...missing.map(
@@ -149,6 +150,37 @@ function matricesOf(
       return matrices();
     }),
   );
+}
+
+/** Bones of Blender rest where bindings are, without their scale and shear: its vertices are off by these. */
+function bindings({ figure: { skin }, character }: Written): readonly Loss[] {
+  if (!skin || character.skins.length === 0) return [];
+  let count = 0;
+  for (let at = 0; at < skin.bindings.length; at += 16) if (!isRigid(skin.bindings, at)) count++;
+  if (count === 0) return [];
+  const whose = `${count} of ${skin.bindings.length / 16} bindings`;
+  return [
+    {
+      code: 'bindings-in-blender',
+      severity: 'info',
+      message: `${whose} scale or shear, which Blender's bones leave out: vertices are off there, but not in three.js and Babylon.`,
+    },
+  ];
+}
+
+/** Within what files with few digits are off. */
+const RIGID = 1e-2;
+
+/** Whether the axes of a matrix (column by column) are of length 1 and at right angles. */
+function isRigid(matrices: Float64Array, at: number): boolean {
+  for (let a = 0; a < 3; a++) {
+    for (let b = a; b < 3; b++) {
+      let dot = 0;
+      for (let k = 0; k < 3; k++) dot += matrices[at + 4 * a + k] * matrices[at + 4 * b + k];
+      if (Math.abs(dot - (a === b ? 1 : 0)) > RIGID) return false;
+    }
+  }
+  return true;
 }
 
 function chains({ figure: { joints } }: Written): readonly Loss[] {

@@ -14,6 +14,11 @@ export interface TriedProgram {
 
 export const SAVED_FOR: readonly TriedProgram[] = [
   { file: '.glb', program: 'Blender 4.5.15 (bpy)', seen: 'joints and vertices within the tolerance, with linear keys' },
+  {
+    file: '.glb',
+    program: 'Blender, bindings that scale or shear',
+    seen: 'vertices are off: its bones leave that out',
+  },
   { file: '.glb', program: 'three.js 0.187', seen: 'the same, with linear and cubic keys' },
   { file: '.glb', program: 'Babylon.js 9.35', seen: 'the same, with linear and cubic keys' },
   { file: '.glb', program: 'Khronos validator 2.0.0-dev.3.10', seen: 'no error, no warning' },

@@ -55,6 +55,19 @@ describe('what GLB loses', () => {
     expect(json.nodes[0].children).toContain(joints[6]);
   });
 
+  it('bindings that scale are told, for Blender; those of few digits are not', () => {
+    const own = six([1, 0, 0, 0, 0, 0]);
+    const bound = (x: number) => {
+      const [hero] = own.skins;
+      const bindings = hero.bindings.slice();
+      bindings[16] = x;
+      return glbOf({ ...own, skins: [{ ...hero, bindings }] });
+    };
+    expect(codesOf(bound(2))).toEqual(['bindings-in-blender']);
+    expect(bound(2).report.losses[0].message).toContain('1 of 6 bindings');
+    expect(codesOf(bound(1.001))).toEqual([]);
+  });
+
   it('a texture that was not given is told', () => {
     const own = six([1, 0, 0, 0, 0, 0]);
     const [hero] = own.skins;
