@@ -76,10 +76,10 @@ export const BY_HAND: readonly Check[] = [
       const field = page.getByRole('textbox', { name: 'rx' }).first();
       await field.fill('90');
       await field.press('Enter');
-      expect(await dof(page, 3)).toBeCloseTo(1, 9);
+      await expect.poll(() => dof(page, 3)).toBeCloseTo(1, 9);
       await page.locator('.viewport canvas[role=application]').focus();
       await page.keyboard.press('Control+z');
-      expect(await dof(page, 3)).toBe(0);
+      await expect.poll(() => dof(page, 3)).toBe(0);
       for (const [typed, degrees] of [
         ['+=10', 10],
         ['*2', 20],
@@ -87,7 +87,7 @@ export const BY_HAND: readonly Check[] = [
       ] as const) {
         await field.fill(typed);
         await field.press('Enter');
-        expect(await dof(page, 3)).toBeCloseTo((degrees * Math.PI) / 180, 9);
+        await expect.poll(() => dof(page, 3)).toBeCloseTo((degrees * Math.PI) / 180, 9);
       }
     },
   },
