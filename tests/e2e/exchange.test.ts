@@ -118,7 +118,7 @@ async function goThrough({ page, download }: OpenPage, scale: number): Promise<v
   const undone = () => page.evaluate(() => window.marrow.steps().undo ?? '');
   await page.keyboard.press('k');
   await expect.poll(undone).toMatch(/^Key /);
-  expect(await page.locator('.dof[data-driver=unkeyed]').count()).toBe(0);
+  await expect.poll(() => page.locator('.dof[data-driver=unkeyed]').count()).toBe(0);
   const keyed = [await shapeAt(page, 'hero', POSED), await shapeAt(page, 'hero', 1.2)];
 
   // Saved as text, and opened from that.
@@ -270,7 +270,7 @@ it('a .gltf with its files is opened from a folder, a zip, together and one by o
           await opened(page, 'hero');
           const [{ vertexCount, joints }] = await page.evaluate(() => window.marrow.characters());
           expect([vertexCount, joints.length]).toEqual([2019, 32]);
-          expect(await messages()).toContain('Problems in your files appear here');
+          await expect.poll(messages).toContain('Problems in your files appear here');
           await removeAll(page);
         };
         await dropPaths(page, [scene]);

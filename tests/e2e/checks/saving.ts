@@ -54,7 +54,7 @@ export const BY_DOWNLOAD: readonly Check[] = [
       await page.evaluate(() => window.marrow.run('save.glb'));
       const save = page.locator('.glb-dialog button[type=submit]');
       await expect.poll(() => save.isEnabled(), { timeout: 20_000 }).toBe(true);
-      expect(await page.locator('.glb-dialog').textContent()).toMatch(/2 joints.*hero_walk: \d+ keys/s);
+      await expect.poll(() => page.locator('.glb-dialog').textContent()).toMatch(/2 joints.*hero_walk: \d+ keys/s);
       const glb = await download(() => save.click());
       expect(glb.name).toBe('hero.glb');
       expect(glb.text.slice(0, 4)).toBe('glTF');
