@@ -69,7 +69,7 @@ export function fitTake(motion: TakeMotion, moved: MovedNodes, options: FitOptio
       if (keys) exact.set(curves[c], keysOfTrack(curves[c], 'cubic', keys));
     });
   }
-  const collected = tracks.map((track) => new Collected(track.width, style));
+  const collected = tracks.map(() => new Collected());
   const rows = new Rows(width, nodes.length);
   const numbersPerRow = 3 * width + 16 * nodes.length;
   const perStretch = Math.min(MOST_ROWS, Math.max(LEAST_ROWS, Math.floor(NUMBERS / numbersPerRow)));
@@ -79,57 +79,69 @@ export function fitTake(motion: TakeMotion, moved: MovedNodes, options: FitOptio
   const isExact = (track: Track) => exact.has(track);
   sampleTake(motion, tracks, tolerance, rows, perStretch, () => {
     fitStretch(rows, tracks, nodes, watch, { style, tolerance, share, thins, isExact }).forEach((fit, t) => {
-      collected[t].add(rows, fit);
+      collected[t].add(rows, fit, tracks[t].width);
     });
     onProgress?.(seconds > 0 ? Math.min(1, rows.seconds[rows.count - 1] / seconds) : 1);
   });
-  return tracks.map((track, t) => exact.get(track) ?? keysOfTrack(track, style, collected[t]));
+  return tracks.map((track, t) => exact.get(track) ?? keysOfTrack(track, style, collected[t].takeAll()));
 }
 
-/** Keys of successive stretches. */
-class Collected {
-  readonly seconds: number[] = [];
-  readonly values: number[] = [];
-  readonly slopesIn: number[] = [];
-  readonly slopesOut: number[] = [];
-  /** Indices of keys whose values jump from the one before. */
-  readonly jumps = new Set<number>();
-  private readonly width: number;
-  private readonly isCubic: boolean;
-
-  constructor(width: number, style: KeyStyle) {
-    this.width = width;
-    this.isCubic = style === 'cubic';
-  }
-
-  add(rows: Rows, { rows: keys, values, slopesIn, slopesOut }: FittedKeys): void {
-    const { width } = this;
-    keys.forEach((row, k) => {
-      const o = k * width;
-      const isShared = k === 0 && this.seconds.length > 0;
-      if (isShared) {
-        // The last key of the stretch before.
-        if (slopesOut) for (let c = 0; c < width; c++) this.slopesOut[this.slopesOut.length - width + c] = slopesOut[c];
-        return;
-      }
-      if (k > 0 && rows.jumps[row]) this.jumps.add(this.seconds.length);
-      this.seconds.push(rows.seconds[row]);
-      for (let c = o; c < o + width; c++) {
-        this.values.push(values[c]);
-        if (!this.isCubic) continue;
-        this.slopesIn.push(slopesIn?.[c] ?? 0);
-        this.slopesOut.push(slopesOut?.[c] ?? 0);
-      }
-    });
-  }
-}
-
+/** Keys in a row. */
 interface KeyColumns {
   readonly seconds: ArrayLike<number>;
   readonly values: ArrayLike<number>;
+  /** Of splines. */
   readonly slopesIn: ArrayLike<number>;
   readonly slopesOut: ArrayLike<number>;
-  readonly jumps?: ReadonlySet<number>;
+  /** 1 where the values jump from the key before; absent: nowhere. */
+  readonly jumps?: Uint8Array;
+}
+
+/** Keys of successive stretches, of one track. They are most of what a long take needs in memory. */
+class Collected {
+  private readonly seconds: Float64Array[] = [];
+  private readonly values: Float64Array[] = [];
+  private readonly slopesIn: Float64Array[] = [];
+  private readonly slopesOut: Float64Array[] = [];
+  private readonly jumps: Uint8Array[] = [];
+
+  add(rows: Rows, { rows: keys, values, slopesIn = NONE, slopesOut = NONE }: FittedKeys, width: number): void {
+    // The first key is the last of the stretch before, but for what follows it.
+    const first = Math.min(1, this.seconds.length);
+    const before = this.slopesOut.at(-1);
+    if (before?.length) before.set(slopesOut.subarray(0, width), before.length - width);
+    if (keys.length === first) return;
+    const own = keys.slice(first);
+    this.seconds.push(Float64Array.from(own, (row) => rows.seconds[row]));
+    this.jumps.push(Uint8Array.from(own, (row, k) => (first + k > 0 ? rows.jumps[row] : 0)));
+    this.values.push(values.slice(first * width));
+    this.slopesIn.push(slopesIn.slice(first * width));
+    this.slopesOut.push(slopesOut.slice(first * width));
+  }
+
+  /** All keys, which are let go of. */
+  takeAll(): KeyColumns {
+    return {
+      seconds: joined(this.seconds),
+      values: joined(this.values),
+      slopesIn: joined(this.slopesIn),
+      slopesOut: joined(this.slopesOut),
+      jumps: Uint8Array.from(joined(this.jumps)),
+    };
+  }
+}
+
+const NONE = new Float64Array();
+
+/** One after the other; `parts` is empty then. */
+function joined(parts: (Float64Array | Uint8Array)[]): Float64Array {
+  const all = new Float64Array(parts.reduce((sum, { length }) => sum + length, 0));
+  let at = 0;
+  for (const part of parts.splice(0)) {
+    all.set(part, at);
+    at += part.length;
+  }
+  return all;
 }
 
 /** Differences of values that are none: what rounding to floats hides. */
@@ -165,13 +177,16 @@ function keysOfTrack(track: Track, style: KeyStyle, keys: KeyColumns): TrackKeys
     track,
     interpolation,
     seconds: Float32Array.from(indices, (k) => seconds[k]),
-    values: Float32Array.from(indices.flatMap((k) => Array.from({ length: width }, (_, c) => values[k * width + c]))),
+    values: Float32Array.from({ length: indices.length * width }, (_, i) => {
+      const key = indices[Math.floor(i / width)];
+      return values[key * width + (i % width)];
+    }),
     isConstant,
   });
   let flat = 0;
   const starts: number[] = [0];
   for (let k = 0; k + 1 < count; k++) {
-    if (jumps?.has(k + 1)) starts.push(k + 1);
+    if (jumps?.[k + 1]) starts.push(k + 1);
     else if (isFlat(k)) flat++;
   }
   const isStepped = flat + starts.length === count;
@@ -227,8 +242,8 @@ function framesOf(
     }
   }
   return tracks.map((track) => {
-    const collected = new Collected(track.width, style);
-    collected.add(rows, style === 'cubic' ? fitCubic(rows, track, keys) : keysAt(rows, track, keys));
-    return keysOfTrack(track, style, collected);
+    const collected = new Collected();
+    collected.add(rows, style === 'cubic' ? fitCubic(rows, track, keys) : keysAt(rows, track, keys), track.width);
+    return keysOfTrack(track, style, collected.takeAll());
   });
 }
