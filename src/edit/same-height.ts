@@ -44,13 +44,7 @@ export function withSameHeight(
   these: readonly Character[],
   reference: Character,
 ): readonly Character[] | undefined {
-  const heightOf = heightsOf(all);
-  const target = heightOf(reference) * reference.placements[0].scale;
-  if (!(target > 0)) return undefined;
-  return sideBySide(all, these, (character) => {
-    const height = heightOf(character);
-    return height > 0 ? target / height : character.placements[0].scale;
-  });
+  return scaledTo(all, these, reference, (height, target) => target / height);
 }
 
 /**
@@ -62,14 +56,25 @@ export function withSameUnit(
   these: readonly Character[],
   reference: Character,
 ): readonly Character[] | undefined {
+  // Its own scale may be any, and its height is the one that counts.
+  return scaledTo(all, these, reference, (height, target, character) =>
+    character === reference ? character.placements[0].scale : 10 ** tensBetween(height, target),
+  );
+}
+
+/** @param scaleOf of a character with that height, unscaled; `target` is that of the reference as placed */
+function scaledTo(
+  all: readonly Character[],
+  these: readonly Character[],
+  reference: Character,
+  scaleOf: (height: number, target: number, character: Character) => number,
+): readonly Character[] | undefined {
   const heightOf = heightsOf(all);
   const target = heightOf(reference) * reference.placements[0].scale;
   if (!(target > 0)) return undefined;
   return sideBySide(all, these, (character) => {
     const height = heightOf(character);
-    // Its own scale may be any, and its height is the one that counts.
-    if (character === reference || !(height > 0)) return character.placements[0].scale;
-    return 10 ** tensBetween(height, target);
+    return height > 0 ? scaleOf(height, target, character) : character.placements[0].scale;
   });
 }
 
