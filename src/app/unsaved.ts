@@ -1,6 +1,6 @@
 /** Unsaved parts (`project/save/saved-parts.ts`) as observable state that follows the store. */
 import type { Store } from '../edit/store.ts';
-import type { Character } from '../model/document.ts';
+import type { Character, Document } from '../model/document.ts';
 import { type ParsedFile, type SourceFile, sameName } from '../model/files.ts';
 import { mapMarks, NO_MARKS, type Part, type PartFile } from '../model/part.ts';
 import { type SavedCharacter, SavedParts, type UnsavedPart } from '../project/save/saved-parts.ts';
@@ -76,8 +76,8 @@ export class Unsaved {
     return this.saved.poseInFile(character);
   }
 
-  snapshot(): readonly SavedCharacter[] {
-    return this.saved.snapshot(this.store.document);
+  snapshot(document: Document): readonly SavedCharacter[] {
+    return this.saved.snapshot(document);
   }
 
   /** Restores the marks of the document that the store has just taken over. */

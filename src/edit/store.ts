@@ -73,12 +73,18 @@ export interface Gesture {
  */
 export type Unfinished = 'kept' | 'tried';
 
+interface OpenGesture extends Gesture {
+  /** The state at its start. */
+  readonly before: State;
+  readonly unfinished: Unfinished;
+}
+
 type Listener = (now: State, before: State) => void;
 
 export class Store {
   private present: State;
   private readonly history = new History();
-  private gesture: (Gesture & { readonly unfinished: Unfinished }) | undefined;
+  private gesture: OpenGesture | undefined;
   private readonly listeners = new Set<Listener>();
   private readonly stepListeners = new Set<Listener>();
   /** For ids and revisions of parts. Not in the document, since undo must not make a number available again. */
@@ -91,6 +97,12 @@ export class Store {
 
   get document(): Document {
     return this.present.document;
+  }
+
+  /** The state without what is only tried, which a crash must not make permanent. */
+  get confirmed(): State {
+    const { gesture } = this;
+    return gesture?.unfinished === 'tried' ? gesture.before : this.present;
   }
 
   get selection(): Selection {
@@ -181,8 +193,9 @@ export class Store {
       end(called);
     };
     const isOpen = () => this.gesture === gesture;
-    const gesture: Gesture & { readonly unfinished: Unfinished } = {
+    const gesture: OpenGesture = {
       base: before.document,
+      before,
       unfinished,
       get closed() {
         return !isOpen();

@@ -69,7 +69,8 @@ export interface SessionContent {
 
 export interface SessionStore {
   list(): Promise<readonly SessionCard[]>;
-  write(write: SessionWrite): Promise<void>;
+  /** Returns for how many milliseconds it kept the page busy. */
+  write(write: SessionWrite): Promise<number>;
   /** Undefined if the session does not exist. */
   read(id: string): Promise<SessionContent | undefined>;
   /** Calls back with each of the pieces, one per task. Throws a `SessionLostError` if one is missing. */
@@ -113,7 +114,8 @@ export function sessionStore(): SessionStore {
         const pieces = keys.map((key) => Number(Array.isArray(key) ? key.at(-1) : Number.NaN));
         return head === undefined ? undefined : { head, files, pieces };
       }),
-    readPieces: (id, pieces, take) => within('readonly', (store) => inTurn(store, gets(store, id, pieces, take))),
+    readPieces: (id, pieces, take) =>
+      within('readonly', async (store) => void (await inTurn(store, gets(store, id, pieces, take)))),
     remove: (id) =>
       within('readwrite', (store) => {
         store.delete(['session', id]);
@@ -157,16 +159,21 @@ function* gets(
   }
 }
 
-/** Makes each request after the previous one succeeded; resolves when the transaction is complete. */
-function inTurn(store: IDBObjectStore, requests: Iterator<IDBRequest>, atOnce = false): Promise<void> {
+/**
+ * Makes each request after the previous one succeeded; resolves when the transaction is complete, with the milliseconds
+ * that making them took.
+ */
+function inTurn(store: IDBObjectStore, requests: Iterator<IDBRequest>, atOnce = false): Promise<number> {
   const { transaction } = store;
   return new Promise((resolve, reject) => {
     let problem: unknown;
+    let busyMs = 0;
     const fail = (error: unknown) => {
       problem = error;
       transaction.abort();
     };
     const next = () => {
+      const begun = performance.now();
       try {
         for (let step = requests.next(); !step.done; step = requests.next()) {
           if (atOnce) continue;
@@ -176,9 +183,11 @@ function inTurn(store: IDBObjectStore, requests: Iterator<IDBRequest>, atOnce = 
         if (atOnce) transaction.commit();
       } catch (error) {
         fail(error);
+      } finally {
+        busyMs += performance.now() - begun;
       }
     };
-    transaction.oncomplete = () => resolve();
+    transaction.oncomplete = () => resolve(busyMs);
     transaction.onabort = () => reject(problem ?? transaction.error ?? new Error('The transaction was aborted.'));
     next();
   });

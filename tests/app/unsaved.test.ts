@@ -257,7 +257,7 @@ describe('saving', () => {
     store.adopt(undefined, { document: structuredClone(first.store.document), selection: {} });
     const again = new Unsaved(store);
     expect(again.current()).toHaveLength(4);
-    again.restore(structuredClone(first.unsaved.snapshot()));
+    again.restore(structuredClone(first.unsaved.snapshot(first.store.document)));
     expect(again.current()).toEqual(first.unsaved.current());
     expect(again.current().map(({ name }) => name)).toEqual(['hero.skel', 'hero_walk.anim']);
   });

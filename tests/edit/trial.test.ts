@@ -26,6 +26,20 @@ describe('a change that is tried', () => {
     expect(ended).not.toHaveBeenCalled();
   });
 
+  it('a change that is tried is not what a crash may keep, until it is kept; a drag is', () => {
+    const { store, made, show } = trial();
+    const { selection } = store;
+    show('b');
+    store.select({ characterId: 'c1' });
+    expect(store.confirmed).toEqual({ document: start, selection });
+    expect(store.confirmed.document).toBe(start);
+    made.keep();
+    expect(store.confirmed.document).toBe(store.document);
+    const drag = store.begin('Drag');
+    drag.preview(renameCharacter.run(drag.base, { characterId: 'c1', name: 'c' }));
+    expect(store.confirmed.document).toBe(store.document);
+  });
+
   it('leaves no trace when put back', () => {
     const { store, ended, made, show } = trial();
     show('b');

@@ -52,7 +52,8 @@ export interface TimeBefore {
 
 /** The state of saving that is not in the document, as plain data. */
 export interface SavingMarks {
-  snapshot(): unknown;
+  /** Of that document, which may lack what is only tried. */
+  snapshot(document: Document): unknown;
   restore(kept: unknown): void;
   /** Calls back when the snapshot has changed. */
   subscribe(listener: () => void): void;
@@ -155,13 +156,14 @@ export class Autosave {
 
   private state(): SessionState {
     const { store, transport, timeline, viewport, saving } = this.parts;
+    const { document, selection } = store.confirmed;
     return {
-      document: store.document,
-      selection: store.selection,
+      document,
+      selection,
       transport: transport.get(),
       timeline: timeline.view.get(),
       camera: viewport.cameraView,
-      saving: saving.snapshot(),
+      saving: saving.snapshot(document),
     };
   }
 
@@ -205,6 +207,7 @@ export class Autosave {
     try {
       await saving;
       if (this.keeper !== keeper) return;
+      this.rhythm.saveTook(keeper.busyMs);
       this.last = state;
       if (!this.rhythm.isPending) this.tell('kept');
     } catch (error) {

@@ -34,6 +34,8 @@ export class Keeper {
   readonly files = new KeptFiles();
   /** Whether the store holds anything of the session. */
   isStored = false;
+  /** For how many milliseconds the last save kept the page busy. */
+  busyMs = 0;
   private last: Promise<unknown> = Promise.resolve();
 
   constructor(
@@ -108,6 +110,7 @@ export class Keeper {
   }
 
   private async write(state: SessionState, savedAtMs: number, atOnce: boolean): Promise<void> {
+    const begun = performance.now();
     const { tree, files, arrays, given } = this.encode(state);
     const filePlan = this.files.plan(given);
     const piecePlan = this.pieces.plan(arrays);
@@ -126,8 +129,9 @@ export class Keeper {
       follows: this.isStored,
       atOnce: atOnce && piecePlan.puts.reduce((sum, put) => sum + put.size, 0) <= MAX_AT_ONCE_BYTES,
     };
+    const encodingMs = performance.now() - begun;
     try {
-      await this.store.write(write);
+      this.busyMs = encodingMs + (await this.store.write(write));
     } catch (error) {
       filePlan.failed();
       piecePlan.failed();

@@ -1,18 +1,22 @@
 /**
- * When to save: shortly after the last change, and every other second during continuous changes. Not during a drag,
- * whose state is half done and where a delay would be felt; but a drag doesn't postpone saving for ever.
+ * When to save: shortly after the last change, and every other second during continuous changes. During a drag, where a
+ * delay would be felt, seldom enough that saving takes little of its time: that matters for large documents only.
  */
 
 const QUIET_MS = 800;
 /** With the time that saving takes, no more than two seconds of work are lost. */
 const MAX_MS = 1500;
-/** A longer drag no longer postpones saving. */
+/** The share of a drag's time that saving may take from it. */
+const SHARE_OF_DRAG = 0.02;
+/** However long saving takes, a drag postpones it no longer. */
 const PATIENCE_MS = 30_000;
 
 export class Rhythm {
   private timer: ReturnType<typeof setTimeout> | undefined;
   private firstMs: number | undefined;
   private pointerIsDown = false;
+  /** How long a drag postpones saving. */
+  private patienceMs = MAX_MS;
   /** Due, but postponed by a drag. */
   private isHeldUp = false;
 
@@ -41,6 +45,11 @@ export class Rhythm {
     if (!isDown && this.isHeldUp) this.wait(0);
   }
 
+  /** @param milliseconds for which the last save kept the page busy */
+  saveTook(milliseconds: number): void {
+    this.patienceMs = Math.min(Math.max(MAX_MS, milliseconds / SHARE_OF_DRAG), PATIENCE_MS);
+  }
+
   /** Saved, or no longer needed. */
   clear(): void {
     clearTimeout(this.timer);
@@ -56,9 +65,9 @@ export class Rhythm {
   private over(): void {
     if (this.firstMs === undefined) return;
     const held = performance.now() - this.firstMs;
-    if (this.pointerIsDown && held < PATIENCE_MS) {
+    if (this.pointerIsDown && held < this.patienceMs) {
       this.isHeldUp = true;
-      this.wait(PATIENCE_MS - held);
+      this.wait(this.patienceMs - held);
       return;
     }
     this.clear();

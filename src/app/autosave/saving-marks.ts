@@ -8,8 +8,8 @@ import type { KeptMarks } from './session-state.ts';
 
 export function savingMarks(unsaved: Unsaved, handles: DiskHandles, review: ReviewState): SavingMarks {
   return {
-    snapshot: (): KeptMarks => ({
-      saved: unsaved.snapshot(),
+    snapshot: (document): KeptMarks => ({
+      saved: unsaved.snapshot(document),
       disk: handles.entries().flatMap(keptFile),
       review: [...review.saved.get()].map(([path, said]) => ({ ...said, path })),
     }),

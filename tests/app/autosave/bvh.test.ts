@@ -54,7 +54,7 @@ const again = (store: ReturnType<typeof memoryStore>) =>
 describe('a kept session with motion capture', () => {
   it('stores the file of an unedited take, and none of its numbers', async () => {
     const { store, page, unsaved, keeper } = await openedPage();
-    await keeper.save(stateOf(page.document, unsaved.snapshot()), 1);
+    await keeper.save(stateOf(page.document, unsaved.snapshot(page.document)), 1);
     expect(store.writes[0].files.map((f) => f.given.path)).toEqual(['walk.bvh']);
     expect(store.writes[0].pieces).toEqual([]);
     const { state } = await again(store);
@@ -71,9 +71,9 @@ describe('a kept session with motion capture', () => {
     const values = clip.samples.values.map((v) => v + 1);
     const edited = { ...character, clips: [{ ...clip, samples: { ...clip.samples, values } }] };
     page.replace('Edit', { ...page.document, characters: [edited] });
-    await keeper.save(stateOf(page.document, unsaved.snapshot()), 1);
+    await keeper.save(stateOf(page.document, unsaved.snapshot(page.document)), 1);
     expect(store.lastBytes()).toBe(values.byteLength);
-    await keeper.save(stateOf({ ...page.document, charactersMade: 9 }, unsaved.snapshot()), 2);
+    await keeper.save(stateOf({ ...page.document, charactersMade: 9 }, unsaved.snapshot(page.document)), 2);
     expect(store.writes[1].pieces).toEqual([]);
 
     const { state } = await again(store);

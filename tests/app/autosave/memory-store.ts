@@ -38,7 +38,7 @@ export function memoryStore(): MemoryStore {
     lastBytes: () => writes.at(-1)?.pieces.reduce((sum, piece) => sum + piece.bytes().byteLength, 0) ?? 0,
     list: async () => [...sessions.values()].map(({ card }) => card),
     write(write) {
-      const turn = last.then(() => this.apply(write));
+      const turn = last.then(() => this.apply(write)).then(() => 0);
       last = turn.catch(() => undefined);
       return turn;
     },

@@ -45,7 +45,7 @@ async function page(edit: (store: Store, review: ReviewState) => void, given = F
   const kept = memoryStore();
   const camera = { target: [0, 1, 0], azimuth: 0.5, polar: 1, distance: 3 } as const;
   const rest = { selection: NOTHING_SELECTED, transport: DEFAULT_PLAYBACK, timeline: DEFAULT_TIMELINE_VIEW, camera };
-  const saving = savingMarks(unsaved, new DiskHandles(), review).snapshot();
+  const saving = savingMarks(unsaved, new DiskHandles(), review).snapshot(store.document);
   await new Keeper('s', kept, origins).save({ document: store.document, ...rest, saving }, 1);
   const reading = { signal: new AbortController().signal, onProgress: () => undefined };
   const { state } = await readSession('s', kept, worker, new Origins(1000), reading);
