@@ -51,7 +51,7 @@ export interface OpenOptions {
 }
 
 /** Diagnostics of files that have no errors but were not opened. */
-const LEFT_ASIDE: ReadonlySet<string> = new Set(['held-back', 'file-unused']);
+const LEFT_ASIDE: ReadonlySet<string> = new Set(['held-back', 'file-unused', 'format-unknown']);
 
 export class Opener {
   private readonly parts: OpeningParts;
