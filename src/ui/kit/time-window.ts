@@ -30,6 +30,13 @@ export function fitWindow(range: readonly [number, number], include = range[0]):
   return { from: from - margin, to: to + margin };
 }
 
+/** Whether a window and a range are mostly the same times: then a plot of that range needs no other window. */
+export function isMostly({ from, to }: TimeWindow, [start, end]: readonly [number, number]): boolean {
+  const shared = Math.min(to, end) - Math.max(from, start);
+  const whole = Math.max(to, end) - Math.min(from, start);
+  return shared >= whole / 2;
+}
+
 /** Zooms about a fixed time; `factor` above 1 zooms out. */
 export function zoomWindow(window: TimeWindow, about: number, factor: number): TimeWindow {
   const size = window.to - window.from;

@@ -2,6 +2,7 @@ import fc from 'fast-check';
 import { expect, it } from 'vitest';
 import {
   fitWindow,
+  isMostly,
   panWindow,
   pinchWindow,
   revealTime,
@@ -87,4 +88,14 @@ it('a window at any time has room to tell pixels apart, however often it is zoom
       }
     }
   }
+});
+
+it('a window is mostly the times of a range if neither is twice as long, and they overlap', () => {
+  const window = { from: 0, to: 2 };
+  expect(isMostly(window, [0, 2])).toBe(true);
+  expect(isMostly(window, [0.2, 1.5])).toBe(true);
+  expect(isMostly(window, [0, 0.5])).toBe(false);
+  expect(isMostly(window, [0, 5])).toBe(false);
+  expect(isMostly(window, [5, 7])).toBe(false);
+  expect(isMostly(window, [1, 1])).toBe(false);
 });

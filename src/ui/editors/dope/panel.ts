@@ -12,7 +12,7 @@ import { jointsIn } from '../../../model/selected-joints.ts';
 import { element, setAttribute, setText } from '../../kit/dom.ts';
 import { HAS_KEYS } from '../../kit/focus.ts';
 import { oncePerFrame } from '../../kit/frame.ts';
-import { fitWindow, panWindow, type TimeWindow, zoomWindow } from '../../kit/time-window.ts';
+import { fitWindow, isMostly, panWindow, type TimeWindow, zoomWindow } from '../../kit/time-window.ts';
 import type { TimelineTab } from '../../state/timeline.ts';
 import type { Uses } from '../../state/workbench.ts';
 import { currentTake, selectedKeys, selectedKeysInView, selectKeys, type Take } from '../timeline/current-take.ts';
@@ -217,11 +217,8 @@ class DopePanel implements TimelineTab, SheetPointerHost {
   private meet(isAnother: boolean): void {
     const span = this.wholeSpan();
     if (!span) return;
-    const { window } = this.wb.timeline.view.get();
-    const shared = Math.min(window.to, span[1]) - Math.max(window.from, span[0]);
-    const whole = Math.max(window.to, span[1]) - Math.min(window.from, span[0]);
     // Coming from the curve editor keeps the window.
-    if (isAnother || shared < whole / 2) this.fitAll();
+    if (isAnother || !isMostly(this.wb.timeline.view.get().window, span)) this.fitAll();
   }
 
   /** The selected joints of the character; the active one is the last. */

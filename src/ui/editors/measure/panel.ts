@@ -11,7 +11,7 @@ import { icon } from '../../kit/icons.ts';
 import { menuButton } from '../../kit/menu.ts';
 import { middleCut } from '../../kit/middle-cut.ts';
 import { plural, shown } from '../../kit/number-text.ts';
-import { fitWindow, snapTime } from '../../kit/time-window.ts';
+import { fitWindow, isMostly, snapTime } from '../../kit/time-window.ts';
 import { setTooltip } from '../../kit/tooltip.ts';
 import type { TimelineTab } from '../../state/timeline.ts';
 import type { Uses } from '../../state/workbench.ts';
@@ -31,6 +31,7 @@ import {
   type Subject,
   seriesAsCsv,
   seriesOf,
+  spanOf,
   unitOf,
   valueAt,
 } from './series.ts';
@@ -71,6 +72,8 @@ class MeasurePanel implements TimelineTab, TimePlot {
   private series: readonly Series[] = [];
   private values: HTMLElement[] = [];
   private unit = '';
+  /** The times that were plotted last. */
+  private met: readonly [number, number] | undefined;
   private scene: PlotScene | undefined;
   size = { width: 0, height: 0 };
   private pointer: ChartPoint | undefined;
@@ -127,13 +130,8 @@ class MeasurePanel implements TimelineTab, TimePlot {
   }
 
   fitAll(): void {
-    const ends = this.series.map(({ frames: { startSeconds, frameSeconds, frameCount } }) => [
-      startSeconds,
-      startSeconds + (frameCount - 1) * frameSeconds,
-    ]);
-    if (!ends.length) return;
-    const window = fitWindow([Math.min(...ends.map(([from]) => from)), Math.max(...ends.map(([, to]) => to))]);
-    this.wb.timeline.change({ window });
+    const span = spanOf(this.series);
+    if (span) this.wb.timeline.change({ window: fitWindow(span) });
   }
 
   fitSelected(): void {
@@ -175,7 +173,18 @@ class MeasurePanel implements TimelineTab, TimePlot {
     const names = this.series.map(({ label }) => label).join(', ');
     const what = `${QUANTITY_LABELS[quantity].label} over time${names && `: ${names}`}. Drag to scrub.`;
     setAttribute(this.chart, 'aria-label', what);
+    this.meet();
     this.redraw();
+  }
+
+  /** Fits a take of other times: the window of the one before would show it as a sliver, or not at all. */
+  private meet(): void {
+    const span = spanOf(this.series);
+    const { met } = this;
+    this.met = span ?? met;
+    if (!span || (met && met[0] === span[0] && met[1] === span[1])) return;
+    // Coming from the curve editor keeps the window.
+    if (!isMostly(this.wb.timeline.view.get().window, span)) this.fitAll();
   }
 
   private showLegend(byCharacter: boolean): void {

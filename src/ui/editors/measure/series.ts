@@ -111,6 +111,17 @@ export function seriesOf(all: readonly Measured[], subject: Subject, quantity: Q
   });
 }
 
+/** The times of all of them, seconds of the transport; undefined if there are none. */
+export function spanOf(all: readonly Pick<Series, 'frames'>[]): readonly [number, number] | undefined {
+  if (all.length === 0) return undefined;
+  let [from, to] = [Number.POSITIVE_INFINITY, Number.NEGATIVE_INFINITY];
+  for (const { frames } of all) {
+    from = Math.min(from, frames.startSeconds);
+    to = Math.max(to, frames.startSeconds + (frames.frameCount - 1) * frames.frameSeconds);
+  }
+  return [from, to];
+}
+
 /** `m/s`; lengths are metres if every character states its unit. */
 export function unitOf(all: readonly Pick<Measured, 'source'>[], quantity: Quantity): string {
   const { unit, isLength } = QUANTITY_LABELS[quantity];

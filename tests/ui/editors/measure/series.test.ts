@@ -12,6 +12,7 @@ import {
   seriesAsCsv,
   seriesOf,
   sourcesOf,
+  spanOf,
   unitOf,
   valueAt,
 } from '../../../../src/ui/editors/measure/series.ts';
@@ -129,4 +130,12 @@ describe('the plotted series', () => {
     const series = { label: 'a', frames, values: Float64Array.of(3, 4), source: 0, ordinal: 0 };
     expect([0.5, 1, 1.2, 1.3, 1.7, 2].map((t) => valueAt(series, t))).toEqual([undefined, 3, 3, 4, 4, undefined]);
   });
+});
+
+it('plotted takes span from the first frame of any to the last frame of any', () => {
+  const frames = (startSeconds: number, frameCount: number) => ({
+    frames: { startSeconds, frameSeconds: 0.5, frameCount },
+  });
+  expect(spanOf([])).toBeUndefined();
+  expect(spanOf([frames(1, 3), frames(-2, 2)])).toEqual([-2, 2]);
 });
