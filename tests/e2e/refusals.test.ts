@@ -17,6 +17,7 @@ describe('what is refused', () => {
         await line.getByRole('button', { name: 'Details' }).click();
         const list = page.locator('.messages-list');
         await expect.poll(() => list.locator('.message').count()).toBe(1);
+        expect(await list.locator('.message-title').first().textContent()).toBe('1,000 files');
         await list.getByText('Files', { exact: true }).click();
         await list.getByText('0.skel', { exact: true }).waitFor();
         // What is unfolded is bounded, too.

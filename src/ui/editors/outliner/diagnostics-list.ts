@@ -5,7 +5,7 @@
 import type { Diagnostic } from '../../../model/diagnostic.ts';
 import { button, element } from '../../kit/dom.ts';
 import { icon } from '../../kit/icons.ts';
-import { count } from '../../kit/number-text.ts';
+import { count, plural } from '../../kit/number-text.ts';
 import { caretPad, counts, groupByFile, type Message } from '../../state/messages.ts';
 import { offerButton } from '../../state/offer-button.ts';
 import { showInSource } from '../../state/show-in-source.ts';
@@ -56,7 +56,7 @@ function messageBlock(wb: Uses<'messages' | 'timeline' | 'settings'>, message: M
       element(
         'span',
         { class: `message-title ${file ? 'is-file' : ''}`, tooltip: text },
-        diagnostics.length && !isOfMany ? file || 'Opening' : text,
+        isOfMany ? filesText(diagnostics) : diagnostics.length ? file || 'Opening' : text,
       ),
       counted && element('span', { class: 'message-count' }, counted),
       ...(message.offers ?? []).map(offerButton),
@@ -72,6 +72,9 @@ function messageBlock(wb: Uses<'messages' | 'timeline' | 'settings'>, message: M
       ),
   );
 }
+
+/** Which they are is below; the line over the viewport also tells the first. */
+const filesText = (diagnostics: readonly Diagnostic[]) => plural(groupByFile(diagnostics).size, 'file');
 
 /** Problems of many files, unfolded on demand. */
 function filesBlock(wb: Uses<'timeline' | 'settings'>, shown: readonly Diagnostic[], mixed: boolean): HTMLElement {
