@@ -98,6 +98,9 @@ async function goThrough({ page, download }: OpenPage, scale: number): Promise<v
   // To the row, and what it is of.
   await search.press('Enter');
   await page.keyboard.press('Enter');
+  // Selected by the search, it is in view when all rows are there again.
+  await search.fill('');
+  await page.locator('[role=treeitem][aria-selected=true]', { hasText: 'LeftForeArm' }).waitFor();
   // The DOFs of the joint come before those of the root.
   await page.getByRole('button', { name: /^mixamorig:LeftForeArm/ }).waitFor();
   const dof = page.locator('.dof[data-driver=driven]').first();

@@ -134,13 +134,18 @@ export function outliner(wb: Workbench): HTMLElement {
     return field;
   }
 
-  search.input.addEventListener('input', show);
+  const find = () => {
+    show();
+    // What was selected among the matches is somewhere in the whole tree.
+    if (!search.input.value.trim()) tree.revealActive();
+  };
+  search.input.addEventListener('input', find);
   search.input.addEventListener('keydown', (event) => {
     if (event.isComposing) return;
     if (event.key === 'ArrowDown' || (event.key === 'Enter' && firstMatch)) tree.goTo(firstMatch);
     else if (event.key === 'Escape' && search.input.value) {
       search.input.value = '';
-      show();
+      find();
     } else return;
     event.preventDefault();
   });

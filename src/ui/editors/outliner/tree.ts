@@ -138,6 +138,11 @@ export class Tree {
     this.mark();
   }
 
+  /** Scrolls to the active row, if there is one. */
+  revealActive(): void {
+    if (this.placeOf(this.activeKey) >= 0 && this.activeKey !== undefined) this.reveal(this.activeKey);
+  }
+
   /** Marks a row faintly: the current character when nothing is selected. */
   mean(key: string | undefined): void {
     if (key === this.meantKey) return;
