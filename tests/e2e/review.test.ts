@@ -97,6 +97,11 @@ it('takes by the hundred are judged by keys and saved, then measured and marked,
     await page.getByRole('tab', { name: 'Measure' }).click();
     const legend = page.locator('.measure-legend li');
     await expect.poll(() => legend.count()).toBe(2);
+    // Half a second fills the plot, though nobody fitted it: at the right is its end, not two seconds.
+    const plot = page.getByRole('application', { name: /over time/ });
+    const { width: plotWidth = 0 } = (await plot.boundingBox()) ?? {};
+    await plot.click({ position: { x: 0.97 * plotWidth, y: 60 } });
+    await expect.poll(() => time.inputValue()).toMatch(/^0\.5/);
     await page.getByRole('combobox', { name: 'Quantity' }).selectOption('height');
     const above = page.locator('.measure .time-picture canvas').nth(1);
     const drawn = () =>
@@ -187,6 +192,20 @@ it('takes by the hundred are judged by keys and saved, then measured and marked,
     expect(beside.name).toBe('step.markers.json');
     expect(beside.text).toContain('rises');
     await expect.poll(() => page.title()).toBe('Marrow');
+
+    // Check take: flags of what is played, each leads to its moment, and to the plots.
+    await dropFiles(page, [{ name: 'broken.bvh', bytes: take(3, true) }]);
+    await page.waitForFunction(() => window.marrow.characters().some(({ name }) => name === 'broken'));
+    await page.getByRole('tab', { name: 'Curve editor' }).click();
+    await page.evaluate(() => window.marrow.run('take.checkTake'));
+    const check = page.getByRole('dialog', { name: 'Check take' });
+    await check.getByText(/^1 flag: spike/).waitFor();
+    await check.getByRole('button', { name: /Spike hips/ }).click();
+    await expect.poll(() => time.inputValue()).toBe('0.267');
+    await check.getByRole('button', { name: 'Measure feet and speeds' }).click();
+    await check.waitFor({ state: 'detached' });
+    await expect.poll(() => page.getByRole('tab', { name: 'Measure' }).getAttribute('aria-selected')).toBe('true');
+    await page.evaluate(() => window.marrow.undo());
 
     // All of it is there after a reload: markers, verdicts, tags and notes.
     await kept(page);
