@@ -118,6 +118,8 @@ export interface MarrowApi {
   glb(options?: Partial<GlbOptions>, character?: CharacterRef): Promise<MadeGlb>;
   /** The file of that name (`wasp.skel`) as text. The writers are loaded on first use. */
   save(name: string): Promise<string>;
+  /** All characters as one zip: each in its own formats, with its textures. */
+  zip(): Promise<Blob>;
 }
 
 declare global {
@@ -191,6 +193,10 @@ export function scriptingApi(
         { signal: new AbortController().signal, onProgress: () => undefined },
       ),
     save: (name) => saveByName(store, name),
+    async zip() {
+      const { zipDocument } = await import('./zip-character.ts');
+      return new Blob([zipDocument(store.document).bytes], { type: 'application/zip' });
+    },
   };
 }
 

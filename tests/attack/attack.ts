@@ -13,6 +13,8 @@ export interface Attack {
 /** One run of an attack. */
 export interface Attempt {
   readonly seed: number;
+  /** What an earlier run kept in tests/repro/, to be done again instead of chance. */
+  readonly replay?: string | undefined;
   /** The next number of the seed's sequence, from 0 to 1 (excluding). */
   random(): number;
   /** A whole number from 0 up to `count` (excluding). */

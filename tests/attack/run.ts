@@ -3,14 +3,15 @@
  *
  *     npm run build && npm run attack -- --minutes 20
  *     npm run attack -- --only lost-context --seed 169
+ *     npm run attack -- --only random-walk --replay tests/repro/random-walk-….json
  *
  * Those on the page need the built page. Exits with 1 if anything gave way; what did it is kept in tests/repro/.
  */
 import { createHash } from 'node:crypto';
-import { mkdirSync, writeFileSync } from 'node:fs';
+import { mkdirSync, readFileSync, writeFileSync } from 'node:fs';
 import { fileURLToPath } from 'node:url';
 import { parseArgs } from 'node:util';
-import { type Attack, type Reproducer, randomFrom } from './attack.ts';
+import { type Attack, type Attempt, type Reproducer, randomFrom } from './attack.ts';
 import { ATTACKS } from './attacks.ts';
 
 const REPRO = fileURLToPath(new URL('../repro/', import.meta.url));
@@ -34,26 +35,32 @@ export async function run(args: readonly string[]): Promise<number> {
       minutes: { type: 'string', default: '10' },
       only: { type: 'string', multiple: true },
       seed: { type: 'string' },
+      replay: { type: 'string' },
     },
   });
   const minutes = Number(values.minutes);
   const seed = values.seed === undefined ? Math.floor(Math.random() * 2 ** 31) : Number(values.seed);
   const attacks = ATTACKS.filter(({ name }) => values.only?.includes(name) ?? true);
   if (!(minutes > 0) || !Number.isInteger(seed) || attacks.length === 0) {
-    console.error(`Usage: npm run attack -- [--minutes N] [--only NAME]… [--seed INTEGER]
+    console.error(`Usage: npm run attack -- [--minutes N] [--only NAME]… [--seed INTEGER] [--replay FILE]
 Names: ${ATTACKS.map(({ name }) => name).join(', ')}`);
     return 2;
   }
+  const replay = values.replay === undefined ? undefined : readFileSync(values.replay, 'utf8');
   const rows: Row[] = [];
   for (const attack of attacks) {
     console.log(`${attack.name}, seed ${seed}: ${attack.shows}`);
-    rows.push(await runOne(attack, seed, (minutes * 60_000) / attacks.length));
+    rows.push(await runOne(attack, { seed, replay }, (minutes * 60_000) / attacks.length));
   }
   console.table(rows.map(({ seconds, ...row }) => ({ ...row, seconds: Math.round(seconds) })));
   return rows.every(({ broken }) => broken === 0) ? 0 : 1;
 }
 
-async function runOne({ name, run }: Attack, seed: number, budgetMs: number): Promise<Row> {
+async function runOne(
+  { name, run }: Attack,
+  { seed, replay }: Pick<Attempt, 'seed' | 'replay'>,
+  budgetMs: number,
+): Promise<Row> {
   const begun = performance.now();
   const random = randomFrom(seed);
   const figures: string[] = [];
@@ -67,6 +74,7 @@ async function runOne({ name, run }: Attack, seed: number, budgetMs: number): Pr
   try {
     await run({
       seed,
+      replay,
       random,
       below: (count) => Math.floor(random() * count),
       goesOn: () => asked++ === 0 || performance.now() - begun < budgetMs,

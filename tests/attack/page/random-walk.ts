@@ -1,139 +1,210 @@
-/** Mouse, keys and touch at random over the whole page, with a real character: then everything is undone. */
-import type { CDPSession, Page } from 'playwright-core';
+/**
+ * Mouse, keys and touch at random over the whole page, with real files: then everything is undone, and done again.
+ *
+ * Each round is a page of its own, with a seed of its own: `--seed` of one that failed repeats it. Since the page's own
+ * timing is no part of a seed, its events are kept too, for `--replay`.
+ */
+import type { Page } from 'playwright-core';
 import { dropFiles, withPage } from '../../helpers/page.ts';
-import { hasShared, sharedBytes } from '../../helpers/shared.ts';
-import type { Attack, Attempt } from '../attack.ts';
+import { type Attack, type Attempt, randomFrom } from '../attack.ts';
+import { type Chance, nextAct, type Size } from './walk/choose.ts';
+import { controlsOf } from './walk/controls.ts';
+import { differenceOf, filesOf } from './walk/documents.ts';
+import { Hand, type WalkEvent } from './walk/events.ts';
+import { DROPS, filesIn } from './walk/given.ts';
 
-const SIZE = { width: 1024, height: 700 };
-const WASP = ['wasp.skel', 'wasp.skin', 'wasp_walk.anim'];
-/** Those of shortcuts, of fields, and of menus. No key that closes or reloads the page. */
-const KEYS = [
-  ...'abcdefghijklmnopqrstuvwxyz0123456789,.[]?'.split(''),
-  ...['Space', 'Enter', 'Escape', 'Tab', 'Delete', 'Backspace', 'Home', 'End', 'PageUp', 'PageDown', 'F2', 'F6', 'F10'],
-  ...['ArrowLeft', 'ArrowRight', 'ArrowUp', 'ArrowDown'],
+const SIZES: readonly Size[] = [
+  { width: 800, height: 560 },
+  { width: 1280, height: 800 },
+  { width: 1024, height: 640 },
+  { width: 420, height: 760 },
 ];
-const MODIFIERS = ['', '', '', 'Shift+', 'Control+', 'Alt+', 'Control+Shift+', 'Control+Alt+'];
-/** The browser's own. */
-const NOT =
-  /^Control\+(Shift\+)?[nrtwqjipu]$|^Alt\+(ArrowLeft|ArrowRight|Home|F4|d|e|f)$|^Control\+(Shift\+)?[0-9]$|F10|^Alt\+Space$/i;
-/** Events between two looks at whether the page is well. */
-const STRETCH = 200;
+const ACTS_PER_ROUND = 2500;
+/** Between two looks at what the page offers. */
+const BATCH = 40;
+/** A page that takes longer for a batch hangs. */
+const MAX_BATCH_MS = 60_000;
 /** What can be refused by a page that is driven at random. */
 const EXPECTED = /net::ERR_ABORTED|Context Lost/;
 
+/** A walk as it is kept. */
+interface Walk {
+  readonly seed: number;
+  readonly events: readonly WalkEvent[];
+}
+
 export const randomWalk: Attack = {
   name: 'random-walk',
-  shows: 'no error that nobody caught, and undo back to the very bytes',
+  shows: 'no error that nobody caught, undo back to the very bytes, and redo to those before',
   async run(attempt) {
-    let round = 0;
+    // Kept by an earlier run of this attack.
+    const kept = attempt.replay === undefined ? undefined : (JSON.parse(attempt.replay) as Walk);
+    let [rounds, inputs, steps, slowestMs] = [0, 0, 0, 0];
+    const kinds = new Set<string>();
     // Each in a page of its own: one that has opened everything is slow.
     do {
-      const before = attempt.seed + round++;
+      const seed = kept?.seed ?? attempt.seed + rounds;
+      rounds++;
+      const done: WalkEvent[] = [];
+      const tell = (what: string) => {
+        const content = JSON.stringify({ seed, problem: what, events: done } satisfies Walk & { problem: string });
+        attempt.gaveWay(`seed ${seed}: ${what}`, { extension: 'json', content });
+      };
       try {
-        await walk(attempt);
+        const walked = await walk({ seed, done, events: kept?.events, tried: attempt.tried, tell });
+        inputs += walked.inputs;
+        steps += walked.labels.length;
+        // Without names and numbers.
+        for (const label of walked.labels) kinds.add(label.split(' ').slice(0, 2).join(' '));
+        console.log(`  seed ${seed}: ${walked.inputs} inputs, ${walked.labels.length} steps`);
+        slowestMs = Math.max(slowestMs, walked.slowestMs);
       } catch (error) {
-        attempt.gaveWay(`round ${round} (${before}): ${error instanceof Error ? error.message : String(error)}`);
+        tell(error instanceof Error ? error.message : String(error));
       }
-    } while (attempt.goesOn());
-    attempt.note(`${round} pages`);
+    } while (!kept && attempt.goesOn());
+    attempt.note(`${rounds} pages, ${inputs} inputs, ${steps} steps of ${kinds.size} kinds undone and redone`);
+    attempt.note(`slowest ${BATCH} acts ${Math.round(slowestMs)} ms`);
   },
 };
 
-async function walk(attempt: Attempt): Promise<void> {
+interface Round extends Pick<Attempt, 'tried'> {
+  readonly seed: number;
+  /** Instead of chance. */
+  readonly events: readonly WalkEvent[] | undefined;
+  /** Filled with what was done. */
+  readonly done: WalkEvent[];
+  tell(what: string): void;
+}
+
+interface Walked {
+  /** Messages to the browser. */
+  readonly inputs: number;
+  /** Of the steps that were undone at the end. */
+  readonly labels: readonly string[];
+  readonly slowestMs: number;
+}
+
+async function walk({ seed, events, done, tried, tell }: Round): Promise<Walked> {
+  const random = randomFrom(seed);
+  const chance: Chance = { random, below: (count) => Math.floor(random() * count) };
+  const size = SIZES[chance.below(SIZES.length)];
+  const touch = random() < 0.5;
+  const colorScheme = random() < 0.5 ? 'light' : 'dark';
+  const drop = chance.below(DROPS.length);
+  let walked: Walked = { inputs: 0, labels: [], slowestMs: 0 };
   await withPage(
     async ({ page, problems }) => {
+      await page.context().grantPermissions(['clipboard-read', 'clipboard-write']);
       page.on('filechooser', () => undefined);
+      page.on('popup', (popup) => void popup.close().catch(() => undefined));
       page.on('dialog', (dialog) => void dialog.accept().catch(() => undefined));
       await page.waitForFunction(() => window.marrow?.characters().length);
-      const first = await textOf(page);
-      if (hasShared) {
-        await dropFiles(
-          page,
-          WASP.map((name) => ({ name, bytes: sharedBytes(`data/cse169/${name}`) })),
+      const opening = await filesOf(page);
+      if (DROPS[drop].length > 0) {
+        await dropFiles(page, filesIn(DROPS[drop]));
+        await page.waitForFunction(() => window.marrow.steps().undo);
+      }
+      await quiet(page);
+      const begun = await filesOf(page);
+      // Those of the drop. Undone here, they are compared from the start.
+      const first = await undoAll(page);
+      await redo(page, first.length);
+
+      const hand = new Hand(await page.context().newCDPSession(page));
+      await hand.prepare();
+      let slowestMs = 0;
+      const acts = events ? 0 : ACTS_PER_ROUND;
+      const left = [...(events ?? [])];
+      for (let act = 0; act < acts || left.length > 0; act += BATCH) {
+        const batch = left.splice(0, BATCH);
+        if (!events) {
+          const controls = await controlsOf(page);
+          for (let i = 0; i < BATCH; i++)
+            batch.push(...nextAct({ controls, size, hasTouch: touch, drops: DROPS.length }, chance));
+        }
+        done.push(...batch);
+        const begunMs = performance.now();
+        await inTime(
+          Promise.all(
+            batch.map((event) =>
+              event.kind === 'drop' ? dropFiles(page, filesIn(DROPS[event.drop])) : hand.do(event),
+            ),
+          ),
         );
+        slowestMs = Math.max(slowestMs, performance.now() - begunMs);
+        tried(BATCH);
+        const found = problems.find((problem) => !EXPECTED.test(problem));
+        if (found !== undefined) return tell(found);
       }
-      const session = await page.context().newCDPSession(page);
-      for (let stretch = 0; stretch < 10 && attempt.goesOn(); stretch++) {
-        const done: string[] = [];
-        for (let i = 0; i < STRETCH; i++) done.push(await event(page, session, attempt));
-        attempt.tried(STRETCH);
-        const found = problems.filter((problem) => !EXPECTED.test(problem));
-        if (found.length > 0) {
-          attempt.gaveWay(found[0], { extension: 'json', content: JSON.stringify({ problems: found, done }, null, 1) });
-          return;
-        }
-      }
-      await page.mouse.up();
+
+      await hand.release();
       for (let i = 0; i < 6; i++) await page.keyboard.press('Escape');
-      await page.evaluate(() => {
-        window.marrow.pause();
-        while (window.marrow.undo());
-      });
-      const last = await textOf(page);
-      if (last !== first)
-        attempt.gaveWay('undo does not lead back to the same bytes', { extension: 'txt', content: last });
+      await quiet(page);
+      const ended = await filesOf(page);
+      const steps = await undoAll(page);
+      walked = { inputs: hand.inputs, labels: steps, slowestMs };
+      const told = (what: string, difference: string | undefined) => {
+        if (difference !== undefined) tell(`${what}: ${difference}`);
+      };
+      told('undo of everything', differenceOf(opening, await filesOf(page)));
+      await redo(page, first.length);
+      // A walk that has undone the drop itself has begun anew.
+      const isWhole = first.every((label, i) => steps[steps.length - first.length + i] === label);
+      if (isWhole) told('undo back to the files', differenceOf(begun, await filesOf(page)));
+      await redo(page, steps.length);
+      told('redo of everything', differenceOf(ended, await filesOf(page)));
     },
-    {
-      walking: true,
-      touch: true,
-      size: SIZE,
-      expected: EXPECTED,
-      before: () => {
-        // Dialogs of the system, which nobody would close, and a print preview.
-        for (const name of ['showSaveFilePicker', 'showOpenFilePicker', 'showDirectoryPicker']) {
-          Object.defineProperty(window, name, { value: undefined });
-        }
-        window.print = () => undefined;
-      },
-    },
+    { walking: true, touch, size, colorScheme, expected: EXPECTED, before: prepare },
   );
+  return walked;
 }
 
-/** The opening example as files. */
-const textOf = (page: Page) =>
-  page.evaluate(async () => {
-    const names = window.marrow.characters().map(({ name }) => name);
-    const texts = [await window.marrow.save('walker.skel'), await window.marrow.save('walker.anim')];
-    return `${names.join()}\n${texts.join('\n')}`;
+/** Runs in the page before its scripts. */
+function prepare(): void {
+  // Dialogs of the system, which nobody would close, and a print preview.
+  for (const name of ['showSaveFilePicker', 'showOpenFilePicker', 'showDirectoryPicker']) {
+    Object.defineProperty(window, name, { value: undefined });
+  }
+  window.print = () => undefined;
+  const settings = { firstSteps: false, display: { shadow: false }, undoMegabytes: 4000 };
+  localStorage.setItem('marrow.settings', JSON.stringify(settings));
+}
+
+function inTime(work: Promise<unknown>): Promise<unknown> {
+  let timer: ReturnType<typeof setTimeout> | undefined;
+  const late = new Promise((_, reject) => {
+    timer = setTimeout(() => reject(new Error(`The page hangs: ${MAX_BATCH_MS} ms for a batch.`)), MAX_BATCH_MS);
+  });
+  return Promise.race([work, late]).finally(() => clearTimeout(timer));
+}
+
+/** Nothing plays, and what was begun has ended: reading, solving, computing. */
+async function quiet(page: Page): Promise<void> {
+  await page.evaluate(async () => {
+    window.marrow.pause();
+    const state = () => JSON.stringify([window.marrow.steps(), window.marrow.characters()]);
+    let [last, same] = [state(), 0];
+    for (let looks = 0; same < 4 && looks < 100; looks++) {
+      await new Promise((resolve) => setTimeout(resolve, 150));
+      const now = state();
+      same = now === last ? same + 1 : 0;
+      last = now;
+    }
+  });
+}
+
+/** Returns the labels of the steps, in the order in which they were undone. */
+const undoAll = (page: Page): Promise<string[]> =>
+  page.evaluate(() => {
+    const labels: string[] = [];
+    for (;;) {
+      const label = window.marrow.steps().undo;
+      if (!window.marrow.undo()) return labels;
+      labels.push(label ?? '');
+    }
   });
 
-/** One event, and what it was. */
-async function event(page: Page, session: CDPSession, { random, below }: Attempt): Promise<string> {
-  const x = below(SIZE.width);
-  const y = below(SIZE.height);
-  const chance = random();
-  if (chance < 0.35) {
-    const key = `${MODIFIERS[below(MODIFIERS.length)]}${KEYS[below(KEYS.length)]}`;
-    if (!NOT.test(key)) await page.keyboard.press(key);
-    return key;
-  }
-  if (chance < 0.6) {
-    const button = (['left', 'left', 'left', 'right', 'middle'] as const)[below(5)];
-    await page.mouse.click(x, y, { button });
-    return `${button} ${x} ${y}`;
-  }
-  if (chance < 0.7) {
-    await page.mouse.move(x, y);
-    return `move ${x} ${y}`;
-  }
-  if (chance < 0.76) {
-    await page.mouse.down();
-    return 'down';
-  }
-  if (chance < 0.86) {
-    await page.mouse.up();
-    return 'up';
-  }
-  if (chance < 0.92) {
-    await page.mouse.wheel(below(200) - 100, below(400) - 200);
-    return 'wheel';
-  }
-  const touchPoints = [{ x, y }];
-  await session.send('Input.dispatchTouchEvent', { type: 'touchStart', touchPoints });
-  if (chance < 0.96) {
-    const moved = [{ x: below(SIZE.width), y: below(SIZE.height) }];
-    await session.send('Input.dispatchTouchEvent', { type: 'touchMove', touchPoints: moved });
-  }
-  await session.send('Input.dispatchTouchEvent', { type: 'touchEnd', touchPoints: [] });
-  return `touch ${x} ${y}`;
-}
+const redo = (page: Page, count: number) =>
+  page.evaluate((most) => {
+    for (let i = 0; i < most && window.marrow.redo(); i++);
+  }, count);
