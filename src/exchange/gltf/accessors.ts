@@ -5,7 +5,7 @@
  */
 import { ImportError } from '../imported.ts';
 import type { Buffers } from './buffers.ts';
-import { countOf, type Document, type Json, objectOf, textOf } from './json.ts';
+import { countOf, type Document, type Json, objectOf, shown, textOf } from './json.ts';
 
 interface Component {
   readonly bytes: number;
@@ -88,7 +88,7 @@ export class Accessors {
     const width = WIDTHS[textOf(json.type) ?? ''];
     const count = countOf(json.count);
     if (!component || !width || count === undefined) {
-      const message = `Accessor ${index} has the type ${JSON.stringify(json.type)}, components ${JSON.stringify(json.componentType)} and the count ${JSON.stringify(json.count)}, which glTF doesn't know.`;
+      const message = `Accessor ${index} has the type ${shown(json.type)}, components ${shown(json.componentType)} and the count ${shown(json.count)}, which glTF doesn't know.`;
       throw new ImportError('accessor-type-wrong', message);
     }
     return { json, component, width, count, isNormalized: json.normalized === true };

@@ -4,7 +4,7 @@ import { Budget } from '../budget.ts';
 import { type Beside, counted, type Import, ImportError, type Remarks } from '../imported.ts';
 import type { Container } from './container.ts';
 import { readDataUri, unescaped } from './data-uri.ts';
-import { countOf, type Document, extensionOf, type Json, textOf } from './json.ts';
+import { countOf, type Document, extensionOf, type Json, shown, textOf } from './json.ts';
 import type { MeshoptDecoder } from './meshopt.ts';
 
 /** Both names are in use: the ratified one came later. */
@@ -75,12 +75,19 @@ export class Buffers {
   private range(json: Json, index: number): View {
     const buffer = this.buffers.get(Number(json.buffer));
     if (!buffer) {
-      throw new ImportError('buffer-missing', `bufferView ${index} is in buffer ${json.buffer}, which has no bytes.`);
+      throw new ImportError(
+        'buffer-missing',
+        `bufferView ${index} is in buffer ${shown(json.buffer)}, which has no bytes.`,
+      );
     }
     const offset = countOf(json.byteOffset) ?? 0;
     const length = countOf(json.byteLength);
-    if (length === undefined || offset + length > buffer.length) {
-      const message = `bufferView ${index} reaches to byte ${offset + (length ?? Number.NaN)} of buffer ${json.buffer}, which has ${counted(buffer.length, 'byte')}. The file may have been cut off: copy or export it again.`;
+    if (length === undefined) {
+      const message = `Expected the length of bufferView ${index} in bytes, found ${shown(json.byteLength)}. The file may be damaged: export it again.`;
+      throw new ImportError('view-without-length', message);
+    }
+    if (offset + length > buffer.length) {
+      const message = `bufferView ${index} reaches to byte ${offset + length} of buffer ${shown(json.buffer)}, which has ${counted(buffer.length, 'byte')}. The file may have been cut off: copy or export it again.`;
       throw new ImportError('buffer-too-short', message);
     }
     const stride = countOf(json.byteStride);

@@ -7,7 +7,7 @@
  * Told by content, so that either extension may hold either.
  */
 import { ImportError } from '../imported.ts';
-import { Document, objectOf, textOf } from './json.ts';
+import { Document, objectOf, shown, textOf } from './json.ts';
 
 const MAGIC = 0x46546c67;
 const JSON_CHUNK = 0x4e4f534a;
@@ -66,7 +66,7 @@ function readJson(bytes: Uint8Array): Document {
   const root = objectOf(parsed);
   const asset = objectOf(root?.asset);
   if (!root || !asset) throw new ImportError('gltf-expected', 'Expected glTF, found JSON without "asset".');
-  const version = textOf(asset.version) ?? String(asset.version);
+  const version = textOf(asset.version) ?? shown(asset.version);
   if (!version.startsWith('2.')) throw wrongVersion(version);
   return new Document(root);
 }

@@ -26,6 +26,11 @@ export function countOf(value: unknown): number | undefined {
   return typeof value === 'number' && Number.isSafeInteger(value) && value >= 0 ? value : undefined;
 }
 
+/** Any value of the file, for messages. */
+export function shown(value: unknown): string {
+  return value === undefined ? 'nothing' : JSON.stringify(value);
+}
+
 /** Exactly so many finite numbers; undefined otherwise. */
 export function numbersOf(value: unknown, count: number): readonly number[] | undefined {
   const list = listOf(value);
@@ -59,7 +64,7 @@ export class Document {
   at(kind: string, index: unknown, where: string): Json {
     const found = countOf(index) === undefined ? undefined : objectOf(listOf(this.root[kind])[Number(index)]);
     if (found) return found;
-    const message = `${where} refers to ${kind} ${JSON.stringify(index)}; the file has ${this.count(kind)} of them, counted from 0.`;
+    const message = `${where} refers to ${kind} ${shown(index)}; the file has ${this.count(kind)} of them, counted from 0.`;
     throw new ImportError('index-out-of-range', message);
   }
 }

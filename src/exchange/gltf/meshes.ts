@@ -3,7 +3,7 @@ import type { Budget } from '../budget.ts';
 import { counted, ImportError, type Remarks } from '../imported.ts';
 import type { SceneMesh, SceneSkin, SceneSkinned, SceneSurface, SceneTarget } from '../scene.ts';
 import { type Accessors, firstNotFinite, type Numbers } from './accessors.ts';
-import { countOf, type Document, extensionOf, type Json, listOf, numberOf, objectOf, textOf } from './json.ts';
+import { countOf, type Document, extensionOf, type Json, listOf, numberOf, objectOf, shown, textOf } from './json.ts';
 import type { Mapping } from './materials.ts';
 import type { Nodes } from './nodes.ts';
 
@@ -213,10 +213,7 @@ export class Meshes {
     const joints = listOf(json.joints).map((joint) => {
       const own = indexOf.get(countOf(joint) ?? -1);
       if (own !== undefined) return own;
-      throw new ImportError(
-        'index-out-of-range',
-        `Skin ${index} has the joint ${JSON.stringify(joint)}, which is no node.`,
-      );
+      throw new ImportError('index-out-of-range', `Skin ${index} has the joint ${shown(joint)}, which is no node.`);
     });
     const inverseBinds = new Float64Array(16 * joints.length);
     if (json.inverseBindMatrices === undefined) {

@@ -10,7 +10,7 @@ import type { Budget } from '../budget.ts';
 import { ImportError, type Remarks } from '../imported.ts';
 import type { QuaternionCurve, SceneMesh, SceneMove, SceneTake, SceneWeight } from '../scene.ts';
 import { type Accessors, firstNotFinite } from './accessors.ts';
-import { countOf, type Document, extensionOf, type Json, listOf, objectOf, textOf } from './json.ts';
+import { countOf, type Document, extensionOf, type Json, listOf, objectOf, shown, textOf } from './json.ts';
 
 /** A sampler: `width` values per key, three times as many of a cubic. */
 interface Sampler {
@@ -57,7 +57,7 @@ export function readTakes(
       const targets = own.reduce((most, m) => Math.max(most, meshes[m].targets.length), 0);
       const width = path === 'weights' ? targets : WIDTHS[path];
       const sampler = samplers[countOf(channel.sampler) ?? -1];
-      if (!sampler) throw new ImportError('index-out-of-range', `${called} has no sampler ${channel.sampler}.`);
+      if (!sampler) throw new ImportError('index-out-of-range', `${called} has no sampler ${shown(channel.sampler)}.`);
       const read = width > 0 ? readSampler(accessors, sampler, width, called, remarks) : undefined;
       if (!read) continue;
       budget.spend((path === 'rotation' ? PER_ROTATION : PER_VALUE * width) * read.times.length, called);
