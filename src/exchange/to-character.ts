@@ -277,7 +277,10 @@ function morphsOf(meshes: readonly SceneMesh[], binding: Binding) {
     });
     mesh.targets.forEach((target, t) => {
       const called = cleanFileName(target.name) || `${cleanFileName(mesh.name) || 'morph'}_${t}`;
-      morphs.push({ name: names.add(called), positions: rows(target.positions, 1), normals: rows(target.normals, 0) });
+      const movesNothing = target.positions.indices.length === 0 && target.normals.indices.length === 0;
+      // A `.morph` needs a vertex: the first one, where it is.
+      const moved = movesNothing ? firstVertex(mesh) : target.positions;
+      morphs.push({ name: names.add(called), positions: rows(moved, 1), normals: rows(target.normals, 0) });
       targets.push([m, t, target.weight]);
     });
     first += mesh.positions.length / 3;
@@ -287,6 +290,12 @@ function morphsOf(meshes: readonly SceneMesh[], binding: Binding) {
     return targets.map(([mesh, target, weight]) => curves.get(`${mesh} ${target}`) ?? restChannel(weight));
   };
   return { morphs, weightsOf };
+}
+
+/** Of a mesh without vertices, none. */
+function firstVertex({ positions }: SceneMesh): MorphRows {
+  const values = positions.slice(0, 3);
+  return { indices: new Uint32Array(values.length / 3), values };
 }
 
 function jointChannels(
