@@ -16,16 +16,16 @@ import {
 } from '../../model/clip.ts';
 import type { Place } from '../places.ts';
 import type { BlockWords } from '../scan.ts';
+import { NUMBERS } from '../scratch.ts';
 import type { NumberSink, Tokens } from '../tokens.ts';
 
 const ascii = (word: string) => Uint8Array.from(word, (c) => c.charCodeAt(0));
 const TANGENT_WORDS: BlockWords = [ascii('flat'), ascii('linear'), ascii('smooth')];
-const BATCH = 4096;
 const COLUMNS = ['a time', 'a value', 'a tangent', 'a tangent'] as const;
 
 /** One for a whole file; `begin` starts the next channel. */
 export class KeySink implements NumberSink {
-  readonly values = new Float64Array(BATCH);
+  readonly values = NUMBERS;
   count = 0;
   readonly words = TANGENT_WORDS;
   readonly usesUp = true;

@@ -19,6 +19,7 @@ import {
 } from '../grammar.ts';
 import { type Place, WHOLE_FILE } from '../places.ts';
 import { grammarReader, type Reader, type ReadResult, readWhole } from '../reader.ts';
+import { NUMBERS } from '../scratch.ts';
 import type { NumberSink, Tokens } from '../tokens.ts';
 
 /** A reader for a `.morph`. */
@@ -67,7 +68,7 @@ function* rowsOf(t: Tokens, what: string): GrammarPart<MorphRows> {
 
 /** Splits rows of `index x y z` into columns while reading. */
 class MorphSink implements NumberSink {
-  readonly values = new Float64Array(8192);
+  readonly values = NUMBERS;
   count = 0;
   readonly usesUp = true;
   found = 0;

@@ -5,11 +5,10 @@
 import type { Attachments } from '../../model/skin.ts';
 import { MAX_COUNT, nextLength, WrongIndices } from '../grammar.ts';
 import type { Place } from '../places.ts';
+import { BATCH, NUMBERS } from '../scratch.ts';
 import type { NumberSink, Tokens } from '../tokens.ts';
 import { Stairs } from './stairs.ts';
 
-/** Numbers processed at a time. */
-const BATCH = 8192;
 /** Larger indices can't be stored. */
 const LIMIT = MAX_COUNT - 1;
 /** Tolerance of the sum of a vertex's weights. */
@@ -17,7 +16,7 @@ const SUM_TOLERANCE = 0.01;
 
 /** `triangles M { a b c … }`, of all such blocks one after the other. */
 export class TriangleSink implements NumberSink {
-  readonly values = new Float64Array(BATCH);
+  readonly values = NUMBERS;
   count = 0;
   readonly usesUp = true;
   found = 0;
@@ -80,7 +79,7 @@ export class TriangleSink implements NumberSink {
 
 /** `skinweights N { k j0 w0 … }`: rows of any length, into the attachments of each vertex. */
 export class AttachmentSink implements NumberSink {
-  readonly values = new Float64Array(BATCH);
+  readonly values = NUMBERS;
   count = 0;
   readonly usesUp = true;
   /** Rows whose length was read. */
@@ -106,7 +105,7 @@ export class AttachmentSink implements NumberSink {
     t: Tokens,
     private readonly expectedRows: number,
   ) {
-    this.start = new Uint32Array(Math.min(t.numbersAtHand(), Math.max(64, expectedRows)) + BATCH + 1);
+    this.start = new Uint32Array(Math.min(t.numbersAtHand(), Math.max(64, expectedRows)) + 1);
     this.joints = new Uint32Array(64);
     this.weights = new Float64Array(64);
   }
