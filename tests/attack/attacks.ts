@@ -3,6 +3,7 @@ import { killed } from './page/killed.ts';
 import { lostContext } from './page/lost-context.ts';
 import { openClose } from './page/open-close.ts';
 import { randomWalk } from './page/random-walk.ts';
+import { readers } from './readers/readers.ts';
 
 /** All attacks, in the order in which they run. */
-export const ATTACKS: readonly Attack[] = [lostContext, openClose, killed, randomWalk];
+export const ATTACKS: readonly Attack[] = [lostContext, openClose, killed, randomWalk, readers];

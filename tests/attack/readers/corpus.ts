@@ -1,0 +1,112 @@
+/** Small files of every kind that is read, which the attack on the readers mutates: made ones, and real ones if present. */
+import { readdirSync, readFileSync } from 'node:fs';
+import { fileURLToPath } from 'node:url';
+import fc from 'fast-check';
+import { zipSync } from 'fflate';
+import { lineOf } from '../../../src/cli/export/records.ts';
+import type { ListedTake } from '../../../src/review/list.ts';
+import { listAsCsv, listAsJson } from '../../../src/review/write-list.ts';
+import { randomFbx } from '../../exchange/fbx/random-fbx.ts';
+import { fbxBytes, fbxText } from '../../exchange/fbx/write-fbx.ts';
+import { glbOf } from '../../exchange/make-gltf.ts';
+import { randomGltf } from '../../exchange/random-gltf.ts';
+import { hasShared, sharedBytes, sharedPath } from '../../helpers/shared.ts';
+import { MADE_TEXTS } from './made-texts.ts';
+import { isSubject, type Subject } from './subjects.ts';
+
+/** A file to mutate. */
+export interface Seed {
+  readonly subject: Subject;
+  readonly bytes: Uint8Array;
+}
+
+/** Larger files are left out: their inputs would take the time of thousands. */
+const LARGEST = 170_000;
+const SAMPLES = fileURLToPath(new URL('../../../public/samples/', import.meta.url));
+const RANDOM_FILES = 24;
+
+const text = (content: string) => new TextEncoder().encode(content);
+
+/** The same in every run. */
+export function corpus(): readonly Seed[] {
+  return [...madeTexts(), ...samples(), ...random(), ...lists(), ...zips(), ...images(), ...real()].filter(
+    ({ bytes }) => bytes.length <= LARGEST,
+  );
+}
+
+function madeTexts(): Seed[] {
+  return MADE_TEXTS.map(([subject, content]) => ({ subject, bytes: text(content) }));
+}
+
+function samples(): Seed[] {
+  return readdirSync(SAMPLES).flatMap((name) => seedOf(name, readFileSync(`${SAMPLES}${name}`)));
+}
+
+function seedOf(path: string, bytes: Uint8Array): Seed[] {
+  const subject = path.slice(path.lastIndexOf('.') + 1);
+  return isSubject(subject) ? [{ subject, bytes: new Uint8Array(bytes) }] : [];
+}
+
+function random(): Seed[] {
+  const gltf = fc.sample(randomGltf, { seed: 169, numRuns: RANDOM_FILES });
+  const fbx = fc.sample(randomFbx, { seed: 169, numRuns: RANDOM_FILES });
+  return [
+    ...gltf.map((made): Seed => ({ subject: 'glb', bytes: glbOf(made) })),
+    ...gltf.map(({ json, buffers: [bytes] }): Seed => {
+      const uri = `data:application/octet-stream;base64,${Buffer.from(bytes).toString('base64')}`;
+      const buffers = [{ byteLength: bytes.length, uri }];
+      return { subject: 'gltf', bytes: text(JSON.stringify({ ...json, buffers })) };
+    }),
+    ...fbx.map((made, i): Seed => ({ subject: 'fbx', bytes: i % 2 ? fbxBytes(made) : text(fbxText(made)) })),
+  ];
+}
+
+const TAKES: readonly ListedTake[] = [
+  { path: 'a/walk.bvh', verdict: 'good', stars: 3, tags: ['left foot', 'x'], notes: 'says "no",\nthen yes; =1+1' },
+  { path: 'b/run, fast.fbx', verdict: 'bad', stars: 0, tags: [], notes: '', frames: 12, fps: 29.97, joints: 31 },
+  { path: 'ü 骨.bvh', verdict: '', stars: 5, tags: [], notes: "'-1", flags: ['spike 1.233 LeftHand', 'still'] },
+];
+
+function lists(): Seed[] {
+  const hash = 'ab'.repeat(32);
+  const written = { input: 'a.bvh', hash, output: 'a.npz', bytes: 100, frames: 3, fps: 30, joints: 2, key: 'k' };
+  const manifest = [written, { input: 'b.bvh', error: 'It is empty.' }].map(lineOf).join('');
+  return [
+    { subject: 'review.csv', bytes: text(listAsCsv(TAKES)) },
+    { subject: 'review.csv', bytes: text('path;stars;tags\r\na.bvh;2,0;x;y\r\n"b ""1"".bvh";;\r\n') },
+    { subject: 'review.csv', bytes: text('a/walk.bvh\nb/run.bvh\n\n') },
+    { subject: 'review.json', bytes: text(listAsJson(TAKES)) },
+    { subject: 'review.json', bytes: text('["a.bvh", {"path": "b.bvh", "stars": "2"}, 3]') },
+    { subject: 'manifest.ndjson', bytes: text(manifest) },
+  ];
+}
+
+function zips(): Seed[] {
+  const files = Object.fromEntries(
+    MADE_TEXTS.slice(0, 6).map(([subject, content], i) => [`folder/${i}.${subject}`, text(content)]),
+  );
+  return [
+    { subject: 'zip', bytes: zipSync(files) },
+    { subject: 'zip', bytes: zipSync({ ...files, 'ü.txt': text('readme') }, { level: 0 }) },
+  ];
+}
+
+/** Headers, as far as readers look; that of a PNG is among the samples. */
+function images(): Seed[] {
+  const of = (subject: Subject, hex: string): Seed => ({ subject, bytes: new Uint8Array(Buffer.from(hex, 'hex')) });
+  return [
+    of('bmp', '424d46000000000000003600000028000000020000000200000001001800000000001000000000000000000000000000'),
+    of('png', '89504e470d0a1a0a0000000d49484452000000010000000108060000001f15c489'),
+    of('jpg', 'ffd8ffe000104a46494600010100000100010000ffc0001108000200020301220002110103110'),
+    of('webp', '524946461a000000574542505650384c0d0000002f0000001007101111888808'),
+  ];
+}
+
+function real(): Seed[] {
+  if (!hasShared) return [];
+  const names = readdirSync(sharedPath('data'), { recursive: true, withFileTypes: true })
+    .filter((entry) => entry.isFile())
+    .map((entry) => `${entry.parentPath}/${entry.name}`.slice(sharedPath('').length))
+    .sort();
+  return names.flatMap((path) => seedOf(path, sharedBytes(path)));
+}

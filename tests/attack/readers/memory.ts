@@ -1,0 +1,73 @@
+/**
+ * What a reading takes in memory, as an engine counts it that may collect garbage at any time: the heap and the array
+ * buffers that are alive.
+ *
+ *     kept     what the result holds: alive after a full collection, less what was alive before
+ *     peak     the most that was alive behind any collection while it was read, less what was before
+ *
+ * Garbage does not count, or only as much as one collection leaves to the next: it is collected before memory becomes
+ * scarce. New objects have a megabyte in the attack's thread (`NEW_SPACE_MB`), so a collection follows each megabyte. The resident size of the process, which other
+ * tests quote, counts it, and what an engine keeps for later.
+ */
+import { GCProfiler, getHeapStatistics, setFlagsFromString } from 'node:v8';
+import { runInNewContext } from 'node:vm';
+
+/** For `maxYoungGenerationSizeMb`: three times what new objects may fill. */
+export const NEW_SPACE_MB = 3;
+
+/** Allowed for each byte of a file, and for any file. */
+const PER_BYTE = 10;
+const BASE = 1 << 20;
+
+export interface Taken<T> {
+  readonly result: T;
+  /** The most bytes that may have been alive: an upper bound, found without collecting anything. */
+  readonly most: number;
+  /** The most at a collection; 0 without any. */
+  readonly peak: number;
+}
+
+export function mostBytes(fileBytes: number): number {
+  return PER_BYTE * fileBytes + BASE;
+}
+
+function alive(): number {
+  const { used_heap_size: heap, external_memory: buffers } = getHeapStatistics();
+  return heap + buffers;
+}
+
+/** Reads, and says what that took at most. Costs little. */
+export async function taken<T>(read: () => T | Promise<T>): Promise<Taken<T>> {
+  const before = alive();
+  const profiler = new GCProfiler();
+  profiler.start();
+  const result = await read();
+  const at = profiler.stop().statistics.map(({ afterGC: { heapStatistics: after } }) => {
+    return after.usedHeapSize + after.externalMemory;
+  });
+  return { result, most: Math.max(alive(), ...at) - before, peak: Math.max(before, ...at) - before };
+}
+
+let collect: (() => void) | undefined;
+
+/** A full garbage collection. */
+function collectGarbage(): void {
+  if (!collect) {
+    setFlagsFromString('--expose-gc');
+    // The function of that name, which only new contexts have.
+    collect = runInNewContext('gc') as () => void;
+  }
+  collect();
+}
+
+/** The same read again, exactly: slow. What another reading left behind, such as caches, counts as well. */
+export async function takenExactly(read: () => unknown): Promise<{ readonly kept: number; readonly peak: number }> {
+  collectGarbage();
+  const before = alive();
+  const { result, peak } = await taken(read);
+  collectGarbage();
+  const kept = alive() - before;
+  // Held until here.
+  if (result === alive) throw new Error('never');
+  return { kept, peak: Math.max(kept, peak) };
+}

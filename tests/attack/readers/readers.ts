@@ -1,0 +1,113 @@
+/**
+ * Mutated files of all kinds, for all readers. They are read in a thread, which is watched: one that hangs, or takes all
+ * memory, is ended, and the next begins behind the input that did it.
+ */
+import { once } from 'node:events';
+import { fileURLToPath } from 'node:url';
+import { Worker } from 'node:worker_threads';
+import { build } from 'vite';
+import { draco } from '../../../vite.draco.ts';
+import type { Attack, Attempt } from '../attack.ts';
+import { corpus, type Seed } from './corpus.ts';
+import { Inputs } from './inputs.ts';
+import { NEW_SPACE_MB } from './memory.ts';
+import { type Found, type Orders, SHRINKS } from './protocol.ts';
+
+const ROOT = fileURLToPath(new URL('../../../', import.meta.url));
+const BUILT = `${ROOT}node_modules/.cache/marrow-attack/`;
+const LOOK_MS = 500;
+/** An input is slow above a second of its own time, which the thread measures; the machine may be busy. */
+const HANGS_MS = 20_000;
+const SHRINKS_MS = 60_000;
+const MAX_HEAP_MB = 2000;
+
+export const readers: Attack = {
+  name: 'readers',
+  shows:
+    'mutated files of all kinds are read or refused: in time, in bounds, the same in pieces, the same when written',
+  async run(attempt) {
+    await buildThread();
+    const seeds = corpus();
+    const counts = new Map<string, number>();
+    const begun = performance.now();
+    let next = 0;
+    do next = await runThread(attempt, seeds, next, counts);
+    while (attempt.goesOn());
+    const seconds = (performance.now() - begun) / 1000;
+    attempt.note(`${Math.round(next / seconds)} per second`);
+    attempt.note([...counts].map(([subject, count]) => `${subject} ${count}`).join(' '));
+  },
+};
+
+/** One script, which runs as fast as the page's. */
+async function buildThread(): Promise<void> {
+  await build({
+    configFile: false,
+    root: ROOT,
+    logLevel: 'warn',
+    plugins: [draco()],
+    ssr: { noExternal: true },
+    build: {
+      ssr: 'tests/attack/readers/thread.ts',
+      outDir: BUILT,
+      emptyOutDir: true,
+      copyPublicDir: false,
+      target: 'node20',
+      rolldownOptions: { output: { entryFileNames: 'thread.js', format: 'es' } },
+    },
+  });
+}
+
+/** Until time is over or the thread ends. Returns the first input that was not read. */
+async function runThread(attempt: Attempt, seeds: readonly Seed[], from: number, counts: Map<string, number>) {
+  const shared = new SharedArrayBuffer(8);
+  const at = new Int32Array(shared);
+  at[0] = from;
+  const orders: Orders = { corpus: seeds, seed: attempt.seed, from, at: shared };
+  const inputs = new Inputs(seeds, attempt.seed);
+  const thread = new Worker(`${BUILT}thread.js`, {
+    workerData: orders,
+    resourceLimits: { maxOldGenerationSizeMb: MAX_HEAP_MB, maxYoungGenerationSizeMb: NEW_SPACE_MB },
+  });
+  let ended: unknown;
+  thread.on('error', (error) => {
+    ended = error;
+  });
+  thread.on('message', ({ index, fault, input }: Found) => {
+    const what = `input ${index}, .${input.subject}, ${fault.kind}: ${fault.what.slice(0, 2000)}`;
+    attempt.gaveWay(what, { extension: input.subject, content: input.bytes });
+  });
+  const isOver = new Promise<void>((resolve) => thread.once('exit', () => resolve()));
+  await once(thread, 'online');
+  let counted = from;
+  const count = (until: number) => {
+    attempt.tried(until - counted);
+    for (; counted < until; counted++) {
+      const subject = inputs.subjectAt(counted);
+      counts.set(subject, (counts.get(subject) ?? 0) + 1);
+    }
+  };
+  const blame = (what: string) => {
+    const input = inputs.at(at[0]);
+    attempt.gaveWay(`input ${at[0]}, .${input.subject}: ${what}`, { extension: input.subject, content: input.bytes });
+    count(at[0] + 1);
+  };
+  let [seen, sinceMs] = [-1, performance.now()];
+  while (attempt.goesOn()) {
+    await Promise.race([isOver, new Promise((resolve) => setTimeout(resolve, LOOK_MS))]);
+    if (ended !== undefined) {
+      blame(`the thread ended: ${String(ended)}`);
+      return counted;
+    }
+    count(at[0]);
+    if (at[0] !== seen) [seen, sinceMs] = [at[0], performance.now()];
+    else if (performance.now() - sinceMs > (at[1] === SHRINKS ? SHRINKS_MS : HANGS_MS)) {
+      await thread.terminate();
+      blame(`hangs for more than ${HANGS_MS / 1000} s`);
+      return counted;
+    }
+  }
+  await thread.terminate();
+  count(at[0]);
+  return counted;
+}
