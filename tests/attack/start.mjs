@@ -1,8 +1,15 @@
 /** `npm run attack`: run.ts, which Node can't read by itself in all versions that the project supports. */
 import { fileURLToPath } from 'node:url';
-import { runnerImport } from 'vite';
+import { createServer, createServerModuleRunner } from 'vite';
 
 const file = fileURLToPath(new URL('run.ts', import.meta.url));
-const { module } = await runnerImport(file, { configFile: false, logLevel: 'warn' });
+// `runnerImport` can't import anything once it is done, as functions do that fetch code on demand.
+const server = await createServer({
+  configFile: false,
+  logLevel: 'warn',
+  appType: 'custom',
+  server: { middlewareMode: true, hmr: false, ws: false, watch: null },
+});
+const module = await createServerModuleRunner(server.environments.ssr, { hmr: false }).import(file);
 // Browsers and servers that are shared end with the process.
 process.exit(await module.run(process.argv.slice(2)));
