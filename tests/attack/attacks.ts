@@ -1,4 +1,5 @@
 import type { Attack } from './attack.ts';
+import { commandLine } from './command/command-line.ts';
 import { killed } from './page/killed.ts';
 import { lostContext } from './page/lost-context.ts';
 import { openClose } from './page/open-close.ts';
@@ -6,4 +7,4 @@ import { randomWalk } from './page/random-walk.ts';
 import { readers } from './readers/readers.ts';
 
 /** All attacks, in the order in which they run. */
-export const ATTACKS: readonly Attack[] = [lostContext, openClose, killed, randomWalk, readers];
+export const ATTACKS: readonly Attack[] = [lostContext, openClose, killed, randomWalk, readers, commandLine];

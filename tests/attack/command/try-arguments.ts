@@ -1,0 +1,47 @@
+/** Random arguments, most of them in this process, since one of its own takes a quarter of a second. */
+import { command } from '../../helpers/command.ts';
+import type { Attempt } from '../attack.ts';
+import { randomArguments, SUBCOMMANDS } from './arguments.ts';
+import { faultsOf, marrow } from './process.ts';
+import { makeScene } from './scene.ts';
+import { leftovers } from './whole.ts';
+
+/** None of them has much to do. */
+const MAX_MS = 10_000;
+
+/** Tries this many. Returns the longest time, in milliseconds. */
+export async function tryArguments(attempt: Attempt, count: number): Promise<number> {
+  const scene = makeScene();
+  let longest = 0;
+  try {
+    for (let i = 0; i < count; i++) {
+      const name = SUBCOMMANDS[attempt.below(SUBCOMMANDS.length)];
+      const { out: help } = await command([name, '--help'], scene.folder);
+      const args = randomArguments(name, help, attempt.below);
+      const isProcess = attempt.below(20) === 0;
+      const begun = performance.now();
+      const ended = await (isProcess ? marrow(args, scene.folder) : inProcess(args, scene.folder));
+      const ms = performance.now() - begun;
+      longest = Math.max(longest, ms);
+      const faults = [...faultsOf(ended), ...leftovers(scene.folder)];
+      if (ms > MAX_MS) faults.push(`it took ${Math.round(ms)} ms`);
+      attempt.tried();
+      if (faults.length > 0) {
+        const content = JSON.stringify({ args, faults, err: ended.err.slice(0, 2000) }, null, 2);
+        attempt.gaveWay(`${faults.join('; ')}: marrow ${args.join(' ').slice(0, 300)}`, { extension: 'json', content });
+      }
+    }
+  } finally {
+    scene.remove();
+  }
+  return longest;
+}
+
+/** An exception, which the process would tell in its own words, is a fault. */
+async function inProcess(args: readonly string[], folder: string) {
+  try {
+    return await command(args, folder, async () => 'takes/t0.bvh\n');
+  } catch (error) {
+    return { err: `${error instanceof Error ? error.stack : error}` };
+  }
+}
