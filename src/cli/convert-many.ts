@@ -5,8 +5,9 @@
  * Motion capture is read one file at a time, so that memory is bounded by the largest take; all other files are read
  * together, since a skeleton and its clips are separate files. Broken files are reported and skipped.
  */
-import { mkdirSync, statSync } from 'node:fs';
+import { existsSync, mkdirSync } from 'node:fs';
 import { basename, dirname, join, relative, resolve, sep } from 'node:path';
+import { setImmediate as nextTurn } from 'node:timers/promises';
 import { CommandError } from '../edit/store.ts';
 import { type Diagnostic, hasErrors, withoutPlace } from '../model/diagnostic.ts';
 import { type Character, EMPTY_DOCUMENT } from '../model/document.ts';
@@ -15,9 +16,11 @@ import { openFiles } from '../project/open/open-files.ts';
 import { formatOf } from '../project/readers.ts';
 import { outputsOf, refusal, sourceFor, type Target, withOwnNames } from '../project/save/conversion.ts';
 import type { ConversionOptions } from '../project/save/copies.ts';
-import { loadAny } from './load.ts';
-import { findGiven, type GivenPath } from './paths.ts';
-import { writeOutput } from './write-output.ts';
+import type { Output } from '../project/save/output.ts';
+import { loadFound, tellMissing } from './load.ts';
+import { findGiven, type GivenPath, isFolder } from './paths.ts';
+import { reasonOf } from './reason.ts';
+import { type Written, writeOutput } from './write-output.ts';
 
 export interface ManyOptions extends ConversionOptions {
   readonly target: Target;
@@ -56,10 +59,14 @@ export async function convertMany(
   // Folders also hold readmes and pictures, which are left out.
   const whole = files.filter((file) => openingOfFile(file) === 'whole');
   const others = files.filter((file) => openingOfFile(file) === 'with others');
-  const groups = [...whole.map(({ path }) => [path]), others.map(({ path }) => path)].filter((g) => g.length > 0);
-  if (missing.length) many.tell((await loadAny(missing, folder)).diagnostics);
+  const groups = [...whole.map((file) => [file]), others].filter((group) => group.length > 0);
+  if (missing.length) many.tell(tellMissing(missing));
   many.isOfMany = groups.length > 1;
-  for (const group of groups) await many.convert(group);
+  for (const group of groups) {
+    await many.convert(group);
+    // Signals are heard only then.
+    await nextTurn();
+  }
   many.tellKept();
   if (groups.length === 0 && missing.length === 0) {
     many.tell([refusal('nothing-to-convert', 'There is no file here to convert.', args.join(' '))]);
@@ -91,9 +98,7 @@ class Many {
     private readonly options: ManyOptions,
     private readonly progress: ConversionProgress,
   ) {
-    this.folders = args
-      .map((arg) => resolve(folder, arg))
-      .filter((path) => statSync(path, { throwIfNoEntry: false })?.isDirectory());
+    this.folders = args.map((arg) => resolve(folder, arg)).filter(isFolder);
   }
 
   tell(diagnostics: readonly Diagnostic[]): void {
@@ -101,8 +106,8 @@ class Many {
     if (diagnostics.length) this.progress.told(diagnostics);
   }
 
-  async convert(paths: readonly string[]): Promise<void> {
-    const loaded = await loadAny(paths, this.folder);
+  async convert(files: readonly GivenPath[]): Promise<void> {
+    const loaded = await loadFound(files, this.folder);
     const { document, diagnostics } = openFiles(EMPTY_DOCUMENT, loaded.files, loaded.broken);
     this.tell([...loaded.diagnostics, ...diagnostics]);
     const { characters } = document;
@@ -115,7 +120,7 @@ class Many {
     const posed = characters.filter(({ skeleton }) => skeleton);
     // Roots of one file stay in one file.
     if (posed.length > 1) this.isOfMany = true;
-    const groups = posed.length > 1 && paths.length === 1 ? [posed] : posed.map((character) => [character]);
+    const groups = posed.length > 1 && files.length === 1 ? [posed] : posed.map((character) => [character]);
     for (const group of groups) {
       try {
         await this.write(group);
@@ -144,8 +149,7 @@ class Many {
         continue;
       }
       this.done.add(path);
-      mkdirSync(dirname(path), { recursive: true });
-      const written = writeOutput(path, output.pieces());
+      const written = writeIntoFolder(path, output);
       this.tell(output.diagnostics());
       if ('failure' in written) {
         const message = `The file could not be written: ${written.failure}.`;
@@ -177,7 +181,7 @@ class Many {
 
   private obstacle(path: string, read: string): string | undefined {
     if (this.done.has(path)) return 'Another file of this name was just written; left as it is.';
-    if (this.options.replaces || !statSync(path, { throwIfNoEntry: false })) return undefined;
+    if (this.options.replaces || !existsSync(path)) return undefined;
     if (path === read) return 'This file would be replaced; --out FOLDER writes another one, --force replaces it.';
     return 'A file of this name already exists; --force replaces it.';
   }
@@ -191,6 +195,15 @@ class Many {
     const given = this.folders.find((f) => own === f || own.startsWith(f + sep));
     return given === undefined ? target : join(target, relative(given, own));
   }
+}
+
+function writeIntoFolder(path: string, output: Output): Written {
+  try {
+    mkdirSync(dirname(path), { recursive: true });
+  } catch (error) {
+    return { failure: `its folder could not be made: ${reasonOf(error)}` };
+  }
+  return writeOutput(path, output.pieces());
 }
 
 /** A clip's name is free text; characters that separate folders are replaced. */

@@ -15,6 +15,7 @@ import { createReadStream, existsSync, statSync } from 'node:fs';
 import { basename, delimiter, dirname, join } from 'node:path';
 import type { Plugin } from 'vite';
 import { callersFolder, findGiven, type GivenPath } from './paths.ts';
+import { printableLine } from './printable.ts';
 
 const DEFAULTS = ['test.skel', 'test.skin', 'test.anim'];
 
@@ -34,7 +35,7 @@ export function givenFiles(): Plugin {
       const folder = callersFolder('start');
       const { files, missing } = findGiven(args.length ? args : defaultsIn(folder), folder);
       if (missing.length || (args.length && !files.length)) {
-        for (const name of missing) console.error(`marrow: there is no file "${name}" in ${folder}.`);
+        for (const { path, why } of missing) console.error(printableLine(`marrow: ${path}: ${why}`));
         if (!missing.length) console.error(`marrow: there are no files in ${args.join(' ')}.`);
         process.exit(2);
       }

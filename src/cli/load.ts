@@ -2,7 +2,7 @@
  * Files from disk to models, through the same readers as in the page, a megabyte at a time: memory is bounded by the
  * model, not the file.
  */
-import { closeSync, openSync, readFileSync, readSync, statSync } from 'node:fs';
+import { statSync } from 'node:fs';
 import { basename, dirname, isAbsolute, relative, resolve, sep } from 'node:path';
 import type { Beside } from '../exchange/imported.ts';
 import { isWorthDiagnosing } from '../formats/diagnose/diagnose.ts';
@@ -22,11 +22,9 @@ import { READABLE_EXTENSIONS } from '../project/kinds.ts';
 import { type OpenResult, openFiles } from '../project/open/open-files.ts';
 import { type Format, formatOf } from '../project/readers.ts';
 import { UsageError } from './arguments.ts';
-import { findGiven, type GivenPath } from './paths.ts';
-
-const CHUNK_BYTES = 1 << 20;
-/** Scratch; readers keep nothing of it. */
-const chunk = new Uint8Array(CHUNK_BYTES);
+import { findGiven, type GivenPath, isFile, type MissingPath } from './paths.ts';
+import { fileBytes, readPieces } from './read-file.ts';
+import { reasonOf } from './reason.ts';
 
 /** A file named on the command line, read or not. */
 export interface LoadedFile {
@@ -63,10 +61,7 @@ export function loadFiles(
   if (args.length === 0) throw new UsageError('Give at least one file.');
   const given = findGiven(args, folder);
   const found = loadGiven(given.files, otherwise, imported);
-  const missing = given.missing.map((path): LoadedFile => ({ name: basename(path), path, kind: kindOf(path) }));
-  const diagnostics = missing.map(({ path }) =>
-    withoutPlace('error', 'file-missing', `There is no file "${path}" in ${folder}.`, path),
-  );
+  const missing = given.missing.map(({ path }): LoadedFile => ({ name: basename(path), path, kind: kindOf(path) }));
   const broken = missing.flatMap(({ name, path, kind }): BrokenFile[] =>
     kind === 'unknown' ? [] : [{ kind, source: { name, path, bytes: 0 } }],
   );
@@ -74,8 +69,12 @@ export function loadFiles(
     all: [...missing, ...found.all],
     files: found.files,
     broken: [...broken, ...found.broken],
-    diagnostics: [...diagnostics, ...found.diagnostics],
+    diagnostics: [...tellMissing(given.missing), ...found.diagnostics],
   };
+}
+
+export function tellMissing(missing: readonly MissingPath[]): readonly Diagnostic[] {
+  return missing.map(({ path, code, why }) => withoutPlace('error', code, why, path));
 }
 
 /** As `loadFiles`, and files of other programs too, whose readers are fetched and look for further files. */
@@ -100,7 +99,7 @@ async function importGiven(given: readonly GivenPath[], folder: string): Promise
     const format = formatOf(name);
     if (!format?.imports) continue;
     try {
-      const bytes = held ? new Uint8Array(held) : new Uint8Array(readFileSync(absolute));
+      const bytes = held ? new Uint8Array(held) : fileBytes(absolute);
       const { value, diagnostics, beside } = await format.imports({
         fileName: name,
         bytes,
@@ -119,8 +118,8 @@ async function importGiven(given: readonly GivenPath[], folder: string): Promise
 function besideOnDisk(absolute: string, wanted: string, folder: string): Beside | undefined {
   if (isAbsolute(wanted) || /^[a-z][a-z0-9+.-]*:/i.test(wanted)) return undefined;
   const found = resolve(dirname(absolute), wanted);
-  if (!statSync(found, { throwIfNoEntry: false })?.isFile()) return undefined;
-  const bytes = new Uint8Array(readFileSync(found));
+  if (!isFile(found)) return undefined;
+  const bytes = fileBytes(found);
   const path = relative(folder, found).split(sep).join('/');
   return { bytes, source: { name: basename(found), path, bytes: bytes.length } };
 }
@@ -159,29 +158,29 @@ interface LoadedOne {
 
 function loadOne({ absolute, bytes: held }: GivenPath, name: string, format: Format | undefined): LoadedOne {
   try {
-    const bytes = held?.length ?? statSync(absolute).size;
-    if (!format) return { bytes, diagnostics: [unknownFormat(name)] };
-    return { bytes, ...(held ? readBytes(held, name, format) : readFile(absolute, bytes, name, format)) };
+    const stats = held ? undefined : statSync(absolute);
+    const size = held?.length ?? stats?.size ?? 0;
+    if (!format) return { bytes: size, diagnostics: [unknownFormat(name)] };
+    // A pipe is read once, and errors are told by its content.
+    const own = stats?.isFile() === false ? fileBytes(absolute) : held;
+    const bytes = own?.length ?? size;
+    return { bytes, ...(own ? readBytes(own, name, format) : readFile(absolute, bytes, name, format)) };
   } catch (error) {
     return unreadable(name, error);
   }
 }
 
 function unreadable(name: string, error: unknown): LoadedOne {
-  const reason = error instanceof Error ? error.message : String(error);
+  // Node names files in UTF-8, and puts this where a name isn't.
+  const reason = name.includes('\ufffd') ? 'its name is not UTF-8; rename it' : reasonOf(error);
   const message = `The file could not be read: ${reason}.`;
   return { bytes: 0, diagnostics: [withoutPlace('error', 'file-unreadable', message, name)] };
 }
 
 function readFile(path: string, bytes: number, name: string, format: Format): Omit<LoadedOne, 'bytes'> {
   const reader = format.reader(name, bytes);
-  const file = openSync(path, 'r');
-  try {
-    for (let read = readSync(file, chunk); read > 0; read = readSync(file, chunk)) reader.feed(chunk.subarray(0, read));
-  } finally {
-    closeSync(file);
-  }
-  return ended(reader.end(), name, bytes, format, () => readFileSync(path));
+  readPieces(path, (piece) => reader.feed(piece));
+  return ended(reader.end(), name, bytes, format, () => fileBytes(path));
 }
 
 function readBytes(bytes: Uint8Array, name: string, format: Format): Omit<LoadedOne, 'bytes'> {

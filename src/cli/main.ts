@@ -6,34 +6,51 @@
 import { text } from 'node:stream/consumers';
 import { exportWork } from './export/one-take.ts';
 import { gradeWork } from './grade/threads.ts';
+import type { ExitCode } from './io.ts';
 import { callersFolder } from './paths.ts';
+import { printable } from './printable.ts';
+import { reasonOf } from './reason.ts';
 import { run } from './run.ts';
 import { worksInThread } from './threads.ts';
 
-// A pipe closed by its reader (`| head`) is no error.
+/** Of both streams, since what writes into a pipe can't know which of them its reader closed. */
 let closed = false;
-for (const stream of [process.stdout, process.stderr]) {
-  stream.on('error', (error: NodeJS.ErrnoException) => {
-    if (error.code !== 'EPIPE') throw error;
-    closed = true;
-  });
-}
+/** Results that could not be written: why. */
+let unwritten: string | undefined;
+process.stdout.on('error', (error: NodeJS.ErrnoException) => {
+  // A pipe closed by its reader (`| head`) is no error.
+  if (error.code !== 'EPIPE') unwritten = reasonOf(error);
+  closed = true;
+});
+process.stderr.on('error', () => {
+  // Nobody is left to be told.
+});
 
 function write(text: string): Promise<void> {
   return new Promise((resolve) => {
     if (closed) resolve();
-    else process.stdout.write(text, () => resolve());
+    // Files and pipes get exact bytes.
+    else process.stdout.write(process.stdout.isTTY ? printable(text) : text, () => resolve());
   });
+}
+
+function tell(text: string): void {
+  process.stderr.write(text);
 }
 
 // Classes are judged, and takes exported, by several threads that run this very program.
 if (!worksInThread({ grade: gradeWork, export: exportWork })) {
-  process.exitCode = await run(process.argv.slice(2), {
+  const code = await run(process.argv.slice(2), {
     folder: callersFolder('marrow'),
     out: write,
-    err: (text) => void (closed || process.stderr.write(text)),
-    ...(process.stderr.isTTY && { progress: (line) => void (closed || process.stderr.write(`\r\x1b[K${line}`)) }),
+    err: tell,
+    ...(process.stderr.isTTY && { progress: (line) => tell(`\r\x1b[K${line}`) }),
     input: () => text(process.stdin),
     program: new URL(import.meta.url),
+  }).catch((error): ExitCode => {
+    tell(`marrow: this is a mistake of the program, please report it: ${printable(reasonOf(error))}\n`);
+    return 1;
   });
+  if (unwritten !== undefined) tell(`marrow: the results could not be written: ${unwritten}.\n`);
+  process.exitCode = unwritten === undefined ? code : 3;
 }

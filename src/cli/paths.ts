@@ -2,8 +2,9 @@
  * Files named on a command line: relative to the caller's folder; a folder means all files in it. Shared by the command
  * and `npm start -- a.skel a.skin`.
  */
-import { readdirSync, statSync } from 'node:fs';
+import { type Dirent, readdirSync, type Stats, statSync } from 'node:fs';
 import { dirname, join, relative, resolve, sep } from 'node:path';
+import { isOfSystem, reasonOf } from './reason.ts';
 
 export interface GivenPath {
   /** Relative to the caller's folder, `/` between folders: decides which files belong together. */
@@ -16,8 +17,16 @@ export interface GivenPath {
 export interface GivenPaths {
   /** Each file once, in the order given. */
   readonly files: readonly GivenPath[];
-  /** Arguments that match no file, as written. */
-  readonly missing: readonly string[];
+  /** Arguments that match no file, and folders that can't be read. */
+  readonly missing: readonly MissingPath[];
+}
+
+export interface MissingPath {
+  /** As written; of a folder in a folder as that of a file. */
+  readonly path: string;
+  readonly code: 'file-missing' | 'file-unreadable';
+  /** A sentence. */
+  readonly why: string;
 }
 
 /** Natural order: `head2.morph` before `head10.morph`. */
@@ -36,25 +45,65 @@ export function callersFolder(script: string): string {
 /** Resolves each argument to files, without reading them. */
 export function findGiven(args: readonly string[], folder: string): GivenPaths {
   const files = new Map<string, GivenPath>();
-  const missing: string[] = [];
+  const missing: MissingPath[] = [];
+  const shown = (absolute: string) => relative(folder, absolute).split(sep).join('/');
   for (const arg of args) {
     const absolute = resolve(folder, arg);
-    const stats = statSync(absolute, { throwIfNoEntry: false });
-    if (!stats) missing.push(arg);
-    for (const file of stats?.isDirectory() ? filesIn(absolute) : stats ? [absolute] : []) {
-      files.set(file, { path: relative(folder, file).split(sep).join('/'), absolute: file });
-    }
+    const stats = statsOf(absolute);
+    if (!stats) {
+      missing.push({ path: arg, code: 'file-missing', why: `There is no file "${arg}" in ${folder}.` });
+    } else if ('failure' in stats) {
+      missing.push({ path: arg, code: 'file-unreadable', why: `The file could not be read: ${stats.failure}.` });
+    } else if (stats.isDirectory()) {
+      const unreadable = (below: string, reason: string) => {
+        const path = below === absolute ? arg : shown(below);
+        missing.push({ path, code: 'file-unreadable', why: `The folder could not be read: ${reason}.` });
+      };
+      for (const file of filesIn(absolute, unreadable)) files.set(file, { path: shown(file), absolute: file });
+    } else files.set(absolute, { path: shown(absolute), absolute });
   }
   return { files: [...files.values()], missing };
 }
 
-/** All files below a folder, in natural order, without hidden ones. Links to folders are not followed. */
-function filesIn(folder: string): string[] {
-  const entries = readdirSync(folder, { withFileTypes: true }).filter((entry) => !entry.name.startsWith('.'));
+/**
+ * All files below a folder, in natural order, without hidden ones. Links to folders are not followed; those that lead
+ * nowhere are files that can't be read.
+ */
+function filesIn(folder: string, unreadable: (folder: string, reason: string) => void): string[] {
+  let entries: Dirent[];
+  try {
+    entries = readdirSync(folder, { withFileTypes: true }).filter((entry) => !entry.name.startsWith('.'));
+  } catch (error) {
+    unreadable(folder, reasonOf(error));
+    return [];
+  }
   entries.sort((a, b) => byName.compare(a.name, b.name));
   return entries.flatMap((entry) => {
     const path = join(folder, entry.name);
-    if (entry.isDirectory()) return filesIn(path);
-    return statSync(path, { throwIfNoEntry: false })?.isFile() ? [path] : [];
+    if (entry.isDirectory()) return filesIn(path, unreadable);
+    const stats = statsOf(path);
+    return !stats || 'failure' in stats || stats.isFile() ? [path] : [];
   });
+}
+
+/** Undefined if there is nothing of this name. */
+function statsOf(path: string): Stats | { readonly failure: string } | undefined {
+  try {
+    return statSync(path);
+  } catch (error) {
+    const isAbsent = isOfSystem(error) && error.code === 'ENOENT';
+    return isAbsent ? undefined : { failure: reasonOf(error) };
+  }
+}
+
+/** Whether it is a folder that can be seen. */
+export function isFolder(path: string): boolean {
+  const stats = statsOf(path);
+  return stats !== undefined && !('failure' in stats) && stats.isDirectory();
+}
+
+/** Whether it is a file that can be seen. */
+export function isFile(path: string): boolean {
+  const stats = statsOf(path);
+  return stats !== undefined && !('failure' in stats) && stats.isFile();
 }

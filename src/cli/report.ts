@@ -7,6 +7,7 @@
  */
 import type { Diagnostic } from '../model/diagnostic.ts';
 import type { CommandIo } from './io.ts';
+import { printable, printableLine } from './printable.ts';
 
 export function report(diagnostics: readonly Diagnostic[], io: Pick<CommandIo, 'err'>): void {
   for (const diagnostic of diagnostics) io.err(`${describe(diagnostic)}\n`);
@@ -15,24 +16,13 @@ export function report(diagnostics: readonly Diagnostic[], io: Pick<CommandIo, '
 /** Without a trailing newline. */
 export function describe({ file, line, column, severity, code, message, assumed, excerpt }: Diagnostic): string {
   const place = [file, line, column].slice(0, line > 0 ? (column > 0 ? 3 : 2) : 1).join(':');
-  let text = `${place} ${severity} ${code}: ${message}${assumed === undefined ? '' : ` (${assumed})`}`;
+  let text = printableLine(`${place} ${severity} ${code}: ${message}${assumed === undefined ? '' : ` (${assumed})`}`);
   if (excerpt) {
     // Tabs are kept, so that the caret is below its character whatever their width.
     const indent = excerpt.text.slice(0, excerpt.caret).replace(/[^\t]/g, ' ');
     text += `\n    ${excerpt.text}\n    ${indent}^`;
   }
   return printable(text);
-}
-
-/** Control characters of a broken file must not reach the terminal. */
-function printable(text: string): string {
-  let shown = '';
-  for (const character of text) {
-    const code = character.charCodeAt(0);
-    const isControl = (code < 0x20 && character !== '\n' && character !== '\t') || (code >= 0x7f && code < 0xa0);
-    shown += isControl ? '\ufffd' : character;
-  }
-  return shown;
 }
 
 /** Prints a result: one line of JSON. */

@@ -11,6 +11,8 @@ import { kit } from './commands/kit.ts';
 import { pose } from './commands/pose.ts';
 import { review } from './commands/review.ts';
 import type { CliCommand, CommandIo, ExitCode } from './io.ts';
+import { printable, printableLine } from './printable.ts';
+import { isOfSystem, reasonOf } from './reason.ts';
 
 const COMMANDS: readonly CliCommand[] = [
   info,
@@ -25,7 +27,13 @@ const COMMANDS: readonly CliCommand[] = [
   review,
 ];
 
-export async function run(args: readonly string[], io: CommandIo): Promise<ExitCode> {
+export async function run(args: readonly string[], given: CommandIo): Promise<ExitCode> {
+  const { progress } = given;
+  const io: CommandIo = {
+    ...given,
+    err: (text) => given.err(printable(text)),
+    ...(progress && { progress: (line) => progress(printableLine(line)) }),
+  };
   const [name, ...rest] = args;
   const command = COMMANDS.find((c) => c.name === name);
   if (name === '--help' || name === '-h' || name === 'help') {
@@ -44,9 +52,15 @@ export async function run(args: readonly string[], io: CommandIo): Promise<ExitC
   try {
     return await command.run(rest, io);
   } catch (error) {
-    if (!(error instanceof UsageError)) throw error;
-    io.err(`marrow: ${error.message}\n${usageLine(command)}\n`);
-    return 2;
+    io.progress?.('');
+    if (error instanceof UsageError) {
+      io.err(`marrow: ${error.message}\n${usageLine(command)}\n`);
+      return 2;
+    }
+    if (!isOfSystem(error)) throw error;
+    const place = error.path === undefined ? '' : `${error.path}: `;
+    io.err(`marrow: ${place}${reasonOf(error)}.\n`);
+    return 1;
   }
 }
 
@@ -71,5 +85,6 @@ function help(): string {
 
 FILE may be a folder: all files in it. Options as "--x v" or "--x=v"; values may begin with a minus.
 Paths are relative to the caller's folder; angles are radians, times seconds.
+Exit code 3 of any command: the standard output could not be written.
 `;
 }

@@ -1,11 +1,12 @@
 /** Lists of takes named on the command line. */
-import { readFileSync } from 'node:fs';
 import { resolve } from 'node:path';
 import { hasErrors } from '../model/diagnostic.ts';
 import type { ListedTake } from '../review/list.ts';
 import { readList } from '../review/read-list.ts';
 import { UsageError } from './arguments.ts';
 import type { CommandIo } from './io.ts';
+import { fileText } from './read-file.ts';
+import { reasonOf } from './reason.ts';
 import { report } from './report.ts';
 
 /**
@@ -15,9 +16,9 @@ import { report } from './report.ts';
 export function takeListOf(path: string, option: string, io: CommandIo): readonly ListedTake[] {
   let text: string;
   try {
-    text = readFileSync(resolve(io.folder, path), 'utf8');
+    text = fileText(resolve(io.folder, path));
   } catch (error) {
-    throw new UsageError(`--${option} could not be read: ${error instanceof Error ? error.message : String(error)}.`);
+    throw new UsageError(`--${option}: ${path} could not be read: ${reasonOf(error)}.`);
   }
   const { takes, diagnostics } = readList(text, path);
   report(diagnostics, io);

@@ -2,9 +2,10 @@
  * Writes output files atomically: to a temporary file on the same disk, then renamed. A file may replace its own
  * source, and is never half written.
  */
-import { randomBytes } from 'node:crypto';
 import { closeSync, openSync, renameSync, rmSync, statSync, writeSync, writevSync } from 'node:fs';
-import { basename, dirname, join } from 'node:path';
+import { dirname } from 'node:path';
+import { reasonOf } from './reason.ts';
+import { holdSignals, removeStale, scratchName } from './scratch.ts';
 
 /** Bytes written; or the reason for a failure, which leaves an existing file unchanged. */
 export type Written = { readonly bytes: number } | { readonly failure: string };
@@ -15,11 +16,12 @@ export type Written = { readonly bytes: number } | { readonly failure: string };
  * @param folder for the temporary file, on the same disk; default: next to the target
  */
 export function writeOutput(path: string, pieces: Iterable<string | Uint8Array>, folder = dirname(path)): Written {
-  // Of all that write here, from other machines too.
-  const scratch = join(folder, `${basename(path)}.${process.pid}-${randomBytes(4).toString('hex')}.tmp`);
+  const scratch = scratchName(path, folder);
+  holdSignals();
   try {
     const there = statSync(path, { throwIfNoEntry: false });
     if (there && !there.isFile()) return { failure: 'something other than a file has this name' };
+    if (folder === dirname(path)) removeStale(folder);
     const file = openSync(scratch, 'wx', there?.mode);
     let bytes = 0;
     try {
@@ -31,7 +33,7 @@ export function writeOutput(path: string, pieces: Iterable<string | Uint8Array>,
     return { bytes };
   } catch (error) {
     rmSync(scratch, { force: true });
-    return { failure: error instanceof Error ? error.message : String(error) };
+    return { failure: reasonOf(error) };
   }
 }
 

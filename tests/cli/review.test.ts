@@ -59,7 +59,7 @@ describe('marrow review without takes', () => {
   it.each([
     [[], 'Give at least one file'],
     [['.', '--out', 'list.txt'], 'ends in .csv or .json'],
-    [['.', '--list', 'nowhere.csv'], '--list could not be read'],
+    [['.', '--list', 'nowhere.csv'], '--list: nowhere.csv could not be read: there is no such file'],
   ])('with %j is wrong usage', async (args, message) => {
     const { code, err } = await command(['review', ...args], mkdtempSync(join(tmpdir(), 'marrow-review-')));
     expect([code, err]).toEqual([2, expect.stringContaining(message)]);

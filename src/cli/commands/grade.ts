@@ -6,10 +6,11 @@ import { type Arguments, numberOf, numbersOf, parseArguments, UsageError } from 
 import type { Grade } from '../grade/grade.ts';
 import { asHtml } from '../grade/html.ts';
 import { loadReference } from '../grade/reference.ts';
-import { type ClassFolder, classIn, isFolder } from '../grade/submissions.ts';
+import { type ClassFolder, classIn } from '../grade/submissions.ts';
 import { asCsv, asTable } from '../grade/table.ts';
 import { judgeAll } from '../grade/threads.ts';
 import type { CliCommand } from '../io.ts';
+import { isFolder } from '../paths.ts';
 import { printJson, report } from '../report.ts';
 
 export const grade: CliCommand = {

@@ -4,6 +4,7 @@ import { join, resolve } from 'node:path';
 import { testKit } from '../../kit/kit.ts';
 import { parseArguments, UsageError } from '../arguments.ts';
 import type { CliCommand } from '../io.ts';
+import { reasonOf } from '../reason.ts';
 import { printJson } from '../report.ts';
 import { writeOutput } from '../write-output.ts';
 
@@ -44,7 +45,7 @@ function writeAll(folder: string, files: ReadonlyMap<string, string>): string | 
   try {
     mkdirSync(folder, { recursive: true });
   } catch (error) {
-    return error instanceof Error ? error.message : String(error);
+    return `The folder could not be made: ${reasonOf(error)}`;
   }
   for (const [name, text] of files) {
     const written = writeOutput(join(folder, name), [text]);

@@ -14,7 +14,7 @@ import { listAsCsv, listAsJson } from '../../review/write-list.ts';
 import { parseArguments, UsageError } from '../arguments.ts';
 import { openingOfFile } from '../convert-many.ts';
 import type { CliCommand, CommandIo } from '../io.ts';
-import { loadAny, openLoaded } from '../load.ts';
+import { loadFound, openLoaded, tellMissing } from '../load.ts';
 import { findGiven } from '../paths.ts';
 import { report } from '../report.ts';
 import { takeListOf } from '../take-list.ts';
@@ -70,13 +70,13 @@ async function takesIn(args: readonly string[], io: CommandIo) {
     report(told, io);
     diagnostics.push(...told);
   };
-  if (missing.length > 0) tell((await loadAny(missing, io.folder)).diagnostics);
+  if (missing.length > 0) tell(tellMissing(missing));
   const whole = files.filter((file) => openingOfFile(file) === 'whole');
   const others = files.filter((file) => openingOfFile(file) === 'with others');
-  const groups = [...whole.map(({ path }) => [path]), others.map(({ path }) => path)].filter((g) => g.length > 0);
+  const groups = [...whole.map((file) => [file]), others].filter((group) => group.length > 0);
   const takes: ListedTake[] = [];
   for (const group of groups) {
-    const opened = openLoaded(await loadAny(group, io.folder));
+    const opened = openLoaded(await loadFound(group, io.folder));
     tell(opened.diagnostics);
     takes.push(...takesOf(opened.document.characters));
   }

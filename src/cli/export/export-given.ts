@@ -4,6 +4,7 @@ import { resolve } from 'node:path';
 import { CommandError } from '../../edit/store.ts';
 import { type Arguments, UsageError } from '../arguments.ts';
 import type { CommandIo, ExitCode } from '../io.ts';
+import { reasonOf } from '../reason.ts';
 import { printJson } from '../report.ts';
 import { exportTakes } from './export-takes.ts';
 import { inputsOf } from './inputs.ts';
@@ -32,8 +33,7 @@ function makeFolder(out: string, folder: string): void {
   try {
     mkdirSync(resolve(folder, out), { recursive: true });
   } catch (error) {
-    const reason = error instanceof Error ? error.message : String(error);
-    throw new UsageError(`--out takes a folder; ${out} is none and could not be made: ${reason}.`);
+    throw new UsageError(`--out takes a folder; ${out} is none and could not be made: ${reasonOf(error)}.`);
   }
 }
 

@@ -46,6 +46,7 @@ export async function exportTakes(
   told: (done: number, of: number, failed: number) => void,
 ): Promise<ExportSummary> {
   const { out } = settings;
+  const key = keyOf(settings, dependsOn);
   const earlier = resumes ? earlierRecords(out) : new Map();
   const pieces = inShard(inputs, shard).map((input): ExportPiece => ({ input, before: earlier.get(input.path) ?? [] }));
   const manifest = new Manifest(
@@ -60,7 +61,7 @@ export async function exportTakes(
     {
       name: 'export',
       work: exportWork,
-      shared: { ...settings, scratch: manifest.scratch, key: keyOf(settings, dependsOn) },
+      shared: { ...settings, scratch: manifest.scratch, key },
       pieces,
       ...(threads !== undefined && { threads }),
       few: FEW,

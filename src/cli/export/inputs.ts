@@ -1,10 +1,11 @@
 /** Which takes are meant: by arguments, by `--files-from`, and by `--only`. */
-import { readFileSync } from 'node:fs';
 import { resolve } from 'node:path';
 import type { ListedTake } from '../../review/list.ts';
 import { matchPaths } from '../../review/match-paths.ts';
 import { type Arguments, UsageError } from '../arguments.ts';
 import type { CommandIo } from '../io.ts';
+import { fileText } from '../read-file.ts';
+import { reasonOf } from '../reason.ts';
 import { takeListOf } from '../take-list.ts';
 import { type TakeInput, takeInputs } from './take-inputs.ts';
 
@@ -60,9 +61,8 @@ async function pathsOf(given: Arguments, io: CommandIo): Promise<readonly string
 
 function textOf(path: string, name: string): string {
   try {
-    return readFileSync(path, 'utf8');
+    return fileText(path);
   } catch (error) {
-    const reason = error instanceof Error ? error.message : String(error);
-    throw new UsageError(`--files-from: ${name} could not be read: ${reason}.`);
+    throw new UsageError(`--files-from: ${name} could not be read: ${reasonOf(error)}.`);
   }
 }

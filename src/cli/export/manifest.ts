@@ -10,7 +10,7 @@
  */
 import { randomBytes } from 'node:crypto';
 import { appendFileSync, existsSync, mkdirSync, readdirSync, readFileSync, rmSync } from 'node:fs';
-import { join } from 'node:path';
+import { basename, join } from 'node:path';
 import { CommandError } from '../../edit/store.ts';
 import { writeOutput } from '../write-output.ts';
 import { lineOf, recordsIn, type TakeRecord } from './records.ts';
@@ -106,8 +106,13 @@ export class Manifest {
 
 /** Writes the whole manifest if all parts are there. @returns whether they are */
 function joinParts(out: string, { count }: Shard, scratch: string): boolean {
-  const paths = Array.from({ length: count }, (_, i) => join(out, partName({ index: i + 1, count })));
-  if (!paths.every((path) => existsSync(path))) return false;
+  const paths: string[] = [];
+  // As many as someone wrote, which may be more than a list has room for.
+  for (let index = 1; index <= count; index++) {
+    const path = join(out, partName({ index, count }));
+    if (!existsSync(path)) return false;
+    paths.push(path);
+  }
   const lines = paths.flatMap((path) => readFileSync(path, 'utf8').split('\n'));
   write(
     join(out, WHOLE),
@@ -127,5 +132,5 @@ function removeOtherParts(out: string, shard: Shard | undefined): void {
 
 function write(path: string, lines: readonly string[], scratch: string): void {
   const written = writeOutput(path, [[...lines].sort(compareBytes).join('')], scratch);
-  if ('failure' in written) throw new Error(`${path} could not be written: ${written.failure}.`);
+  if ('failure' in written) throw new CommandError(`${basename(path)} could not be written: ${written.failure}.`);
 }

@@ -1,6 +1,6 @@
 /** Exports the takes of one input: what a thread does. */
 import { createHash } from 'node:crypto';
-import { mkdirSync, statSync } from 'node:fs';
+import { existsSync, mkdirSync, statSync } from 'node:fs';
 import { dirname, join, resolve } from 'node:path';
 import { FloatPool } from '../../dataset/float-pool.ts';
 import { takeOf } from '../../dataset/take.ts';
@@ -9,6 +9,8 @@ import { CommandError } from '../../edit/store.ts';
 import type { Diagnostic } from '../../model/diagnostic.ts';
 import { flagText } from '../../review/flags.ts';
 import { loadFound, openLoaded } from '../load.ts';
+import { isFile } from '../paths.ts';
+import { reasonOf } from '../reason.ts';
 import type { Work } from '../threads.ts';
 import { writeOutput } from '../write-output.ts';
 import { type ExportedFile, FORMATS } from './formats.ts';
@@ -57,7 +59,7 @@ async function exportInput({ input, before }: ExportPiece, exporter: Exporter): 
   });
   let hash: string | undefined;
   try {
-    if (!statSync(input.absolute, { throwIfNoEntry: false })) return failed('There is no file of this name.');
+    if (input.why !== undefined) return failed(input.why);
     const read = exporter.inputs.read(input.absolute);
     hash = read.hash;
     const key = keyOf(settings.key, hash, input);
@@ -69,8 +71,7 @@ async function exportInput({ input, before }: ExportPiece, exporter: Exporter): 
     return { records: await takesOf(input, { ...read, key }, exporter), isKept: false };
   } catch (error) {
     if (error instanceof CommandError) return failed(error.message, hash);
-    const reason = error instanceof Error ? error.message : String(error);
-    return failed(`The export stopped: ${reason}.`, hash);
+    return failed(`The export stopped: ${reasonOf(error)}.`, hash);
   }
 }
 
@@ -89,7 +90,7 @@ function isThere(
   if (own !== key || !output.startsWith(`${stem}.`)) return false;
   const isSame = ({ path, hash }: PartHash) => {
     const absolute = resolve(folder, path);
-    return statSync(absolute, { throwIfNoEntry: false })?.isFile() === true && hashOf(absolute) === hash;
+    return isFile(absolute) && hashOf(absolute) === hash;
   };
   return statSync(join(out, output), { throwIfNoEntry: false })?.size === bytes && beside.every(isSame);
 }
@@ -154,6 +155,15 @@ function sentenceOf({ line, message, assumed }: Diagnostic): string {
   return `${line > 0 ? `Line ${line}: ` : ''}${message}${assumed === undefined ? '' : ` (${assumed})`}`;
 }
 
+/** @throws CommandError if it can't be made */
+function makeFolder(folder: string, name: string): void {
+  try {
+    mkdirSync(folder, { recursive: true });
+  } catch (error) {
+    throw new CommandError(`${name} could not be written: its folder could not be made: ${reasonOf(error)}.`);
+  }
+}
+
 /** @throws CommandError if it can't be written */
 function writeTake(
   stem: string,
@@ -165,10 +175,10 @@ function writeTake(
   // What is beside comes first: an output that is there is complete.
   for (const { name, pieces } of named.toReversed()) {
     const path = join(out, name);
-    if (!replaces && statSync(path, { throwIfNoEntry: false })) {
+    if (!replaces && existsSync(path)) {
       throw new CommandError(`${name} already exists; --resume goes on with an export, --force replaces it.`);
     }
-    mkdirSync(dirname(path), { recursive: true });
+    makeFolder(dirname(path), name);
     const written = writeOutput(path, pieces, scratch);
     if ('failure' in written) throw new CommandError(`${name} could not be written: ${written.failure}.`);
     bytes = written.bytes;

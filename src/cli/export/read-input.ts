@@ -1,6 +1,7 @@
 /** Reads inputs once, for their hash and for what is made of them. */
 import { createHash } from 'node:crypto';
-import { closeSync, fstatSync, openSync, readSync } from 'node:fs';
+import { closeSync, fstatSync, openSync, readSync, statSync } from 'node:fs';
+import { fileBytes, readPieces } from '../read-file.ts';
 
 export interface ReadInput {
   /** SHA-256 of all bytes, hexadecimal. */
@@ -11,9 +12,6 @@ export interface ReadInput {
 
 /** Larger files are read twice, a megabyte at a time, so that memory is bounded. */
 const MOST_HELD = 32 << 20;
-const CHUNK_BYTES = 1 << 20;
-/** Scratch; never escapes. */
-const chunk = new Uint8Array(CHUNK_BYTES);
 
 export class InputReader {
   /** As large as the largest input so far, since fresh memory for each costs as much as reading it. */
@@ -23,6 +21,12 @@ export class InputReader {
   constructor(private readonly most = MOST_HELD) {}
 
   read(path: string): ReadInput {
+    const stats = statSync(path);
+    if (!stats.isFile() || stats.size === 0) {
+      // A pipe can't be read twice; files of /proc don't say how large they are.
+      const bytes = fileBytes(path);
+      return { hash: createHash('sha256').update(bytes).digest('hex'), bytes };
+    }
     const file = openSync(path, 'r');
     try {
       const { size } = fstatSync(file);
@@ -33,7 +37,7 @@ export class InputReader {
       for (let read = -1; read !== 0 && length <= size; length += read) {
         read = readSync(file, this.held, length, size + 1 - length, null);
       }
-      if (length > size) return { hash: hashOf(path) };
+      if (length !== size) throw new Error('it changed while it was read; try again');
       const bytes = this.held.subarray(0, length);
       return { hash: createHash('sha256').update(bytes).digest('hex'), bytes };
     } finally {
@@ -42,14 +46,10 @@ export class InputReader {
   }
 }
 
-/** SHA-256 of a file, hexadecimal. */
+/** SHA-256 of a file, hexadecimal. @throws Error if it can't be read, or is no file, and so can't be read again */
 export function hashOf(path: string): string {
+  if (!statSync(path).isFile()) throw new Error(`${path} is no file; save it to one first`);
   const hash = createHash('sha256');
-  const file = openSync(path, 'r');
-  try {
-    for (let read = readSync(file, chunk); read > 0; read = readSync(file, chunk)) hash.update(chunk.subarray(0, read));
-  } finally {
-    closeSync(file);
-  }
+  readPieces(path, (piece) => hash.update(piece));
   return hash.digest('hex');
 }

@@ -76,9 +76,15 @@ export function shardOf(given: Arguments): Shard | undefined {
   return { index, count };
 }
 
+/** More than machines have cores; each takes some 50 MB. */
+const MAX_THREADS = 512;
+
 /** `--jobs N`: number of threads. @throws UsageError */
 export function jobsOf(given: Arguments): number | undefined {
   const jobs = positive(given, 'jobs');
+  if (jobs !== undefined && jobs > MAX_THREADS) {
+    throw new UsageError(`--jobs takes a number up to ${MAX_THREADS}, found ${jobs}.`);
+  }
   if (jobs !== undefined && !Number.isInteger(jobs)) throw new UsageError(`--jobs takes a whole number, not ${jobs}.`);
   return jobs;
 }

@@ -5,7 +5,6 @@
  * A list is the same wherever it is made of the same arguments: sorted, with the names of the outputs decided for all,
  * so that several processes can share it.
  */
-import { statSync } from 'node:fs';
 import { dirname, extname, relative, resolve, sep } from 'node:path';
 import { baseName, type SourceFile } from '../../model/files.ts';
 import { openingOf } from '../../project/kinds.ts';
@@ -13,7 +12,7 @@ import { groupFiles, type ReadFile } from '../../project/open/grouping.ts';
 import { formatOf } from '../../project/readers.ts';
 import { UsageError } from '../arguments.ts';
 import { loadGiven } from '../load.ts';
-import { findGiven, type GivenPath } from '../paths.ts';
+import { findGiven, type GivenPath, isFolder } from '../paths.ts';
 
 /** A file with a take, or with several. */
 export interface TakeInput {
@@ -22,6 +21,8 @@ export interface TakeInput {
   readonly absolute: string;
   /** Of an animation. */
   readonly skeleton?: Pick<GivenPath, 'path' | 'absolute'>;
+  /** Of one that can't be read: a sentence. */
+  readonly why?: string;
   /** Its output below the output folder, without the ending. */
   readonly stem: string;
 }
@@ -41,11 +42,13 @@ export function takeInputs(args: readonly string[], folder: string): readonly Ta
     if (opening?.as === 'characters' && !opening.takesParts) whole.push(file);
     else if (opening?.as === 'characters' || opening?.as === 'rig' || format?.kind === 'anim') parts.push(file);
   }
-  const absent = missing.map((path) => ({ path, absolute: resolve(folder, path) }));
+  const absent = missing.map(({ path, code, why }) => ({
+    ...{ path, absolute: resolve(folder, path) },
+    // The manifest is the same wherever it is made.
+    why: code === 'file-missing' ? 'There is no file of this name.' : why,
+  }));
   const all = [...whole, ...animationsIn(parts), ...absent].sort((a, b) => compareBytes(a.path, b.path));
-  const folders = args
-    .map((arg) => resolve(folder, arg))
-    .filter((path) => statSync(path, { throwIfNoEntry: false })?.isDirectory());
+  const folders = args.map((arg) => resolve(folder, arg)).filter(isFolder);
   return withStems(all, folders, folder);
 }
 

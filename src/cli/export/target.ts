@@ -1,5 +1,5 @@
 /** What exports share besides their options: the skeleton to retarget to, with its map, and the space of a skeleton. */
-import { readFileSync } from 'node:fs';
+import { existsSync } from 'node:fs';
 import { resolve } from 'node:path';
 import { type JointMap, readJointMap } from '../../dataset/joint-map.ts';
 import type { RetargetTarget } from '../../dataset/take.ts';
@@ -9,6 +9,9 @@ import { skeletonKey } from '../../model/skeleton-key.ts';
 import type { Space } from '../../model/space.ts';
 import { UsageError } from '../arguments.ts';
 import { loadAny, openLoaded } from '../load.ts';
+import { isFile } from '../paths.ts';
+import { fileText } from '../read-file.ts';
+import { reasonOf } from '../reason.ts';
 import { describe } from '../report.ts';
 
 /** As written on the command line. */
@@ -61,18 +64,25 @@ export function inSpaceOf(character: Character, spaces: Spaces): Character {
 }
 
 async function charactersIn(path: string, folder: string, option: string): Promise<readonly Character[]> {
+  refuseOthers(path, folder, option);
   const { document, diagnostics } = openLoaded(await loadAny([path], folder));
   const error = diagnostics.find(({ severity }) => severity === 'error');
   if (error) throw new UsageError(`${option}: ${describe(error)}`);
   return document.characters.filter(({ skeleton }) => skeleton);
 }
 
+/** Each thread reads it, and its hash is part of what outputs depend on. @throws UsageError if it is no file */
+function refuseOthers(path: string, folder: string, option: string): void {
+  const absolute = resolve(folder, path);
+  if (existsSync(absolute) && !isFile(absolute)) throw new UsageError(`${option} takes a file; ${path} is none.`);
+}
+
 function readMap(path: string, folder: string): JointMap {
+  refuseOthers(path, folder, '--map');
   try {
-    return readJointMap(readFileSync(resolve(folder, path), 'utf8'), path);
+    return readJointMap(fileText(resolve(folder, path)), path);
   } catch (error) {
     if (error instanceof CommandError) throw new UsageError(`--map: ${error.message}`);
-    const reason = error instanceof Error ? error.message : String(error);
-    throw new UsageError(`--map: ${path} could not be read: ${reason}.`);
+    throw new UsageError(`--map: ${path} could not be read: ${reasonOf(error)}.`);
   }
 }

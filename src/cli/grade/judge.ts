@@ -26,6 +26,7 @@ import { vertexCount } from '../../model/skin.ts';
 import { type DumpFile, openFiles } from '../../project/open/open-files.ts';
 import { formatOf } from '../../project/readers.ts';
 import { type Loaded, loadGiven } from '../load.ts';
+import { reasonOf } from '../reason.ts';
 import type { ChannelCount, Grade, PartGrade } from './grade.ts';
 import { type Reference, timesFor } from './reference.ts';
 import { lacking, type RightDump, rightDumpFor, withHeadings } from './right-dumps.ts';
@@ -51,10 +52,9 @@ export function judge(submission: string, reference: Reference, options: JudgeOp
     return new Judging(submission, reference, options).grade();
   } catch (error) {
     const path = slashed(relative(options.folder, submission));
-    const reason = error instanceof Error ? error.message : String(error);
     return notJudged(
       path,
-      withoutPlace('error', 'judging-failed', `The submission stopped the judging: ${reason}.`, path),
+      withoutPlace('error', 'judging-failed', `The submission stopped the judging: ${reasonOf(error)}.`, path),
     );
   }
 }

@@ -2,12 +2,14 @@
  * What was handed in: a submission is a folder of the class, or a zip, as a learning platform gives them out. A zip in
  * such a folder counts as a folder of its name.
  */
-import { readdirSync, readFileSync, statSync } from 'node:fs';
-import { join, relative, sep } from 'node:path';
+import { readdirSync } from 'node:fs';
+import { join, relative, resolve, sep } from 'node:path';
 import { unzip } from '../../formats/unzip.ts';
 import { type Diagnostic, withoutPlace } from '../../model/diagnostic.ts';
 import { formatOf } from '../../project/readers.ts';
-import { findGiven, type GivenPath } from '../paths.ts';
+import { findGiven, type GivenPath, isFolder } from '../paths.ts';
+import { fileBytes } from '../read-file.ts';
+import { reasonOf } from '../reason.ts';
 
 /** Natural order, as a teacher's list. */
 const byName = new Intl.Collator('en', { numeric: true });
@@ -22,7 +24,10 @@ export interface ClassFolder {
   readonly loose: readonly string[];
 }
 
-/** @param reference absolute; it is no submission if it is in the class */
+/**
+ * @param reference absolute; it is no submission if it is in the class
+ * @throws Error if the folder can't be read
+ */
 export function classIn(folder: string, reference: string): ClassFolder {
   const submissions: string[] = [];
   const loose: string[] = [];
@@ -47,11 +52,9 @@ export interface HandedIn {
  * @param folder the caller's, absolute, which paths are relative to
  */
 export function filesOf(submission: string, folder: string): HandedIn {
-  const given: readonly GivenPath[] = isFolder(submission)
-    ? findGiven([submission], folder).files
-    : [{ absolute: submission, path: relative(folder, submission).split(sep).join('/') }];
+  const { files: given, missing } = findGiven([submission], folder);
   const files: GivenPath[] = [];
-  const problems: Diagnostic[] = [];
+  const problems = missing.map(({ path, code, why }) => withoutPlace('error', code, why, shown(path, folder)));
   let room = MAX_ZIP_BYTES;
   for (const file of given) {
     if (!isZip(file.path)) {
@@ -63,19 +66,21 @@ export function filesOf(submission: string, folder: string): HandedIn {
       for (const { bytes } of unpacked) room -= bytes?.length ?? 0;
       files.push(...unpacked);
     } catch (error) {
-      const reason = error instanceof Error ? error.message : String(error);
-      const message = `The archive can't be unpacked: ${reason}.`;
+      const message = `The archive can't be unpacked: ${reasonOf(error)}.`;
       problems.push(withoutPlace('error', 'zip-unreadable', message, file.path));
     }
   }
   return { files, problems };
 }
 
+/** @param path absolute, or relative to the folder */
+function shown(path: string, folder: string): string {
+  return relative(folder, resolve(folder, path)).split(sep).join('/');
+}
+
 function entriesOf({ absolute, path }: GivenPath, room: number): readonly GivenPath[] {
-  const { size } = statSync(absolute);
-  if (size > MAX_ZIP_BYTES) throw new Error(`it has ${size} bytes, more than ${MAX_ZIP_BYTES}`);
   const isWanted = (name: string) => !name.split(/[/\\]/).some(isOfSystem) && formatOf(name) !== undefined;
-  const { entries } = unzip(readFileSync(absolute), isWanted, room);
+  const { entries } = unzip(fileBytes(absolute, MAX_ZIP_BYTES), isWanted, room);
   return entries
     .map(({ path: inside, bytes }): GivenPath => {
       // Some programs of Windows write backslashes.
@@ -92,8 +97,4 @@ function isOfSystem(name: string): boolean {
 
 function isZip(name: string): boolean {
   return /\.zip$/i.test(name);
-}
-
-export function isFolder(path: string): boolean {
-  return statSync(path, { throwIfNoEntry: false })?.isDirectory() ?? false;
 }
