@@ -368,7 +368,7 @@ describe('marrow compare', () => {
     ],
     [
       'a row that lacks a number',
-      `${'0 '.repeat(16)}\n${'0 '.repeat(15)}\n` + `${'0 '.repeat(16)}\n`.repeat(2),
+      [`${'0 '.repeat(16)}\n`, `${'0 '.repeat(15)}\n`, `${'0 '.repeat(16)}\n`.repeat(2)].join(''),
       'dump-length',
       2,
     ],
