@@ -8,17 +8,28 @@ export class JointFollower {
   private characterId: string | undefined;
   private copy = 0;
   private joint = -1;
+  /** Drags that hold the camera. */
+  private holds = 0;
   private wasHeld = false;
   private readonly last = new Vector3();
   private readonly step = new Vector3();
   private readonly point = new Vector3();
+
+  /** The camera stays until the returned function is called; following resumes from where the joint is then. */
+  hold(): () => void {
+    let isHeld = true;
+    this.holds++;
+    return () => {
+      if (isHeld) this.holds--;
+      isHeld = false;
+    };
+  }
 
   /**
    * Call every frame in which something moved.
    *
    * @param character undefined: nothing is followed
    * @param copy index of its placement
-   * @param isHeld the camera stays; following resumes from where the joint is then
    */
   follow(
     character: Pick<Character, 'id'> | undefined,
@@ -26,9 +37,9 @@ export class JointFollower {
     joint: number | undefined,
     skeletons: Pick<SkeletonDrawing, 'positionOf'>,
     rig: Pick<CameraRig, 'shift' | 'moveTo'>,
-    isHeld: boolean,
   ): void {
     const { point } = this;
+    const isHeld = this.holds > 0;
     // Changes at the end of a drag belong to the drag: the camera doesn't jump to another joint or position then.
     const stays = isHeld || this.wasHeld;
     this.wasHeld = isHeld;

@@ -127,8 +127,6 @@ export class Viewport {
   /** Poses or the set of characters have changed since the last frame. */
   private posesChanged = true;
   private readonly hovering = new Hovering();
-  /** Number of drags that pause following. */
-  private holds = 0;
   private readonly box = new Box3();
   private readonly point = new Vector3();
 
@@ -418,13 +416,13 @@ export class Viewport {
    */
   freezeRootMotion(characterId: string): () => void {
     const view = this.characters.get(characterId)?.view;
+    const release = this.follower.hold();
     view?.freezeRootMotion(true);
-    this.holds++;
-    let isHeld = true;
+    let isFrozen = true;
     return () => {
-      if (!isHeld) return;
-      isHeld = false;
-      this.holds--;
+      if (!isFrozen) return;
+      isFrozen = false;
+      release();
       view?.freezeRootMotion(false);
       this.posesChanged = true;
       this.requestRender();
@@ -609,7 +607,7 @@ export class Viewport {
     skeletons.fill();
     const followed = display.follow ? characters.seen(selection.characterId)?.character : undefined;
     const copy = followed ? this.picked.of(followed) : 0;
-    this.follower.follow(followed, copy, selection.joint, skeletons, this.rig, this.holds > 0);
+    this.follower.follow(followed, copy, selection.joint, skeletons, this.rig);
     this.vertexMarker.mark(characters.seen(selection.characterId), selection.vertex);
     this.motion.fill(selection, display, this.timeSeconds);
   }

@@ -22,22 +22,24 @@ const rig = {
   moveTo: ({ x }: Vector3) => void moves.push(`to ${x}`),
   shift: ({ x }: Vector3) => void moves.push(`by ${x}`),
 };
-function follow(x: number, isHeld = false, joint = 0): void {
+function follow(x: number, joint = 0): void {
   place.x = x;
-  follower.follow({ id: 'c1' }, 0, joint, skeletons, rig, isHeld);
+  follower.follow({ id: 'c1' }, 0, joint, skeletons, rig);
 }
 
 it('goes to a joint, and along with it', () => {
   follow(1);
   follow(3);
-  follow(4, false, 1);
+  follow(4, 1);
   expect(moves).toEqual(['to 1', 'by 2', 'to 4']);
 });
 
 it('stays while it is held, and goes on from where the joint is then', () => {
   follow(1);
-  follow(3, true);
-  follow(5, true);
+  const release = follower.hold();
+  follow(3);
+  follow(5);
+  release();
   follow(6);
   expect(moves).toEqual(['to 1']);
   follow(8);
@@ -46,8 +48,23 @@ it('stays while it is held, and goes on from where the joint is then', () => {
 
 it('does not go to the joint that a drag has left selected, but along with it', () => {
   follow(1);
-  follow(3, true);
-  follow(5, false, 1);
-  follow(6, false, 1);
+  const release = follower.hold();
+  follow(3);
+  release();
+  follow(5, 1);
+  follow(6, 1);
   expect(moves).toEqual(['to 1', 'by 1']);
+});
+
+it('is held until all who hold it have let go, each of which counts once', () => {
+  follow(1);
+  const releases = [follower.hold(), follower.hold()];
+  releases[0]();
+  releases[0]();
+  follow(3);
+  expect(moves).toEqual(['to 1']);
+  releases[1]();
+  follow(4);
+  follow(6);
+  expect(moves).toEqual(['to 1', 'by 2']);
 });
