@@ -6,8 +6,8 @@ import { type VideoFrames, videoFrames } from '../edit/video-frames.ts';
 import type { FrameCanvas, FrameWriter } from '../io/frame-writer.ts';
 import type { PictureOptions, Pictures, VideoFormat, VideoOptions } from '../ui/state/pictures.ts';
 import type { Uses } from '../ui/state/workbench.ts';
+import { beginShots, type ShotOptions, type Shots } from '../view/shots.ts';
 import { breathe } from '../view/slices.ts';
-import type { ShotOptions, Shots } from '../view/viewport.ts';
 
 export function picturesOf(wb: Uses<'viewport' | 'transport'>, save: (name: string, content: Blob) => void): Pictures {
   const { viewport, transport } = wb;
@@ -30,7 +30,7 @@ export function picturesOf(wb: Uses<'viewport' | 'transport'>, save: (name: stri
     async picture(options = {}) {
       const what = shotOptions(viewport.canvas, options);
       const to = frameCanvas(what);
-      const shots = viewport.beginShots(what);
+      const shots = beginShots(viewport.shotParts, what);
       try {
         shots.draw(transport.get().timeSeconds);
         copy(shots, to);
@@ -54,7 +54,7 @@ export function picturesOf(wb: Uses<'viewport' | 'transport'>, save: (name: stri
       transport.update((now) => ({ ...now, playing: false }));
       let shots: Shots | undefined;
       try {
-        shots = viewport.beginShots(what);
+        shots = beginShots(viewport.shotParts, what);
         for (let frame = 0; frame < count; frame++) {
           signal?.throwIfAborted();
           shots.draw(timeOf(frame));

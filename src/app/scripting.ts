@@ -18,7 +18,7 @@ import type { RestOfPage } from '../ui/shell/rest-of-page.ts';
 import { type CharacterRef, resolveCharacter } from '../ui/state/character-ref.ts';
 import type { PictureOptions, VideoOptions } from '../ui/state/pictures.ts';
 import type { MadeGlb, Uses } from '../ui/state/workbench.ts';
-import type { FrameStats } from '../view/viewport.ts';
+import type { FrameStats } from '../view/screen.ts';
 import type { GivenBlob } from '../worker/protocol.ts';
 import type { Opener } from './opening.ts';
 

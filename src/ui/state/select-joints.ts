@@ -6,7 +6,7 @@
 
 import { type JointPick, withJointActive, withJointToggled } from '../../model/selected-joints.ts';
 import { NOTHING_SELECTED } from '../../model/session.ts';
-import type { Hit } from '../../view/viewport.ts';
+import type { Hit } from '../../view/picking.ts';
 import type { Uses } from './workbench.ts';
 
 /** Whether a click with these keys adds to the selection, or removes from it. */

@@ -57,7 +57,7 @@ export type WorkbenchStage = Pick<
   | 'heatSkin'
   | 'canvas'
   | 'stats'
-  | 'beginShots'
+  | 'shotParts'
 >;
 
 export interface Workbench {

@@ -10,7 +10,7 @@
 import type { HandleId } from '../../../evaluate/handles/joint-handles.ts';
 import { findCharacter } from '../../../model/document.ts';
 import type { Selection } from '../../../model/session.ts';
-import type { Hit } from '../../../view/viewport.ts';
+import type { Hit } from '../../../view/picking.ts';
 import { activateJoint, addsToSelection, selectHit } from '../../state/select-joints.ts';
 import { type ResolvedJoint, resolvedJoint, selectedJoint } from '../../state/selected-joint.ts';
 import type { Workbench } from '../../state/workbench.ts';

@@ -1,0 +1,274 @@
+/**
+ * What is shown of the document, in the scene and on the canvas of names: characters, their skeletons and motion, what
+ * marks the selection, and what tools draw. It knows neither camera nor pointer. Two paths:
+ *
+ *     after an edit                     show()
+ *     in frames in which things moved   update()
+ */
+import { Group, type OrthographicCamera, type PerspectiveCamera } from 'three';
+import type { Document } from '../model/document.ts';
+import type { Texture } from '../model/files.ts';
+import { DEFAULT_DISPLAY, type Display, NOTHING_SELECTED, type Selection } from '../model/session.ts';
+import { CharacterView } from './character-view.ts';
+import { haveSameJoints, type JointRef, type PosedSkeleton } from './drawn-skeletons.ts';
+import { Grid } from './grid.ts';
+import { Highlight } from './highlight.ts';
+import type { LabelCover } from './label-cover.ts';
+import { Labels } from './labels.ts';
+import type { Look } from './look.ts';
+import { MotionDrawing } from './motion-drawing.ts';
+import { type Overlay, Overlays } from './overlay.ts';
+import { PickedCopy } from './picked-copy.ts';
+import type { DrawnSkin } from './picking.ts';
+import type { Screen } from './screen.ts';
+import { type ShownCharacter, ShownCharacters } from './shown-characters.ts';
+import { isOpaque, SkeletonDrawing } from './skeleton-drawing.ts';
+import { Stage } from './stage.ts';
+import { NO_TINTS, STAGE_THEMES, type ThemeName, type Tints } from './theme.ts';
+import { VertexMarker } from './vertex-marker.ts';
+
+/** What is drawn besides the characters. */
+export interface Surroundings {
+  /** Otherwise it is transparent. */
+  readonly hasBackground: boolean;
+  /** Also if the grid is shown. */
+  readonly hasGrid: boolean;
+  /** Gizmos, pins, names and what marks the selection. */
+  readonly hasTools: boolean;
+}
+
+export interface ShownDocumentEvents {
+  /** The picture is no longer that of the document. */
+  redraw(): void;
+  /** A skin's texture can't be decoded; the skin is drawn untextured. */
+  textureFailed(characterId: string, texture: Texture, message: string): void;
+}
+
+const EVERYTHING: Surroundings = { hasBackground: true, hasGrid: true, hasTools: true };
+
+export class ShownDocument {
+  document: Document | undefined;
+  display: Display = DEFAULT_DISPLAY;
+  selection: Selection = NOTHING_SELECTED;
+  timeSeconds = 0;
+  readonly stage: Stage;
+  readonly grid = new Grid();
+  readonly characters: ShownCharacters;
+  readonly skeletons = new SkeletonDrawing();
+  readonly motion: MotionDrawing;
+  readonly picked = new PickedCopy();
+  readonly labels = new Labels();
+  readonly highlighted = new Highlight();
+  private readonly overlays: Overlays;
+  private readonly vertexMarker = new VertexMarker();
+  /** What tools draw, and the marked vertex. */
+  private readonly tools = new Group();
+  private labelCover: LabelCover | undefined;
+  private tints: Tints = NO_TINTS;
+  private look: Look | undefined;
+  private themeName: ThemeName = 'dark';
+  private surroundings = EVERYTHING;
+  /** Poses or the set of characters have changed since the last update. */
+  private hasMoved = true;
+
+  constructor(
+    private readonly screen: Screen,
+    private readonly events: ShownDocumentEvents,
+  ) {
+    this.stage = new Stage(screen.renderer);
+    const { scene, content } = this.stage;
+    this.overlays = new Overlays(this.tools);
+    this.characters = new ShownCharacters(
+      content,
+      (id) => this.createView(id),
+      (entry) => this.prepare(entry),
+    );
+    this.motion = new MotionDrawing(this.characters);
+    this.tools.add(this.vertexMarker.object);
+    scene.add(this.grid.object, this.skeletons.object, this.motion.object, this.tools);
+  }
+
+  /** Whether none of the characters shown so far is in `document`, which has some. */
+  isReplacedBy({ characters }: Document): boolean {
+    const stay = new Set(characters.map((c) => c.id));
+    return characters.length > 0 && !this.document?.characters.some((c) => stay.has(c.id));
+  }
+
+  /** Call after an edit. */
+  show(document: Document, selection: Selection, display: Display, tints: Tints): void {
+    const { characters } = this;
+    const heatChanged =
+      selection.joint !== this.selection.joint || selection.characterId !== this.selection.characterId;
+    const everything = display !== this.display || heatChanged;
+    this.document = document;
+    this.selection = selection;
+    this.picked.follow(selection);
+    this.display = display;
+    characters.show(document, display, selection, this.timeSeconds, everything, this.look);
+    this.tints = tints;
+    for (const { view, character } of characters.all) view.setTint(tints.get(character.id));
+    this.stage.setShadow(display.shadow);
+    this.grid.object.visible = display.grid;
+    this.showSkeletons();
+    this.motion.show(selection, display);
+  }
+
+  /** Draws a character in another way than the display says; undefined: all as it says. */
+  setLook(look: Look | undefined): void {
+    const { document, selection, display, tints } = this;
+    this.look = look;
+    // Another object, so that all characters are shown anew.
+    this.display = { ...display };
+    if (document) this.show(document, selection, display, tints);
+  }
+
+  /** Draws this besides the characters; undefined: as ever. */
+  surround(surroundings = EVERYTHING): void {
+    const { hasBackground, hasGrid, hasTools } = surroundings;
+    this.surroundings = surroundings;
+    this.stage.setBackground(hasBackground, this.screen.renderer);
+    this.grid.object.visible = this.display.grid && hasGrid;
+    this.tools.visible = hasTools;
+    this.showSkeletons();
+  }
+
+  /** Poses every character at a time of the transport. */
+  seek(timeSeconds: number): void {
+    this.timeSeconds = timeSeconds;
+    this.characters.seek(timeSeconds);
+    this.move();
+  }
+
+  /** Poses aren't what they were at the last update. */
+  move(): void {
+    this.hasMoved = true;
+    this.events.redraw();
+  }
+
+  setTheme(name: ThemeName): void {
+    const theme = STAGE_THEMES[name];
+    this.themeName = name;
+    this.stage.setTheme(theme, this.screen.renderer);
+    for (const part of [this.grid, this.labels, this.motion, this.vertexMarker, this.overlays]) part.setTheme(theme);
+    for (const { view } of this.characters.all) view.setTheme(name);
+    this.showSkeletons();
+  }
+
+  /** Playback range in seconds of the transport. */
+  setPlayedRange(range: readonly [number, number]): void {
+    const { motion } = this;
+    if (range[0] === motion.playedRange[0] && range[1] === motion.playedRange[1]) return;
+    motion.playedRange = range;
+    motion.show(this.selection, this.display);
+    this.move();
+  }
+
+  /** Frame rate for clips without frames of their own. */
+  setFramesPerSecond(framesPerSecond: number): void {
+    if (framesPerSecond === this.motion.framesPerSecond) return;
+    this.motion.framesPerSecond = framesPerSecond;
+    this.move();
+  }
+
+  /** Adds a tool's overlay. Returns a function that removes and disposes of it. */
+  addOverlay(overlay: Overlay): () => void {
+    const remove = this.overlays.add(overlay, STAGE_THEMES[this.themeName]);
+    this.events.redraw();
+    return () => {
+      remove();
+      this.events.redraw();
+    };
+  }
+
+  /** Sets what finds the names of joints behind skins and boxes. */
+  coverLabels(cover: LabelCover): void {
+    this.labelCover = cover;
+    this.events.redraw();
+  }
+
+  /** Highlights a joint; undefined: none. Returns whether that changed anything. */
+  highlight(joint: JointRef | undefined): boolean {
+    const { skeletons, labels, characters, highlighted } = this;
+    if (!skeletons.hover(joint)) return false;
+    labels.show(skeletons.drawn, this.display, this.selection, joint);
+    for (const { view, character } of characters.all) {
+      view.hoveredPart.hoveredJoint.value = character.id === joint?.characterId ? joint.joint : -1;
+    }
+    highlighted.set(joint);
+    return true;
+  }
+
+  /** Whether anything is drawn that can be pointed at. */
+  get canBePointedAt(): boolean {
+    const { boxes, bones, skin } = this.display;
+    return boxes !== 'hidden' || bones || skin !== 'hidden';
+  }
+
+  /** The skins that are drawn, to be picked. */
+  get skins(): readonly DrawnSkin[] {
+    return this.display.skin === 'hidden' ? [] : this.characters.skins(this.look);
+  }
+
+  /** Updates the matrices of everything drawn from the current poses. Returns false if nothing has moved since. */
+  update(): boolean {
+    if (!this.hasMoved) return false;
+    this.hasMoved = false;
+    const { display, selection, characters } = this;
+    characters.place(display.inPlace);
+    this.skeletons.fill();
+    this.vertexMarker.mark(characters.seen(selection.characterId), selection.vertex);
+    this.motion.fill(selection, display, this.timeSeconds);
+    return true;
+  }
+
+  /** Every frame: sizes of what has one on screen. @param heightPx CSS pixels of the viewport */
+  updateOverlays(camera: PerspectiveCamera | OrthographicCamera, heightPx: number): void {
+    this.overlays.update(camera, heightPx);
+  }
+
+  /** Every frame, once the scene is drawn. */
+  drawLabels(camera: PerspectiveCamera | OrthographicCamera): void {
+    const { display, skeletons, labels, labelCover } = this;
+    if (display.names) labelCover?.fill(skeletons.drawn, camera, isOpaque(display.skin), skeletons.hasSolidBoxes);
+    labels.draw(camera, skeletons.positions, display.names ? labelCover : undefined);
+  }
+
+  dispose(): void {
+    const { characters, grid, skeletons, motion, vertexMarker, overlays, stage } = this;
+    for (const part of [characters, grid, skeletons, motion, vertexMarker, overlays, stage]) part.dispose();
+    this.labels.canvas.remove();
+  }
+
+  private createView(id: string): CharacterView {
+    const view = new CharacterView(this.screen.renderer, {
+      redraw: () => this.events.redraw(),
+      textureFailed: (texture, message) => this.events.textureFailed(id, texture, message),
+    });
+    view.setTheme(this.themeName);
+    return view;
+  }
+
+  private prepare(entry: ShownCharacter): void {
+    entry.view.prepare().then(
+      () => this.move(),
+      // Not awaited: errors are reported like those thrown while drawing.
+      (error: unknown) => reportError(error),
+    );
+  }
+
+  private showSkeletons(): void {
+    const { skeletons, display, selection, highlighted } = this;
+    const hovered = highlighted.joint;
+    const posed = this.characters.posedSkeletons(this.tints, this.look);
+    const ofHovered = (all: readonly PosedSkeleton[]) =>
+      all.find(({ characterId }) => characterId === hovered?.characterId)?.skeleton;
+    // Its index would highlight another joint.
+    if (hovered && !haveSameJoints(ofHovered(skeletons.drawn), ofHovered(posed))) {
+      this.highlight(undefined);
+    }
+    const marked = this.surroundings.hasTools ? selection : NOTHING_SELECTED;
+    skeletons.show(posed, display, marked, STAGE_THEMES[this.themeName]);
+    this.labels.show(skeletons.drawn, display, selection, highlighted.joint);
+    this.move();
+  }
+}
