@@ -282,7 +282,7 @@ it('the keyboard reaches everything: F6 the panels, arrows the buttons of a tool
       const viewport = page.getByRole('application', { name: 'Viewport' });
       await viewport.focus();
       const keys = await viewport.getAttribute('aria-describedby');
-      expect(await page.locator(`#${keys}`).textContent()).toContain('F6');
+      await expect.poll(() => page.locator(`#${keys}`).textContent()).toContain('F6');
 
       const panels: (string | undefined)[] = [];
       for (const key of ['F6', 'F6', 'F6', 'F6', 'F6', 'F6', 'Shift+F6', 'Shift+F6']) {
@@ -301,7 +301,7 @@ it('the keyboard reaches everything: F6 the panels, arrows the buttons of a tool
       }
       const [closed, opened] = [['stage', 'false'] as const, ['outliner', 'true'] as const];
       expect(byKey).toEqual([closed, opened, closed, opened]);
-      expect(await page.locator('.tree:focus .focused').getAttribute('aria-selected')).toBe('true');
+      await expect.poll(() => page.locator('.tree:focus .focused').getAttribute('aria-selected')).toBe('true');
 
       // Enter leaves a field for its panel: keys are shortcuts again, and F6 and Tab go on from there.
       const rx = page.getByRole('textbox', { name: 'rx of elbow, degrees' }).first();
@@ -311,7 +311,7 @@ it('the keyboard reaches everything: F6 the panels, arrows the buttons of a tool
       ] as const) {
         await rx.fill(field ? '20' : '10');
         await page.keyboard.press('Enter');
-        expect(await focused(page)).toMatchObject({ panel: 'inspector', role: 'section' });
+        await expect.poll(() => focused(page)).toMatchObject({ panel: 'inspector', role: 'section' });
         await page.keyboard.press(key);
         const now = await focused(page);
         expect(now.panel).toBe(region);
@@ -323,14 +323,14 @@ it('the keyboard reaches everything: F6 the panels, arrows the buttons of a tool
       const playback = page.getByRole('toolbar', { name: 'Playback' });
       await playback.getByRole('button').first().focus();
       await page.keyboard.press('ArrowRight');
-      expect((await focused(page)).name).toBe('Go to previous key');
+      await expect.poll(async () => (await focused(page)).name).toBe('Go to previous key');
       await page.keyboard.press('End');
-      expect((await focused(page)).name).toBe('Go to range end');
+      await expect.poll(async () => (await focused(page)).name).toBe('Go to range end');
       await page.keyboard.press('ArrowRight');
-      expect((await focused(page)).name).toBe('Go to range start');
-      expect(await playback.locator('button[tabindex="0"]').count()).toBe(1);
+      await expect.poll(async () => (await focused(page)).name).toBe('Go to range start');
+      await expect.poll(() => playback.locator('button[tabindex="0"]').count()).toBe(1);
       await page.keyboard.press('Tab');
-      expect(await playback.locator(':focus').count()).toBe(0);
+      await expect.poll(() => playback.locator(':focus').count()).toBe(0);
 
       const headings = await page.getByRole('heading', { level: 2 }).allTextContents();
       expect(headings).toEqual(['Outliner', 'Viewport', 'Inspector', 'Transport', 'Timeline']);
@@ -435,13 +435,13 @@ it('a phone has all menus, the timeline and targets of 44 pixels; nothing in the
       await page.getByRole('button', { name: 'Menu' }).tap();
       const menus = page.getByRole('menu').first().getByRole('menuitem');
       const titles = ['Open', 'Save', 'Examples', 'Edit', 'Rig', 'Keys', 'View', 'Play', 'Help'];
-      expect(await menus.allTextContents()).toEqual(titles);
+      await expect.poll(() => menus.allTextContents()).toEqual(titles);
       await menus.filter({ hasText: 'Help' }).tap();
       await page.getByRole('menuitem', { name: 'Shortcuts' }).waitFor();
       small.push(...(await smallTargets(page)));
       expect(small).toEqual([]);
       await page.getByRole('menuitem', { name: 'Back' }).tap();
-      expect(await page.getByRole('menu').count()).toBe(1);
+      await expect.poll(() => page.getByRole('menu').count()).toBe(1);
       await page.keyboard.press('Escape');
 
       const long = 'an_arm_with_a_name_that_fills_the_whole_bar';
@@ -465,13 +465,15 @@ it('a phone has all menus, the timeline and targets of 44 pixels; nothing in the
 
       const [undo, redo] = await page.locator('.undo-buttons > button').all();
       const names = async () => [await undo.getAttribute('aria-label'), await redo.getAttribute('aria-label')];
-      expect(await names()).toEqual([expect.stringMatching(/^Undo new take/), 'Redo']);
+      await expect.poll(() => names()).toEqual([expect.stringMatching(/^Undo new take/), 'Redo']);
       await redo.tap({ force: true });
       await page.getByText('There is nothing to redo.').waitFor();
       await undo.tap();
-      expect(await names()).toEqual([expect.stringMatching(/^Undo/), expect.stringMatching(/^Redo new take/)]);
+      await expect
+        .poll(() => names())
+        .toEqual([expect.stringMatching(/^Undo/), expect.stringMatching(/^Redo new take/)]);
       await redo.tap();
-      expect(await names()).toEqual([expect.stringMatching(/^Undo new take/), 'Redo']);
+      await expect.poll(() => names()).toEqual([expect.stringMatching(/^Undo new take/), 'Redo']);
     },
     { size: SIZES[2], touch: true },
   ));

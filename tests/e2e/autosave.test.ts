@@ -37,11 +37,11 @@ describe('work', () => {
           .waitFor();
         await restore(again);
         await shown(again, 'arm');
-        expect(await dofs(again)).toEqual(before);
+        await expect.poll(() => dofs(again)).toEqual(before);
         await again.locator('[role=treeitem][aria-selected=true]', { hasText: 'elbow' }).waitFor();
-        expect(await again.getByRole('textbox', { name: 'Time in seconds' }).inputValue()).toContain('0.75');
-        expect(await again.evaluate(() => window.marrow.characters().map((c) => c.name))).toEqual(['arm']);
-        expect(await offer(again).count()).toBe(0);
+        await expect.poll(() => again.getByRole('textbox', { name: 'Time in seconds' }).inputValue()).toContain('0.75');
+        await expect.poll(() => again.evaluate(() => window.marrow.characters().map((c) => c.name))).toEqual(['arm']);
+        await expect.poll(() => offer(again).count()).toBe(0);
       },
       // High enough for the tree to show the joints.
       { expected: /crashed/, size: { width: 1280, height: 800 } },
@@ -61,10 +61,10 @@ describe('work', () => {
       await ready(page);
       await restore(page);
       await shown(page, 'arm');
-      expect((await dofs(page))[6]).toBe(0.7);
+      await expect.poll(async () => (await dofs(page))[6]).toBe(0.7);
       await page.reload();
       await offer(page).waitFor();
-      expect(await offer(page).getByRole('button', { name: /older/ }).count()).toBe(0);
+      await expect.poll(() => offer(page).getByRole('button', { name: /older/ }).count()).toBe(0);
     }));
 
   it('work is kept to the last moment when its page is reloaded or closed', () =>
@@ -76,14 +76,14 @@ describe('work', () => {
       await page.reload();
       await restore(page);
       await shown(page, 'arm');
-      expect((await dofs(page))[6]).toBe(0.5);
+      await expect.poll(async () => (await dofs(page))[6]).toBe(0.5);
       await setDof(page, 6, 0.75);
       const another = await openAnother();
       await page.close();
       await another.reload();
       await restore(another);
       await shown(another, 'arm');
-      expect((await dofs(another))[6]).toBe(0.75);
+      await expect.poll(async () => (await dofs(another))[6]).toBe(0.75);
     }));
 
   it('work is not offered where nothing was done', () =>
@@ -100,7 +100,7 @@ describe('work', () => {
       await page.close();
       await idle.reload();
       await offer(idle).getByText('arm, 2 joints').waitFor();
-      expect(await offer(idle).getByRole('button', { name: /older/ }).count()).toBe(0);
+      await expect.poll(() => offer(idle).getByRole('button', { name: /older/ }).count()).toBe(0);
     }));
 
   it('the sessions of two tabs stay apart', () =>
@@ -115,14 +115,14 @@ describe('work', () => {
       await setDof(page, 7, 0.1);
       await kept(page);
       // Neither is offered the other's session, which is still open.
-      expect(await offer(other).count()).toBe(0);
+      await expect.poll(() => offer(other).count()).toBe(0);
       await other.close();
       await page.reload();
       await ready(page);
       await offer(page).getByRole('button', { name: '1 older' }).waitFor();
       await restore(page);
       await shown(page, 'arm');
-      expect((await dofs(page)).slice(6, 8)).toEqual([0.5, 0.1]);
+      await expect.poll(async () => (await dofs(page)).slice(6, 8)).toEqual([0.5, 0.1]);
     }));
 
   it('work that was put off is in the Open menu, for as long as it is not restored', () =>
@@ -134,14 +134,14 @@ describe('work', () => {
       const inMenu = page.getByRole('menuitem', { name: /^Restore last session/ });
       const openMenu = () => page.getByRole('menuitem', { name: 'Open', exact: true }).click();
       await offer(page).getByRole('button', { name: 'Not now' }).click();
-      expect(await offer(page).count()).toBe(0);
+      await expect.poll(() => offer(page).count()).toBe(0);
       await openMenu();
       await inMenu.click();
       // The offer has the focus, so that Enter restores.
       await page.keyboard.press('Enter');
       await shown(page, 'arm');
       await openMenu();
-      expect(await inMenu.count()).toBe(0);
+      await expect.poll(() => inMenu.count()).toBe(0);
     }));
 
   it('work that is discarded can be had back for a moment', () =>
@@ -178,7 +178,7 @@ describeShared('a character with skin and walk', () => {
       await ready(page);
       await restore(page);
       await shown(page, 'wasp');
-      expect(await page.evaluate(() => window.marrow.vertices())).toEqual(before);
+      await expect.poll(() => page.evaluate(() => window.marrow.vertices())).toEqual(before);
     }));
 });
 
@@ -204,7 +204,7 @@ describe('a file that can’t be copied', () => {
         await ready(page);
         await restore(page);
         await shown(page, 'arm');
-        expect(await page.evaluate(() => window.marrow.vertices())).toEqual(before);
+        await expect.poll(() => page.evaluate(() => window.marrow.vertices())).toEqual(before);
       },
       {
         // As if it was changed or removed on disk after opening.
@@ -250,10 +250,10 @@ describe('where nothing can be kept', () => {
               document.documentElement.dataset.autosave = 'waiting';
             });
             await setDof(page, 6, value);
-            expect((await dofs(page))[6]).toBe(value);
+            await expect.poll(async () => (await dofs(page))[6]).toBe(value);
           }
           await page.waitForFunction(() => document.documentElement.dataset.autosave !== 'waiting');
-          expect(await page.locator('.message-line[role=status]').isVisible()).toBe(false);
+          await expect.poll(() => page.locator('.message-line[role=status]').isVisible()).toBe(false);
         },
         before ? { before } : {},
       ),

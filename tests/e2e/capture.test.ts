@@ -94,7 +94,7 @@ describeShared('all takes of the field at once', () => {
         }
       }
       // Any number of them costs the same few draw calls: joints, bones, ground, axes and the selection.
-      expect((await page.evaluate(() => window.marrow.stats())).drawCalls).toBeLessThan(16);
+      await expect.poll(async () => (await page.evaluate(() => window.marrow.stats())).drawCalls).toBeLessThan(16);
     }));
 });
 
@@ -115,7 +115,7 @@ it('plays one take after the other by key, and compares two by the distance of t
     await expect.poll(() => rows.count()).toBe(3);
 
     await page.evaluate(() => window.marrow.run('take.next'));
-    expect(await page.evaluate(() => window.marrow.steps().undo)).toContain('turned');
+    await expect.poll(() => page.evaluate(() => window.marrow.steps().undo)).toContain('turned');
 
     await rows.filter({ hasText: 'step' }).first().click();
     const compare = page.getByRole('button', { name: 'Compare' });
@@ -125,13 +125,13 @@ it('plays one take after the other by key, and compares two by the distance of t
       .first()
       .click({ modifiers: ['ControlOrMeta'] });
     await page.locator('.take-count').filter({ hasText: '2 selected' }).waitFor();
-    expect((await compare.boundingBox())?.x).toBe(before?.x);
+    await expect.poll(async () => (await compare.boundingBox())?.x).toBe(before?.x);
     await compare.click();
     const joints = page.getByRole('listbox', { name: 'Joints by distance' }).getByRole('option');
     await expect.poll(() => joints.count()).toBe(2);
     // The legs differ, the hips don't: the list starts with the largest difference.
-    expect(await joints.first().textContent()).toContain('Leg');
-    expect(await joints.last().textContent()).toBe('Hips00');
+    await expect.poll(() => joints.first().textContent()).toContain('Leg');
+    await expect.poll(() => joints.last().textContent()).toBe('Hips00');
 
     // The largest distance is a click away, by the summary, by a double click, and by Enter.
     const time = page.getByRole('textbox', { name: 'Time in seconds', exact: true });
@@ -140,7 +140,7 @@ it('plays one take after the other by key, and compares two by the distance of t
     await page.evaluate(() => window.marrow.seek(0.1));
     await most.click();
     await expect.poll(() => time.inputValue()).toBe(at);
-    expect(await joints.first().getAttribute('aria-selected')).toBe('true');
+    await expect.poll(() => joints.first().getAttribute('aria-selected')).toBe('true');
     await page.evaluate(() => window.marrow.seek(0.1));
     await joints.first().dblclick();
     await expect.poll(() => time.inputValue()).toBe(at);

@@ -138,7 +138,8 @@ describe('the built command', () => {
     child.stdout.setEncoding('utf8').on('data', (part) => {
       text += part;
     });
-    expect(await ended).toBe(0);
+    const code = await ended;
+    expect(code).toBe(0);
     expect(text.length).toBeGreaterThan(1_000_000);
     expect(JSON.parse(text).characters[0].joints).toHaveLength(JOINTS);
   });

@@ -79,7 +79,7 @@ async function expectDrawn(page: Page): Promise<void> {
 
   await page.evaluate(() => window.marrow.run('compare.stop'));
   await legend(page).waitFor({ state: 'detached' });
-  expect(await onGpu()).toEqual(before);
+  await expect.poll(() => onGpu()).toEqual(before);
 
   await dropFiles(page, [{ name: 'skin.txt', bytes: sharedBytes('conformance/compare/d009.txt') }]);
   await legend(page)
@@ -147,8 +147,8 @@ describeShared('another program’s numbers', () => {
       await panel.getByRole('grid', { name: 'Joints' }).focus();
       await page.keyboard.press('Escape');
       await banner(page).waitFor({ state: 'hidden' });
-      expect(await page.locator('.row-joint .compare-swatch').count()).toBe(0);
-      expect((await page.evaluate(() => window.marrow.steps())).undo).toBe(undo);
+      await expect.poll(() => page.locator('.row-joint .compare-swatch').count()).toBe(0);
+      await expect.poll(async () => (await page.evaluate(() => window.marrow.steps())).undo).toBe(undo);
 
       const pasted = printed([1.5], [22]);
       await panel.getByLabel(/^Print your world matrices/).fill(pasted);

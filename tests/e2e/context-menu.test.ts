@@ -36,7 +36,7 @@ it('menus open by the right button and by keyboard, tables copy by keyboard, and
     await page.mouse.move(x + 40, y);
     await page.mouse.move(x, y);
     await page.mouse.up({ button: 'right' });
-    expect(await page.getByRole('menu').count()).toBe(0);
+    await expect.poll(() => page.getByRole('menu').count()).toBe(0);
     const now = await placeOf(page, [0, 1.5, 0]);
     await page.mouse.click(now.x, now.y, { button: 'right' });
     await page.getByRole('menu', { name: 'elbow' }).waitFor();
@@ -48,27 +48,27 @@ it('menus open by the right button and by keyboard, tables copy by keyboard, and
     await stage.focus();
     await page.keyboard.press('Shift+F10');
     await page.getByRole('menu', { name: 'elbow' }).waitFor();
-    expect(await focused(page)).toMatch(/^Key all DOFs of elbow/);
+    await expect.poll(() => focused(page)).toMatch(/^Key all DOFs of elbow/);
     await page.keyboard.press('r');
     await page.keyboard.press('Enter');
     await expect.poll(() => undo(page)).toBe('Reset elbow to file pose');
-    expect(await page.evaluate(() => window.marrow.characters()[0]?.dofs[6])).toBe(0.125);
-    expect(await focused(page)).toBe('Viewport');
+    await expect.poll(() => page.evaluate(() => window.marrow.characters()[0]?.dofs[6])).toBe(0.125);
+    await expect.poll(() => focused(page)).toBe('Viewport');
 
     // Beside the character the menu of the stage.
     const box = await stage.boundingBox();
     if (!box) throw new Error('The viewport is not visible.');
     await page.mouse.click(box.x + 20, box.y + box.height - 20, { button: 'right' });
     await page.getByRole('menu').waitFor();
-    expect(await menuName(page)).toBe('Viewport');
+    await expect.poll(() => menuName(page)).toBe('Viewport');
     await page.keyboard.press('Escape');
 
     // A title of the menu bar opens its menu and closes it again.
     const title = page.getByRole('menuitem', { name: 'Edit', exact: true });
     for (const isOpen of ['true', 'false', 'true', 'false']) {
       await title.click();
-      expect(await title.getAttribute('aria-expanded')).toBe(isOpen);
-      expect(await page.getByRole('menu').count()).toBe(isOpen === 'true' ? 1 : 0);
+      await expect.poll(() => title.getAttribute('aria-expanded')).toBe(isOpen);
+      await expect.poll(() => page.getByRole('menu').count()).toBe(isOpen === 'true' ? 1 : 0);
     }
 
     // In the timeline each part has its menu: the scrubber, a ruler, the plot.
@@ -96,11 +96,13 @@ it('menus open by the right button and by keyboard, tables copy by keyboard, and
     await page.keyboard.press('Shift+Enter');
     await page.getByText('Copied 3 numbers').waitFor({ state: 'attached' });
     await page.keyboard.press('Shift+F10');
-    expect(await page.getByRole('menu').getByRole('menuitem').allTextContents()).toEqual([
-      expect.stringMatching(/^Copy number/),
-      expect.stringMatching(/^Copy row/),
-      expect.stringMatching(/^Copy table/),
-    ]);
+    await expect
+      .poll(() => page.getByRole('menu').getByRole('menuitem').allTextContents())
+      .toEqual([
+        expect.stringMatching(/^Copy number/),
+        expect.stringMatching(/^Copy row/),
+        expect.stringMatching(/^Copy table/),
+      ]);
     await page.keyboard.press('Escape');
 
     // Nothing is open: a card with what to do, by keyboard too.

@@ -133,7 +133,8 @@ async function goThrough({ page, download }: OpenPage, scale: number): Promise<v
   await dropFiles(page, [zip]);
   await opened(page, 'hero');
   for (const [i, seconds] of [POSED, 1.2].entries()) {
-    expect(distance(await shapeAt(page, 'hero', seconds), keyed[i])).toBeLessThan(1e-5 * size);
+    const shape = await shapeAt(page, 'hero', seconds);
+    expect(distance(shape, keyed[i])).toBeLessThan(1e-5 * size);
   }
 
   // Retargeted to the walker, and from it.
@@ -192,7 +193,8 @@ async function goThrough({ page, download }: OpenPage, scale: number): Promise<v
   await dropFiles(page, [glb]);
   await opened(page, 'hero');
   for (const [i, seconds] of [POSED, 1.2].entries()) {
-    expect(distance(await shapeAt(page, 'hero', seconds), keyed[i])).toBeLessThan(tolerance);
+    const shape = await shapeAt(page, 'hero', seconds);
+    expect(distance(shape, keyed[i])).toBeLessThan(tolerance);
   }
   await removeAll(page);
 }
@@ -227,9 +229,8 @@ it('a VRM, and an FBX file like Mixamo’s, are played, posed, keyed, saved as t
         await dropFiles(page, [{ name, bytes }]);
         await opened(page, 'hero');
         for (const seconds of [0.5, 1.2]) {
-          expect(distance(await shapeAt(page, 'hero', seconds), expected(of, seconds, scale, order))).toBeLessThan(
-            2.8 * scale * within,
-          );
+          const shape = await shapeAt(page, 'hero', seconds);
+          expect(distance(shape, expected(of, seconds, scale, order))).toBeLessThan(2.8 * scale * within);
         }
         await goThrough(open, scale);
       }
@@ -293,7 +294,7 @@ it('a .gltf with its files is opened from a folder, a zip, together and one by o
         const solo = { ...parts[0], bytes: String(gltf.bytes).replace('hero%20data', 'solo%20data') };
         await dropFiles(page, [solo]);
         await expect.poll(() => said.textContent()).toContain('solo%20data.bin');
-        expect(await page.evaluate(() => window.marrow.characters().length)).toBe(0);
+        await expect.poll(() => page.evaluate(() => window.marrow.characters().length)).toBe(0);
         await dropFiles(page, [parts[1]]);
         await opened(page, 'solo');
         // And again, edited in another program.
@@ -301,7 +302,7 @@ it('a .gltf with its files is opened from a folder, a zip, together and one by o
         await dropFiles(page, [renamed]);
         const names = () => page.evaluate(() => window.marrow.characters()[0].joints.map(({ name }) => name));
         await expect.poll(names).toContain('mixamorig:Pelvis');
-        expect(await page.evaluate(() => window.marrow.characters().length)).toBe(1);
+        await expect.poll(() => page.evaluate(() => window.marrow.characters().length)).toBe(1);
 
         // Large enough to be read for a while.
         const large = join(folder, 'large.glb');
@@ -319,9 +320,11 @@ it('a .gltf with its files is opened from a folder, a zip, together and one by o
         });
         await dropPaths(page, [large]);
         await expect.poll(() => said.textContent()).toContain('Open cancelled. Nothing was changed.');
-        expect(await page.evaluate(() => document.body.dataset.read)).toMatch(/Reading large\.glb, .* of \d/);
-        expect(await page.evaluate(() => window.marrow.steps())).toEqual(before);
-        expect(await names()).toContain('mixamorig:Pelvis');
+        await expect
+          .poll(() => page.evaluate(() => document.body.dataset.read))
+          .toMatch(/Reading large\.glb, .* of \d/);
+        await expect.poll(() => page.evaluate(() => window.marrow.steps())).toEqual(before);
+        await expect.poll(() => names()).toContain('mixamorig:Pelvis');
         await dropFiles(page, [{ name: 'post.skel', bytes: 'balljoint post { }' }]);
         await opened(page, 'post');
       } finally {

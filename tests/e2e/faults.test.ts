@@ -34,8 +34,8 @@ describe('faults', () => {
       await line(page).getByText('The picture can’t be drawn. Your work can be saved. planted by the test').waitFor();
       await page.evaluate(() => window.marrow.run('pose.setDofs', { dofs: [{ index: 6, value: 0.5 }] }));
       await expect.poll(() => page.evaluate(() => document.documentElement.dataset.autosave)).toBe('kept');
-      expect(await line(page).getByText('more message').count()).toBe(0);
-      expect(await savedNames(page)).toContain('marrow/arm/arm.skel');
+      await expect.poll(() => line(page).getByText('more message').count()).toBe(0);
+      await expect.poll(() => savedNames(page)).toContain('marrow/arm/arm.skel');
       await page.evaluate(() => {
         // Put there above.
         (window as unknown as { mend(): void }).mend();

@@ -46,7 +46,7 @@ describe('the frame of the page', () => {
         await page.reload();
         await page.waitForFunction(() => window.marrow?.characters().length > 0);
         await page.locator('.inspector .lil-gui').first().waitFor();
-        expect(await boxes(page)).toEqual(before);
+        await expect.poll(() => boxes(page)).toEqual(before);
         const shift = await page.evaluate(
           () =>
             new Promise<number>((resolve) => {
@@ -98,8 +98,8 @@ describe('the frame of the page', () => {
       async ({ page }) => {
         await withoutScript(page, async () => {
           const bar = page.locator('.menu-bar');
-          expect(await bar.evaluate((element) => getComputedStyle(element).backgroundColor)).toBe(surface);
-          expect(await page.getByText('Marrow').first().isVisible()).toBe(true);
+          await expect.poll(() => bar.evaluate((element) => getComputedStyle(element).backgroundColor)).toBe(surface);
+          await expect.poll(() => page.getByText('Marrow').first().isVisible()).toBe(true);
         });
       },
       { colorScheme, early: true, expected: /\.js/ },
@@ -123,7 +123,7 @@ describe('what a newcomer is told', () => {
         await page.waitForFunction(() => localStorage.getItem('marrow.settings')?.includes('"firstSteps":false'));
         await page.goto(url);
         await page.locator('.inspector .lil-gui').first().waitFor();
-        expect(await steps.isVisible()).toBe(false);
+        await expect.poll(() => steps.isVisible()).toBe(false);
         await page.evaluate(() => window.marrow.run('help.firstSteps'));
         await steps.waitFor();
       },
@@ -141,7 +141,7 @@ describe('what a newcomer is told', () => {
       await page.mouse.down();
       await page.locator('.tree').hover();
       await page.evaluate(() => new Promise((resolve) => requestAnimationFrame(() => requestAnimationFrame(resolve))));
-      expect(await bar.innerText()).toContain('orbit');
+      await expect.poll(() => bar.innerText()).toContain('orbit');
       await page.mouse.up();
       await page.locator('.tree').hover();
       await bar.getByText('Frame').waitFor();

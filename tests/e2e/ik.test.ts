@@ -43,16 +43,16 @@ it('draws what can’t be reached and names the limit, until it is reached or gi
     await drawn(page);
     const gap = page.locator('.ik-label[data-kind="gap"]:visible');
     await gap.waitFor();
-    expect(await gap.textContent()).toBe('foot_l: knee_l rx at its limit, hip is locked');
-    expect(await page.evaluate(() => window.marrow.characters()[0].dofs[6])).toBe(0);
+    await expect.poll(() => gap.textContent()).toBe('foot_l: knee_l rx at its limit, hip is locked');
+    await expect.poll(() => page.evaluate(() => window.marrow.characters()[0].dofs[6])).toBe(0);
     await page.mouse.move(from.x, from.y, { steps: 10 });
     await drawn(page);
-    expect(await gap.count()).toBe(0);
+    await expect.poll(() => gap.count()).toBe(0);
     await page.keyboard.press('Escape');
     await drawn(page);
-    expect(apart(await jointPlace(page, 'foot_l'), foot)).toBeLessThan(1e-9);
+    await expect.poll(async () => apart(await jointPlace(page, 'foot_l'), foot)).toBeLessThan(1e-9);
     await page.mouse.up();
-    expect(await undoLabel(page)).toBe('Pin foot_l');
+    await expect.poll(() => undoLabel(page)).toBe('Pin foot_l');
   }));
 
 it('tells how far a drag in depth has gone, in perspective and without', () =>
@@ -69,16 +69,16 @@ it('tells how far a drag in depth has gone, in perspective and without', () =>
       await page.mouse.move(x, y);
       await page.mouse.down();
       await page.mouse.move(x + 20, y);
-      expect(await readout.count()).toBe(0);
+      await expect.poll(() => readout.count()).toBe(0);
       await page.keyboard.down('Alt');
       await page.mouse.move(x + 20, y - 1);
       await page.mouse.move(x + 20, y - 31, { steps: 5 });
       await drawn(page);
-      expect(await readout.textContent()).toMatch(/^depth \+0\.\d{3} units$/);
+      await expect.poll(() => readout.textContent()).toMatch(/^depth \+0\.\d{3} units$/);
       await page.keyboard.press('Escape');
       await page.mouse.up();
       await page.keyboard.up('Alt');
-      expect(await readout.count()).toBe(0);
+      await expect.poll(() => readout.count()).toBe(0);
     }
   }));
 
@@ -100,24 +100,24 @@ it('keeps a pinned point where it is while a slider moves what is above it, in o
     await field.fill('-0.2');
     await field.press('Enter');
     await drawn(page);
-    expect((await jointPlace(page, 'hip'))[1]).toBeCloseTo(hip[1] - 0.2, 9);
-    expect(apart(await jointPlace(page, 'foot_l'), foot)).toBeLessThan(1e-3);
-    expect(await undoLabel(page)).toBe('Move hip (ty)');
+    await expect.poll(async () => (await jointPlace(page, 'hip'))[1]).toBeCloseTo(hip[1] - 0.2, 9);
+    await expect.poll(async () => apart(await jointPlace(page, 'foot_l'), foot)).toBeLessThan(1e-3);
+    await expect.poll(() => undoLabel(page)).toBe('Move hip (ty)');
     // By keyboard, many small steps; further than the leg reaches, and back.
     for (const key of ['ArrowDown', 'ArrowDown', 'ArrowUp']) await field.press(key);
-    expect(apart(await jointPlace(page, 'foot_l'), foot)).toBeLessThan(1e-3);
+    await expect.poll(async () => apart(await jointPlace(page, 'foot_l'), foot)).toBeLessThan(1e-3);
     await field.fill('3');
     await field.press('Enter');
-    expect(apart(await jointPlace(page, 'foot_l'), foot)).toBeGreaterThan(0.5);
+    await expect.poll(async () => apart(await jointPlace(page, 'foot_l'), foot)).toBeGreaterThan(0.5);
     await field.fill('0');
     await field.press('Enter');
-    expect(apart(await jointPlace(page, 'foot_l'), foot)).toBeLessThan(1e-3);
+    await expect.poll(async () => apart(await jointPlace(page, 'foot_l'), foot)).toBeLessThan(1e-3);
     // In FK mode pins don't hold.
     await page.evaluate(() => window.marrow.run('posing.fk'));
     await field.fill('0.1');
     await field.press('Enter');
     await drawn(page);
-    expect((await jointPlace(page, 'foot_l'))[1]).toBeCloseTo(foot[1] + 0.1, 2);
+    await expect.poll(async () => (await jointPlace(page, 'foot_l'))[1]).toBeCloseTo(foot[1] + 0.1, 2);
   }));
 
 it('turns a joint by a ring while a pin below holds, as one undo step, and back at Escape', () =>
@@ -143,7 +143,7 @@ it('turns a joint by a ring while a pin below holds, as one undo step, and back 
       const text = await page.locator('.hand-readout:visible').allTextContents();
       if (text.some((one) => one.startsWith('rz'))) radius = r;
     }
-    expect(await canvas.isVisible()).toBe(true);
+    await expect.poll(() => canvas.isVisible()).toBe(true);
     expect(radius).toBeGreaterThan(24);
     const turn = async () => {
       await page.mouse.down();
@@ -152,25 +152,25 @@ it('turns a joint by a ring while a pin below holds, as one undo step, and back 
       const now = await rotation();
       expect(now[2] - before[2]).toBeCloseTo(Math.atan2(0.8, 0.6) - Math.atan2(0.6, 0.8), 1);
       expect(apart(now.slice(0, 2), before.slice(0, 2))).toBeLessThan(1e-9);
-      expect(apart(await jointPlace(page, 'foot_l'), foot)).toBeLessThan(2e-3);
+      await expect.poll(async () => apart(await jointPlace(page, 'foot_l'), foot)).toBeLessThan(2e-3);
     };
     await turn();
     await page.keyboard.press('Escape');
     await page.mouse.up();
     await drawn(page);
-    expect(await rotation()).toEqual(before);
-    expect(await undoLabel(page)).toBe('Pin foot_l');
+    await expect.poll(() => rotation()).toEqual(before);
+    await expect.poll(() => undoLabel(page)).toBe('Pin foot_l');
     // Nothing is dragged any more: Escape deselects, and stays in IK.
     await page.keyboard.press('Escape');
-    expect(await page.locator('.mode-switch [aria-checked=true]').textContent()).toBe('IK');
+    await expect.poll(() => page.locator('.mode-switch [aria-checked=true]').textContent()).toBe('IK');
     await page.getByRole('treeitem', { name: /^hip/ }).first().click();
     await drawn(page);
     await page.mouse.move(x + 0.8 * radius, y - 0.6 * radius);
     await turn();
     await page.mouse.up();
-    expect(await undoLabel(page)).toBe('Rotate hip');
+    await expect.poll(() => undoLabel(page)).toBe('Rotate hip');
     await page.evaluate(() => window.marrow.undo());
-    expect(await rotation()).toEqual(before);
+    await expect.poll(() => rotation()).toEqual(before);
   }));
 
 describeShared('the wasp of data/cse169', () => {
@@ -227,13 +227,13 @@ describeShared('the wasp of data/cse169', () => {
       }
       expect(moved).toBeGreaterThan(0.1);
       // All the way round is where it began.
-      expect(apart(await jointPlace(page, 'root'), body)).toBeLessThan(1e-3);
+      await expect.poll(async () => apart(await jointPlace(page, 'root'), body)).toBeLessThan(1e-3);
       await page.mouse.move(x + 25, y - 12);
       await drawn(page);
       await page.mouse.up();
-      expect(await undoLabel(page)).toMatch(/^Drag /);
+      await expect.poll(() => undoLabel(page)).toMatch(/^Drag /);
       await page.evaluate(() => window.marrow.undo());
-      expect(apart(await jointPlace(page, 'root'), body)).toBeLessThan(1e-9);
-      expect(await pins(page)).toHaveLength(6);
+      await expect.poll(async () => apart(await jointPlace(page, 'root'), body)).toBeLessThan(1e-9);
+      await expect.poll(() => pins(page)).toHaveLength(6);
     }));
 });

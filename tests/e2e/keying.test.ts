@@ -85,7 +85,7 @@ async function makeTake({ files, joint, channel }: Subject): Promise<void> {
 
     await keyPoseAt(page, 0, 10);
     await keyPoseAt(page, 1, 50);
-    expect((await keys(page, channel)).map((k) => k.time)).toEqual([0, 1]);
+    await expect.poll(async () => (await keys(page, channel)).map((k) => k.time)).toEqual([0, 1]);
     const keyed = await keys(page, channel);
     expect(keyed[1].value).toBeCloseTo((50 * Math.PI) / 180, 9);
 
@@ -98,7 +98,7 @@ async function makeTake({ files, joint, channel }: Subject): Promise<void> {
     const dragged = await keys(page, channel);
     expect(dragged[1].time).toBe(1);
     expect(dragged[1].value).toBeGreaterThan(keyed[1].value + 0.01);
-    expect(await dof(page, channel)).toBeCloseTo(dragged[1].value, 9);
+    await expect.poll(() => dof(page, channel)).toBeCloseTo(dragged[1].value, 9);
 
     // Its left handle is dragged down alone: the tangent breaks.
     const at = await place(page, channel, 1, dragged[1].value);
@@ -115,16 +115,20 @@ async function makeTake({ files, joint, channel }: Subject): Promise<void> {
 
     // Its kinds are seen on the buttons, in the menu, and by scripts.
     expect(broken[1]).toMatchObject({ tangentIn: 'fixed', tangentOut: 'smooth' });
-    expect(await page.evaluate(() => window.marrow.keys())).toEqual([broken[1]]);
+    await expect.poll(() => page.evaluate(() => window.marrow.keys())).toEqual([broken[1]]);
     const pressed = () =>
       page.locator('.tangent-tools [aria-pressed]').evaluateAll((all) => all.map((one) => one.ariaPressed));
     await expect.poll(pressed).toEqual(['false', 'false', 'mixed', 'mixed']);
     await page.getByRole('menuitem', { name: 'Keys', exact: true }).click();
     await page.getByRole('menuitem', { name: 'Tangents', exact: true }).hover();
-    const ticks = ['Smooth', 'Fixed slope, before the key', 'Smooth, before the key'].map((name) =>
-      page.getByRole('menuitemcheckbox', { name, exact: true }).getAttribute('aria-checked'),
-    );
-    expect(await Promise.all(ticks)).toEqual(['mixed', 'true', 'false']);
+    for (const [name, checked] of [
+      ['Smooth', 'mixed'],
+      ['Fixed slope, before the key', 'true'],
+      ['Smooth, before the key', 'false'],
+    ]) {
+      const item = page.getByRole('menuitemcheckbox', { name, exact: true });
+      await expect.poll(() => item.getAttribute('aria-checked'), { message: name }).toBe(checked);
+    }
     await page.getByRole('menuitemcheckbox', { name: 'Smooth', exact: true }).click();
     await expect.poll(pressed).toEqual(['false', 'false', 'true', 'false']);
 
@@ -141,10 +145,11 @@ async function makeTake({ files, joint, channel }: Subject): Promise<void> {
     // Undoes everything, back to a character without a take, and redoes it.
     const steps = await pressAll(page, 'Control+z', 'undo');
     expect(steps).toBeGreaterThanOrEqual(7);
-    expect(await page.evaluate(() => window.marrow.characters()[0]?.name)).not.toBe(name);
-    expect(await pressAll(page, 'Control+Shift+z', 'redo')).toBe(steps);
-    expect(await animText(page)).toBe(made);
-    expect(await skelText(page)).toBe(skeleton);
+    await expect.poll(() => page.evaluate(() => window.marrow.characters()[0]?.name)).not.toBe(name);
+    const redone = await pressAll(page, 'Control+Shift+z', 'redo');
+    expect(redone).toBe(steps);
+    await expect.poll(() => animText(page)).toBe(made);
+    await expect.poll(() => skelText(page)).toBe(skeleton);
 
     // Saved by Ctrl+S and played by the command: the same numbers as in the page.
     await page.evaluate(() => Object.assign(window, { showSaveFilePicker: undefined }));
@@ -234,8 +239,8 @@ it('makes the walker wave, while everything else walks on as it did', () =>
       await dialog.waitFor({ state: 'detached' });
       await turnArm(page, 2.2, 40);
       await turnArm(page, 2.4, 70);
-      expect(await page.evaluate(() => window.marrow.steps().undo)).toBe(`Key rz of ${ARM.joint}`);
-      expect(await page.locator('dialog').allTextContents()).toEqual([]);
+      await expect.poll(() => page.evaluate(() => window.marrow.steps().undo)).toBe(`Key rz of ${ARM.joint}`);
+      await expect.poll(() => page.locator('dialog').allTextContents()).toEqual([]);
 
       const after = await worldsAt(page, times);
       const at = (seconds: number) => ((after[Math.round(seconds * 10)].dofs[ARM.rz] ?? 0) * 180) / Math.PI;
@@ -251,8 +256,9 @@ it('makes the walker wave, while everything else walks on as it did', () =>
       });
 
       // Three values set and three keys, each one step.
-      expect(await pressAll(page, 'Control+z', 'undo')).toBe(6);
-      expect(await worldsAt(page, times)).toEqual(before);
+      const steps = await pressAll(page, 'Control+z', 'undo');
+      expect(steps).toBe(6);
+      await expect.poll(() => worldsAt(page, times)).toEqual(before);
     },
     { walking: true },
   ));
@@ -268,22 +274,22 @@ it('a key outside the cycle is given up by escape, set inside the cycle, or leng
       await dialog.waitFor();
       // A press beside it, as to look at the pose, loses neither.
       await page.mouse.click(300, 60);
-      expect(await dialog.isVisible()).toBe(true);
+      await expect.poll(() => dialog.isVisible()).toBe(true);
       await page.keyboard.press('Escape');
       await dialog.waitFor({ state: 'detached' });
-      expect(await keyed()).toEqual(before);
-      expect(await dof(page, ARM.rz)).toBeCloseTo((70 * Math.PI) / 180, 9);
+      await expect.poll(() => keyed()).toEqual(before);
+      await expect.poll(() => dof(page, ARM.rz)).toBeCloseTo((70 * Math.PI) / 180, 9);
 
       await page.keyboard.press('k');
       await dialog.getByRole('button', { name: 'Key inside the cycle' }).click();
       const inside = await keyed();
       expect([inside[0].time, inside[inside.length - 1].time]).toEqual([0, 0.8]);
-      expect(await dof(page, ARM.rz)).toBeCloseTo((70 * Math.PI) / 180, 9);
+      await expect.poll(() => dof(page, ARM.rz)).toBeCloseTo((70 * Math.PI) / 180, 9);
 
       await page.keyboard.press('Control+z');
       await page.keyboard.press('k');
       await dialog.getByRole('button', { name: 'Lengthen the cycle' }).click();
-      expect((await keyed()).at(-1)?.time).toBe(2);
+      await expect.poll(async () => (await keyed()).at(-1)?.time).toBe(2);
       await page.getByText('upper_arm_l rz now repeats every 2 s instead of every 0.8 s.').first().waitFor();
     },
     { walking: true },
@@ -303,26 +309,26 @@ it('a key acts in the panel under the mouse, which is marked, and never on keys 
       const stage = (await viewport.boundingBox()) ?? { x: 0, y: 0, width: 0, height: 0 };
       await page.mouse.move(stage.x + 0.8 * stage.width, stage.y + 0.8 * stage.height);
       await expect.poll(() => viewport.getAttribute('data-active')).toBe('');
-      expect(await timeline.getAttribute('data-active')).toBeNull();
+      await expect.poll(() => timeline.getAttribute('data-active')).toBeNull();
       await page.keyboard.press('Delete');
       await page.getByText('Delete keys: point at the timeline to use this key.').first().waitFor();
-      expect(await keys(page, ARM.rz)).toEqual(before);
+      await expect.poll(() => keys(page, ARM.rz)).toEqual(before);
 
       // Back in the timeline it is the timeline's again.
       const box = (await plot.boundingBox()) ?? { x: 0, y: 0, width: 0, height: 0 };
       await page.mouse.move(box.x + 0.6 * box.width, box.y + 0.3 * box.height);
       await expect.poll(() => timeline.getAttribute('data-active')).toBe('');
-      expect(await viewport.getAttribute('data-active')).toBeNull();
+      await expect.poll(() => viewport.getAttribute('data-active')).toBeNull();
       await page.keyboard.press('2');
-      expect(await keys(page, ARM.rz)).not.toEqual(before);
+      await expect.poll(() => keys(page, ARM.rz)).not.toEqual(before);
       await page.keyboard.press('Control+z');
-      expect(await keys(page, ARM.rz)).toEqual(before);
+      await expect.poll(() => keys(page, ARM.rz)).toEqual(before);
       // A finger in the panel with the focus overrides a mouse that rests in another.
       await page.mouse.move(stage.x + 0.8 * stage.width, stage.y + 0.8 * stage.height);
       await expect.poll(() => viewport.getAttribute('data-active')).toBe('');
       await timeline.dispatchEvent('pointerdown', { pointerType: 'touch', pointerId: 7, bubbles: true });
       await expect.poll(() => timeline.getAttribute('data-active')).toBe('');
-      expect(await viewport.getAttribute('data-active')).toBeNull();
+      await expect.poll(() => viewport.getAttribute('data-active')).toBeNull();
       await page.mouse.move(box.x + 0.6 * box.width, box.y + 0.3 * box.height);
 
       // The mouse goes away, and the focus comes back by keyboard: it has the keys again.
@@ -332,7 +338,7 @@ it('a key acts in the panel under the mouse, which is marked, and never on keys 
       await page.keyboard.press('Shift+Tab');
       await expect.poll(() => timeline.getAttribute('data-active')).toBe('');
       await page.keyboard.press('Delete');
-      expect(await keys(page, ARM.rz)).toEqual([]);
+      await expect.poll(() => keys(page, ARM.rz)).toEqual([]);
     },
     { walking: true },
   ));

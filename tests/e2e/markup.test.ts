@@ -105,7 +105,7 @@ describe('text of files', () => {
         });
         const rules = () => refused.evaluate((all) => [...new Set(all)].sort());
         await expect.poll(rules).toEqual(['frame-src', 'require-trusted-types-for', 'style-src-attr']);
-        expect(await page.evaluate(() => window.executed)).toBeUndefined();
+        await expect.poll(() => page.evaluate(() => window.executed)).toBeUndefined();
       },
       { expected: /policy|Policy|TrustedScriptURL|TrustedHTML|404|elsewhere/ },
     ));

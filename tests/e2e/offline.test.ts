@@ -69,7 +69,8 @@ describe('the page without its server', () => {
         await controlled(page);
         // An upload that was interrupted: the list is new, and the page is not.
         serve({ 'sw.js': built('sw.js').replace(integrity(built('index.html')), integrity('not yet')) });
-        expect(await lookForVersion(page)).toBe('redundant');
+        const version = await lookForVersion(page);
+        expect(version).toBe('redundant');
         await stopServer();
 
         await page.reload();
@@ -104,16 +105,17 @@ describe('a new version of the page', () => {
         await shown(page, 'arm');
         await page.evaluate(() => window.marrow.run('rig.rename', { joint: 0, name: 'humerus' }));
         serve(nextBuild());
-        expect(await lookForVersion(page)).toBe('installed');
+        const version = await lookForVersion(page);
+        expect(version).toBe('installed');
         await offer(page).getByText(`${OFFER} Unsaved changes can be restored`).waitFor();
 
         const other = await openAnother(SMALL);
-        expect(await buildOf(other)).toBeUndefined();
+        await expect.poll(() => buildOf(other)).toBeUndefined();
         await offer(other).getByText(OFFER).waitFor();
         await offer(other).getByRole('button', { name: 'Reload' }).click();
         await other.waitForFunction(() => document.documentElement.dataset.build === 'next');
 
-        expect(await buildOf(page)).toBeUndefined();
+        await expect.poll(() => buildOf(page)).toBeUndefined();
         // Not on the server any more.
         await page.evaluate(() => window.marrow.run('help.about'));
         await page.getByRole('dialog').getByText('Works offline').waitFor();
@@ -127,7 +129,9 @@ describe('a new version of the page', () => {
         });
         await offer(page).getByRole('button', { name: 'Reload' }).click();
         await expect.poll(() => asked).toEqual(['beforeunload']);
-        expect(await page.evaluate(() => window.marrow.characters().map(({ name }) => name))).toEqual(['cube', 'arm']);
+        await expect
+          .poll(() => page.evaluate(() => window.marrow.characters().map(({ name }) => name)))
+          .toEqual(['cube', 'arm']);
         await offer(page).getByRole('button', { name: 'Reload' }).click();
         await page.waitForFunction(() => document.documentElement.dataset.build === 'next');
         expect(asked).toEqual(['beforeunload', 'beforeunload']);

@@ -75,16 +75,17 @@ describe('the page', () => {
         await page.reload();
         await asked;
         await shown(page, 'walker');
-        expect(await page.evaluate(() => window.marrow.stats().triangles)).toBeGreaterThan(1000);
+        await expect.poll(() => page.evaluate(() => window.marrow.stats().triangles)).toBeGreaterThan(1000);
         await page.keyboard.press('Space');
         await page.getByText('View', { exact: true }).click({ force: true });
-        expect(await page.getByRole('menu').count()).toBe(0);
+        await expect.poll(() => page.getByRole('menu').count()).toBe(0);
         const scripted = page.evaluate(async () => {
           await window.marrow.run('pose.reset', { to: 'zero' });
           return window.marrow.steps().undo;
         });
         send?.();
-        expect(await scripted).toMatch(/^Reset walker/);
+        const undone = await scripted;
+        expect(undone).toMatch(/^Reset walker/);
         await page.getByRole('menu', { name: 'View' }).waitFor();
         await page.getByRole('button', { name: 'Play', exact: true }).waitFor();
       },
@@ -109,13 +110,13 @@ describe('the page', () => {
           }),
         }));
         await page.keyboard.press('Control+s');
-        expect(await kept.evaluate(({ pressed }) => pressed)).toBe(true);
+        await expect.poll(() => kept.evaluate(({ pressed }) => pressed)).toBe(true);
         const box = await page.locator('canvas').first().boundingBox();
         if (!box) throw new Error('The viewport has no box.');
         await page.touchscreen.tap(box.x + box.width / 2, box.y + box.height / 2);
         send?.();
         await page.locator('[role=treeitem][aria-selected=true]').filter({ hasText: 'post' }).waitFor();
-        expect(await page.getByText('Something went wrong').count()).toBe(0);
+        await expect.poll(() => page.getByText('Something went wrong').count()).toBe(0);
       },
       { early: true, touch: true },
     ));
@@ -149,12 +150,12 @@ describe('the page', () => {
         await page.keyboard.press('Backspace');
         await page.keyboard.press('Backspace');
         await page.keyboard.type('theme');
-        expect(await page.getByRole('dialog').count()).toBe(0);
+        await expect.poll(() => page.getByRole('dialog').count()).toBe(0);
         await page.keyboard.press('Enter');
         send?.();
         await page.locator('[data-theme=dark]').first().waitFor({ state: 'attached' });
         await page.getByRole('dialog').waitFor({ state: 'detached' });
-        expect(await tree.evaluate((one) => one.contains(document.activeElement))).toBe(true);
+        await expect.poll(() => tree.evaluate((one) => one.contains(document.activeElement))).toBe(true);
       },
       { colorScheme: 'light' },
     ));

@@ -20,7 +20,7 @@ describe('dropping', () => {
         await ready(page);
         await dropPaths(page, [folder]);
         await shown(page, 'arm');
-        expect(await page.evaluate(() => window.marrow.characters()[0].clips)).toEqual(['arm_raise']);
+        await expect.poll(() => page.evaluate(() => window.marrow.characters()[0].clips)).toEqual(['arm_raise']);
       } finally {
         rmSync(folder, { recursive: true });
       }
@@ -32,7 +32,7 @@ describe('dropping', () => {
       const zip = zipSync({ 'arm/arm.skel': strToU8(ARM), 'arm/arm_raise.anim': strToU8(RAISE) });
       await dropFiles(page, [{ name: 'arm.zip', bytes: zip }]);
       await shown(page, 'arm');
-      expect(await page.evaluate(() => window.marrow.characters()[0].clips)).toEqual(['arm_raise']);
+      await expect.poll(() => page.evaluate(() => window.marrow.characters()[0].clips)).toEqual(['arm_raise']);
     }));
 
   it('shows names and lines of files as text, whatever is in them', () =>
@@ -41,7 +41,7 @@ describe('dropping', () => {
       const trap = '<img src=x onerror=alert(1)>';
       await dropFiles(page, [{ name: `${trap}.skel`, bytes: `balljoint root { offset ${trap} }` }]);
       await page.getByText('onerror=alert(1)').first().waitFor();
-      expect(await page.locator('img').count()).toBe(0);
+      await expect.poll(() => page.locator('img').count()).toBe(0);
     }));
 
   it('puts files together that come one after another', () =>
@@ -50,7 +50,7 @@ describe('dropping', () => {
       await dropFiles(page, [{ name: 'raise.anim', bytes: RAISE }]);
       await page.waitForFunction(() => window.marrow.characters()[0].clips.length === 1);
       await page.evaluate(() => window.marrow.seek(1));
-      expect(await dof(page, 3)).toBeCloseTo(0.5, 9);
+      await expect.poll(() => dof(page, 3)).toBeCloseTo(0.5, 9);
     }));
 });
 
@@ -69,7 +69,7 @@ describe('by hand', () => {
       if (!at) throw new Error('The arm is not shown.');
       await page.mouse.click(at.x, at.y);
       await selected.waitFor();
-      expect(await selected.innerText()).toContain('elbow');
+      await expect.poll(() => selected.innerText()).toContain('elbow');
 
       await dropFiles(page, [{ name: 'giant.skel', bytes: 'balljoint giant { boxmin -90 0 -90 boxmax 90 900 90 }' }]);
       const character = page.locator('[role=treeitem][aria-selected=true].row-character');
@@ -98,7 +98,7 @@ describe('by hand', () => {
       await tree.focus();
       await page.keyboard.press('e');
       await page.locator('[role=treeitem][aria-selected=true]').filter({ hasText: 'elbow' }).waitFor();
-      expect(await page.locator('.mode-switch [aria-checked=true]').textContent()).toBe('FK');
+      await expect.poll(() => page.locator('.mode-switch [aria-checked=true]').textContent()).toBe('FK');
     }));
 
   testAll(BY_HAND);

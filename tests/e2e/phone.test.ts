@@ -64,7 +64,7 @@ it('a pinch on a character zooms in every mode, a swipe scrolls a menu, and dial
         await touch('touchEnd');
         const growth = async () => (await scene(page)).length / before.length;
         await expect.poll(growth, { message: mode }).toBeGreaterThan(1.1);
-        expect((await scene(page)).kept, mode).toEqual(before.kept);
+        await expect.poll(async () => (await scene(page)).kept, { message: mode }).toEqual(before.kept);
         // The next frame frames.
         await run(page, 'view.frameAll');
         await expect.poll(growth, { message: mode }).toBeLessThan(1.05);
@@ -79,8 +79,8 @@ it('a pinch on a character zooms in every mode, a swipe scrolls a menu, and dial
       for (let i = 1; i <= 8; i++) await touch('touchMove', [start.x + 40, start.y + 20 - 20 * i]);
       await touch('touchEnd');
       await expect.poll(async () => (await gizmo.boundingBox())?.y).toBeLessThan(start.y - 40);
-      expect(await page.getByRole('menu').count()).toBe(2);
-      expect(await page.locator('.menu kbd:visible').count()).toBe(0);
+      await expect.poll(() => page.getByRole('menu').count()).toBe(2);
+      await expect.poll(() => page.locator('.menu kbd:visible').count()).toBe(0);
       await page.keyboard.press('Escape');
       await page.keyboard.press('Escape');
 
@@ -94,7 +94,7 @@ it('a pinch on a character zooms in every mode, a swipe scrolls a menu, and dial
             .map(({ name }) => name),
         );
       await page.getByRole('button', { name: 'Apply' }).waitFor();
-      expect(await beyond()).toEqual([]);
+      await expect.poll(() => beyond()).toEqual([]);
       await page.evaluate(() => window.marrow.seek(1.9));
       await page.locator('.retarget-dialog select').first().selectOption({ label: 'first' });
       await page.getByRole('button', { name: 'Apply' }).tap();
@@ -115,9 +115,11 @@ it('a pinch on a character zooms in every mode, a swipe scrolls a menu, and dial
         const box = await page.locator(shown).boundingBox();
         expect(box?.width, part).toBeGreaterThan(WIDTH - 12);
         expect(box?.height, part).toBeGreaterThan(88);
-        expect(
-          await page.locator('.take-table, .distance-rows, .distance .time-chart').filter({ visible: true }).count(),
-        ).toBe(1);
+        await expect
+          .poll(() =>
+            page.locator('.take-table, .distance-rows, .distance .time-chart').filter({ visible: true }).count(),
+          )
+          .toBe(1);
       }
     },
     { size: { width: WIDTH, height: 844 }, touch: true },

@@ -148,7 +148,8 @@ it('pictures and videos are what the viewport shows at their times, and leave th
       const stills: Uint8Array[] = [];
       for (const png of Object.values(pngs)) stills.push((await decoded(page, png)).data);
       await page.evaluate(() => window.marrow.seek(0.3));
-      expect(difference((await decoded(page, await picture(page, SMALL))).data, stills[3])).toBe(0);
+      const drawn = await decoded(page, await picture(page, SMALL));
+      expect(difference(drawn.data, stills[3])).toBe(0);
       await page.evaluate(() => window.marrow.seek(0.25));
       /** Of the picture that is most like it. */
       const nearest = (data: Uint8Array) => {
@@ -186,22 +187,19 @@ it('pictures and videos are what the viewport shows at their times, and leave th
       expect([inGif.count, inGif.duration]).toEqual([5, 100_000]);
       expect(nearest(Uint8Array.from(inGif.pixels))).toBe(3);
 
-      expect(await state(page)).toEqual(before);
+      await expect.poll(() => state(page)).toEqual(before);
       await expect(page.evaluate(() => window.marrow.picture({ width: 1e6, height: 10 }))).rejects.toThrow(
         /can't draw 1000000 × 10 pixels|convert|canvas/i,
       );
-      expect(await state(page)).toEqual(before);
+      await expect.poll(() => state(page)).toEqual(before);
 
       // The dialogs: a video saved, one cancelled, a picture.
       const dialog = page.getByRole('dialog', { name: 'Video' });
       await page.evaluate(() => void window.marrow.run('save.video'));
       await dialog.getByLabel('Format').selectOption('webm');
-      expect(await dialog.getByLabel('Format').locator('option').allTextContents()).toEqual([
-        ...(hasH264 ? ['MP4 (H.264)'] : []),
-        'WebM (VP9)',
-        'GIF',
-        'PNG sequence (.zip)',
-      ]);
+      await expect
+        .poll(() => dialog.getByLabel('Format').locator('option').allTextContents())
+        .toEqual([...(hasH264 ? ['MP4 (H.264)'] : []), 'WebM (VP9)', 'GIF', 'PNG sequence (.zip)']);
       await dialog.getByLabel('Frame rate').fill('8');
       await expect.poll(() => dialog.textContent()).toContain('4 frames, 0.5 s.');
       const saved = await download(() => dialog.getByRole('button', { name: 'Save' }).click());
@@ -223,7 +221,7 @@ it('pictures and videos are what the viewport shows at their times, and leave th
       const still = await download(() => asked.getByRole('button', { name: 'Save' }).click());
       expect(still.name).toBe('mast.png');
       expect(still.text).toContain('PNG');
-      expect(await state(page)).toEqual(before);
+      await expect.poll(() => state(page)).toEqual(before);
     },
     { size: { width: 1024, height: 640 } },
   ));

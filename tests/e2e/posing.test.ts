@@ -63,15 +63,15 @@ it('turns a DOF by its ring, stops at its limit and says so, in one step', () =>
     const ring = await feelFor(page, 'rx');
     const centre = await middle(page);
     await pressAndGo(page, ring, around(centre, ring, 170));
-    expect(await readout(page)).toMatch(/^rx .*limit (42.97|−28.65)°$/);
+    await expect.poll(() => readout(page)).toMatch(/^rx .*limit (42.97|−28.65)°$/);
     await page.mouse.up();
     const after = await dofs(page);
     expect([-0.5, 0.75]).toContain(after[6]);
     expect(after.filter((v, i) => v !== before[i])).toHaveLength(1);
-    expect(await readout(page)).toBe('');
-    expect(await undo(page)).toBe('Rotate elbow');
+    await expect.poll(() => readout(page)).toBe('');
+    await expect.poll(() => undo(page)).toBe('Rotate elbow');
     await page.keyboard.press('Control+z');
-    expect(await dofs(page)).toEqual(before);
+    await expect.poll(() => dofs(page)).toEqual(before);
   }));
 
 it('several joints are selected in the tree and the viewport, and turned, typed and undone together', () =>
@@ -81,20 +81,20 @@ it('several joints are selected in the tree and the viewport, and turned, typed 
     const selected = () =>
       page.locator('.tree [aria-selected=true]').evaluateAll((rows) => rows.map((one) => one.textContent ?? ''));
     const title = page.locator('.inspector .is-selected').first();
-    expect(await page.getByRole('tree').getAttribute('aria-multiselectable')).toBe('true');
+    await expect.poll(() => page.getByRole('tree').getAttribute('aria-multiselectable')).toBe('true');
     await page.getByRole('tree').focus();
     await page.keyboard.press('Shift+ArrowDown');
-    expect(await selected()).toHaveLength(2);
+    await expect.poll(() => selected()).toHaveLength(2);
     await title.getByText('2 joints').waitFor();
     await page.keyboard.press('Control+Space');
-    expect(await selected()).toHaveLength(1);
+    await expect.poll(() => selected()).toHaveLength(1);
     await page.keyboard.press('Control+a');
-    expect(await selected()).toHaveLength(2);
+    await expect.poll(() => selected()).toHaveLength(2);
     await page.keyboard.press('Escape');
-    expect(await selected()).toHaveLength(1);
+    await expect.poll(() => selected()).toHaveLength(1);
     await row('shoulder').click();
     await row('elbow').click({ modifiers: ['Control'] });
-    expect(await selected()).toHaveLength(2);
+    await expect.poll(() => selected()).toHaveLength(2);
 
     // A ring of the active joint turns both, and the elbow's limit holds only there.
     const before = await dofs(page);
@@ -105,22 +105,22 @@ it('several joints are selected in the tree and the viewport, and turned, typed 
     const turned = after[6] - before[6];
     expect(Math.abs(turned)).toBeGreaterThan(0.1);
     expect(after[3] - before[3]).toBeCloseTo(turned, 12);
-    expect(await undo(page)).toBe('Rotate 2 joints');
-    expect(await selected()).toHaveLength(2);
+    await expect.poll(() => undo(page)).toBe('Rotate 2 joints');
+    await expect.poll(() => selected()).toHaveLength(2);
     await page.keyboard.press('Control+z');
-    expect(await dofs(page)).toEqual(before);
+    await expect.poll(() => dofs(page)).toEqual(before);
 
     // Typed: a number for both, and from there on by the same amount.
     const field = page.getByRole('textbox', { name: /^ry of 2 joints/ });
     await field.fill('30');
     await field.press('Enter');
-    expect((await dofs(page))[4]).toBeCloseTo(Math.PI / 6, 9);
-    expect((await dofs(page))[7]).toBeCloseTo(Math.PI / 6, 9);
+    await expect.poll(async () => (await dofs(page))[4]).toBeCloseTo(Math.PI / 6, 9);
+    await expect.poll(async () => (await dofs(page))[7]).toBeCloseTo(Math.PI / 6, 9);
     await field.fill('+=15');
     await field.press('Enter');
-    expect((await dofs(page))[4]).toBeCloseTo(Math.PI / 4, 9);
-    expect((await dofs(page))[7]).toBeCloseTo(Math.PI / 4, 9);
-    expect(await undo(page)).toMatch(/^Rotate 2 joints/);
+    await expect.poll(async () => (await dofs(page))[4]).toBeCloseTo(Math.PI / 4, 9);
+    await expect.poll(async () => (await dofs(page))[7]).toBeCloseTo(Math.PI / 4, 9);
+    await expect.poll(() => undo(page)).toMatch(/^Rotate 2 joints/);
 
     // Shift+click on the active joint removes it from the selection.
     const { x, y } = await middle(page);
@@ -128,7 +128,7 @@ it('several joints are selected in the tree and the viewport, and turned, typed 
     await page.keyboard.down('Shift');
     await page.mouse.click(x, y);
     await page.keyboard.up('Shift');
-    expect(await selected()).toHaveLength(1);
+    await expect.poll(() => selected()).toHaveLength(1);
 
     // Ctrl+drag from beside the arm takes in all of it; Escape gives the selection back, and a click there keeps it.
     await page.keyboard.down('Control');
@@ -136,32 +136,32 @@ it('several joints are selected in the tree and the viewport, and turned, typed 
       { x, y },
       { x: x + 150, y: y + 200 },
     ]);
-    expect(await page.locator('.box-select').count()).toBe(1);
-    expect(await selected()).toHaveLength(2);
+    await expect.poll(() => page.locator('.box-select').count()).toBe(1);
+    await expect.poll(() => selected()).toHaveLength(2);
     await page.keyboard.press('Escape');
     await page.mouse.up();
-    expect(await selected()).toHaveLength(1);
+    await expect.poll(() => selected()).toHaveLength(1);
     await pressAndGo(page, { x: x - 150, y: y - 120 }, [{ x: x + 150, y: y + 200 }]);
     await page.mouse.up();
-    expect(await selected()).toHaveLength(2);
+    await expect.poll(() => selected()).toHaveLength(2);
     await page.mouse.click(x - 150, y - 120);
     await page.keyboard.up('Control');
-    expect(await selected()).toHaveLength(2);
-    expect(await page.locator('.box-select').count()).toBe(0);
+    await expect.poll(() => selected()).toHaveLength(2);
+    await expect.poll(() => page.locator('.box-select').count()).toBe(0);
   }));
 
 it('goes past a limit while the character’s switch is off', () =>
   withPage(async ({ page }) => {
     await openArm(page);
     const limits = page.getByRole('button', { name: 'Limits', exact: true });
-    expect(await limits.getAttribute('aria-pressed')).toBe('true');
+    await expect.poll(() => limits.getAttribute('aria-pressed')).toBe('true');
     await limits.click();
-    expect(await limits.getAttribute('aria-pressed')).toBe('false');
+    await expect.poll(() => limits.getAttribute('aria-pressed')).toBe('false');
     const ring = await feelFor(page, 'rx');
     await pressAndGo(page, ring, around(await middle(page), ring, 170));
-    expect(await readout(page)).toContain('past its limit');
+    await expect.poll(() => readout(page)).toContain('past its limit');
     await page.mouse.up();
-    expect(Math.abs((await dofs(page))[6])).toBeGreaterThan(0.8);
+    await expect.poll(async () => Math.abs((await dofs(page))[6])).toBeGreaterThan(0.8);
   }));
 
 testAll(POSING);
@@ -174,8 +174,8 @@ it('leaves what it has no use for to the camera', () =>
     const { x, y } = await middle(page);
     await pressAndGo(page, { x: x + 150, y }, [{ x: x + 190, y: y + 5 }]);
     await page.mouse.up();
-    expect(await turnOfView(page)).not.toBeCloseTo(view, 0);
-    expect(await dofs(page)).toEqual(before);
+    await expect.poll(() => turnOfView(page)).not.toBeCloseTo(view, 0);
+    await expect.poll(() => dofs(page)).toEqual(before);
   }));
 
 it('turns the view by the arrows while nothing plays, and switches modes by Space without a clip', () =>
@@ -187,15 +187,15 @@ it('turns the view by the arrows while nothing plays, and switches modes by Spac
     const turned = await turnOfView(page);
     expect(turned).not.toBeCloseTo(view, 0);
     await page.keyboard.press('ArrowLeft');
-    expect(await turnOfView(page)).toBeCloseTo(view, 3);
+    await expect.poll(() => turnOfView(page)).toBeCloseTo(view, 3);
     const checked = page.locator('.mode-switch [aria-checked=true]');
-    expect(await checked.textContent()).toBe('FK');
+    await expect.poll(() => checked.textContent()).toBe('FK');
     await page.keyboard.press('Space');
-    expect(await checked.textContent()).toBe('IK');
+    await expect.poll(() => checked.textContent()).toBe('IK');
     await page.keyboard.press('Escape');
-    expect(await checked.textContent()).toBe('IK');
+    await expect.poll(() => checked.textContent()).toBe('IK');
     await page.keyboard.press('Space');
-    expect(await checked.textContent()).toBe('FK');
+    await expect.poll(() => checked.textContent()).toBe('FK');
   }));
 
 /** Waits until the inspector shows a joint. */
@@ -214,27 +214,27 @@ it('selects and rotates another joint in one drag, which Escape takes back with 
     if (!place) throw new Error('The arm is not shown.');
     await pressAndGo(page, place, [{ x: place.x + 5, y: place.y - 40 }]);
     await showsJoint(page, 'elbow');
-    expect((await dofs(page))[6]).toBeCloseTo(Math.PI / 9, 5);
+    await expect.poll(async () => (await dofs(page))[6]).toBeCloseTo(Math.PI / 9, 5);
     await page.keyboard.press('Escape');
     await page.mouse.up();
-    expect(await dofs(page)).toEqual(before);
+    await expect.poll(() => dofs(page)).toEqual(before);
     await showsJoint(page, 'shoulder');
-    expect(await undo(page)).toMatch(/^Open/);
+    await expect.poll(() => undo(page)).toMatch(/^Open/);
 
     await pressAndGo(page, place, [{ x: place.x + 5, y: place.y - 40 }]);
     await page.mouse.up();
-    expect(await undo(page)).toBe('Rotate elbow');
+    await expect.poll(() => undo(page)).toBe('Rotate elbow');
     await showsJoint(page, 'elbow');
     await page.keyboard.press('Control+z');
-    expect(await dofs(page)).toEqual(before);
-    expect(await undo(page)).toMatch(/^Open/);
+    await expect.poll(() => dofs(page)).toEqual(before);
+    await expect.poll(() => undo(page)).toMatch(/^Open/);
 
     // Without movement it only selects.
     const other = await page.evaluate(() => window.marrow.pointOnPage([0, 0.3, 0]));
     if (!other) throw new Error('The arm is not shown.');
     await page.mouse.click(other.x, other.y);
     await showsJoint(page, 'shoulder');
-    expect(await dofs(page)).toEqual(before);
+    await expect.poll(() => dofs(page)).toEqual(before);
     // The gizmo has the size of the joint that was dragged, where none was selected before.
     await page.evaluate(() => window.marrow.run('select.nothing'));
     await page.waitForFunction(() => document.querySelector<HTMLElement>('.joint-gizmo')?.hidden);
@@ -250,8 +250,8 @@ it('selects and rotates another joint in one drag, which Escape takes back with 
     await pressAndGo(page, place, [{ x: place.x + 40, y: place.y }]);
     await page.mouse.up();
     await page.keyboard.up('Alt');
-    expect(await turnOfView(page)).not.toBeCloseTo(view, 0);
-    expect(await dofs(page)).toEqual(before);
+    await expect.poll(() => turnOfView(page)).not.toBeCloseTo(view, 0);
+    await expect.poll(() => dofs(page)).toEqual(before);
   }));
 
 /** The middle between two joints of the first character, on the page. */
@@ -324,7 +324,7 @@ it('has a select tool without a gizmo: clicks pick, drags orbit, and a button le
     await page.locator('.viewport canvas[role=application]').focus();
     await page.keyboard.press('q');
     await page.waitForFunction(() => !document.querySelector('.joint-gizmo'));
-    expect(await page.getByRole('radio', { name: 'Select' }).getAttribute('aria-checked')).toBe('true');
+    await expect.poll(() => page.getByRole('radio', { name: 'Select' }).getAttribute('aria-checked')).toBe('true');
     const place = await page.evaluate(() => window.marrow.pointOnPage([0, 1.8, 0]));
     if (!place) throw new Error('The arm is not shown.');
     await page.mouse.click(place.x, place.y);
@@ -332,8 +332,8 @@ it('has a select tool without a gizmo: clicks pick, drags orbit, and a button le
     const view = await turnOfView(page);
     await pressAndGo(page, place, [{ x: place.x + 40, y: place.y + 5 }]);
     await page.mouse.up();
-    expect(await turnOfView(page)).not.toBeCloseTo(view, 0);
-    expect(await dofs(page)).toEqual(before);
+    await expect.poll(() => turnOfView(page)).not.toBeCloseTo(view, 0);
+    await expect.poll(() => dofs(page)).toEqual(before);
     await page.getByRole('button', { name: 'Back to FK' }).click();
     await page.waitForFunction(() => document.querySelector<HTMLElement>('.joint-gizmo')?.hidden === false);
   }));
@@ -352,21 +352,21 @@ it('a slider blends to a saved pose until the focus leaves, in one step, or Esca
     const slider = page.getByRole('slider', { name: 'Blend to pose 1' });
     await slider.fill('25');
     await slider.fill('50');
-    expect((await dofs(page))[6]).toBeCloseTo(0.2, 9);
+    await expect.poll(async () => (await dofs(page))[6]).toBeCloseTo(0.2, 9);
     await page.keyboard.press('Escape');
-    expect((await dofs(page))[6]).toBe(0);
-    expect(await slider.inputValue()).toBe('0');
+    await expect.poll(async () => (await dofs(page))[6]).toBe(0);
+    await expect.poll(() => slider.inputValue()).toBe('0');
     await slider.fill('25');
     await slider.fill('75');
     await page.keyboard.press('Tab');
-    expect((await dofs(page))[6]).toBeCloseTo(0.3, 9);
-    expect(await undo(page)).toBe('Blend to pose 1');
+    await expect.poll(async () => (await dofs(page))[6]).toBeCloseTo(0.3, 9);
+    await expect.poll(() => undo(page)).toBe('Blend to pose 1');
     await page.evaluate(() => window.marrow.undo());
-    expect((await dofs(page))[6]).toBe(0);
+    await expect.poll(async () => (await dofs(page))[6]).toBe(0);
     await picture.dblclick();
-    expect((await dofs(page))[6]).toBeCloseTo(0.4, 9);
+    await expect.poll(async () => (await dofs(page))[6]).toBeCloseTo(0.4, 9);
     await page.evaluate(() => window.marrow.undo());
-    expect((await dofs(page))[6]).toBe(0);
+    await expect.poll(async () => (await dofs(page))[6]).toBe(0);
   }));
 
 describeShared('the dragon', () => {
@@ -385,6 +385,6 @@ describeShared('the dragon', () => {
       const ring = await feelFor(page, 'rx');
       await pressAndGo(page, ring, around(await middle(page), ring, 175));
       await page.mouse.up();
-      expect(Math.abs((await dofs(page))[6])).toBeCloseTo(2, 9);
+      await expect.poll(async () => Math.abs((await dofs(page))[6])).toBeCloseTo(2, 9);
     }));
 });

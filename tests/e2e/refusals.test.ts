@@ -17,11 +17,11 @@ describe('what is refused', () => {
         await line.getByRole('button', { name: 'Details' }).click();
         const list = page.locator('.messages-list');
         await expect.poll(() => list.locator('.message').count()).toBe(1);
-        expect(await list.locator('.message-title').first().textContent()).toBe('1,000 files');
+        await expect.poll(() => list.locator('.message-title').first().textContent()).toBe('1,000 files');
         await list.getByText('Files', { exact: true }).click();
         await list.getByText('0.skel', { exact: true }).waitFor();
         // What is unfolded is bounded, too.
-        expect(await list.locator('.diagnostic').count()).toBeLessThanOrEqual(200);
+        await expect.poll(() => list.locator('.diagnostic').count()).toBeLessThanOrEqual(200);
 
         await page.route('**/given/moved.skel', (route) =>
           route.fulfill({ status: 302, headers: { location: 'https://elsewhere.example/a.skel' } }),

@@ -161,20 +161,20 @@ it('moves the walker as the take moves, is changed by keyboard, baked, saved and
       ['shin_l', 'LeftLeg'],
       ['ear_l', '—'],
     ]) {
-      expect(await followed(joint), joint).toBe(source);
+      await expect.poll(() => followed(joint), { message: joint }).toBe(source);
     }
     // Previewed behind the dialog before applying, without a step.
-    expect(await page.evaluate(() => window.marrow.steps().undo)).not.toContain('Retarget');
+    await expect.poll(() => page.evaluate(() => window.marrow.steps().undo)).not.toContain('Retarget');
     // By keyboard: the ear follows the head. Typing a letter selects a name, as in every list.
     await follows('ear_l').focus();
     await page.keyboard.type('Head');
-    expect(await followed('ear_l')).toBe('Head');
-    expect(await dialog.getByRole('row', { name: /^ear_l/ }).textContent()).toContain('set by hand');
+    await expect.poll(() => followed('ear_l')).toBe('Head');
+    await expect.poll(() => dialog.getByRole('row', { name: /^ear_l/ }).textContent()).toContain('set by hand');
     await page.keyboard.press('Backspace');
     await dialog.getByRole('button', { name: 'Apply' }).focus();
     await page.keyboard.press('Enter');
     await dialog.waitFor({ state: 'detached' });
-    expect(await page.evaluate(() => window.marrow.steps().undo)).toBe('Retarget step to walker');
+    await expect.poll(() => page.evaluate(() => window.marrow.steps().undo)).toBe('Retarget step to walker');
     // What was made is selected.
     await page
       .getByRole('treeitem', { name: /^walker/, selected: true })
@@ -214,14 +214,14 @@ it('moves the walker as the take moves, is changed by keyboard, baked, saved and
       .filter({ visible: true })
       .first()
       .waitFor();
-    expect(await page.evaluate(() => window.marrow.steps().undo)).toBe('Retarget step to walker');
+    await expect.poll(() => page.evaluate(() => window.marrow.steps().undo)).toBe('Retarget step to walker');
     // An unkeyed change overrides retargeting at that time; then it is discarded, with its step.
     const tx = page.locator('.dof[data-dof="0"]').first();
     await expect.poll(() => tx.getAttribute('data-driver')).toBe('moved');
     await tx.locator('input[type="text"]').fill('0.7');
     await page.keyboard.press('Enter');
     await expect.poll(() => tx.getAttribute('data-driver')).toBe('unkeyed');
-    expect(await page.evaluate(() => window.marrow.characters()[0].dofs[0])).toBeCloseTo(0.7, 9);
+    await expect.poll(() => page.evaluate(() => window.marrow.characters()[0].dofs[0])).toBeCloseTo(0.7, 9);
     await page.evaluate(() => window.marrow.seek(1.9));
     await expect.poll(() => tx.getAttribute('data-driver')).toBe('moved');
     await page.evaluate(() => {
@@ -266,10 +266,10 @@ it('moves the walker as the take moves, is changed by keyboard, baked, saved and
       return steps;
     }, opened);
     expect(undone).toEqual(['Bake step into walker', 'Retarget step to walker']);
-    expect(await clips(page)).toEqual(['walker_walk']);
-    expect(await saved(page)).toEqual(before);
+    await expect.poll(() => clips(page)).toEqual(['walker_walk']);
+    await expect.poll(() => saved(page)).toEqual(before);
     while (await page.evaluate(() => window.marrow.redo()));
-    expect(await clips(page)).toEqual(['walker_walk', 'walker_step']);
+    await expect.poll(() => clips(page)).toEqual(['walker_walk', 'walker_step']);
     expectClose((await matrices(page, times[1])).flat(), live[1].flat(), 1e-6, 'redone');
   }));
 
@@ -288,7 +288,7 @@ it('follows the take as it is cropped or read again, and keeps moving when it is
     const live = await matrices(page, at);
     // Cropped to start at 0.5 s: what was at 0.25 s is gone.
     await page.evaluate(() => window.marrow.run('samples.crop', { character: 'step', from: 0.5, to: 1 }));
-    expect(await matrices(page, at)).not.toEqual(live);
+    await expect.poll(() => matrices(page, at)).not.toEqual(live);
     await page.evaluate(() => window.marrow.undo());
     expectClose((await matrices(page, at)).flat(), live.flat(), 1e-9, 'crop undone');
 
@@ -308,10 +308,10 @@ it('follows the take as it is cropped or read again, and keeps moving when it is
     await dropFiles(page, [{ name: 'step.bvh', bytes: still.join('\n') }]);
     await expect.poll(handHeight).toBeGreaterThan(hanging + 0.1);
     const raised = await matrices(page, at);
-    expect(await page.evaluate(() => window.marrow.characters().length)).toBe(2);
+    await expect.poll(() => page.evaluate(() => window.marrow.characters().length)).toBe(2);
 
     await page.evaluate(() => window.marrow.run('character.remove', { character: 'step' }));
-    expect(await page.evaluate(() => window.marrow.characters().map((c) => c.name))).toEqual(['walker']);
+    await expect.poll(() => page.evaluate(() => window.marrow.characters().map((c) => c.name))).toEqual(['walker']);
     expectClose((await matrices(page, at)).flat(), raised.flat(), 1e-9, 'the take removed');
     await page.evaluate(() => {
       window.marrow.undo();

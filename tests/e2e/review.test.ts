@@ -24,7 +24,7 @@ it('takes by the hundred are judged by keys and saved, then measured and marked,
     const table = page.getByRole('grid', { name: 'Takes in review' });
     const row = (name: string) => table.getByRole('row').filter({ hasText: name });
     await expect.poll(() => page.locator('.review-count').textContent()).toBe('24 takes');
-    expect(await page.evaluate(() => window.marrow?.characters())).toEqual([]);
+    await expect.poll(() => page.evaluate(() => window.marrow?.characters())).toEqual([]);
     await expect.poll(() => row('take24').or(row('take9')).first().isVisible()).toBe(true);
 
     // The broken one, its flag, and the moment that it leads to.
@@ -184,8 +184,10 @@ it('takes by the hundred are judged by keys and saved, then measured and marked,
       await page.evaluate(() => window.marrow.undo());
       return times;
     };
-    expect(await timesAfter('takes.setSpeed', { factor: 0.5 })).toEqual([0, 0.4]);
-    expect(await timesAfter('takes.cutOut', { from: 0, to: 0.08, overlapSeconds: 0 })).toEqual([0, 0.1]);
+    const slower = await timesAfter('takes.setSpeed', { factor: 0.5 });
+    expect(slower).toEqual([0, 0.4]);
+    const cut = await timesAfter('takes.cutOut', { from: 0, to: 0.08, overlapSeconds: 0 });
+    expect(cut).toEqual([0, 0.1]);
     // Its dialog would be the system's.
     await page.evaluate(() => Object.assign(window, { showSaveFilePicker: undefined }));
     const beside = await download(() => page.keyboard.press('Control+s'));

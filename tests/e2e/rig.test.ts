@@ -84,11 +84,13 @@ it('builds a creature from nothing by clicking, and takes all of it back', () =>
     await clickAt(page, 0, 0, 3);
     await clickAt(page, 40, 30, 4);
     await clickAt(page, 45, 90, 5);
-    expect(await joints(page)).toEqual(['root -1', 'joint1 0', 'joint2 1', 'joint3 0', 'joint4 3']);
+    await expect.poll(() => joints(page)).toEqual(['root -1', 'joint1 0', 'joint2 1', 'joint3 0', 'joint4 3']);
     // Escape ends adding, but not the mode.
     await page.keyboard.press('Escape');
     await page.getByRole('button', { name: 'Add joints', pressed: false }).waitFor();
-    expect(await page.getByRole('radio', { name: 'Rig', exact: true }).getAttribute('aria-checked')).toBe('true');
+    await expect
+      .poll(() => page.getByRole('radio', { name: 'Rig', exact: true }).getAttribute('aria-checked'))
+      .toBe('true');
 
     await clickAt(page, 40, 30, 5);
     await page.getByText('Rig: joint3').waitFor();
@@ -119,7 +121,7 @@ it('builds a creature from nothing by clicking, and takes all of it back', () =>
     expect(right?.offset[0]).toBe(-0.25);
 
     await undoAll(page);
-    expect(await joints(page)).toEqual(before);
+    await expect.poll(() => joints(page)).toEqual(before);
   }));
 
 it('adds a child with Ctrl, and removes a joint with Delete so that its children stay', () =>
@@ -136,7 +138,7 @@ it('adds a child with Ctrl, and removes a joint with Delete so that its children
     await clickAt(page, 60, 0, 3);
     await page.keyboard.press('Delete');
     await page.waitForFunction(() => window.marrow.characters()[0]?.joints.length === 2);
-    expect(await joints(page)).toEqual(['root -1', 'joint2 0']);
+    await expect.poll(() => joints(page)).toEqual(['root -1', 'joint2 0']);
     const stayed = await page.evaluate(() => window.marrow.worldMatrices()[1].slice(12, 15));
     stayed.forEach((part, k) => {
       expect(Math.abs(part - tip[k])).toBeLessThan(STILL);
@@ -241,7 +243,7 @@ it('lets a click on a joint branch, however quickly it comes after another', () 
     await page.mouse.click(x + 60, y - 80);
     await page.mouse.click(x, y);
     await page.mouse.click(x - 60, y + 40);
-    expect(await joints(page)).toEqual(['root -1', 'joint1 0', 'joint2 1', 'joint3 0']);
+    await expect.poll(() => joints(page)).toEqual(['root -1', 'joint1 0', 'joint2 1', 'joint3 0']);
   }));
 
 it('comes to the side that a key asked for, though a click falls on the way', () =>
@@ -285,20 +287,20 @@ describeShared('a skin and its joints', () => {
       };
       const handle = await findHandle(page);
       await drag(page, handle, 40, -30);
-      expect(await page.evaluate(() => window.marrow.steps().undo)).toMatch(/^Move /);
-      expect(await moved()).toBeLessThan(STILL);
+      await expect.poll(() => page.evaluate(() => window.marrow.steps().undo)).toMatch(/^Move /);
+      await expect.poll(() => moved()).toBeLessThan(STILL);
       const bound = await files();
       expect(bound[0]).not.toBe(saved[0]);
       expect(bound[1]).not.toBe(saved[1]);
       await page.evaluate(() => window.marrow.undo());
-      expect(await files()).toEqual(saved);
+      await expect.poll(() => files()).toEqual(saved);
 
       await page.getByRole('radio', { name: 'Skin: follows' }).click();
       await drag(page, handle, 40, -30);
-      expect(await moved()).toBeGreaterThan(0.01);
-      expect((await files())[1]).toBe(saved[1]);
+      await expect.poll(() => moved()).toBeGreaterThan(0.01);
+      await expect.poll(async () => (await files())[1]).toBe(saved[1]);
       await page.evaluate(() => window.marrow.undo());
-      expect(await files()).toEqual(saved);
-      expect(await moved()).toBe(0);
+      await expect.poll(() => files()).toEqual(saved);
+      await expect.poll(() => moved()).toBe(0);
     }));
 });

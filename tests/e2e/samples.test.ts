@@ -88,7 +88,7 @@ function points(page: Page, seconds: number): Promise<number[]> {
 it('crops, smooths, converts to keys and drags one of them, each a step; all undone are the bytes that were dropped', () =>
   withPage(async ({ page }) => {
     await opened(page);
-    expect(await saved(page)).toBe(TAKE);
+    await expect.poll(() => saved(page)).toBe(TAKE);
     const steps: (string | undefined)[] = [await undoLabel(page)];
     const texts: string[] = [await saved(page)];
     const stepMade = async () => {
@@ -115,8 +115,8 @@ it('crops, smooths, converts to keys and drags one of them, each a step; all und
       smooth.map((v) => v / 0.05),
       1,
     );
-    expect(await page.evaluate(() => window.marrow.keys(6).length)).toBeGreaterThan(2);
-    expect(await page.evaluate(() => window.marrow.keys(6).length)).toBeLessThan(90);
+    await expect.poll(() => page.evaluate(() => window.marrow.keys(6).length)).toBeGreaterThan(2);
+    await expect.poll(() => page.evaluate(() => window.marrow.keys(6).length)).toBeLessThan(90);
 
     // The arm's first angle: drags a key in the middle of the take upwards.
     await page.getByRole('treeitem', { name: 'Arm' }).click();
@@ -138,13 +138,13 @@ it('crops, smooths, converts to keys and drags one of them, each a step; all und
 
     for (let step = texts.length - 2; step >= 0; step--) {
       await page.keyboard.press('Control+z');
-      expect(await undoLabel(page)).toBe(steps[step]);
-      expect(await saved(page)).toBe(texts[step]);
+      await expect.poll(() => undoLabel(page)).toBe(steps[step]);
+      await expect.poll(() => saved(page)).toBe(texts[step]);
     }
-    expect(await saved(page)).toBe(TAKE);
+    await expect.poll(() => saved(page)).toBe(TAKE);
     for (let step = 1; step < texts.length; step++) {
       await page.keyboard.press('Control+Shift+z');
-      expect(await saved(page)).toBe(texts[step]);
+      await expect.poll(() => saved(page)).toBe(texts[step]);
     }
   }));
 
@@ -153,7 +153,7 @@ it('turns a take around and back to the very numbers', () =>
     await opened(page);
     await find(page, 'Reverse');
     await expect.poll(() => undoLabel(page)).toBe('Reverse swing');
-    expect(await saved(page)).not.toBe(TAKE);
+    await expect.poll(() => saved(page)).not.toBe(TAKE);
     await find(page, 'Reverse');
     await expect.poll(() => saved(page)).toBe(TAKE);
   }));

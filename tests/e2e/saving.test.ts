@@ -85,18 +85,17 @@ it('asks for one place after the other, ends when a dialog is given up, and list
       const asked = () => page.evaluate(() => Reflect.get(window, 'asked'));
       await page.keyboard.press('Control+s');
       await said.getByText('Not saved: character.skel, character2.skel.').waitFor();
-      expect(await asked()).toEqual(['character.skel']);
+      await expect.poll(() => asked()).toEqual(['character.skel']);
       await page.getByRole('button', { name: 'Save changes' }).click();
       await said.getByText('Saved character.skel. Not saved: character2.skel.').waitFor();
-      expect(await page.locator('.severity-error, .severity-warning').count()).toBe(0);
+      await expect.poll(() => page.locator('.severity-error, .severity-warning').count()).toBe(0);
       await titled(page, '• character2.skel – Marrow');
       await page.getByRole('button', { name: 'Save changes' }).click();
       await titled(page, 'Marrow');
       const bytes = (await read(page, 'character2.skel')).length;
-      expect(await page.locator('.file-row').allInnerTexts()).toEqual([
-        `character.skel\n${bytes} bytes`,
-        `character2.skel\n${bytes} bytes`,
-      ]);
+      await expect
+        .poll(() => page.locator('.file-row').allInnerTexts())
+        .toEqual([`character.skel\n${bytes} bytes`, `character2.skel\n${bytes} bytes`]);
     },
     { before: dialogsOneByOne },
   ));
@@ -104,20 +103,20 @@ it('asks for one place after the other, ends when a dialog is given up, and list
 describe('saving in place', () => {
   it('marks what changed in title and menu bar, takes the mark back with undo, and writes it', () =>
     withHero(async (page) => {
-      expect(await page.title()).toBe('Marrow');
+      await expect.poll(() => page.title()).toBe('Marrow');
       await setRange(page, 3);
       await titled(page, '• hero_walk.anim – Marrow');
       await page.getByText('Unsaved: hero_walk.anim').waitFor();
       await page.keyboard.press('Control+z');
       await titled(page, 'Marrow');
-      expect(await page.getByText('Unsaved:').isVisible()).toBe(false);
+      await expect.poll(() => page.getByText('Unsaved:').isVisible()).toBe(false);
       await page.keyboard.press('Control+Shift+z');
       await titled(page, '• hero_walk.anim – Marrow');
       await page.keyboard.press('Control+s');
       await page.getByText('Saved hero_walk.anim.').waitFor();
       await titled(page, 'Marrow');
-      expect(await read(page, 'hero_walk.anim')).toContain('range 0 3');
-      expect(await read(page, 'hero.skel')).toBe(SKEL);
+      await expect.poll(() => read(page, 'hero_walk.anim')).toContain('range 0 3');
+      await expect.poll(() => read(page, 'hero.skel')).toBe(SKEL);
     }));
 
   it('says so where nothing is to be saved', () =>
@@ -132,7 +131,7 @@ describe('saving in place', () => {
       await titled(page, '• hero.skel – Marrow');
       await page.getByRole('button', { name: 'Save changes' }).click();
       await titled(page, 'Marrow');
-      expect(await read(page, 'hero.skel')).toContain('rotxlimit -1 1');
+      await expect.poll(() => read(page, 'hero.skel')).toContain('rotxlimit -1 1');
     }));
 
   it('asks where a take made here goes, and then goes on writing there', () =>
@@ -141,11 +140,11 @@ describe('saving in place', () => {
       await titled(page, '• hero_new.anim – Marrow');
       await page.keyboard.press('Control+s');
       await titled(page, 'Marrow');
-      expect(await read(page, 'hero_new.anim')).toContain('range 0 1');
+      await expect.poll(() => read(page, 'hero_new.anim')).toContain('range 0 1');
       await setRange(page, 4);
       await page.keyboard.press('Control+s');
       await titled(page, 'Marrow');
-      expect(await read(page, 'hero_new.anim')).toContain('range 0 4');
+      await expect.poll(() => read(page, 'hero_new.anim')).toContain('range 0 4');
     }));
 
   it('saving in place does not overwrite what has changed on disk meanwhile, unless it is saved again', () =>
@@ -154,11 +153,11 @@ describe('saving in place', () => {
       await write(page, 'hero_walk.anim', anim(0.75));
       await page.keyboard.press('Control+s');
       await page.getByText('has changed on disk').first().waitFor();
-      expect(await read(page, 'hero_walk.anim')).toBe(anim(0.75));
-      expect(await page.title()).toBe('• hero_walk.anim – Marrow');
+      await expect.poll(() => read(page, 'hero_walk.anim')).toBe(anim(0.75));
+      await expect.poll(() => page.title()).toBe('• hero_walk.anim – Marrow');
       await page.keyboard.press('Control+s');
       await titled(page, 'Marrow');
-      expect(await read(page, 'hero_walk.anim')).toContain('range 0 3');
+      await expect.poll(() => read(page, 'hero_walk.anim')).toContain('range 0 3');
     }));
 
   it('offers every part, elsewhere, with Save as', () =>
@@ -166,7 +165,7 @@ describe('saving in place', () => {
       await page.keyboard.press('Control+Shift+s');
       await page.getByRole('dialog', { name: 'Save as' }).getByRole('button', { name: 'Rig' }).click();
       await page.getByText('Saved hero.rig.').waitFor();
-      expect(await read(page, 'hero.rig')).toContain('skeleton hero.skel');
+      await expect.poll(() => read(page, 'hero.rig')).toContain('skeleton hero.skel');
     }));
 });
 
@@ -184,11 +183,11 @@ describe('reloading', () => {
       await write(page, 'hero.skel', SKEL.replace('offset 0 1 0', 'offset 0 7 0'));
       await page.keyboard.press('Alt+r');
       await page.getByText('Reloaded hero.skel, hero_walk.anim.').waitFor();
-      expect(await height(page)).toBeGreaterThan(before.height + 5);
-      expect(await page.title()).toBe('Marrow');
-      expect(await page.evaluate(() => window.marrow.characters().length)).toBe(1);
-      expect(await page.evaluate(() => window.marrow.characters()[0].clips)).toEqual(['hero_walk']);
-      expect(await page.getByRole('treeitem', { name: 'tip' }).getAttribute('aria-selected')).toBe('true');
+      await expect.poll(() => height(page)).toBeGreaterThan(before.height + 5);
+      await expect.poll(() => page.title()).toBe('Marrow');
+      await expect.poll(() => page.evaluate(() => window.marrow.characters().length)).toBe(1);
+      await expect.poll(() => page.evaluate(() => window.marrow.characters()[0].clips)).toEqual(['hero_walk']);
+      await expect.poll(() => page.getByRole('treeitem', { name: 'tip' }).getAttribute('aria-selected')).toBe('true');
       // Time hasn't changed: the curve is 4 at 0.5 s, added to the new offset.
       const at = await page.evaluate(() => {
         const now = window.marrow.worldMatrices()[0][13];
@@ -199,10 +198,10 @@ describe('reloading', () => {
       // Both differ from the disk again; then the edit is reverted too.
       await page.keyboard.press('Control+z');
       await titled(page, '• 2 files – Marrow');
-      expect(await page.evaluate(() => window.marrow.save('hero_walk.anim'))).toContain('range 0 5');
+      await expect.poll(() => page.evaluate(() => window.marrow.save('hero_walk.anim'))).toContain('range 0 5');
       await page.keyboard.press('Control+z');
-      expect(await height(page)).toBe(before.height);
-      expect(await page.evaluate(() => window.marrow.save('hero_walk.anim'))).toBe(before.clip);
+      await expect.poll(() => height(page)).toBe(before.height);
+      await expect.poll(() => page.evaluate(() => window.marrow.save('hero_walk.anim'))).toBe(before.clip);
     }));
 
   it('changes nothing where the file is wrong, and shows where', () =>
@@ -211,12 +210,12 @@ describe('reloading', () => {
       await write(page, 'hero_walk.anim', anim(0.5).replace('numchannels 9', 'numchannels nine'));
       await page.keyboard.press('Alt+r');
       await page.getByText('nine').first().waitFor();
-      expect(await height(page)).toBe(before);
+      await expect.poll(() => height(page)).toBe(before);
       // Corrected, it is loaded with the next reload.
       await write(page, 'hero_walk.anim', anim(2));
       await page.keyboard.press('Alt+r');
       await page.getByText('Reloaded hero_walk.anim.').waitFor();
-      expect(await height(page)).toBeGreaterThan(before);
+      await expect.poll(() => height(page)).toBeGreaterThan(before);
     }));
 
   it('reloading says that nothing has changed', () =>
@@ -240,12 +239,12 @@ describe('reloading', () => {
       await titled(page, '• hero_walk.anim – Marrow');
       await dropFiles(page, [{ name: 'hero_walk.anim', bytes: anim(4) }]);
       await titled(page, 'Marrow');
-      expect(await height(page)).toBeGreaterThan(before);
-      expect(await page.evaluate(() => window.marrow.characters()[0].clips)).toEqual(['hero_walk']);
-      expect(await page.getByRole('treeitem', { name: 'tip' }).getAttribute('aria-selected')).toBe('true');
+      await expect.poll(() => height(page)).toBeGreaterThan(before);
+      await expect.poll(() => page.evaluate(() => window.marrow.characters()[0].clips)).toEqual(['hero_walk']);
+      await expect.poll(() => page.getByRole('treeitem', { name: 'tip' }).getAttribute('aria-selected')).toBe('true');
       await page.keyboard.press('Control+z');
       await titled(page, '• hero_walk.anim – Marrow');
-      expect(await height(page)).toBe(before);
+      await expect.poll(() => height(page)).toBe(before);
     }));
 
   it('fetches again what the address named', () => {
@@ -262,7 +261,7 @@ describe('reloading', () => {
         files['given/hero_walk.anim'] = new TextEncoder().encode(anim(4));
         await page.keyboard.press('Alt+r');
         await page.getByText(/Reloaded .*hero_walk\.anim/).waitFor();
-        expect(await height(page)).toBeGreaterThan(before);
+        await expect.poll(() => height(page)).toBeGreaterThan(before);
       },
       { query: `?files=${HERO.map(({ name }) => `given/${name}`).join(',')}`, files },
     );

@@ -23,7 +23,7 @@ describe('the text of files', () => {
       await page.getByText('11 lines').waitFor();
       await page.getByRole('treeitem', { name: 'leg' }).click();
       await lit.first().waitFor();
-      expect(await lit.allTextContents()).toEqual(['5', '6', '7', '8', '9']);
+      await expect.poll(() => lit.allTextContents()).toEqual(['5', '6', '7', '8', '9']);
 
       await page.locator('.source-line[data-line="4"]').click();
       await page.getByText('hips ry').waitFor();
@@ -43,7 +43,7 @@ describe('the text of files', () => {
       await expect.poll(() => lit.allTextContents()).toEqual(['5', '6', '7', '8', '9']);
       await dropFiles(page, [{ name: 'figure.skel', bytes: SKEL.replace('-1 1', '-1 x') }]);
       await note.filter({ hasText: 'This text has errors and was not opened' }).waitFor();
-      expect(await lit.count()).toBe(0);
+      await expect.poll(() => lit.count()).toBe(0);
       await dropFiles(page, [{ name: 'figure.skel', bytes: SKEL }]);
       await note.waitFor({ state: 'hidden' });
       await lit.first().waitFor();
@@ -106,7 +106,7 @@ describe('the text of files', () => {
       await dropFiles(page, [{ name: 'broken.skel', bytes: BROKEN }]);
       await page.getByRole('button', { name: 'Show line 3 of broken.skel in Source' }).first().click();
       await page.locator('.source-line.is-current[data-line="3"][data-severity="error"]').waitFor();
-      expect(await shownFile()).toBe('broken.skel');
+      await expect.poll(() => shownFile()).toBe('broken.skel');
       // It is corrected where it is shown.
       await page.getByRole('button', { name: 'Edit', exact: true }).click();
       await page.getByRole('textbox', { name: 'Text of broken.skel' }).fill(BROKEN.replace(' x', ' 2'));

@@ -90,10 +90,16 @@ describe('npm start', () => {
     const { url } = await start(folder, ['one/x,y 50%.skel', 'two/x,y 50%.skel'], WITH_FILES);
     const addresses = new URL(url).search.replace('?files=', '').split(',');
     expect(addresses).toEqual(['given/0/x%2Cy%2050%25.skel', 'given/1/x%2Cy%2050%25.skel']);
-    expect(await get(url, `/${addresses[0]}`)).toEqual({ status: 200, body: 'one' });
-    expect(await get(url, `/${addresses[1]}`)).toEqual({ status: 200, body: 'two' });
+    const served = await Promise.all(addresses.map((address) => get(url, `/${address}`)));
+    expect(served).toEqual([
+      { status: 200, body: 'one' },
+      { status: 200, body: 'two' },
+    ]);
     const elsewhere = ['given/1/secret.txt', 'given/0/../1/secret.txt', 'given/1/%2e%2e/two/secret.txt', 'given/2/x'];
-    for (const path of elsewhere) expect((await get(url, `/${path}`)).body).not.toContain('secret');
+    for (const path of elsewhere) {
+      const { body } = await get(url, `/${path}`);
+      expect(body).not.toContain('secret');
+    }
   });
 
   it("opens the assignment's files of the caller's folder where there are such", async () => {
@@ -104,7 +110,8 @@ describe('npm start', () => {
   it('opens the plain page where there are none', async () => {
     const { url, text } = await start(join(folder, 'empty'), [], PLAIN);
     // When it answers, all of its startup output is printed.
-    expect((await get(url, '/')).status).toBe(200);
+    const { status } = await get(url, '/');
+    expect(status).toBe(200);
     expect(text()).not.toContain('Files:');
   });
 

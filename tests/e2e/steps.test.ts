@@ -93,7 +93,7 @@ describeShared('the steps of the wasp', () => {
       const meant = waspAt(0.4);
       expect(place).toEqual([...meant.positions.subarray(3 * vertex, 3 * vertex + 3)]);
       expect(normal).toEqual([...meant.normals.subarray(3 * vertex, 3 * vertex + 3)]);
-      expect(await page.evaluate(() => window.marrow.steps().undo)).toBe(opened);
+      await expect.poll(() => page.evaluate(() => window.marrow.steps().undo)).toBe(opened);
     }));
 });
 
@@ -128,7 +128,9 @@ describeShared('the heat map of four attachments', () => {
         const card = page.getByRole('region', { name: 'Four attachments' });
         await card.getByText('120 of 120 vertices have more than four attachments, up to 9.').waitFor();
         const first = await measuredOf(page, 'largest four normalised');
-        expect(await largestOf(page)).toEqual([first.vertex, first.largest, (100 * first.largest) / first.size]);
+        await expect
+          .poll(() => largestOf(page))
+          .toEqual([first.vertex, first.largest, (100 * first.largest) / first.size]);
 
         await page.evaluate(() =>
           window.marrow.run('pose.setDofs', { dofs: [8, 12, 15, 20].map((index) => ({ index, value: 0.7 })) }),
@@ -146,7 +148,9 @@ describeShared('the heat map of four attachments', () => {
           (v) => document.querySelector('.heat-card .link')?.textContent === v,
           `vertex ${given.vertex}`,
         );
-        expect(await largestOf(page)).toEqual([given.vertex, given.largest, (100 * given.largest) / given.size]);
+        await expect
+          .poll(() => largestOf(page))
+          .toEqual([given.vertex, given.largest, (100 * given.largest) / given.size]);
         await button.click();
         await page.locator('.facts-head .label', { hasText: `Vertex ${given.vertex}` }).waitFor();
 

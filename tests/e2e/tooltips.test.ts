@@ -12,8 +12,8 @@ describe('a tooltip', () => {
     withPage(async ({ page }) => {
       await play(page).hover();
       await tooltip(page).waitFor();
-      expect(await tooltip(page).locator('.tooltip-text').textContent()).toBe('Play');
-      expect(await tooltip(page).locator('kbd').textContent()).toBe('Space');
+      await expect.poll(() => tooltip(page).locator('.tooltip-text').textContent()).toBe('Play');
+      await expect.poll(() => tooltip(page).locator('kbd').textContent()).toBe('Space');
       await page.getByRole('button', { name: 'Go to next key' }).hover();
       await page.waitForFunction(() => document.querySelector('.tooltip-text')?.textContent === 'Go to next key');
       await page.keyboard.press('Escape');
@@ -28,7 +28,7 @@ describe('a tooltip', () => {
       const box = await tooltip(page).boundingBox();
       if (!box) throw new Error('The tooltip has no box.');
       await page.mouse.move(box.x + box.width / 2, box.y + box.height / 2, { steps: 40 });
-      expect(await tooltip(page).isVisible()).toBe(true);
+      await expect.poll(() => tooltip(page).isVisible()).toBe(true);
       const below = await page.evaluate(([x, y]) => document.elementFromPoint(x, y)?.closest('.tooltip') === null, [
         box.x + box.width / 2,
         box.y + box.height / 2,
@@ -51,7 +51,7 @@ describe('a tooltip', () => {
       expect(described).toContain('key changes automatically');
       await page.keyboard.press('Escape');
       await hidden(page);
-      expect(await auto.getAttribute('aria-describedby')).toBe(null);
+      await expect.poll(() => auto.getAttribute('aria-describedby')).toBe(null);
     }));
 
   it('shows to a finger that holds, without the press; a tap presses', () =>
@@ -65,8 +65,8 @@ describe('a tooltip', () => {
         await cdp.send('Input.dispatchTouchEvent', { type: 'touchStart', touchPoints });
         await tooltip(page).waitFor();
         await cdp.send('Input.dispatchTouchEvent', { type: 'touchEnd', touchPoints: [] });
-        expect(await tooltip(page).isVisible()).toBe(true);
-        expect(await target.getAttribute('aria-pressed')).toBe('false');
+        await expect.poll(() => tooltip(page).isVisible()).toBe(true);
+        await expect.poll(() => target.getAttribute('aria-pressed')).toBe('false');
         await target.tap();
         await page.waitForFunction(() => document.querySelector('.auto-key')?.getAttribute('aria-pressed') === 'true');
         await hidden(page);

@@ -35,11 +35,11 @@ describe('the page', () => {
         window.marrow.run('pose.setDofs', { dofs: [{ index: 1, value: 0.25 }] });
       });
       const height = () => page.evaluate(() => window.marrow.characters()[0].dofs[1]);
-      expect(await height()).toBe(0.25);
+      await expect.poll(() => height()).toBe(0.25);
       await page.keyboard.press('Control+z');
-      expect(await height()).not.toBe(0.25);
+      await expect.poll(() => height()).not.toBe(0.25);
       await page.keyboard.press('Control+Shift+z');
-      expect(await height()).toBe(0.25);
+      await expect.poll(() => height()).toBe(0.25);
     }));
 });
 
@@ -50,7 +50,7 @@ describeShared('the page with the course’s files', () => {
     withPage(
       async ({ page }) => {
         await opened(page, 'wasp');
-        expect(await page.evaluate(() => window.marrow.characters()[0].clips)).toEqual(['wasp_walk']);
+        await expect.poll(() => page.evaluate(() => window.marrow.characters()[0].clips)).toEqual(['wasp_walk']);
       },
       {
         query: `?files=${WASP.map((name) => `given/${name}`).join(',')}`,
@@ -65,10 +65,10 @@ describeShared('the page with the course’s files', () => {
       await opened(page, 'test');
       await dropFiles(page, [broken('not-a-number.skel')]);
       await page.getByText('1,5').first().waitFor();
-      expect(await names(page)).toEqual(['test']);
+      await expect.poll(() => names(page)).toEqual(['test']);
       await page.keyboard.press('Control+z');
       await opened(page);
-      expect(await names(page)).not.toContain('test');
+      await expect.poll(() => names(page)).not.toContain('test');
     }));
 
   it('takes a drop back in one step, and gives it again', () =>
@@ -78,9 +78,9 @@ describeShared('the page with the course’s files', () => {
       await dropFiles(page, course(WASP));
       await opened(page, 'wasp');
       await page.keyboard.press('Control+z');
-      expect(await names(page)).toEqual([sample]);
+      await expect.poll(() => names(page)).toEqual([sample]);
       await page.keyboard.press('Control+y');
-      expect(await names(page)).toEqual(['wasp']);
+      await expect.poll(() => names(page)).toEqual(['wasp']);
     }));
 
   it('saves what it opened as the same text that it reads again', () =>
@@ -95,8 +95,8 @@ describeShared('the page with the course’s files', () => {
           first,
         ] as const);
         expect(diagnostics.filter((d) => d.severity !== 'info')).toEqual([]);
-        expect(await page.evaluate((n) => window.marrow.save(n), name)).toBe(first);
+        await expect.poll(() => page.evaluate((n) => window.marrow.save(n), name)).toBe(first);
       }
-      expect(await names(page)).toEqual(['wasp']);
+      await expect.poll(() => names(page)).toEqual(['wasp']);
     }));
 });

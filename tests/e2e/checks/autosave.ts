@@ -45,7 +45,8 @@ export const RESTORING: readonly Check[] = [
         .waitFor();
       await restore(page);
       await shown(page, 'arm');
-      expect(await page.evaluate(() => window.marrow.undo())).toBe(true);
+      const hasUndone = await page.evaluate(() => window.marrow.undo());
+      expect(hasUndone).toBe(true);
       await shown(page, 'other');
     },
   },

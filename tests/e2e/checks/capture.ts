@@ -42,7 +42,7 @@ export const CAPTURE: readonly Check[] = [
       expectClose((await ends()).flat(), [0, 0, 0], 1e-9);
       await page.evaluate(() => window.marrow.seek(0.2));
       expectClose((await ends()).flat(), [55, 45, 0], 1e-9);
-      expect(await page.evaluate(() => window.marrow.save('step.bvh'))).toBe(TAKE);
+      await expect.poll(() => page.evaluate(() => window.marrow.save('step.bvh'))).toBe(TAKE);
     },
   },
 ];

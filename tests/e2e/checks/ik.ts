@@ -81,10 +81,12 @@ export const IK: readonly Check[] = [
       await intoIk(page);
       const foot = await jointPlace(page, 'foot_l');
       await click(page, foot);
-      expect((await pins(page)).map(({ joint, point }) => [joint, ...point])).toEqual([[2, 0, 0, 0]]);
-      expect(await undoLabel(page)).toBe('Pin foot_l');
+      await expect
+        .poll(async () => (await pins(page)).map(({ joint, point }) => [joint, ...point]))
+        .toEqual([[2, 0, 0, 0]]);
+      await expect.poll(() => undoLabel(page)).toBe('Pin foot_l');
       await click(page, foot);
-      expect(await pins(page)).toEqual([]);
+      await expect.poll(() => pins(page)).toEqual([]);
 
       await page.evaluate(() => window.marrow.run('ik.setRootFree', { isFree: false }));
       await click(page, foot);
@@ -97,10 +99,10 @@ export const IK: readonly Check[] = [
       const there = await onPage(page, await jointPlace(page, 'foot_l'));
       expect(Math.hypot(there.x - from.x - 30, there.y - from.y + 30)).toBeLessThan(1.5);
       await page.mouse.up();
-      expect(await undoLabel(page)).toBe('Drag foot_l');
+      await expect.poll(() => undoLabel(page)).toBe('Drag foot_l');
       await page.evaluate(() => window.marrow.undo());
-      expect(apart(await jointPlace(page, 'foot_l'), foot)).toBeLessThan(1e-9);
-      expect(await undoLabel(page)).toBe('Pin foot_l');
+      await expect.poll(async () => apart(await jointPlace(page, 'foot_l'), foot)).toBeLessThan(1e-9);
+      await expect.poll(() => undoLabel(page)).toBe('Pin foot_l');
     },
   },
 ];

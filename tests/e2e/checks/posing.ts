@@ -60,15 +60,15 @@ export const POSING: readonly Check[] = [
         { x: bone.x, y: bone.y - 30 },
         { x: bone.x, y: bone.y - 60 },
       ]);
-      expect((await dofs(page))[8]).toBeCloseTo(Math.PI / 6, 9);
+      await expect.poll(async () => (await dofs(page))[8]).toBeCloseTo(Math.PI / 6, 9);
       await page.keyboard.press('Escape');
       await page.mouse.up();
-      expect((await dofs(page))[8]).toBe(0);
-      expect(await undo(page)).toMatch(/^Open/);
+      await expect.poll(async () => (await dofs(page))[8]).toBe(0);
+      await expect.poll(() => undo(page)).toMatch(/^Open/);
       await pressAndGo(page, bone, [{ x: bone.x, y: bone.y + 40 }]);
       await page.mouse.up();
-      expect((await dofs(page))[8]).toBeCloseTo(-Math.PI / 9, 9);
-      expect(await undo(page)).toBe('Rotate elbow');
+      await expect.poll(async () => (await dofs(page))[8]).toBeCloseTo(-Math.PI / 9, 9);
+      await expect.poll(() => undo(page)).toBe('Rotate elbow');
     },
   },
 ];

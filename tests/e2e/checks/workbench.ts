@@ -36,7 +36,7 @@ export const REFERENCE: readonly Check[] = [
       await opened(page);
       await dropFiles(page, course(WASP));
       await opened(page, 'wasp');
-      expect(await names(page)).toEqual(['wasp']);
+      await expect.poll(() => names(page)).toEqual(['wasp']);
       const { tolerance, cases } = conformance<AnimPose>('anim-pose.json');
       for (const frame of cases[0].frames) {
         const shown = await page.evaluate((time) => {
