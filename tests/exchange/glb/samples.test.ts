@@ -9,21 +9,26 @@ import { complaintsOf, type Glb, glbOf, inBabylon, inThree, keyCount, offBy } fr
 
 const SAMPLES = makeSamples();
 
-function characterOf({ skeleton, skin, morphs, clip, textures }: Sample): Character {
+/** Seconds of a walk: fitting keys to more of the same steps takes longer, and shows nothing else. */
+const WALKED = 2;
+
+function shown({ id, clip }: Sample): Sample['clip'] {
+  return id === 'walker' || id === 'crawler' ? { ...clip, range: [clip.range[0], clip.range[0] + WALKED] } : clip;
+}
+
+function characterOf(sample: Sample): Character {
+  const { skeleton, skin, morphs, textures } = sample;
   return character({
     name: skeleton.name,
     skeleton,
     skins: skin ? [skin] : [],
     morphs,
-    clips: [clip],
+    clips: [shown(sample)],
     shownClip: 0,
     pose: filePose(skeleton, morphs.length),
     textures: textures.map(({ name, bytes }) => ({ name, mime: 'image/png', bytes: Uint8Array.from(bytes) })),
   });
 }
-
-/** Milliseconds that a machine busy with other things takes to write a character, at most. */
-const WRITING = 120_000;
 
 /** Times of a take that are no frames. */
 function timesOf(seconds: number, count: number): number[] {
@@ -39,14 +44,9 @@ describe.each(SAMPLES.map((sample) => [sample.id, sample] as const))('the exampl
     return made;
   };
 
-  it.each(['linear', 'cubic'] as const)(
-    'the Khronos validator has no complaint about %s keys',
-    async (keys) => {
-      expect(await complaintsOf(glb(keys).bytes)).toEqual([]);
-    },
-    // The first test of each kind writes the file.
-    WRITING,
-  );
+  it.each(['linear', 'cubic'] as const)('the Khronos validator has no complaint about %s keys', async (keys) => {
+    expect(await complaintsOf(glb(keys).bytes)).toEqual([]);
+  });
 
   it.each([
     ['linear', sample.id === 'walker' ? 0.5 : 0.7],
