@@ -15,30 +15,13 @@ import { type CompiledSkeleton, compileSkeleton, worldMatrices } from '../evalua
 import { metresPerUnit } from '../evaluate/metres.ts';
 import { applySpace } from '../evaluate/space.ts';
 import { writeRotationPart } from '../math/mat3.ts';
-import { quaternionOfRotation } from '../math/quaternion.ts';
 import { writeSinesAndCosines } from '../math/sines-cosines.ts';
 import { stretches } from '../model/joint-types.ts';
 import { perSkeleton } from '../model/per-skeleton.ts';
 import type { Skeleton } from '../model/skeleton.ts';
 import type { Space } from '../model/space.ts';
-import type { Floats } from './data-array.ts';
-
-/** Most frames of a block: what is computed of them fits into the processor's nearer memory. */
-export const BLOCK = 32;
-
-/** What is written of each joint, frame after frame. */
-export interface JointRows {
-  /** 3, 4, 4 and 6 numbers per joint. */
-  readonly positions: Floats;
-  readonly worldQuat: Floats;
-  readonly localQuat: Floats;
-  /** The first two columns of the local rotation. */
-  readonly local6d: Floats;
-  /** 3 per joint, a second: central differences of positions in doubles, one-sided at the ends. */
-  readonly velocities: Floats;
-  /** Rows per second. */
-  readonly fps: number;
-}
+import { put, turnUp, writeUnitQuaternion } from './frame-quaternions.ts';
+import { BLOCK, type JointRows, JointRowWriter } from './joint-rows.ts';
 
 /** A rotation by three angles: its DOFs, which of x, y, z they turn about, and the sign, as in `renamedAxes`. */
 interface Turn {
@@ -86,8 +69,7 @@ export class JointTransforms {
   private readonly halves = new Float64Array(3 * BLOCK);
   private readonly turned = new Float64Array(6 * BLOCK);
   private readonly matrices: Float64Array;
-  /** Positions in the two rows before the block: six per joint. */
-  private readonly trail: Float64Array;
+  private readonly writer: JointRowWriter;
   /** Joints of the End Sites, and x y z in their spaces. */
   private readonly endJoints: Int32Array;
   private readonly ends: Float64Array;
@@ -112,7 +94,6 @@ export class JointTransforms {
     );
     this.local = new Float64Array(4 * BLOCK * count);
     this.world = new Float64Array(4 * BLOCK * count);
-    this.trail = new Float64Array(6 * count);
     this.localBefore = new Float64Array(4 * count);
     this.worldBefore = new Float64Array(4 * count);
     this.turns = turnsOf(skeleton);
@@ -123,6 +104,8 @@ export class JointTransforms {
     this.ways = new Float64Array(3 * BLOCK * count);
     for (let i = 0; i < this.ways.length; i++) this.ways[i] = offsets[3 * Math.floor(i / (3 * BLOCK)) + (i % 3)];
     this.matrices = new Float64Array(16 * (this.isRigid ? 1 : count));
+    const { local, world, allPoints, width } = this;
+    this.writer = new JointRowWriter({ jointCount: count, local, world, allPoints, width });
     this.restart();
   }
 
@@ -150,7 +133,7 @@ export class JointTransforms {
         } else this.turnByMotion(dofs, stride, count, j);
         this.compose(count, j);
       }
-      if (rows) this.write(rows, row, count, j);
+      if (rows) this.writer.write(rows, row, count, j);
     }
     this.placeEnds(count);
   }
@@ -215,7 +198,7 @@ export class JointTransforms {
         ways[3 * (BLOCK * j + b) + k] = isMoved ? dofs[b * stride + k] + way : way;
       }
       writeRotationPart(matrices, 0, rotation, 0, 3);
-      readQuaternion();
+      writeUnitQuaternion(rotation, quaternion);
       local.set(quaternion, 4 * (BLOCK * j + b));
     }
   }
@@ -311,7 +294,7 @@ export class JointTransforms {
       for (let j = 0; j < jointCount; j++) {
         const o = 4 * (BLOCK * j + b);
         writeRotationPart(matrices, 16 * j, rotation, 0, 3);
-        readQuaternion();
+        writeUnitQuaternion(rotation, quaternion);
         if (isTurned) turnUp(quaternion, 0);
         put(world, o, quaternion[0], quaternion[1], quaternion[2], quaternion[3], worldBefore, 4 * j);
         applySpace(space, matrices[16 * j + 12], matrices[16 * j + 13], matrices[16 * j + 14], point);
@@ -335,79 +318,8 @@ export class JointTransforms {
   }
 
   /** Writes velocities of the last of `count` rows. */
-  end({ velocities, fps }: JointRows, count: number): void {
-    const { trail, compiled } = this;
-    const o = 3 * compiled.jointCount * (count - 1);
-    for (let j = 0; j < compiled.jointCount; j++) {
-      for (let k = 0; k < 3; k++) velocities[o + 3 * j + k] = (trail[6 * j + 3 + k] - trail[6 * j + k]) * fps;
-    }
-  }
-
-  /** Writes the rows of a joint, and velocities of the row before. */
-  private write(rows: JointRows, row: number, count: number, j: number): void {
-    const { local, world, allPoints, width, compiled, trail } = this;
-    const { positions, worldQuat, localQuat, local6d, velocities, fps } = rows;
-    const { jointCount } = compiled;
-    const t = 6 * j;
-    let ax = trail[t];
-    let ay = trail[t + 1];
-    let az = trail[t + 2];
-    let bx = trail[t + 3];
-    let by = trail[t + 4];
-    let bz = trail[t + 5];
-    for (let b = 0; b < count; b++) {
-      const at = (row + b) * jointCount + j;
-      const o = 4 * (BLOCK * j + b);
-      const p = b * width + 3 * j;
-      const px = allPoints[p];
-      const py = allPoints[p + 1];
-      const pz = allPoints[p + 2];
-      positions[3 * at] = px;
-      positions[3 * at + 1] = py;
-      positions[3 * at + 2] = pz;
-      if (row + b > 0) {
-        // From the row before that one, if there is one.
-        const rate = row + b > 1 ? fps / 2 : fps;
-        const v = 3 * (at - jointCount);
-        velocities[v] = (px - ax) * rate;
-        velocities[v + 1] = (py - ay) * rate;
-        velocities[v + 2] = (pz - az) * rate;
-        ax = bx;
-        ay = by;
-        az = bz;
-      } else {
-        ax = px;
-        ay = py;
-        az = pz;
-      }
-      bx = px;
-      by = py;
-      bz = pz;
-      worldQuat[4 * at] = world[o];
-      worldQuat[4 * at + 1] = world[o + 1];
-      worldQuat[4 * at + 2] = world[o + 2];
-      worldQuat[4 * at + 3] = world[o + 3];
-      const x = local[o];
-      const y = local[o + 1];
-      const z = local[o + 2];
-      const w = local[o + 3];
-      localQuat[4 * at] = x;
-      localQuat[4 * at + 1] = y;
-      localQuat[4 * at + 2] = z;
-      localQuat[4 * at + 3] = w;
-      local6d[6 * at] = 1 - 2 * (y * y + z * z);
-      local6d[6 * at + 1] = 2 * (x * y + w * z);
-      local6d[6 * at + 2] = 2 * (x * z - w * y);
-      local6d[6 * at + 3] = 2 * (x * y - w * z);
-      local6d[6 * at + 4] = 1 - 2 * (x * x + z * z);
-      local6d[6 * at + 5] = 2 * (y * z + w * x);
-    }
-    trail[t] = ax;
-    trail[t + 1] = ay;
-    trail[t + 2] = az;
-    trail[t + 3] = bx;
-    trail[t + 4] = by;
-    trail[t + 5] = bz;
+  end(rows: JointRows, count: number): void {
+    this.writer.end(rows, count);
   }
 
   /** By the rotations of rigid joints; the others have placed them. */
@@ -460,43 +372,3 @@ export class JointTransforms {
 const point = new Float64Array(3);
 const rotation = new Float64Array(9);
 const quaternion = new Float64Array(4);
-
-/** Reads `rotation` as a unit quaternion: of columns that were nearly parallel it is one only roughly. */
-function readQuaternion(): void {
-  quaternionOfRotation(rotation, 0, quaternion);
-  let square = 0;
-  for (let k = 0; k < 4; k++) square += quaternion[k] * quaternion[k];
-  const length = Math.sqrt(square);
-  for (let k = 0; k < 4; k++) quaternion[k] /= length;
-}
-
-/** Writes a quaternion with the sign nearer to the one before, which it becomes. */
-function put(
-  out: Float64Array,
-  o: number,
-  x: number,
-  y: number,
-  z: number,
-  w: number,
-  before: Float64Array,
-  p: number,
-): void {
-  const near = x * before[p] + y * before[p + 1] + z * before[p + 2] + w * before[p + 3];
-  const sign = near < 0 ? -1 : 1;
-  out[o] = before[p] = sign * x;
-  out[o + 1] = before[p + 1] = sign * y;
-  out[o + 2] = before[p + 2] = sign * z;
-  out[o + 3] = before[p + 3] = sign * w;
-}
-
-/** Turns q by the up axis, (x, y, z) → (x, z, −y): the product of −√½ i + √½ and q. */
-function turnUp(q: Float64Array, o: number): void {
-  const x = q[o];
-  const y = q[o + 1];
-  const z = q[o + 2];
-  const w = q[o + 3];
-  q[o] = Math.SQRT1_2 * (x - w);
-  q[o + 1] = Math.SQRT1_2 * (y + z);
-  q[o + 2] = Math.SQRT1_2 * (z - y);
-  q[o + 3] = Math.SQRT1_2 * (w + x);
-}

@@ -25,7 +25,8 @@ import type { Skeleton } from '../model/skeleton.ts';
 import type { Space } from '../model/space.ts';
 import type { DataArray, Floats } from './data-array.ts';
 import type { FloatPool, Precision } from './float-pool.ts';
-import { BLOCK, JointTransforms } from './joint-transforms.ts';
+import { BLOCK } from './joint-rows.ts';
+import { JointTransforms } from './joint-transforms.ts';
 import type { Take } from './take.ts';
 
 /** Numbers per joint and frame: positions, two quaternions, 6D, velocities. */
