@@ -10,6 +10,7 @@
  * Positions are those of the scene: y is the height above the ground.
  */
 import { RADIANS_PER_DEGREE } from '../../math/degrees.ts';
+import { length3 } from '../../math/vec3.ts';
 
 export const QUANTITIES = ['x', 'height', 'z', 'speed', 'acceleration', 'angle', 'angularSpeed', 'contact'] as const;
 export type Quantity = (typeof QUANTITIES)[number];
@@ -56,18 +57,24 @@ function component(positions: Float64Array, k: number): Float64Array {
   return out;
 }
 
-function speeds(p: Float64Array, frameSeconds: number): Float64Array {
-  const out = new Float64Array(p.length / 3);
-  const last = out.length - 1;
+/** Per frame how far apart its neighbours are, a second; at the ends it is one of them itself. */
+function rates(frameCount: number, frameSeconds: number, apart: (a: number, b: number) => number): Float64Array {
+  const out = new Float64Array(frameCount);
+  const last = frameCount - 1;
   for (let f = 0; f <= last && last > 0; f++) {
-    const a = f > 0 ? 3 * f - 3 : 0;
-    const b = f < last ? 3 * f + 3 : 3 * f;
-    const x = p[b] - p[a];
-    const y = p[b + 1] - p[a + 1];
-    const z = p[b + 2] - p[a + 2];
-    out[f] = Math.sqrt(x * x + y * y + z * z) / (((b - a) / 3) * frameSeconds);
+    const a = Math.max(0, f - 1);
+    const b = Math.min(last, f + 1);
+    out[f] = apart(a, b) / ((b - a) * frameSeconds);
   }
   return out;
+}
+
+function speeds(p: Float64Array, frameSeconds: number): Float64Array {
+  return rates(p.length / 3, frameSeconds, (from, to) => {
+    const a = 3 * from;
+    const b = 3 * to;
+    return length3(p[b] - p[a], p[b + 1] - p[a + 1], p[b + 2] - p[a + 2]);
+  });
 }
 
 function accelerations(p: Float64Array, frameSeconds: number): Float64Array {
@@ -78,7 +85,7 @@ function accelerations(p: Float64Array, frameSeconds: number): Float64Array {
     const x = p[o + 3] - 2 * p[o] + p[o - 3];
     const y = p[o + 4] - 2 * p[o + 1] + p[o - 2];
     const z = p[o + 5] - 2 * p[o + 2] + p[o - 1];
-    out[f] = Math.sqrt(x * x + y * y + z * z) / (frameSeconds * frameSeconds);
+    out[f] = length3(x, y, z) / (frameSeconds * frameSeconds);
   }
   return out;
 }
@@ -90,29 +97,24 @@ function angles(q: Float64Array): Float64Array {
 }
 
 function angularSpeeds(q: Float64Array, frameSeconds: number): Float64Array {
-  const out = new Float64Array(q.length / 4);
-  const last = out.length - 1;
-  for (let f = 0; f <= last && last > 0; f++) {
-    const a = f > 0 ? 4 * f - 4 : 0;
-    const b = f < last ? 4 * f + 4 : 4 * f;
+  return rates(q.length / 4, frameSeconds, (from, to) => {
+    const a = 4 * from;
+    const b = 4 * to;
     // conj(q_a) · q_b
     const x = -q[a];
     const y = -q[a + 1];
     const z = -q[a + 2];
     const w = q[a + 3];
-    out[f] =
-      turn(
-        w * q[b] + x * q[b + 3] + y * q[b + 2] - z * q[b + 1],
-        w * q[b + 1] - x * q[b + 2] + y * q[b + 3] + z * q[b],
-        w * q[b + 2] + x * q[b + 1] - y * q[b] + z * q[b + 3],
-        w * q[b + 3] - x * q[b] - y * q[b + 1] - z * q[b + 2],
-      ) /
-      (((b - a) / 4) * frameSeconds);
-  }
-  return out;
+    return turn(
+      w * q[b] + x * q[b + 3] + y * q[b + 2] - z * q[b + 1],
+      w * q[b + 1] - x * q[b + 2] + y * q[b + 3] + z * q[b],
+      w * q[b + 2] + x * q[b + 1] - y * q[b] + z * q[b + 3],
+      w * q[b + 3] - x * q[b] - y * q[b + 1] - z * q[b + 2],
+    );
+  });
 }
 
 /** Angle of a unit quaternion, 0 to 180 degrees; exact for small ones, unlike by the arc cosine of w. */
 function turn(x: number, y: number, z: number, w: number): number {
-  return (2 * Math.atan2(Math.sqrt(x * x + y * y + z * z), Math.abs(w))) / RADIANS_PER_DEGREE;
+  return (2 * Math.atan2(length3(x, y, z), Math.abs(w))) / RADIANS_PER_DEGREE;
 }
