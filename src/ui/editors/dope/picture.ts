@@ -5,8 +5,7 @@
 import { markKeys, markMoves, PLAIN, SELECTED } from '../../../edit/keys/marks.ts';
 import { runsOf } from '../../../evaluate/plot/runs.ts';
 import { rangeOfSamples } from '../../../model/samples.ts';
-import { beginPicture } from '../../kit/canvas.ts';
-import { element } from '../../kit/dom.ts';
+import { TimePicture } from '../timeline/time-picture.ts';
 import {
   drawOutsideRange,
   drawPlayhead,
@@ -33,28 +32,22 @@ import { HEAD, rowsInView, rowsTop, rowTop, secondsPerPixel } from './sheet.ts';
 const BAND_HALF: Readonly<Record<DiamondSize, number>> = { summary: 4, group: 3, channel: 2 };
 
 export class DopePicture {
-  readonly element: HTMLElement = element('div', { class: 'dope-picture', 'aria-hidden': 'true' });
-  private readonly below = element('canvas');
-  private readonly above = element('canvas');
-  private colours: DopeColours | undefined;
+  private readonly picture = new TimePicture(readColours);
+  readonly element = this.picture.element;
   private diamonds: Diamonds | undefined;
   private diamondsRatio = 0;
   private marks = new Uint8Array(0);
   private moves = new Uint8Array(0);
 
-  constructor() {
-    this.element.append(this.below, this.above);
-  }
-
   /** The theme has changed: rereads the colours on the next drawing. */
   recolour(): void {
-    this.colours = undefined;
+    this.picture.recolour();
     this.diamonds = undefined;
   }
 
   draw(scene: DopeScene): void {
     const { sheet } = scene;
-    const g = beginPicture(this.below, sheet.width, sheet.height);
+    const g = this.picture.below(sheet.width, sheet.height);
     if (!g) return;
     const colours = this.ready();
     const view = timeView(scene);
@@ -79,7 +72,7 @@ export class DopePicture {
 
   drawOverlay(scene: DopeScene, { timeSeconds, box, readout }: DopeOverlay): void {
     const { sheet } = scene;
-    const g = beginPicture(this.above, sheet.width, sheet.height);
+    const g = this.picture.above(sheet.width, sheet.height);
     if (!g) return;
     const colours = this.ready();
     drawPlayhead(g, timeView(scene), timeSeconds, sheet.height, colours);
@@ -88,13 +81,13 @@ export class DopePicture {
   }
 
   private ready(): DopeColours {
-    this.colours ??= readColours(this.element);
+    const { colours } = this.picture;
     if (!this.diamonds || this.diamondsRatio !== window.devicePixelRatio) {
       this.diamondsRatio = window.devicePixelRatio;
-      const { key, selected, surface } = this.colours;
+      const { key, selected, surface } = colours;
       this.diamonds = new Diamonds({ key, selected, rim: surface }, this.diamondsRatio);
     }
-    return this.colours;
+    return colours;
   }
 
   /** Rows `first` up to `end`, with backgrounds and keys. */

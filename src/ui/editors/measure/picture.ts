@@ -3,12 +3,12 @@
  * that playback redraws little. Contacts are bars, a row each.
  */
 import { roundStep, wholeNumbers } from '../../../math/round-steps.ts';
-import { beginPicture } from '../../kit/canvas.ts';
-import { element } from '../../kit/dom.ts';
 import { shown } from '../../kit/number-text.ts';
+import { TimePicture } from '../timeline/time-picture.ts';
 import {
   drawDot,
   drawReadout,
+  JOINT_COLOURS,
   type PlotColours,
   type PlotReadout,
   readPlotColours,
@@ -50,36 +50,29 @@ const FOOT = 10;
 const HEAD = TIME_RULER_HEIGHT + 10;
 const LABELS_APART = 28;
 const DASHES: readonly (readonly number[])[] = [[], [7, 3], [2, 3], [9, 3, 2, 3]];
-const OF_JOINTS = ['--selected', '--axis-z', '--axis-y', '--axis-x', '--accent'];
 /** The first two are the tints of compared characters. */
 const OF_CHARACTERS = ['--take-first', '--take-second', '--axis-y', '--accent', '--axis-x', '--axis-z', '--selected'];
 /** Height of the bars, CSS pixels. */
 const BAR = 10;
 
 export class PlotPicture {
-  readonly element: HTMLElement = element('div', { class: 'time-picture', 'aria-hidden': 'true' });
-  private readonly below = element('canvas');
-  private readonly above = element('canvas');
-  private colours: Colours | undefined;
-
-  constructor() {
-    this.element.append(this.below, this.above);
-  }
+  private readonly picture = new TimePicture(readColours);
+  readonly element = this.picture.element;
 
   recolour(): void {
-    this.colours = undefined;
+    this.picture.recolour();
   }
 
   colourOf(series: Series, byCharacter: boolean): string {
-    const { joints, characters } = this.ready();
+    const { joints, characters } = this.picture.colours;
     const [palette, at] = byCharacter ? [characters, series.source] : [joints, series.ordinal];
     return palette[at % palette.length];
   }
 
   draw(scene: PlotScene): void {
-    const g = beginPicture(this.below, scene.view.width, scene.height);
+    const g = this.picture.below(scene.view.width, scene.height);
     if (!g) return;
-    const colours = this.ready();
+    const { colours } = this.picture;
     const { view, height } = scene;
     g.fillStyle = colours.surface;
     g.fillRect(0, 0, view.width, height);
@@ -101,9 +94,9 @@ export class PlotPicture {
   }
 
   drawOverlay(scene: PlotScene, timeSeconds: number, readout: PlotReadout | undefined): void {
-    const g = beginPicture(this.above, scene.view.width, scene.height);
+    const g = this.picture.above(scene.view.width, scene.height);
     if (!g) return;
-    const colours = this.ready();
+    const { colours } = this.picture;
     const { view, height } = scene;
     drawPlayhead(g, view, timeSeconds, height, colours);
     const x = timeX(view, timeSeconds);
@@ -141,22 +134,20 @@ export class PlotPicture {
       g.fillText(text, 4, y + 0.5);
     });
   }
+}
 
-  private ready(): Colours {
-    if (this.colours) return this.colours;
-    const colour = (name: string) => styleColour(this.element, name);
-    this.colours = {
-      ...readPlotColours(this.element),
-      joints: OF_JOINTS.map(colour),
-      characters: OF_CHARACTERS.map(colour),
-    };
-    return this.colours;
-  }
+function readColours(target: Element): Colours {
+  const colour = (name: string) => styleColour(target, name);
+  return {
+    ...readPlotColours(target),
+    joints: JOINT_COLOURS.map(colour),
+    characters: OF_CHARACTERS.map(colour),
+  };
 }
 
 /** Dashes tell apart what has one colour. */
 export function dashOf({ ordinal }: Series, byCharacter: boolean): number {
-  return byCharacter ? ordinal : Math.floor(ordinal / OF_JOINTS.length);
+  return byCharacter ? ordinal : Math.floor(ordinal / JOINT_COLOURS.length);
 }
 
 /** Pixels from the top. */

@@ -4,10 +4,10 @@
  */
 import type { Distances } from '../../../evaluate/distance.ts';
 import { roundStep, wholeNumbers } from '../../../math/round-steps.ts';
-import { beginPicture } from '../../kit/canvas.ts';
-import { element } from '../../kit/dom.ts';
+import { TimePicture } from '../timeline/time-picture.ts';
 import {
   drawReadout,
+  JOINT_COLOURS,
   type PlotColours,
   type PlotReadout,
   readPlotColours,
@@ -45,7 +45,6 @@ export interface ChartScene {
 }
 
 interface Colours extends PlotColours {
-  readonly selected: string;
   readonly palette: readonly string[];
 }
 
@@ -59,23 +58,17 @@ const MOST_LINES = 100;
 const DASHES: readonly (readonly number[])[] = [[], [6, 3], [2, 3]];
 
 export class ChartPicture {
-  readonly element: HTMLElement = element('div', { class: 'time-picture', 'aria-hidden': 'true' });
-  private readonly below = element('canvas');
-  private readonly above = element('canvas');
-  private colours: Colours | undefined;
-
-  constructor() {
-    this.element.append(this.below, this.above);
-  }
+  private readonly picture = new TimePicture(readColours);
+  readonly element = this.picture.element;
 
   recolour(): void {
-    this.colours = undefined;
+    this.picture.recolour();
   }
 
   draw(scene: ChartScene): void {
-    const g = beginPicture(this.below, scene.view.width, scene.height);
+    const g = this.picture.below(scene.view.width, scene.height);
     if (!g) return;
-    const colours = this.ready();
+    const { colours } = this.picture;
     const { view, height } = scene;
     g.fillStyle = colours.surface;
     g.fillRect(0, 0, view.width, height);
@@ -88,9 +81,9 @@ export class ChartPicture {
   }
 
   drawOverlay(scene: ChartScene, timeSeconds: number, readout: PlotReadout | undefined): void {
-    const g = beginPicture(this.above, scene.view.width, scene.height);
+    const g = this.picture.above(scene.view.width, scene.height);
     if (!g) return;
-    const colours = this.ready();
+    const { colours } = this.picture;
     const { view, height } = scene;
     drawPlayhead(g, view, timeSeconds, height, colours);
     if (readout) drawReadout(g, view, readout, colours);
@@ -157,21 +150,11 @@ export class ChartPicture {
     g.stroke();
     g.restore();
   }
-
-  private ready(): Colours {
-    if (this.colours) return this.colours;
-    const colour = (name: string) => styleColour(this.element, name);
-    this.colours = {
-      ...readPlotColours(this.element),
-      selected: colour('--selected'),
-      palette: PALETTE.map(colour),
-    };
-    return this.colours;
-  }
 }
 
-/** Colours of the picked joints in order; the first is the selection's. */
-export const PALETTE = ['--selected', '--axis-z', '--axis-y', '--axis-x', '--accent'] as const;
+function readColours(target: Element): Colours {
+  return { ...readPlotColours(target), palette: JOINT_COLOURS.map((name) => styleColour(target, name)) };
+}
 
 function colourOf({ kind, ordinal }: ChartLine, colours: Colours): string {
   if (kind === 'joint') return colours.palette[ordinal % colours.palette.length];

@@ -7,7 +7,7 @@ import { element, setAttribute, setText, uniqueId } from '../../kit/dom.ts';
 import { isMac } from '../../kit/keyboard.ts';
 import { setTooltip } from '../../kit/tooltip.ts';
 import type { DistanceView } from '../../state/takes.ts';
-import { PALETTE } from './chart-picture.ts';
+import { JOINT_COLOURS } from '../timeline/time-plot.ts';
 import { columnText, type DistanceUnit, distanceNumber } from './distance-text.ts';
 
 export interface ListEvents {
@@ -101,7 +101,7 @@ export class DistanceList {
       setText(most, distanceNumber(distances.jointMost[pair], unit));
       setAttribute(option, 'aria-selected', String(ordinal >= 0));
       if (mark instanceof HTMLElement) {
-        mark.style.background = ordinal >= 0 ? `var(${PALETTE[ordinal % PALETTE.length]})` : '';
+        mark.style.background = ordinal >= 0 ? `var(${JOINT_COLOURS[ordinal % JOINT_COLOURS.length]})` : '';
       }
       options.set(pair, option);
     }

@@ -68,6 +68,9 @@ export interface PlotColours extends TimeColours {
   readonly raised: string;
 }
 
+/** Colours of plotted joints in order; the first is the selection's. */
+export const JOINT_COLOURS = ['--selected', '--axis-z', '--axis-y', '--axis-x', '--accent'] as const;
+
 /** The stylesheet's colours for this element. */
 export function readPlotColours(target: Element): PlotColours {
   return {
