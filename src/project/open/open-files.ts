@@ -21,19 +21,17 @@ import {
   type FileContent,
   type FileKind,
   type FileNaming,
-  folderOf,
   type ParsedFile,
   type SourceFile,
-  sameName,
   stemOf,
   type WholeCharacter,
 } from '../../model/files.ts';
-import { MARKERS_EXTENSION } from '../../model/markers.ts';
 import { skeletonKey } from '../../model/skeleton-key.ts';
 import type { GuessedSpace, Space } from '../../model/space.ts';
 import { openingOf, type PartOpening } from '../kinds.ts';
 import { checkParts, withSource, withTextures, withWhole } from './assemble.ts';
 import { type FileGroup, groupFiles, isBroken, isRead, type LooseRole, namesFile, prefixFit } from './grouping.ts';
+import { bySkinName, hasSource, takeCalled } from './matching.ts';
 import { fittingCharacter, givePoses, type PoseFile } from './poses.ts';
 
 /** A file with numbers of another program. */
@@ -368,43 +366,6 @@ function withFile(character: Character, file: ParsedFile, before: Character | un
   let next = character;
   for (const source of [...(file.beside ?? []), file.source]) next = withSource(next, source, before);
   return partOpening(file)?.add(next, file, { ...file, before }) ?? next;
-}
-
-/** The character whose skin name is the longest prefix of the morph's: `head1.morph` → `head.skin`. */
-function bySkinName(source: SourceFile, characters: readonly Character[]): Character | undefined {
-  let best: Character | undefined;
-  let length = 0;
-  for (const character of characters) {
-    const { skeleton, skins = [] } = character.parts ?? {};
-    for (const file of character.skins.length ? [skeleton?.file, ...skins.map((mark) => mark.file)] : []) {
-      const fit = file ? prefixFit(stemOf(file.source), stemOf(source)) : 0;
-      if (fit <= length) continue;
-      best = character;
-      length = fit;
-    }
-  }
-  return best;
-}
-
-/** `walk.markers.json` → the take `walk`, first of a character from the same folder. */
-function takeCalled(source: SourceFile, characters: readonly Character[]) {
-  const name = source.name.slice(0, -MARKERS_EXTENSION.length - 1);
-  const folder = folderOf(source);
-  const isNear = (c: Character) => c.sources.some((own) => folderOf(own) === folder);
-  for (const character of [...characters.filter(isNear), ...characters]) {
-    const clip = character.clips.findIndex((own) => sameName(own.name, name));
-    if (clip >= 0) return { character, clip };
-  }
-  return undefined;
-}
-
-/** Whether the character has a file of that name from the same folder; a file without a folder matches any. */
-function hasSource(character: Character, source: SourceFile): boolean {
-  return character.sources.some((own) => {
-    if (!sameName(own.name, source.name)) return false;
-    const [a, b] = [folderOf(own), folderOf(source)];
-    return a === b || a === '' || b === '';
-  });
 }
 
 function sameFiles(a: readonly UnusedFile[], b: readonly UnusedFile[]): boolean {
