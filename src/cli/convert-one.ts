@@ -1,0 +1,223 @@
+/**
+ * What a single file of `marrow convert IN… OUT` is written from: content of OUT's kind among the files that were read,
+ * or what can be converted to it.
+ */
+
+import { CommandError } from '../edit/store.ts';
+import { fitOneBvh } from '../formats/bvh/write.ts';
+import { axisAngleObstacle, inAxisAngleForm, inHierarchyForm } from '../model/axis-angle.ts';
+import { type Diagnostic, withoutPlace } from '../model/diagnostic.ts';
+import { type Character, EMPTY_DOCUMENT } from '../model/document.ts';
+import { type FileContent, type FileKind, type ParsedFile, stemOf } from '../model/files.ts';
+import type { Skeleton } from '../model/skeleton.ts';
+import { textureNames } from '../model/skin.ts';
+import { formatKindOf, isSaved, KINDS } from '../project/kinds.ts';
+import { openFiles } from '../project/open/open-files.ts';
+import type { Format } from '../project/readers.ts';
+import { bvhOf, type NamedFigure, skelOf } from '../project/save/character-files.ts';
+import { outputsOf, refusal, TARGETS, type Target } from '../project/save/conversion.ts';
+import { bvhCopy, type ConversionOptions } from '../project/save/copies.ts';
+import { type Output, outputOf } from '../project/save/output.ts';
+import { copiesOf, isCopy } from '../project/save/saving.ts';
+
+/** What is done to a character before it is written. */
+export type Edit = (character: Character) => Character;
+export type PickOptions = ConversionOptions & { readonly edit: Edit | undefined };
+
+/** The characters of these files, edited. @throws CommandError */
+function charactersOf(files: readonly ParsedFile[], { edit }: PickOptions): readonly Character[] {
+  const { characters } = openFiles(EMPTY_DOCUMENT, files).document;
+  return edit ? characters.map(edit) : characters;
+}
+
+/** What is to be written, or why nothing is. */
+export type Picked = { readonly output: Output } | { readonly refusal: Diagnostic };
+
+/**
+ * The content of the file `out`. What edits refuse, for which nothing may be left, is told as everything else.
+ *
+ * @param format of `out`, one that can be saved
+ */
+export function pickOrRefuse(files: readonly ParsedFile[], format: Format, out: string, options: PickOptions): Picked {
+  try {
+    return pick(files, format, out, options);
+  } catch (error) {
+    if (!(error instanceof CommandError)) throw error;
+    return { refusal: refusal('conversion-refused', error.message, out) };
+  }
+}
+
+function pick(files: readonly ParsedFile[], format: Format, out: string, options: PickOptions): Picked {
+  const { kind } = format;
+  const fitting = files.filter((file) => file.kind === kind);
+  if (fitting.length > 1)
+    return {
+      refusal: tooMany(
+        format,
+        fitting.map((file) => file.source.path),
+        out,
+      ),
+    };
+  const [only] = fitting;
+  // Another frame rate means resampling: the frames can't be copied as they are.
+  if (only && !options.edit && (kind !== 'bvh' || options.framesPerSecond === undefined)) {
+    if (only.kind === 'skel') return skelInForm(only.skeletons, only.source.name, out);
+    return { output: outputOf({ name: out, content: () => only }) };
+  }
+  if (kind === 'rig') return rigOf(files, out);
+  const target = TARGETS.find((t) => t === kind);
+  const converted = target
+    ? convertedTo(target, files, format, out, options)
+    : (partOf(files, format, out, options) ?? copiedTo(files, format, out, options));
+  if (converted) return converted;
+  const held = files.map((file) => file.source.path).join(', ') || 'nothing';
+  const message = `Expected ${format.label} input for ${out}, found ${held}.`;
+  return { refusal: refusal('part-missing', message, out) };
+}
+
+/** The skin or morph of a character whose file holds all of it; undefined if it holds none. */
+function partOf(files: readonly ParsedFile[], format: Format, out: string, options: PickOptions): Picked | undefined {
+  const { kind } = format;
+  if ((kind !== 'skin' && kind !== 'morph') || !files.some((file) => file.kind === 'character')) return undefined;
+  const parts = charactersOf(files, options).flatMap(({ skins, morphs }): readonly FileContent[] =>
+    kind === 'skin' ? skins.map((skin) => ({ kind, skin })) : morphs.map((morph) => ({ kind, morph })),
+  );
+  if (parts.length === 0) return undefined;
+  if (parts.length > 1) {
+    const names = parts.map((part) => (part.kind === 'morph' ? part.morph.name : out));
+    return { refusal: tooMany(format, names, out, ALL_OF_THEM) };
+  }
+  const [content] = parts;
+  const output = outputOf({ name: out, content: () => content });
+  const textures = content.kind === 'skin' ? textureNames(content.skin) : [];
+  if (textures.length === 0) return { output };
+  const message = `It names ${textures.join(', ')}, which this doesn't write. ${ALL_OF_THEM}`;
+  const told = withoutPlace('info', 'texture-not-written', message, out);
+  return { output: { ...output, diagnostics: () => [...output.diagnostics(), told] } };
+}
+
+const ALL_OF_THEM = '"--to rig --out DIR" writes all parts.';
+
+/** The copy of a character that such a file holds; undefined if it holds none. */
+function copiedTo(files: readonly ParsedFile[], format: Format, out: string, options: PickOptions): Picked | undefined {
+  const kind = format.format;
+  if (!isSaved(kind)) return undefined;
+  const characters = charactersOf(files, options);
+  const made = characters
+    .filter((c) => KINDS[kind].save.has(c) && isCopy(c, kind))
+    .flatMap((c) => copiesOf(c, kind, options));
+  if (made.length <= 1) return made[0] && { output: made[0] };
+  const names = made.map(({ name }) => name);
+  return { refusal: tooMany(format, names, out) };
+}
+
+/** @param now what to do, as a sentence */
+function tooMany({ label }: Format, names: readonly string[], out: string, now = 'Name only one.'): Diagnostic {
+  const message = `Expected one ${label} for ${out}, found ${names.length} (${names.join(', ')}). ${now}`;
+  return refusal('part-ambiguous', message, out);
+}
+
+/**
+ * Skeletons with the joint types that the extension asks for. A `.skel` may use either; its joints are converted only
+ * if the input had the other extension.
+ */
+function skelInForm(skeletons: readonly Skeleton[], source: string, out: string): Picked {
+  if (!isAxisAngleName(out)) {
+    const written = isAxisAngleName(source) ? skeletons.map(inHierarchyForm) : skeletons;
+    return { output: outputOf({ name: out, content: () => ({ kind: 'skel', skeletons: written }) }) };
+  }
+  const why =
+    skeletons.length === 1 ? axisAngleObstacle(skeletons[0]) : `it holds one tree, and there are ${skeletons.length}.`;
+  if (why !== undefined) {
+    const message = `${out} can't be written in axis-angle form: ${why} Use .skel instead.`;
+    return { refusal: refusal('axis-angle-impossible', message, out) };
+  }
+  return {
+    output: outputOf({ name: out, content: () => ({ kind: 'skel', skeletons: skeletons.map(inAxisAngleForm) }) }),
+  };
+}
+
+function isAxisAngleName(name: string): boolean {
+  return formatKindOf(name) === 'axskel';
+}
+
+/** The assembled files in that format; undefined if they hold nothing that can be converted to it. */
+function convertedTo(
+  target: Target,
+  files: readonly ParsedFile[],
+  format: Format,
+  out: string,
+  options: PickOptions,
+): Picked | undefined {
+  const characters = charactersOf(files, options).filter(({ skeleton }) => skeleton);
+  if (target === 'bvh') {
+    let figures: readonly NamedFigure[];
+    try {
+      figures = characters.flatMap((character) => bvhOf(character, options.framesPerSecond));
+    } catch (error) {
+      if (!(error instanceof CommandError)) throw error;
+      return { refusal: refusal('conversion-refused', error.message, out) };
+    }
+    if (figures.length === 0) return undefined;
+    if (characters.length > 1 || figures.length > 1) {
+      const isOne = figures.length === characters.length && files.length === 1;
+      if (!isOne || !fitOneBvh(figures.map(({ figure }) => figure))) {
+        return {
+          refusal: tooMany(
+            format,
+            figures.map(({ name }) => name),
+            out,
+          ),
+        };
+      }
+    }
+    return { output: outputOf(bvhCopy(`${stem(out)}.bvh`, figures)) };
+  }
+  // One kind only: `--to skel` writes skeletons with their clips. A `.skel` may have several roots.
+  const skeletons = characters.flatMap((character) => skelOf(character) ?? []);
+  if (target === 'skel' && skeletons.length && (files.length === 1 || isAxisAngleName(out))) {
+    return skelInForm(skeletons, files[0].source.name, out);
+  }
+  const made = outputsOf(characters, target, options).filter(({ name }) => formatKindOf(name) === target);
+  if (made.length === 0) return undefined;
+  if (made.length > 1)
+    return {
+      refusal: tooMany(
+        format,
+        made.map(({ name }) => name),
+        out,
+        // Takes of one file can't be named one by one.
+        files.length === 1 ? `"--to ${target} --out DIR" writes each.` : undefined,
+      ),
+    };
+  return { output: made[0] };
+}
+
+function stem(name: string): string {
+  return stemOf({ name, path: name, bytes: 0 });
+}
+
+/** A rig that names the given files. */
+function rigOf(files: readonly ParsedFile[], out: string): Picked {
+  const named = (kind: FileKind) => files.filter((file) => file.kind === kind).map((file) => file.source.name);
+  const [skeletons, skins, morphs, animations] = (['skel', 'skin', 'morph', 'anim'] as const).map(named);
+  const twice = [skeletons, skins, animations].find((names) => names.length > 1);
+  if (twice) {
+    const message = `A rig names one file of each kind, found ${twice.join(', ')}.`;
+    return { refusal: refusal('part-ambiguous', message, out) };
+  }
+  if (skeletons.length + skins.length + morphs.length + animations.length === 0) {
+    return { refusal: refusal('part-missing', 'Expected a file that a rig can name, found none.', out) };
+  }
+  const content: FileContent = {
+    kind: 'rig',
+    rig: {
+      name: stem(out),
+      ...(skeletons.length && { skeleton: skeletons[0] }),
+      ...(skins.length && { skin: skins[0] }),
+      morphs,
+      ...(animations.length && { animation: animations[0] }),
+    },
+  };
+  return { output: outputOf({ name: out, content: () => content }) };
+}
