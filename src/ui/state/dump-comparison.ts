@@ -16,7 +16,8 @@
  *
  * All are in the character's own space, before its placement. An error times `frame.size` is a length, where it is one
  * of lengths. It is wrong if it isn't `<= tolerance`: NaN is wrong too. Times of frames and samples are those of the
- * character's clip: `transportTimeOf` converts them (to be exported with its first use elsewhere).
+ * character's clip: `transportTimeOf` (`dump-times.ts`)
+ * converts them.
  *
  * Edits of the character start the comparison anew, in the worker. Until then the last result stays, unless its arrays
  * no longer fit.
@@ -29,11 +30,11 @@ import { DEFAULT_TOLERANCE } from '../../lesson/errors.ts';
 import type { NamedDump } from '../../lesson/fit-dump.ts';
 import type { FrameTarget, Targets } from '../../lesson/targets.ts';
 import { type Diagnostic, hasErrors } from '../../model/diagnostic.ts';
-import { type Character, type Document, findCharacter, shownClip, shownSkin } from '../../model/document.ts';
-import { isUntimed } from '../../model/dump.ts';
+import { type Character, type Document, findCharacter } from '../../model/document.ts';
 import { sentenceOf } from '../../model/failure.ts';
-import { vertexCount } from '../../model/skin.ts';
 import { type Observable, observable } from '../kit/observable.ts';
+import { fits, isSameFor, lean } from './compared-character.ts';
+import { clipTimeShown, frameShown, statedTimes, statesTime, transportTimeOf } from './dump-times.ts';
 
 /** Of the worker's `compare` job. */
 export interface CompareInput {
@@ -237,7 +238,7 @@ export class DumpComparison {
     const [is, was] = [findCharacter(now, this.characterId), findCharacter(before, this.characterId)];
     if (is === was) return;
     const { result } = this.state.get();
-    if (result && !(is && fits(result, is))) this.state.update(({ result: _, ...rest }) => rest);
+    if (result && !(is && fits(result.character, is))) this.state.update(({ result: _, ...rest }) => rest);
     this.showFrame();
     if (!is) this.stopRunning();
     else if (!was || !isSameFor(is, was)) {
@@ -356,109 +357,7 @@ function afterTimeout(work: () => void, milliseconds: number): () => void {
   return () => clearTimeout(timer);
 }
 
-/** Seconds of the transport at which a time of the character's clip is shown. */
-function transportTimeOf(character: Character, clipTime: number): number {
-  return clipTime - offsetOf(character);
-}
-
-/** A retargeted take has its own start. */
-function offsetOf({ driver, timeOffsetSeconds }: Character): number {
-  return driver ? 0 : timeOffsetSeconds;
-}
-
-/** Time of the clip that is shown; undefined if nothing moves the character: then the file pose is shown. */
-export function clipTimeShown(
-  { transport }: Pick<Parts, 'transport'>,
-  character: Character | undefined,
-): number | undefined {
-  if (!character || !isMoved(character)) return undefined;
-  return transport.get().timeSeconds + offsetOf(character);
-}
-
-function isMoved(character: Character): boolean {
-  return character.driver !== undefined || shownClip(character) !== undefined;
-}
-
-/** The frame nearest to the time shown, within half a frame of the transport; −1 if there is none. */
-function frameShown(wb: Parts, character: Character, frames: readonly { readonly time: number | undefined }[]): number {
-  const now = clipTimeShown(wb, character);
-  if (now === undefined) return frames.findIndex(({ time }) => time === undefined);
-  let best = -1;
-  // A little more, so that a time between two frames is always shown with one of them.
-  let distance = (0.5 + 1e-6) / wb.transport.get().framesPerSecond;
-  frames.forEach(({ time }, i) => {
-    const own = time === undefined ? Number.POSITIVE_INFINITY : Math.abs(time - now);
-    if (own > distance || (own === distance && best >= 0)) return;
-    best = i;
-    distance = own;
-  });
-  return best;
-}
-
-/** Times that dumps state, ascending. */
-function statedTimes(dumps: readonly NamedDump[]): readonly number[] {
-  const times = new Set<number>();
-  for (const { dump } of dumps) {
-    for (const block of dump.blocks) {
-      const time = block.time ?? dump.time;
-      if (time !== undefined) times.add(time);
-    }
-  }
-  return [...times].sort((a, b) => a - b);
-}
-
 function withoutMisfits(dumps: readonly NamedDump[], diagnostics: readonly Diagnostic[]): readonly NamedDump[] {
   const misfits = new Set(diagnostics.filter((d) => hasErrors([d])).map(({ file }) => file));
   return dumps.filter(({ fileName }) => !misfits.has(fileName));
-}
-
-/** Whether all numbers of a dump have a time, or are of channels. */
-export function statesTime({ dump }: NamedDump): boolean {
-  return dump.time !== undefined || !dump.blocks.some(isUntimed);
-}
-
-/** What is compared of a character: the rest needn't be copied to the worker. Its times are those of the clip. */
-function lean(character: Character): Character {
-  const [skin, clip] = [shownSkin(character), shownClip(character)];
-  const { poses: _poses, parts: _parts, unkeyed, ...rest } = character;
-  const offset = offsetOf(character);
-  return {
-    ...rest,
-    skins: skin ? [skin] : [],
-    shownSkin: 0,
-    clips: clip ? [clip] : [],
-    shownClip: clip ? 0 : -1,
-    timeOffsetSeconds: character.timeOffsetSeconds - offset,
-    textures: [],
-    sources: [],
-    ...(unkeyed && { unkeyed: { ...unkeyed, timeSeconds: unkeyed.timeSeconds + offset } }),
-  };
-}
-
-/** Whether two states of a character give the same numbers. */
-function isSameFor(a: Character, b: Character): boolean {
-  return (
-    a.skeleton === b.skeleton &&
-    shownSkin(a) === shownSkin(b) &&
-    shownClip(a) === shownClip(b) &&
-    a.morphs === b.morphs &&
-    a.pose === b.pose &&
-    a.unkeyed === b.unkeyed &&
-    a.driver === b.driver &&
-    a.clampsToLimits === b.clampsToLimits
-  );
-}
-
-/** Whether arrays of a result still fit the character. */
-function fits({ character: was }: ComparedResult, is: Character): boolean {
-  const sizesOf = (character: Character) => {
-    const skin = shownSkin(character);
-    return [
-      character.skeleton?.joints.length ?? 0,
-      skin ? vertexCount(skin) : 0,
-      shownClip(character)?.channels.length ?? 0,
-    ];
-  };
-  const before = sizesOf(was);
-  return sizesOf(is).every((size, i) => size === before[i]);
 }

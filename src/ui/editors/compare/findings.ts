@@ -6,13 +6,8 @@ import { button, element, setAttribute } from '../../kit/dom.ts';
 import { icon } from '../../kit/icons.ts';
 import { NumberField } from '../../kit/number-field.ts';
 import { exact, shown } from '../../kit/number-text.ts';
-import {
-  type ComparedResult,
-  type CompareState,
-  clipTimeShown,
-  type DumpComparison,
-  statesTime,
-} from '../../state/dump-comparison.ts';
+import type { ComparedResult, CompareState, DumpComparison } from '../../state/dump-comparison.ts';
+import { clipTimeShown, statesTime } from '../../state/dump-times.ts';
 import type { Uses } from '../../state/workbench.ts';
 import { causesList } from './causes.ts';
 import { isOfChannels } from './dump-kinds.ts';

@@ -9,12 +9,8 @@ import { isTextField } from '../../kit/focus.ts';
 import { oncePerFrame } from '../../kit/frame.ts';
 import { shown } from '../../kit/number-text.ts';
 import { toolbar } from '../../kit/roving.ts';
-import {
-  type ComparedResult,
-  type CompareState,
-  clipTimeShown,
-  type DumpComparison,
-} from '../../state/dump-comparison.ts';
+import type { ComparedResult, CompareState, DumpComparison } from '../../state/dump-comparison.ts';
+import { clipTimeShown } from '../../state/dump-times.ts';
 import { endComparison } from '../../state/shown-comparison.ts';
 import type { TimelineTab } from '../../state/timeline.ts';
 import type { Uses } from '../../state/workbench.ts';

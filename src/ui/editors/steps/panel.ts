@@ -11,7 +11,7 @@ import { PinOverlay } from '../../../view/pins/pin-overlay.ts';
 import { button, element, setAttribute, setText } from '../../kit/dom.ts';
 import { atMostEvery, oncePerFrame } from '../../kit/frame.ts';
 import { currentCharacter } from '../../state/action.ts';
-import { clipTimeShown } from '../../state/dump-comparison.ts';
+import { clipTimeShown } from '../../state/dump-times.ts';
 import type { TimelineTab } from '../../state/timeline.ts';
 import type { Uses } from '../../state/workbench.ts';
 import { FormulaView } from './formula-view.ts';

@@ -1,0 +1,68 @@
+/** Times of dumps, and of a character's clip, beside those of the transport. */
+import type { Playback } from '../../edit/playback.ts';
+import type { NamedDump } from '../../lesson/fit-dump.ts';
+import { type Character, shownClip } from '../../model/document.ts';
+import { isUntimed } from '../../model/dump.ts';
+import type { Observable } from '../kit/observable.ts';
+
+/** Of the workbench. */
+interface Clock {
+  readonly transport: Observable<Playback>;
+}
+
+/** Seconds of the transport at which a time of the character's clip is shown. */
+export function transportTimeOf(character: Character, clipTime: number): number {
+  return clipTime - offsetOf(character);
+}
+
+/** Seconds of the clip at the transport's 0. A retargeted take has its own start. */
+export function offsetOf({ driver, timeOffsetSeconds }: Character): number {
+  return driver ? 0 : timeOffsetSeconds;
+}
+
+/** Time of the clip that is shown; undefined if nothing moves the character: then the file pose is shown. */
+export function clipTimeShown({ transport }: Clock, character: Character | undefined): number | undefined {
+  if (!character || !isMoved(character)) return undefined;
+  return transport.get().timeSeconds + offsetOf(character);
+}
+
+function isMoved(character: Character): boolean {
+  return character.driver !== undefined || shownClip(character) !== undefined;
+}
+
+/** The frame nearest to the time shown, within half a frame of the transport; −1 if there is none. */
+export function frameShown(
+  wb: Clock,
+  character: Character,
+  frames: readonly { readonly time: number | undefined }[],
+): number {
+  const now = clipTimeShown(wb, character);
+  if (now === undefined) return frames.findIndex(({ time }) => time === undefined);
+  let best = -1;
+  // A little more, so that a time between two frames is always shown with one of them.
+  let distance = (0.5 + 1e-6) / wb.transport.get().framesPerSecond;
+  frames.forEach(({ time }, i) => {
+    const own = time === undefined ? Number.POSITIVE_INFINITY : Math.abs(time - now);
+    if (own > distance || (own === distance && best >= 0)) return;
+    best = i;
+    distance = own;
+  });
+  return best;
+}
+
+/** Times that dumps state, ascending. */
+export function statedTimes(dumps: readonly NamedDump[]): readonly number[] {
+  const times = new Set<number>();
+  for (const { dump } of dumps) {
+    for (const block of dump.blocks) {
+      const time = block.time ?? dump.time;
+      if (time !== undefined) times.add(time);
+    }
+  }
+  return [...times].sort((a, b) => a - b);
+}
+
+/** Whether all numbers of a dump have a time, or are of channels. */
+export function statesTime({ dump }: NamedDump): boolean {
+  return dump.time !== undefined || !dump.blocks.some(isUntimed);
+}
