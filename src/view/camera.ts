@@ -64,6 +64,9 @@ export class CameraRig {
   private readonly size = new Vector3();
   private readonly axes = new Float64Array(12);
   private readonly sphere = new Sphere();
+  private readonly seen = newView();
+  /** The last view that could be drawn. */
+  private readonly sane = newView();
 
   /** @param changed called whenever a redraw is needed */
   constructor(
@@ -132,6 +135,8 @@ export class CameraRig {
 
   /** CSS pixels. */
   resize(width: number, height: number): void {
+    // A viewport that panels leave no room for.
+    if (!(width > 0 && height > 0)) return;
     const { perspective, orthographic } = this;
     this.aspect = width / height;
     this.heightPx = height;
@@ -162,7 +167,7 @@ export class CameraRig {
    */
   frame(boxes: readonly Box3[], coveredTop: number, smoothly: boolean): void {
     const corners = boxes.flatMap((box) => (box.isEmpty() ? [] : [...box.min.toArray(), ...box.max.toArray()]));
-    if (corners.length === 0) return;
+    if (corners.length === 0 || !corners.every(Number.isFinite)) return;
     const to = this.goal();
     const { axes } = this;
     lookingFrom(to.azimuth, to.polar, axes);
@@ -235,9 +240,12 @@ export class CameraRig {
 
   /** Near and far planes, and dolly limits, for content within `box`. Call before each frame. */
   fitDepth(box: Box3, gridShown: boolean): void {
+    this.keepSane();
     const { distance, shown, perspective, orthographic, controls, sphere } = this;
     if (box.isEmpty()) sphere.set(this.target, distance);
     else box.getBoundingSphere(sphere);
+    // A point at the target has neither size nor distance.
+    sphere.radius ||= distance;
     const content = sphere.center.distanceTo(this.target) + sphere.radius;
     const reach = Math.max(content * 1.02, gridShown ? Grid.reach(distance) : 0, distance);
     const depth =
@@ -297,6 +305,24 @@ export class CameraRig {
   /** Distance of the orthographic camera to its target; it doesn't affect the image. */
   private get standOff(): number {
     return this.orthographic.position.distanceTo(this.target);
+  }
+
+  /**
+   * Goes back to the last view that could be drawn if input has led to none: the controls divide by the size of an
+   * element that may have none.
+   */
+  private keepSane(): void {
+    const { target, azimuth, polar, distance } = this.read(this.seen);
+    const sum = target.x + target.y + target.z + azimuth + polar;
+    if (!(Number.isFinite(sum) && Number.isFinite(distance) && distance > 0)) {
+      this.place(this.sane);
+      return;
+    }
+    const { sane } = this;
+    sane.target.copy(target);
+    sane.azimuth = azimuth;
+    sane.polar = polar;
+    sane.distance = distance;
   }
 
   private read(out: View): View {
