@@ -2,13 +2,13 @@
 import { button, element } from '../kit/dom.ts';
 import { icon } from '../kit/icons.ts';
 import { menuButton } from '../kit/menu.ts';
-import { runAction } from '../state/action.ts';
+import { tryById } from '../state/action.ts';
 import { menuEntries } from '../state/menu-entries.ts';
 import { setActionTooltip } from '../state/tooltips.ts';
 import type { Uses } from '../state/workbench.ts';
 
 export function emptyStage(wb: Uses<'store' | 'actions' | 'settings' | 'loading' | 'timeline'>): HTMLElement {
-  const run = (id: string) => () => void runAction(wb, id);
+  const run = (id: string) => () => tryById(wb, id);
   const open = button('Open files…', { class: 'plain primary' }, 'Open files…', run('file.open'));
   setActionTooltip(wb, open, 'file.open', 'Open files…');
   const examples = button('Examples', { class: 'plain' }, 'Examples', () => {});

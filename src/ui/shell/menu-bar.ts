@@ -7,7 +7,7 @@ import { icon } from '../kit/icons.ts';
 import { type Menu, menuButton, openMenu } from '../kit/menu.ts';
 import { bytes, plural } from '../kit/number-text.ts';
 import { setTooltip } from '../kit/tooltip.ts';
-import { runAction } from '../state/action.ts';
+import { tryById } from '../state/action.ts';
 import { menuEntries } from '../state/menu-entries.ts';
 import { MENUS, type MenuName } from '../state/menus.ts';
 import { isPanelOpen, NARROW } from '../state/panels.ts';
@@ -99,7 +99,7 @@ function panelButton(
   name: 'outliner' | 'inspector',
 ): HTMLButtonElement {
   const made = keepsFocusElsewhere(
-    button(`${label} panel`, { class: `tool panel-button ${name}-button` }, icon(name), () => runAction(wb, id)),
+    button(`${label} panel`, { class: `tool panel-button ${name}-button` }, icon(name), () => tryById(wb, id)),
   );
   const show = () => {
     made.setAttribute('aria-pressed', String(isPanelOpen(wb.settings.get(), name)));
@@ -118,7 +118,7 @@ function whatIsUnsaved(wb: Uses<'actions' | 'settings' | 'files'>): HTMLElement 
   const word = element('span', { class: 'unsaved-word' }, 'Unsaved: ');
   const text = element('span', { class: 'unsaved-text', role: 'status' }, word, names);
   const save = keepsFocusElsewhere(
-    button('Save changes', { class: 'link' }, 'Save', () => runAction(wb, 'save.changed')),
+    button('Save changes', { class: 'link' }, 'Save', () => tryById(wb, 'save.changed')),
   );
   setActionTooltip(wb, save, 'save.changed', 'Save changes');
   const all = element('div', { class: 'unsaved' }, text, save);

@@ -22,7 +22,7 @@ import { icon } from '../kit/icons.ts';
 import { asksForMenu, menuButton } from '../kit/menu.ts';
 import { toolbar } from '../kit/roving.ts';
 import { setTooltip } from '../kit/tooltip.ts';
-import { actionsOf, currentCharacter, isChecked, runAction } from '../state/action.ts';
+import { actionsOf, currentCharacter, isChecked, tryById } from '../state/action.ts';
 import { itemOf } from '../state/menu-entries.ts';
 import { onDemand } from '../state/on-demand.ts';
 import { addsToSelection, selectHit } from '../state/select-joints.ts';
@@ -170,7 +170,7 @@ function displayStrip(wb: Uses<'store' | 'actions' | 'settings'>): HTMLElement {
     const action = actions.find((a) => a.id === `draw.${what}`);
     if (!action || typeof action.label !== 'string' || !action.icon) continue;
     const made = keepsFocusElsewhere(
-      button(action.label, { class: 'tool' }, icon(action.icon), () => runAction(wb, action.id)),
+      button(action.label, { class: 'tool' }, icon(action.icon), () => tryById(wb, action.id)),
     );
     const { label } = action;
     setActionTooltip(wb, made, action.id, label);
@@ -243,7 +243,7 @@ function weightsNote(wb: Uses<'store' | 'actions'>): HTMLElement {
     const character = withoutWeights(wb.store.document, wb.store.selection);
     if (!character) return;
     if (currentCharacter(wb) !== character) wb.store.select({ characterId: character.id });
-    runAction(wb, 'skin.weights');
+    tryById(wb, 'skin.weights');
   });
   const note = element('p', { class: 'stage-note' }, text, ' ', find);
   const show = () => {

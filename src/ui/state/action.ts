@@ -85,6 +85,12 @@ export function tryAction(wb: ActionsOnPage, action: Action, args?: unknown): vo
   }
 }
 
+/** Runs an action by its id as `tryAction` does: for what was drawn while the action was still enabled. */
+export function tryById(wb: ActionsOnPage, id: string): void {
+  const action = findAction(wb, id);
+  if (action) tryAction(wb, action);
+}
+
 /** Groups whose actions edit the document or the selection; others may change only what is drawn, which isn't watched. */
 const EDITING: readonly GroupName[] = ['Edit', 'Pose', 'Rig', 'Keys', 'Select'];
 

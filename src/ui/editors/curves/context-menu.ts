@@ -37,7 +37,7 @@ export function entriesOf(wb: Uses<'actions' | 'settings'>, ids: readonly string
 
 /** By keyboard it applies to the selected keys, since nothing is under a pointer. */
 export function openPlotMenu(
-  wb: Uses<'store' | 'actions' | 'transport' | 'timeline' | 'settings'>,
+  wb: Uses<'store' | 'actions' | 'transport' | 'timeline' | 'settings' | 'messages'>,
   hit: CurveHit,
   where: MenuPlace,
 ): void {

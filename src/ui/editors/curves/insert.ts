@@ -1,12 +1,13 @@
 /** Inserts a key on a curve where it was clicked. */
 import { insertKeys } from '../../../edit/commands/keys.ts';
 import { addKeys } from '../../state/add-keys.ts';
+import { attempt } from '../../state/attempt.ts';
 import type { Uses } from '../../state/workbench.ts';
 import { currentTake, keyPlacing } from '../timeline/current-take.ts';
 
 /** On the curve, preserving its shape; on the nearest frame if keys snap to frames. @param clipSeconds of the clip */
 export function insertOnCurve(
-  wb: Uses<'store' | 'transport' | 'timeline'>,
+  wb: Uses<'store' | 'transport' | 'timeline' | 'messages'>,
   channel: number,
   clipSeconds: number,
 ): void {
@@ -18,5 +19,5 @@ export function insertOnCurve(
   const timeSeconds = wb.timeline.view.get().snapsToFrames ? snapped : clipSeconds;
   const inserted = { characterId: take.character.id, channels: [channel], timeSeconds };
   const placing = keyPlacing(wb, take.character);
-  addKeys(wb, insertKeys, (outsideCycle) => ({ ...inserted, ...placing, outsideCycle }));
+  attempt(wb.messages, () => addKeys(wb, insertKeys, (outsideCycle) => ({ ...inserted, ...placing, outsideCycle })));
 }

@@ -4,7 +4,7 @@ import { ikOf } from '../../../evaluate/ik/set-up.ts';
 import { button, element, keepsFocusElsewhere, setAttribute, setText } from '../../kit/dom.ts';
 import { oncePerFrame } from '../../kit/frame.ts';
 import { touchWords } from '../../kit/touch-words.ts';
-import { currentCharacter, runAction } from '../../state/action.ts';
+import { currentCharacter, tryById } from '../../state/action.ts';
 import { setActionTooltip } from '../../state/tooltips.ts';
 import type { Uses } from '../../state/workbench.ts';
 import { whileShown } from '../posing/while-shown.ts';
@@ -12,7 +12,7 @@ import { whileShown } from '../posing/while-shown.ts';
 /** Created once; up to date while shown. */
 export function ikControls(wb: Uses<'store' | 'actions' | 'posing' | 'settings'>): HTMLElement {
   const root = keepsFocusElsewhere(
-    button('Root moves', { class: 'tool ik-root' }, 'Root moves', () => runAction(wb, 'ik.rootFree')),
+    button('Root moves', { class: 'tool ik-root' }, 'Root moves', () => tryById(wb, 'ik.rootFree')),
   );
   setActionTooltip(wb, root, 'ik.rootFree', () => {
     const character = currentCharacter(wb);
@@ -22,11 +22,11 @@ export function ikControls(wb: Uses<'store' | 'actions' | 'posing' | 'settings'>
       : `${character.name}’s root is fixed; only joints bend`;
   });
   const all = keepsFocusElsewhere(
-    button('Unpin all', { class: 'tool' }, 'Unpin all', () => runAction(wb, 'ik.letAllGo')),
+    button('Unpin all', { class: 'tool' }, 'Unpin all', () => tryById(wb, 'ik.letAllGo')),
   );
   setActionTooltip(wb, all, 'ik.letAllGo', 'Remove all pins of the character');
   const hold = keepsFocusElsewhere(
-    button('Hold pins over range', { class: 'tool' }, 'Hold…', () => runAction(wb, 'ik.holdPins')),
+    button('Hold pins over range', { class: 'tool' }, 'Hold…', () => tryById(wb, 'ik.holdPins')),
   );
   setActionTooltip(wb, hold, 'ik.holdPins', 'Hold pins over a range of the take');
   const hint = element('span', { class: 'ik-hint', role: 'note' });

@@ -15,7 +15,7 @@ import { middleCut } from '../../kit/middle-cut.ts';
 import { NumberField } from '../../kit/number-field.ts';
 import { shown } from '../../kit/number-text.ts';
 import { setTooltip } from '../../kit/tooltip.ts';
-import { currentCharacter, runAction } from '../../state/action.ts';
+import { currentCharacter, tryById } from '../../state/action.ts';
 import type { PinRef } from '../../state/ik-hand.ts';
 import type { Uses } from '../../state/workbench.ts';
 import { changePin, freeRoot, selectPin, stiffen, unpinByHand } from './pin-edits.ts';
@@ -76,9 +76,7 @@ export class IkSection {
     });
     const bends = element('label', { class: 'ik-bends' }, element('span', { class: 'faint' }, 'Bending'), this.bending);
     this.jointRow = element('div', { class: 'ik-row' }, this.joint.element, bends, this.stiffness.element);
-    this.hold = button('Hold pins over range', { class: 'plain ik-hold' }, undefined, () =>
-      runAction(wb, 'ik.holdPins'),
-    );
+    this.hold = button('Hold pins over range', { class: 'plain ik-hold' }, undefined, () => tryById(wb, 'ik.holdPins'));
     this.hold.textContent = 'Hold pins over range…';
     const rootRow = element('label', { class: 'ik-row', for: 'ik-root' }, this.root, 'Allow root to move');
     section.$children.append(

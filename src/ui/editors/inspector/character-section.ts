@@ -16,7 +16,7 @@ import { button, element, setText } from '../../kit/dom.ts';
 import { exact } from '../../kit/number-text.ts';
 import { removeControllers, Slider } from '../../kit/slider.ts';
 import { setTooltip } from '../../kit/tooltip.ts';
-import { runAction } from '../../state/action.ts';
+import { tryById } from '../../state/action.ts';
 import { shownPerUnit, typedUnits, withoutNoise } from '../../state/angles.ts';
 import type { HandEdit } from '../../state/hand-edit.ts';
 import type { Workbench } from '../../state/workbench.ts';
@@ -42,7 +42,7 @@ export class CharacterSection {
     private readonly section: GUI,
   ) {
     this.buttons.append(
-      button('Add an instance beside it', { class: 'plain' }, 'Add instance', () => runAction(wb, 'character.copy')),
+      button('Add an instance beside it', { class: 'plain' }, 'Add instance', () => tryById(wb, 'character.copy')),
       button('Remove this instance', { class: 'plain remove-copy' }, 'Remove instance', () => this.removeShownCopy()),
     );
     wb.timeline.takeRenameAsked.subscribe(() => askForTakeName(wb, section));

@@ -5,7 +5,7 @@ import type { Selection } from '../../../model/session.ts';
 import { element } from '../../kit/dom.ts';
 import { icon } from '../../kit/icons.ts';
 import { isMac } from '../../kit/keyboard.ts';
-import { actionsOf, currentCharacter, runAction } from '../../state/action.ts';
+import { actionsOf, currentCharacter, tryById } from '../../state/action.ts';
 import { attempt } from '../../state/attempt.ts';
 import { actionFor, shortcutsOf } from '../../state/shortcuts.ts';
 import { onShown } from '../../state/shown-comparison.ts';
@@ -56,7 +56,7 @@ export function outliner(wb: Workbench): HTMLElement {
       event.preventDefault();
       if (isJoint) {
         if (!isSelected(wb, row)) select(wb, row);
-        void runAction(wb, event.shiftKey ? 'rigging.deleteBranch' : 'rigging.delete');
+        tryById(wb, event.shiftKey ? 'rigging.deleteBranch' : 'rigging.delete');
       }
     }
     if (event.key !== 'F2' || !row || !canRename(row)) return;

@@ -3,7 +3,7 @@ import { removeCopy, showClip, showSkin } from '../../../edit/commands/character
 import { duplicateClip, removeClip } from '../../../edit/commands/clips.ts';
 import { findCharacter } from '../../../model/document.ts';
 import { type MenuEntry, type MenuPlace, openMenu } from '../../kit/menu.ts';
-import { actionsOf, currentCharacter, runAction } from '../../state/action.ts';
+import { actionsOf, currentCharacter, tryAction } from '../../state/action.ts';
 import { itemOf, sectionsOf } from '../../state/menu-entries.ts';
 import { onDemand } from '../../state/on-demand.ts';
 import type { Uses, Workbench } from '../../state/workbench.ts';
@@ -77,7 +77,7 @@ function skinEntries(wb: Uses<'store' | 'actions' | 'settings'>, row: OutlineRow
       const hasSkeleton = findCharacter(wb.store.document, characterId)?.skeleton !== undefined;
       const run = () => {
         showIt();
-        void runAction(wb, action.id);
+        tryAction(wb, action);
       };
       return { ...itemOf(wb, action), enabled: hasSkeleton, run };
     }),

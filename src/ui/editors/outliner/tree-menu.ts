@@ -5,7 +5,7 @@ import { jointName } from '../../../model/joint-name.ts';
 import { withJointToggled } from '../../../model/selected-joints.ts';
 import { isMac } from '../../kit/keyboard.ts';
 import type { MenuEntry } from '../../kit/menu.ts';
-import { findAction, runAction } from '../../state/action.ts';
+import { findAction, tryById } from '../../state/action.ts';
 import { jointsText, selectedJointsOf } from '../../state/selected-joint.ts';
 import { ariaShortcut, shortcutsFor, shortcutText } from '../../state/shortcuts.ts';
 import type { Workbench } from '../../state/workbench.ts';
@@ -61,11 +61,11 @@ export function jointEntries(
   if (wb.posing.mode.get() !== 'rig') {
     const rig = () => {
       select();
-      runAction(wb, 'posing.rig');
+      tryById(wb, 'posing.rig');
     };
     const ofSelected = (id: string) => () => {
       select();
-      runAction(wb, id);
+      tryById(wb, id);
     };
     const { pins = [], stiff = [] } = character.ik ?? {};
     const arePinned = joints.every((j) => pins.some((pin) => pin.joint === j));

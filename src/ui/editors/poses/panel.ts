@@ -207,7 +207,7 @@ class PosesPanel implements TimelineTab {
   private blend(index: number, down: PointerEvent): void {
     const { wb, grid } = this;
     const character = findCharacter(wb.store.document, this.shownId);
-    if (!character) return;
+    if (!character || !this.shownPoses[index]) return;
     const blended = {
       characterId: character.id,
       pose: index,
@@ -228,6 +228,9 @@ class PosesPanel implements TimelineTab {
   }
 
   private menu(index: number, at: { readonly x: number; readonly y: number }, byKey: boolean): void {
+    const pose = this.shownPoses[index];
+    // Removed since its card was drawn.
+    if (!pose) return;
     const character = findCharacter(this.wb.store.document, this.shownId);
     const joints = character && hierarchiesMeant(this.wb, character, true);
     const name = joints && jointsText(character?.skeleton, joints);
@@ -238,7 +241,7 @@ class PosesPanel implements TimelineTab {
       save: () => this.wb.files.save(this.shownId ?? '', 'pose'),
       remove: () => this.remove(index),
     });
-    openMenu(at, entries, { label: this.shownPoses[index].name, focusFirst: byKey, opener: this.grid });
+    openMenu(at, entries, { label: pose.name, focusFirst: byKey, opener: this.grid });
   }
 
   private take(index: number, share = 1, isBranch = this.options.get().branch): void {

@@ -4,7 +4,7 @@
  */
 import { button, element, keepsFocusElsewhere, setAttribute } from '../../kit/dom.ts';
 import { icon } from '../../kit/icons.ts';
-import { currentCharacter, runAction } from '../../state/action.ts';
+import { currentCharacter, tryById } from '../../state/action.ts';
 import { POSING_MODES, type PosingMode } from '../../state/posing.ts';
 import { setActionTooltip } from '../../state/tooltips.ts';
 import type { Uses } from '../../state/workbench.ts';
@@ -41,7 +41,7 @@ function modeSwitch(wb: Uses<'actions' | 'posing' | 'settings'>): HTMLElement {
   const made = POSING_MODES.map((mode) => {
     const one = keepsFocusElsewhere(
       button(TEXT[mode], { class: 'tool', role: 'radio' }, mode === 'select' ? icon('select') : TEXT[mode], () =>
-        runAction(wb, `posing.${mode}`),
+        tryById(wb, `posing.${mode}`),
       ),
     );
     setActionTooltip(wb, one, KEY_OF[mode], MODE_LABELS[mode]);
@@ -53,7 +53,7 @@ function modeSwitch(wb: Uses<'actions' | 'posing' | 'settings'>): HTMLElement {
     if (!step) return;
     event.preventDefault();
     const next = (POSING_MODES.indexOf(wb.posing.mode.get()) + step + POSING_MODES.length) % POSING_MODES.length;
-    runAction(wb, `posing.${POSING_MODES[next]}`);
+    tryById(wb, `posing.${POSING_MODES[next]}`);
     made[next].one.focus();
   });
   const show = () => {
@@ -70,7 +70,7 @@ function modeSwitch(wb: Uses<'actions' | 'posing' | 'settings'>): HTMLElement {
 
 function limitsSwitch(wb: Uses<'store' | 'actions' | 'settings'>): HTMLElement {
   const made = keepsFocusElsewhere(
-    button('Limits', { class: 'tool' }, icon('limits'), () => runAction(wb, 'pose.holdLimits')),
+    button('Limits', { class: 'tool' }, icon('limits'), () => tryById(wb, 'pose.holdLimits')),
   );
   made.append(element('span', { class: 'limits-text' }, 'Limits'));
   setActionTooltip(wb, made, 'pose.holdLimits', () => {

@@ -2,7 +2,7 @@
 import { button, element, keepsFocusElsewhere, setText } from '../../kit/dom.ts';
 import { type IconName, icon } from '../../kit/icons.ts';
 import type { Observable } from '../../kit/observable.ts';
-import { runAction } from '../../state/action.ts';
+import { tryById } from '../../state/action.ts';
 import { RIG_SKINS, type RigSkin } from '../../state/posing.ts';
 import { RIG_CHILDREN, type RigChildren } from '../../state/rig-hand.ts';
 import { setActionTooltip } from '../../state/tooltips.ts';
@@ -23,7 +23,7 @@ export function rigControls(wb: Uses<'store' | 'actions' | 'posing' | 'settings'
   const state = wb.posing.rig;
   const adding = keepsFocusElsewhere(
     button('Add joints', { class: 'tool' }, wideOrNarrow('Add joints', 'joint', '+'), () =>
-      runAction(wb, 'rigging.addJoints'),
+      tryById(wb, 'rigging.addJoints'),
     ),
   );
   setActionTooltip(wb, adding, 'rigging.addJoints', 'Add joints: each click adds a child to the selected joint');

@@ -9,7 +9,7 @@ import { NumberField } from '../../kit/number-field.ts';
 import { aligned, shown } from '../../kit/number-text.ts';
 import { toolbar } from '../../kit/roving.ts';
 import { setTooltip } from '../../kit/tooltip.ts';
-import { actionsOf, findAction, runAction, tryAction } from '../../state/action.ts';
+import { actionsOf, findAction, tryAction, tryById } from '../../state/action.ts';
 import { itemOf } from '../../state/menu-entries.ts';
 import { isPanelOpen, NARROW } from '../../state/panels.ts';
 import { keyNameOf, setActionTooltip } from '../../state/tooltips.ts';
@@ -81,7 +81,7 @@ function loopModes(wb: Uses<'actions' | 'transport' | 'settings'>): HTMLElement 
   const made = LOOP_MODES.map((mode) => ({
     mode,
     button: keepsFocusElsewhere(
-      button(LOOP_LABELS[mode], { class: 'tool', role: 'radio' }, icon(mode), () => runAction(wb, `play.loop.${mode}`)),
+      button(LOOP_LABELS[mode], { class: 'tool', role: 'radio' }, icon(mode), () => tryById(wb, `play.loop.${mode}`)),
     ),
   }));
   // One shortcut cycles through all of them.
@@ -101,7 +101,7 @@ function loopModes(wb: Uses<'actions' | 'transport' | 'settings'>): HTMLElement 
     event.preventDefault();
     const now = LOOP_MODES.indexOf(wb.transport.get().loop);
     const next = (now + step + LOOP_MODES.length) % LOOP_MODES.length;
-    runAction(wb, `play.loop.${LOOP_MODES[next]}`);
+    tryById(wb, `play.loop.${LOOP_MODES[next]}`);
     made[next].button.focus();
   });
   wb.transport.subscribe((now, before) => {
@@ -136,7 +136,7 @@ function keying(wb: Uses<'actions' | 'timeline' | 'settings'>): HTMLElement {
   const key = keepsFocusElsewhere(button(KEY_LABEL, { class: 'tool' }, icon('key'), () => tryRun(wb, 'key.changed')));
   setActionTooltip(wb, key, 'key.changed', KEY_LABEL);
   const auto = keepsFocusElsewhere(
-    button('Auto-key', { class: 'tool auto-key' }, icon('record'), () => runAction(wb, 'key.auto')),
+    button('Auto-key', { class: 'tool auto-key' }, icon('record'), () => tryById(wb, 'key.auto')),
   );
   const isOn = () => wb.timeline.autoKey.get();
   setActionTooltip(wb, auto, 'key.auto', () =>
@@ -155,7 +155,7 @@ function keying(wb: Uses<'actions' | 'timeline' | 'settings'>): HTMLElement {
 function timelineButton(wb: Uses<'actions' | 'settings'>): HTMLElement {
   const label = 'Timeline panel';
   const made = keepsFocusElsewhere(
-    button(label, { class: 'tool timeline-button' }, icon('clip'), () => runAction(wb, 'page.timeline')),
+    button(label, { class: 'tool timeline-button' }, icon('clip'), () => tryById(wb, 'page.timeline')),
   );
   setActionTooltip(wb, made, 'page.timeline', label);
   const show = () => made.setAttribute('aria-pressed', String(isPanelOpen(wb.settings.get(), 'timeline')));

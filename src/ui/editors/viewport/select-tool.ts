@@ -1,6 +1,6 @@
 /** The select tool: clicks pick, and every drag is the camera's. There is no gizmo. */
 import { element, keepsFocusElsewhere } from '../../kit/dom.ts';
-import { runAction } from '../../state/action.ts';
+import { tryById } from '../../state/action.ts';
 import { setActionTooltip } from '../../state/tooltips.ts';
 import type { Workbench } from '../../state/workbench.ts';
 import type { ModeTool } from './mode-tool.ts';
@@ -9,7 +9,7 @@ const BACK = { fk: 'Back to FK', ik: 'Back to IK', rig: 'Back to rig' } as const
 
 export function selectTool(wb: Workbench): ModeTool {
   const back = keepsFocusElsewhere(element('button', { type: 'button', class: 'tool text-tool' }));
-  back.addEventListener('click', () => runAction(wb, 'posing.selectTool'));
+  back.addEventListener('click', () => tryById(wb, 'posing.selectTool'));
   setActionTooltip(wb, back, 'posing.selectTool', 'Leave the select tool');
   const group = element('div', { class: 'leave-select tools' }, back);
   const cursor = () => (wb.viewport.hovered ? 'pointer' : undefined);

@@ -63,3 +63,11 @@ it('entries on one of several selected joints say how many they are for', () => 
   wb.posing.mode.set('rig');
   expect(labels(1)).toEqual(expect.arrayContaining(['Delete 2 joints, keep children', 'Add child to leg_r']));
 });
+
+it('an entry of a menu that outlives its character is refused in words', () => {
+  const { wb } = workbench(documentOf(character({ skeleton: skeleton(['hips', -1], ['leg', 0]) })));
+  const entries = jointEntries(wb, wb.store.document.characters[0], 1, () => {});
+  wb.store.replace('Open another', documentOf());
+  for (const entry of entries) if (entry.kind === 'item' && entry.label.endsWith('(IK)')) entry.run();
+  expect(wb.messages.passing.get()).toBe('No joint is selected.');
+});
