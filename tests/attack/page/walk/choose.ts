@@ -94,7 +94,7 @@ export function nextAct({ controls, size, hasTouch, drops }: Choice, chance: Cha
     return [{ kind: 'wheel', at: anywhere(), by, modifiers: pick([0, SHIFT, ALT], chance) }];
   }
   if (kind < 0.8815) return [{ kind: 'drop', drop: below(drops) }];
-  if (kind < 0.9) return [pressed('z', random() < 0.5 ? CTRL : CTRL | SHIFT)];
+  if (kind < 0.889) return [pressed('z', random() < 0.5 ? CTRL : CTRL | SHIFT)];
   if (kind < 0.93) return [pressed(pick(['c', 'x', 'v', 'd', 'a'], chance), CTRL)];
   if (kind < 0.965) return [pressed('k', CTRL), { kind: 'text', text: pick(WORDS, chance) }, pressed('Enter', 0)];
   if (hasTouch) return [touch(anywhere, size, chance)];

@@ -18,10 +18,10 @@ export function controlsOf(page: Page): Promise<readonly Control[]> {
   return page.evaluate((not) => {
     const ends = new RegExp(not, 'i');
     const kinds = {
-      item: '[role^=menuitem],[role=option]',
+      item: '[role=menu] [role^=menuitem],[role=option]',
       field: 'input:not([type=checkbox],[type=file]),select,textarea,[contenteditable=true]',
       button:
-        'button,[role=button],[role=tab],[role=radio],[role=slider],[role=separator],input[type=checkbox],summary',
+        'button,[role=button],[role=tab],[role=radio],[role=slider],[role=separator],input[type=checkbox],summary,[role=menubar] [role=menuitem]',
       row: '[role=row],[role=treeitem],[role=gridcell],[role=columnheader],li',
       canvas: 'canvas,[role=application],svg[role=img]',
     } as const;
