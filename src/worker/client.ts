@@ -24,6 +24,12 @@ export interface Runs<K extends JobName> {
   run(job: K, input: Jobs[K]['takes'], options?: JobOptions): Promise<Jobs[K]['gives']>;
 }
 
+const AGAIN = 'Try again; if it stops again, with fewer or smaller files.';
+
+function whenReleased(lock: string, tell: () => void): void {
+  navigator.locks.request(lock, tell).catch(() => undefined);
+}
+
 /** A job that failed with its worker; the message is a sentence for the user. */
 export class WorkerError extends Error {
   override readonly name = 'WorkerError';
@@ -39,11 +45,12 @@ export class WorkerClient {
   private worker: WorkerLike | undefined;
   private readonly pending = new Map<number, Pending>();
   private nextId = 1;
-  private readonly spawn: () => WorkerLike;
 
-  constructor(spawn: () => WorkerLike) {
-    this.spawn = spawn;
-  }
+  /** @param onReleased calls back when no worker holds that Web Lock any more */
+  constructor(
+    private readonly spawn: () => WorkerLike,
+    private readonly onReleased: (lock: string, tell: () => void) => void = whenReleased,
+  ) {}
 
   /**
    * Runs a job. Rejects with a `WorkerError` if the worker dies or the job fails, or with the signal's reason if it is
@@ -94,15 +101,20 @@ export class WorkerClient {
   private alive(): WorkerLike {
     if (this.worker) return this.worker;
     const worker = this.spawn();
-    worker.onmessage = ({ data }) => this.receive(data);
+    worker.onmessage = ({ data }) => {
+      if (data.kind === 'alive') {
+        // Terminating it releases the lock too.
+        this.onReleased(data.lock, () => this.worker === worker && this.restart(`The worker stopped. ${AGAIN}`));
+      } else this.receive(data);
+    };
     worker.onerror = (event) =>
-      this.restart(`The worker stopped: ${event.message || 'it ran out of memory, or could not be loaded'}.`);
-    worker.onmessageerror = () => this.restart('The worker sent an unreadable message.');
+      this.restart(`The worker stopped: ${event.message || 'it ran out of memory, or could not be loaded'}. ${AGAIN}`);
+    worker.onmessageerror = () => this.restart(`The worker sent an unreadable message. ${AGAIN}`);
     this.worker = worker;
     return worker;
   }
 
-  private receive(message: FromWorker): void {
+  private receive(message: Exclude<FromWorker, { readonly kind: 'alive' }>): void {
     const pending = this.pending.get(message.id);
     if (!pending) return;
     switch (message.kind) {

@@ -45,6 +45,14 @@ scope.onmessage = async ({ data }) => {
   }
 };
 
+// A worker that the browser ends says nothing; but the browser releases its locks. Plain http has none.
+const locks = navigator.locks as LockManager | undefined;
+const lock = `marrow-worker-${crypto.getRandomValues(new Uint32Array(4)).join('-')}`;
+void locks?.request(lock, () => {
+  scope.postMessage({ kind: 'alive', lock });
+  return new Promise<never>(() => undefined);
+});
+
 /** With all that writes files, which reading needs nothing of. */
 const changes = () => import('./changes.ts');
 

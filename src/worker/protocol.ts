@@ -168,6 +168,8 @@ export type ToWorker = Each<{
 export type FromWorker =
   | { readonly id: number; readonly kind: 'progress'; readonly progress: Progress }
   | { readonly id: number; readonly kind: 'failed'; readonly message: string }
+  /** Sent once: the worker holds this Web Lock for as long as it lives. */
+  | { readonly kind: 'alive'; readonly lock: string }
   | Each<{
       [K in JobName]: {
         readonly id: number;

@@ -32,12 +32,16 @@ const nothing: ParseOutput = { files: [], broken: [], diagnostics: [], facts: []
 
 function client() {
   const workers: StandIn[] = [];
-  const made = new WorkerClient(() => {
-    const worker = new StandIn();
-    workers.push(worker);
-    return worker;
-  });
-  return { made, workers };
+  const released = new Map<string, () => void>();
+  const made = new WorkerClient(
+    () => {
+      const worker = new StandIn();
+      workers.push(worker);
+      return worker;
+    },
+    (lock, tell) => released.set(lock, tell),
+  );
+  return { made, workers, released };
 }
 
 describe('WorkerClient', () => {
@@ -92,6 +96,20 @@ describe('WorkerClient', () => {
     await expect(job).rejects.toThrow('out of memory');
     made.run('parse', { files: [] });
     expect(workers).toHaveLength(2);
+  });
+
+  it('notices that the browser ended the worker, which tells nobody, and works again afterwards', async () => {
+    const { made, workers, released } = client();
+    const job = made.run('parse', { files: [] });
+    workers[0].answer({ kind: 'alive', lock: 'a' });
+    released.get('a')?.();
+    await expect(job).rejects.toThrow('The worker stopped. Try again');
+    const next = made.run('parse', { files: [] });
+    expect(workers).toHaveLength(2);
+    // That of the first says nothing of the second.
+    released.get('a')?.();
+    workers[1].answer({ id: workers[1].posted[0].id, kind: 'done', job: 'parse', output: nothing });
+    await expect(next).resolves.toBe(nothing);
   });
 
   it('says in its own words that a browser can’t pass the work on, and works again afterwards', async () => {
