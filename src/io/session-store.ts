@@ -76,6 +76,8 @@ export interface SessionStore {
   /** Calls back with each of the pieces, one per task. Throws a `SessionLostError` if one is missing. */
   readPieces(id: string, pieces: readonly number[], take: (piece: number, bytes: Uint8Array) => void): Promise<void>;
   remove(id: string): Promise<void>;
+  /** Calls back when the browser closes the store while it is in use, as when its data is cleared. */
+  onClosed(listener: () => void): void;
 }
 
 /** An earlier save no longer exists: cleared by the user, or by the browser for lack of space. */
@@ -89,18 +91,31 @@ const RECORDS = 'records';
 /** Opens nothing until first used; then every call may reject with IndexedDB's error. */
 export function sessionStore(): SessionStore {
   let use: UseStore | undefined;
+  let connection: IDBDatabase | undefined;
+  let closed: () => void = () => undefined;
+  const watched =
+    <T>(body: (store: IDBObjectStore) => Promise<T>) =>
+    (store: IDBObjectStore) => {
+      const { db } = store.transaction;
+      if (db !== connection) db.addEventListener('close', () => closed());
+      connection = db;
+      return body(store);
+    };
   /** Retried once over a new connection, since browsers close old ones, some without notice. */
   const within = async <T>(mode: IDBTransactionMode, body: (store: IDBObjectStore) => Promise<T>): Promise<T> => {
     use ??= createStore(DATABASE, RECORDS);
     try {
-      return await use(mode, body);
+      return await use(mode, watched(body));
     } catch (error) {
       if (!(error instanceof DOMException) || error.name !== 'InvalidStateError') throw error;
       use = createStore(DATABASE, RECORDS);
-      return use(mode, body);
+      return use(mode, watched(body));
     }
   };
   return {
+    onClosed(listener) {
+      closed = listener;
+    },
     list: () => within('readonly', (store) => promisifyRequest<SessionCard[]>(store.getAll(under('session')))),
     write: (write) => within('readwrite', (store) => inTurn(store, puts(store, write), write.atOnce)),
     read: (id) =>

@@ -90,6 +90,11 @@ export class Autosave {
     const { store, transport, timeline, opener, saving, sessions, locks, kept } = parts;
     this.rhythm = new Rhythm(() => void this.save());
     if (sessions && locks) {
+      sessions.onClosed(() => {
+        // What it held may be gone.
+        this.last = undefined;
+        this.changed();
+      });
       this.keeper = new Keeper(id, sessions, this.origins);
       this.offers = new KeptOffers(sessions, locks, kept, (other) => this.restore(other));
     }

@@ -1,11 +1,11 @@
 /**
- * When to save: shortly after the last change, and every other second during continuous changes. During a drag, where a
+ * When to save: shortly after the last change, and every second during continuous changes. During a drag, where a
  * delay would be felt, seldom enough that saving takes little of its time: that matters for large documents only.
  */
 
-const QUIET_MS = 800;
-/** With the time that saving takes, no more than two seconds of work are lost. */
-const MAX_MS = 1500;
+const QUIET_MS = 500;
+/** With the time that saving takes, on a busy machine too, no more than two seconds of work are lost. */
+const MAX_MS = 1000;
 /** The share of a drag's time that saving may take from it. */
 const SHARE_OF_DRAG = 0.02;
 /** However long saving takes, a drag postpones it no longer. */

@@ -35,6 +35,7 @@ export function memoryStore(): MemoryStore {
     sessions,
     writes,
     onWrite: () => undefined,
+    onClosed: () => undefined,
     lastBytes: () => writes.at(-1)?.pieces.reduce((sum, piece) => sum + piece.bytes().byteLength, 0) ?? 0,
     list: async () => [...sessions.values()].map(({ card }) => card),
     write(write) {
