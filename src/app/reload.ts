@@ -3,11 +3,12 @@
  * none has changed, edits are reverted to what the files hold.
  */
 import type { Store } from '../edit/store.ts';
-import { DiskError, type DiskFile } from '../io/disk-files.ts';
+import type { DiskFile } from '../io/disk-files.ts';
 import type { GivenFile } from '../io/given.ts';
 import { partsOf } from '../model/character-parts.ts';
 import { type Diagnostic, hasErrors, withoutPlace } from '../model/diagnostic.ts';
 import { type Character, findCharacter } from '../model/document.ts';
+import { sentenceOf } from '../model/failure.ts';
 import { baseName } from '../model/files.ts';
 import { formatKindOf } from '../project/kinds.ts';
 import type { Messages } from '../ui/state/messages.ts';
@@ -75,7 +76,7 @@ async function changedFiles(
         return { file, now: await readAgain(file, signal) };
       } catch (error) {
         signal.throwIfAborted();
-        const message = error instanceof DiskError ? error.message : String(error);
+        const message = sentenceOf(error);
         failures.push(withoutPlace('error', 'reload-failed', `Not reloaded. ${message}`, baseName(file.path)));
         return undefined;
       }

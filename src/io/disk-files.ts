@@ -5,6 +5,7 @@
  * All failures are `DiskError`s: a sentence that says what to do. Cancelling a dialog is no failure, but returns
  * undefined.
  */
+import { sentenceOf } from '../model/failure.ts';
 import { fetchFiles } from './address.ts';
 import { fromFileList, fromHandles, type GivenFile, givenFile, inFolder, inNaturalOrder, versionOf } from './given.ts';
 
@@ -107,8 +108,14 @@ export async function writeTo(handle: FileSystemFileHandle, content: Blob): Prom
   try {
     await allow(handle, 'readwrite');
     const stream = await handle.createWritable();
-    await stream.write(content);
-    await stream.close();
+    try {
+      await stream.write(content);
+      await stream.close();
+    } catch (error) {
+      // Otherwise what was written so far stays beside the file.
+      await stream.abort().catch(() => undefined);
+      throw error;
+    }
     return versionOf(await handle.getFile());
   } catch (error) {
     if (isNamed(error, 'SecurityError')) throw new NotNowError('Save again to allow writing to it.');
@@ -196,7 +203,11 @@ function sentence(error: unknown): string {
   if (isNamed(error, 'NoModificationAllowedError')) return 'Another program or tab is writing to it.';
   if (isNamed(error, 'QuotaExceededError')) return 'There is not enough space.';
   if (isNamed(error, 'NotReadableError')) return 'The system denies access to it.';
-  return error instanceof Error ? error.message : String(error);
+  if (isNamed(error, 'TypeMismatchError')) return 'There is a folder of that name.';
+  if (isNamed(error, 'InvalidStateError')) return 'It has changed meanwhile. Try again.';
+  if (isNamed(error, 'AbortError'))
+    return 'The browser or a virus scanner stopped it. Try again, or choose another place.';
+  return sentenceOf(error);
 }
 
 function isNamed(error: unknown, name: string): boolean {

@@ -1,6 +1,6 @@
 /**
  * What failed, as a sentence. Our own errors have one; what browsers say of theirs is about arrays and `postMessage`, so
- * it is told in words of ours.
+ * it is told in words of ours. Ours are Errors, or of classes of their own; those of the language and of the DOM are not.
  */
 
 const MEMORY = 'There is not enough memory for this. Close other tabs, or use smaller files.';
@@ -11,11 +11,20 @@ const OF_BROWSERS: readonly (readonly [RegExp, string])[] = [
   [/^DataCloneError|^RangeError.*(memory|alloc|length|size)/i, MEMORY],
   [/^Not(Found|Readable)Error/, 'The file has moved, or may not be read any more. Open it again.'],
   [/^QuotaExceededError/, 'The browser has no storage left.'],
+  [/^TypeError.*import/i, 'A script of the page could not be fetched: check the connection first.'],
+  [/^(NotAllowed|Security)Error/, 'The browser does not allow it.'],
 ];
+
+const OF_THE_LANGUAGE = /^(Type|Range|Reference|Syntax|URI|Eval|Internal)Error$/;
+/** Of those that nobody expected: enough to find out more by. */
+const MAX_QUOTED = 160;
 
 /** @param error anything that was thrown */
 export function sentenceOf(error: unknown): string {
   if (!(error instanceof Error)) return String(error);
   const said = `${error.name}: ${error.message}`;
-  return OF_BROWSERS.find(([pattern]) => pattern.test(said))?.[1] ?? error.message;
+  const known = OF_BROWSERS.find(([pattern]) => pattern.test(said))?.[1];
+  if (known !== undefined) return known;
+  const isOurs = !OF_THE_LANGUAGE.test(error.name) && error.constructor.name !== 'DOMException';
+  return isOurs ? error.message : `Something unexpected failed. Try again. (${said.slice(0, MAX_QUOTED)})`;
 }

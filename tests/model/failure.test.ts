@@ -1,5 +1,6 @@
 import { describe, expect, it } from 'vitest';
 import { sentenceOf } from '../../src/model/failure.ts';
+import { WorkerError } from '../../src/worker/client.ts';
 
 function thrown(run: () => unknown): unknown {
   try {
@@ -40,9 +41,25 @@ describe('what failed', () => {
     expect(sentenceOf(gone)).toMatch(/^The file has moved/);
   });
 
+  it('what a browser refuses, can’t fetch, or fails at unexpectedly is told in sentences of ours', () => {
+    expect(sentenceOf(new DOMException('', 'NotAllowedError'))).toBe('The browser does not allow it.');
+    const imports = [
+      new TypeError('Failed to fetch dynamically imported module: https://a.b/c.js'),
+      // As Firefox and Safari put it.
+      new TypeError('error loading dynamically imported module: https://a.b/c.js'),
+      new TypeError('Importing a module script failed.'),
+    ];
+    for (const error of imports) expect(sentenceOf(error)).toMatch(/^A script of the page could not be fetched/);
+    const call = "Failed to execute 'createObjectURL' on 'URL': Overload resolution failed.";
+    expect(sentenceOf(new TypeError(call))).toBe(`Something unexpected failed. Try again. (TypeError: ${call})`);
+    const odd = new DOMException('x'.repeat(1000), 'UnknownError');
+    expect(sentenceOf(odd)).toMatch(/^Something unexpected failed\. Try again\. \(UnknownError: x{100,160}\)$/);
+  });
+
   it('our own sentences stay as they are, also where they speak of lengths and memory', () => {
     const own = 'Expected an array length of 3, found 4.';
     expect(sentenceOf(new Error(own))).toBe(own);
+    expect(sentenceOf(new WorkerError(own))).toBe(own);
     expect([sentenceOf('text'), sentenceOf(undefined)]).toEqual(['text', 'undefined']);
   });
 });

@@ -54,7 +54,7 @@ export class TextChanges {
     this.loaded ??= this.files.edits().catch((error) => {
       // It may be loaded later.
       this.loaded = undefined;
-      throw new Error(`What compares texts could not be loaded. ${error instanceof Error ? error.message : ''}`.trim());
+      throw new Error(`What compares texts could not be loaded. ${sentenceOf(error)}`);
     });
     return this.loaded;
   }
