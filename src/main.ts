@@ -85,6 +85,7 @@ const workbench: Workbench = {
   files: fileActions({
     store,
     messages,
+    loading,
     opener,
     samples,
     showSample: (shows) => sampleDisplay.show(shows),

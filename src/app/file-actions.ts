@@ -2,7 +2,7 @@
 import { pickFiles, pickFolder, readAgain } from '../io/disk-files.ts';
 import { fromDataTransfer, type GivenFile } from '../io/given.ts';
 import { isReviewable } from '../review/reviewable.ts';
-import { onDemand } from '../ui/state/on-demand.ts';
+import { onDemand, whenIdle } from '../ui/state/on-demand.ts';
 import { MOST_OPENED } from '../ui/state/review.ts';
 import type { FileActions, SampleEntry, Uses } from '../ui/state/workbench.ts';
 import type { Runs } from '../worker/client.ts';
@@ -27,6 +27,7 @@ interface Parts extends Pick<ReloadParts, 'store' | 'messages'>, ReviewingParts 
   readonly handles: DiskHandles;
   readonly disk: Disk;
   readonly framesPerSecond: () => number;
+  readonly loading: Uses<'loading'>['loading'];
   /** What is in pictures. */
   readonly pictured: Uses<'viewport' | 'transport'>;
   readonly kitWorker: Runs<'kit'>;
@@ -64,6 +65,17 @@ export function fileActions(parts: Parts): FileActions {
     });
     await save(saver);
   };
+  // What is unsaved can be saved then, too, if the connection or the server has gone.
+  const stop = unsaved.parts.subscribe(() => {
+    stop();
+    whenIdle(parts, () => {
+      // Browsers try no script twice.
+      if (!navigator.onLine) return;
+      const scripts = Promise.all([import('./saver.ts'), import('./zip-character.ts')]);
+      // Told when they are needed.
+      scripts.catch(() => undefined);
+    });
+  });
   const reloading: ReloadParts = {
     ...parts,
     readAgain: (file, signal) => readAgain(file, document.baseURI, signal),

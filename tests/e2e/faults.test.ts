@@ -4,8 +4,8 @@ import { readFileSync } from 'node:fs';
 import { unzipSync } from 'fflate';
 import type { Page } from 'playwright-core';
 import { describe, expect, it } from 'vitest';
-import { withPage } from '../helpers/page.ts';
-import { openArm, SMALL } from './checks/autosave.ts';
+import { dropFiles, withPage } from '../helpers/page.ts';
+import { ARM, dofs, kept, openArm, restore, SMALL, setDof, shown } from './checks/autosave.ts';
 
 const line = (page: Page) => page.locator('.message-line');
 
@@ -96,5 +96,89 @@ describe('faults', () => {
         await expect.poll(() => page.evaluate(() => window.marrow.stats().drawCalls)).toBeGreaterThan(0);
       },
       { ...SMALL, touch: true },
+    ));
+
+  it('a worker that the browser ends, idle or while it reads, is noticed, told once, and replaced', () =>
+    withPage(async ({ page }) => {
+      await openArm(page);
+      const names = () => page.evaluate(() => window.marrow.characters().map(({ name }) => name));
+      const end = () => Promise.all(page.workers().map((worker) => worker.evaluate(() => self.close())));
+      await expect.poll(() => page.workers().length).toBe(1);
+      await end();
+      await expect.poll(() => page.workers().length).toBe(0);
+      await dropFiles(page, [{ name: 'leg.skel', bytes: ARM }]);
+      await expect.poll(names).toEqual(['arm', 'leg']);
+      // It reads, and never answers.
+      const [worker] = page.workers();
+      await worker.evaluate(() => {
+        self.onmessage = null;
+      });
+      await dropFiles(page, [{ name: 'tail.skel', bytes: ARM }]);
+      await page.getByRole('button', { name: 'Cancel' }).waitFor();
+      await end();
+      await line(page).getByText('Nothing was opened. The worker stopped. Try again').waitFor();
+      expect(await line(page).getByText('more message').count()).toBe(0);
+      await dropFiles(page, [{ name: 'tail.skel', bytes: ARM }]);
+      await expect.poll(names).toEqual(['arm', 'leg', 'tail']);
+    }, SMALL));
+
+  it('work is stored again at once when the browser’s data is cleared while the page is open', () =>
+    withPage(async ({ page, url }) => {
+      await openArm(page);
+      await setDof(page, 6, 0.5);
+      await kept(page);
+      const session = await page.context().newCDPSession(page);
+      const { origin } = new URL(url);
+      await session.send('Storage.clearDataForOrigin', { origin, storageTypes: 'indexeddb' });
+      const stored = () =>
+        page.evaluate(async () => (await indexedDB.databases()).some(({ name }) => name === 'marrow-sessions'));
+      await expect.poll(stored).toBe(true);
+      await kept(page);
+      await page.reload();
+      await restore(page);
+      await shown(page, 'arm');
+      expect((await dofs(page))[6]).toBe(0.5);
+    }, SMALL));
+
+  it('a save that fails keeps the mark and says why in a sentence, and is tried again; saving needs no connection', () =>
+    withPage(
+      async ({ page }) => {
+        await openArm(page);
+        await setDof(page, 6, 0.5);
+        await expect.poll(() => page.title()).toBe('• arm.skel – Marrow');
+        await page.evaluate(() => {
+          const { createObjectURL } = URL;
+          URL.createObjectURL = () => {
+            URL.createObjectURL = createObjectURL;
+            throw new TypeError('planted by the test');
+          };
+        });
+        const hasScript = (part: string) =>
+          page.evaluate((of) => performance.getEntriesByType('resource').some(({ name }) => name.includes(of)), part);
+        // Both come once something is unsaved.
+        for (const part of ['/saver-', '/zip-character-']) await expect.poll(() => hasScript(part)).toBe(true);
+        await page.context().setOffline(true);
+        await page.keyboard.press('Control+s');
+        await line(page)
+          .getByText('arm.skel: Not saved. Something unexpected failed. Try again. (TypeError: planted by the test)')
+          .waitFor();
+        expect(await page.title()).toBe('• arm.skel – Marrow');
+        const saving = page.waitForEvent('download');
+        await page.keyboard.press('Control+s');
+        expect((await saving).suggestedFilename()).toBe('arm.skel');
+        await expect.poll(() => page.title()).toBe('Marrow');
+        await page.keyboard.press('?');
+        await line(page)
+          .getByText(/could not be loaded.*A script of the page could not be fetched/)
+          .waitFor();
+        await page.context().setOffline(false);
+        await setDof(page, 6, 0.25);
+        expect((await dofs(page))[6]).toBe(0.25);
+      },
+      {
+        ...SMALL,
+        expected: /INTERNET_DISCONNECTED/,
+        before: () => Reflect.deleteProperty(window, 'showSaveFilePicker'),
+      },
     ));
 });
