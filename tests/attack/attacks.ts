@@ -1,6 +1,6 @@
 import type { Attack } from './attack.ts';
 import { commandLine } from './command/command-line.ts';
-import { killed } from './page/killed.ts';
+import { killed } from './page/killed/killed.ts';
 import { lostContext } from './page/lost-context.ts';
 import { openClose } from './page/open-close.ts';
 import { randomWalk } from './page/random-walk.ts';
