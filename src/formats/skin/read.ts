@@ -117,7 +117,8 @@ function* skinweights(t: Tokens): GrammarPart<AttachmentSink> {
   sink.tell(t);
   if (t.kind !== '}') return sink;
   if (sink.missing > 0) {
-    const message = `The last row of skinweights is ${sink.missing} numbers short: a row is a count, then a joint and a weight for each.`;
+    const missing = Number.isFinite(sink.missing) ? `${sink.missing} numbers` : 'more than 4294967295 attachments';
+    const message = `The last row of skinweights is ${missing} short: a row is a count, then a joint and a weight for each.`;
     t.error('row-incomplete', message);
   } else checkCount(t, 'skinweights', declared, sink.rows);
   return sink;

@@ -84,7 +84,7 @@ export class AttachmentSink implements NumberSink {
   readonly usesUp = true;
   /** Rows whose length was read. */
   rows = 0;
-  /** Numbers still missing in the last row. */
+  /** Numbers still missing in the last row; Infinity if it states more attachments than can be stored. */
   missing = 0;
   private start: Uint32Array;
   private joints: Uint32Array;
@@ -141,7 +141,8 @@ export class AttachmentSink implements NumberSink {
         sum = 0;
         isJoint = true;
         // Compared as a double: a huge count is a row truncated by the block's end.
-        if (k >= 1 && k % 1 === 0) missing = 2 * k;
+        // Beyond 2^53 it could not be counted down: how many are missing would depend on the pieces.
+        if (k >= 1 && k % 1 === 0) missing = k < LIMIT ? 2 * k : Number.POSITIVE_INFINITY;
         else if (k !== 0) this.wrongCounts.addSlot(k, t, i);
         else if (this.bare++ === 0) this.firstBare = { vertex: rows - 1, place: t.placeOfSlot(i) };
         i++;
