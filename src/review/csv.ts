@@ -19,11 +19,15 @@ export function separatorOf(text: string): string {
   return counts.reduce((a, b) => (b.count > a.count ? b : a)).separator;
 }
 
-/** Empty lines are left out. */
+/** Empty lines are left out. A run of CRs before an LF is part of one line end; any other CR is one. */
 export function readCsv(text: string, separator: string): Csv {
   const rows: CsvRow[] = [];
   let cells: string[] = [];
   let cell = '';
+  /** What of the text is not yet in the cell: character by character, a cell would take 32 times its length. */
+  let from = 0;
+  /** Up to which a run of CRs was looked at. */
+  let run = 0;
   let line = 1;
   let start = 1;
   let isQuoted = false;
@@ -36,22 +40,32 @@ export function readCsv(text: string, separator: string): Csv {
   };
   for (let i = 0; i < text.length; i++) {
     const c = text[i];
-    const endsLine = c === '\n' || (c === '\r' && text[i + 1] !== '\n');
+    if (c === '\r' && i >= run) for (run = i + 1; text[run] === '\r'; ) run++;
+    const endsLine = c === '\n' || (c === '\r' && text[run] !== '\n');
     if (isQuoted) {
-      if (c !== '"') cell += c;
-      else if (text[i + 1] === '"') cell += text[i++];
-      else isQuoted = false;
-    } else if (c === '"' && cell === '') {
+      if (c === '"') {
+        cell += text.slice(from, i);
+        from = i + 1;
+        // Of two quotes the second is the cell's.
+        if (text[from] === '"') i++;
+        else isQuoted = false;
+      }
+    } else if (c === '"' && cell === '' && from === i) {
       isQuoted = true;
       opened = line;
-    } else if (c === separator) {
-      cells.push(cell);
-      cell = '';
-    } else if (endsLine) endRow();
-    else if (c !== '\r') cell += c;
+      from = i + 1;
+    } else if (c === separator || c === '\n' || c === '\r') {
+      cell += text.slice(from, i);
+      from = i + 1;
+      if (c === separator) {
+        cells.push(cell);
+        cell = '';
+      } else if (endsLine) endRow();
+    }
     if (endsLine) line++;
     if (endsLine && !isQuoted) start = line;
   }
+  cell += text.slice(from);
   if (cell !== '' || cells.length > 0) endRow();
   return { rows, ...(isQuoted && { unclosed: opened }) };
 }

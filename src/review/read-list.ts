@@ -167,11 +167,12 @@ function starsOf(found: unknown, line: number, report: Report): number {
 }
 
 function numberOf(found: unknown): number | undefined {
-  if (typeof found === 'number') return Number.isFinite(found) ? found : undefined;
+  // −0 is 0, as which it is written.
+  if (typeof found === 'number') return Number.isFinite(found) ? found + 0 : undefined;
   if (typeof found !== 'string' || found.trim() === '') return undefined;
   // Spreadsheets of many countries write a decimal comma.
   const value = Number(found.trim().replace(',', '.'));
-  return Number.isFinite(value) ? value : undefined;
+  return Number.isFinite(value) ? value + 0 : undefined;
 }
 
 /** Of an array, or a cell with semicolons. */

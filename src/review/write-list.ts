@@ -21,5 +21,6 @@ function cellOf(take: ListedTake, column: ListColumn): string {
   const value = take[column];
   if (value === undefined) return '';
   if (typeof value === 'number') return column === 'stars' && value === 0 ? '' : String(value);
-  return harmless(typeof value === 'string' ? value : value.join(BETWEEN));
+  // A joint may have a semicolon in its name, and so a flag: it stays one flag.
+  return harmless(typeof value === 'string' ? value : value.map((text) => text.replaceAll(';', ',')).join(BETWEEN));
 }
