@@ -43,6 +43,7 @@ it('ten thousand roots of one name have names of their own', () => {
 
 it.each([
   ['x.skel', `${'balljoint{'.repeat(MANY)}${'}'.repeat(MANY)}`],
+  ['x.bvh', `HIERARCHY ROOT{${'JOINT{'.repeat(MANY - 1)}${'}'.repeat(MANY)} MOTION Frames: 0 Frame Time: 1`],
   ['x.axskel', `${'1 0 0 1 0 1\n'.repeat(MANY - 1)}1 0 0 1 0 0`],
 ])('a chain of twenty thousand joints in %s is read and written', (name, text) => {
   expect(jointsOf(text, name.replace('.ax', '.'))).toHaveLength(MANY);

@@ -43,7 +43,12 @@ interface Pair {
   readonly right: Branch;
 }
 
+/** No body has more, and what follows takes time that grows with the square of their number. */
+const MAX_JOINTS = 2000;
+
+/** Undefined if there are no legs to be seen, or thousands of joints. */
 export function rolesByShape({ joints }: Skeleton, rest: RetargetFigure): ShapeRoles | undefined {
+  if (joints.length > MAX_JOINTS) return undefined;
   const children: number[][] = joints.map(() => []);
   joints.forEach(({ parent }, j) => {
     if (parent >= 0) children[parent].push(j);
