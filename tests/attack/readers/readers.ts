@@ -4,7 +4,6 @@
  */
 import { once } from 'node:events';
 import { fileURLToPath } from 'node:url';
-import { setFlagsFromString } from 'node:v8';
 import { Worker } from 'node:worker_threads';
 import { build } from 'vite';
 import { draco } from '../../../vite.draco.ts';
@@ -28,8 +27,6 @@ export const readers: Attack = {
     'mutated files of all kinds are read or refused: in time, in bounds, the same in pieces, the same when written',
   async run(attempt) {
     await buildThread();
-    // Its threads take more than they give on heaps so small.
-    setFlagsFromString('--single-threaded-gc');
     const seeds = corpus();
     const counts = new Map<string, number>();
     const begun = performance.now();
