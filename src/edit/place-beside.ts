@@ -31,36 +31,76 @@ const SAME_ROW = 0.2;
  * @param scale of its placement, unless it is placed with others of its file
  */
 export function placeBeside(others: readonly Character[], character: Character, scale = 1): Placement {
-  const leaderOf = leadersOf(others);
-  const together = leaderOf(character);
-  if (together !== character) return together.placements[0];
-  const last = others.at(-1);
-  if (!last) return { ...DEFAULT_PLACEMENT, scale };
-  const own = scaled(extentOf(character), scale);
-  const depth = character.space ? own.depth : 0;
-  const row = rowOf(leaderOf(last));
-  const figures = others.filter((o) => {
-    const leader = leaderOf(o);
-    return Math.abs(rowOf(leader) - row) < SAME_ROW * Math.max(sizeOf(leader), own.size);
-  });
-  let left = Number.POSITIVE_INFINITY;
-  let right = Number.NEGATIVE_INFINITY;
-  let widest = own.max - own.min;
-  let largest = own.size;
-  for (const figure of figures) {
-    const extent = extentOf(figure);
-    widest = Math.max(widest, figure.placements[0].scale * (extent.max - extent.min));
-    largest = Math.max(largest, sizeOf(figure));
-    // An upper bound for rotated instances would need the depth; the width is close enough for a gap.
-    for (const { position, scale } of figure.placements) {
-      left = Math.min(left, position[0] + scale * extent.min);
-      right = Math.max(right, position[0] + scale * extent.max);
-    }
+  return new Placing(others).place(character, scale);
+}
+
+/** Places many characters one after the other, as `placeBeside`, without measuring all of them for each. */
+export class Placing {
+  private readonly characters: Character[] = [];
+  /** Of captured figures: which is the first of each file. */
+  private readonly firsts = new Map<SourceFile, number>();
+  /** Per character: the first of its file, or itself; its row and size, or NaN before they are asked for. */
+  private readonly leaders: number[] = [];
+  private readonly rows: number[] = [];
+  private readonly sizes: number[] = [];
+
+  constructor(others: readonly Character[]) {
+    for (const other of others) this.add(other);
   }
-  const isFull = new Set(figures.map(leaderOf)).size >= MAX_IN_ROW;
-  const x = isFull ? left - own.min : right + GAP * widest - own.min;
-  const z = isFull ? row + ROW_STEP * largest - depth : row - depth;
-  return { ...DEFAULT_PLACEMENT, position: [rounded(x), 0, rounded(z)], scale };
+
+  /** With its placement. */
+  add(character: Character): void {
+    const i = this.characters.push(character) - 1;
+    const { space, sources } = character;
+    for (const source of space ? sources : []) if (!this.firsts.has(source)) this.firsts.set(source, i);
+    this.leaders.push((space && sources.length > 0 ? this.firsts.get(sources[0]) : undefined) ?? i);
+    this.rows.push(Number.NaN);
+    this.sizes.push(Number.NaN);
+  }
+
+  /** @param scale as of `placeBeside` */
+  place(character: Character, scale = 1): Placement {
+    const { characters, leaders, firsts, rows, sizes } = this;
+    const source = character.space && character.sources.find((s) => firsts.has(s));
+    const together = source && firsts.get(source);
+    if (together !== undefined) return characters[together].placements[0];
+    if (characters.length === 0) return { ...DEFAULT_PLACEMENT, scale };
+    const own = scaled(extentOf(character), scale);
+    const depth = character.space ? own.depth : 0;
+    const row = this.measuredRow(leaders[leaders.length - 1]);
+    let left = Number.POSITIVE_INFINITY;
+    let right = Number.NEGATIVE_INFINITY;
+    let widest = own.max - own.min;
+    let largest = own.size;
+    const inRow = new Set<number>();
+    for (let i = 0; i < characters.length; i++) {
+      const leader = leaders[i];
+      if (Number.isNaN(rows[leader])) this.measuredRow(leader);
+      if (!(Math.abs(rows[leader] - row) < SAME_ROW * Math.max(sizes[leader], own.size))) continue;
+      inRow.add(leader);
+      const figure = characters[i];
+      const extent = extentOf(figure);
+      widest = Math.max(widest, figure.placements[0].scale * (extent.max - extent.min));
+      largest = Math.max(largest, sizeOf(figure));
+      // An upper bound for rotated instances would need the depth; the width is close enough for a gap.
+      for (const { position, scale } of figure.placements) {
+        left = Math.min(left, position[0] + scale * extent.min);
+        right = Math.max(right, position[0] + scale * extent.max);
+      }
+    }
+    const isFull = inRow.size >= MAX_IN_ROW;
+    const x = isFull ? left - own.min : right + GAP * widest - own.min;
+    const z = isFull ? row + ROW_STEP * largest - depth : row - depth;
+    return { ...DEFAULT_PLACEMENT, position: [rounded(x), 0, rounded(z)], scale };
+  }
+
+  private measuredRow(leader: number): number {
+    if (Number.isNaN(this.rows[leader])) {
+      this.rows[leader] = rowOf(this.characters[leader]);
+      this.sizes[leader] = sizeOf(this.characters[leader]);
+    }
+    return this.rows[leader];
+  }
 }
 
 /** Maps a captured figure to the first of `others` from the same file, and everything else to itself. */
@@ -87,7 +127,8 @@ function sizeOf(character: Character): number {
 }
 
 function rounded(length: number): number {
-  return Number(length.toPrecision(4)) || 0;
+  // Of values near the largest number sums are infinite.
+  return Number.isFinite(length) ? Number(length.toPrecision(4)) : 0;
 }
 
 export interface Extent {

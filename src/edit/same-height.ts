@@ -6,7 +6,7 @@
  */
 import type { Character, Placement } from '../model/document.ts';
 import { sameValue } from './delta.ts';
-import { extentOf, leadersOf, placeBeside } from './place-beside.ts';
+import { extentOf, leadersOf, Placing } from './place-beside.ts';
 
 /** Something flat counts as this part of its longest side. */
 const MIN_PART_OF_SIZE = 0.25;
@@ -32,7 +32,12 @@ function heightsOf(characters: readonly Character[]): (character: Character) => 
 export function spreadOfHeights(characters: readonly Character[]): readonly [least: number, most: number] | undefined {
   const heightOf = heightsOf(characters);
   const placed = characters.map((c) => heightOf(c) * c.placements[0].scale).filter((height) => height > 0);
-  return placed.length > 0 ? [Math.min(...placed), Math.max(...placed)] : undefined;
+  let [least, most] = [Infinity, 0];
+  for (const height of placed) {
+    least = Math.min(least, height);
+    most = Math.max(most, height);
+  }
+  return placed.length > 0 ? [least, most] : undefined;
 }
 
 /**
@@ -97,11 +102,12 @@ function sideBySide(
   these: readonly Character[],
   scaleOf: (character: Character) => number,
 ): readonly Character[] {
-  const placed = all.filter((character) => !these.includes(character));
+  const moved = new Set(these);
+  const placing = new Placing(all.filter((character) => !moved.has(character)));
   const next = all.map((character) => {
-    if (!these.includes(character)) return character;
-    const after = putAt(character, placeBeside(placed, character, scaleOf(character)));
-    placed.push(after);
+    if (!moved.has(character)) return character;
+    const after = putAt(character, placing.place(character, scaleOf(character)));
+    placing.add(after);
     return after;
   });
   return next.every((character, i) => character === all[i]) ? all : next;

@@ -62,6 +62,8 @@ export function groupFiles(files: readonly ReadFile[], called: FileNaming): Grou
   const groups: { -readonly [K in keyof FileGroup]: FileGroup[K] }[] = [];
   const idleRigs: ReadFile[] = [];
   const taken = new Set<ReadFile>();
+  const named = byName(files);
+  const bySkeleton = new Map<ReadFile, (typeof groups)[number]>();
 
   for (const file of files) {
     if (file.kind !== 'rig') continue;
@@ -72,27 +74,31 @@ export function groupFiles(files: readonly ReadFile[], called: FileNaming): Grou
     const { rig } = file;
     const find = (kind: FileKind & FormatKind, name: string | undefined) => {
       if (name === undefined) return undefined;
-      const found = lookUp(files, file, kind, name);
+      const found = lookUp(named, file, kind, name);
       if (!found) diagnostics.push(partNotGiven(called(file.source), kind, name));
       return found;
     };
     const skeleton = find('skel', rig.skeleton);
-    const named = [
+    const wanted = [
       find('skin', rig.skin),
       ...rig.morphs.map((morph) => find('morph', morph)),
       find('anim', rig.animation),
     ];
-    const parts = named.filter((part) => part !== undefined);
+    const parts = wanted.filter((part) => part !== undefined);
     if (!skeleton && parts.length === 0) {
       idleRigs.push(file);
       continue;
     }
-    const shared = skeleton && groups.find((g) => g.skeleton === skeleton);
+    const shared = skeleton && bySkeleton.get(skeleton);
     if (shared) {
       // Two rigs with the same skeleton: the second's skin and animation are alternatives.
       shared.parts.push(...parts.filter((part) => !shared.parts.includes(part)));
       shared.rigs.push(file);
-    } else groups.push({ name: rig.name, ...(skeleton && { skeleton }), parts, rigs: [file] });
+    } else {
+      const group = { name: rig.name, ...(skeleton && { skeleton }), parts, rigs: [file] };
+      groups.push(group);
+      if (skeleton) bySkeleton.set(skeleton, group);
+    }
     for (const part of [skeleton, ...parts]) if (part) taken.add(part);
   }
 
@@ -102,10 +108,11 @@ export function groupFiles(files: readonly ReadFile[], called: FileNaming): Grou
 
   // Poses are matched to characters by their joints, images by the names in skins.
   const loose: Record<LooseRole, ReadFile[]> = { part: [], markers: [], poses: [], texture: [], dump: [] };
+  const skeletonFor = skeletonsFor(groups);
   for (const file of files) {
     const { as } = openingOf(file.kind);
     if (as === 'characters' || as === 'rig' || taken.has(file)) continue;
-    const group = as === 'part' ? skeletonFor(file, groups) : undefined;
+    const group = as === 'part' ? skeletonFor(file) : undefined;
     (group?.parts ?? loose[as]).push(file);
   }
   return { groups, loose, idleRigs, diagnostics };
@@ -134,31 +141,54 @@ function takesParts({ kind }: ReadFile): boolean {
   return opening.as === 'characters' && opening.takesParts;
 }
 
-function skeletonFor(part: ReadFile, groups: readonly FileGroup[]): FileGroup | undefined {
-  const folder = folderOf(part.source);
+/** Finds the group of a part. Skeletons are looked up by folder and stem: both may be thousands. */
+function skeletonsFor<G extends FileGroup>(groups: readonly G[]): (part: ReadFile) => G | undefined {
   const skeletons = groups.filter((g) => g.skeleton && takesParts(g.skeleton));
-  const there = skeletons.filter((g) => g.skeleton && folderOf(g.skeleton.source) === folder);
-  let best: FileGroup | undefined;
-  let length = 0;
-  for (const group of there) {
+  const folders = new Map<string, { readonly all: G[]; readonly byStem: Map<string, G> }>();
+  for (const group of skeletons) {
     if (!group.skeleton) continue;
-    const fit = prefixFit(stemOf(group.skeleton.source), stemOf(part.source));
-    if (fit > length) {
-      best = group;
-      length = fit;
-    }
+    const { source } = group.skeleton;
+    const folder = folders.get(folderOf(source)) ?? { all: [], byStem: new Map<string, G>() };
+    folders.set(folderOf(source), folder);
+    folder.all.push(group);
+    const stem = stemOf(source).toLowerCase();
+    if (!folder.byStem.has(stem)) folder.byStem.set(stem, group);
   }
-  if (best) return best;
-  if (there.length > 0) return there.length === 1 ? there[0] : undefined;
-  // None in its own folder: use the only skeleton given.
-  return skeletons.length === 1 ? skeletons[0] : undefined;
+  return ({ source }) => {
+    const there = folders.get(folderOf(source));
+    // None in its own folder: use the only skeleton given.
+    if (!there) return skeletons.length === 1 ? skeletons[0] : undefined;
+    const stem = stemOf(source).toLowerCase();
+    for (let length = stem.length; length > 0; length--) {
+      const group = there.byStem.get(stem.slice(0, length));
+      if (group) return group;
+    }
+    return there.all.length === 1 ? there.all[0] : undefined;
+  };
+}
+
+type FilesByName = ReadonlyMap<string, readonly ReadFile[]>;
+
+/** By kind and base name, without case: as a `.rig` names them. */
+function byName(files: readonly ReadFile[]): FilesByName {
+  const named = new Map<string, ReadFile[]>();
+  for (const file of files) {
+    const key = nameKey(file.kind, file.source.name);
+    const same = named.get(key);
+    if (same) same.push(file);
+    else named.set(key, [file]);
+  }
+  return named;
+}
+
+function nameKey(kind: FileKind, name: string): string {
+  return `${kind} ${name.toLowerCase()}`;
 }
 
 /** By base name, ignoring folders in the `.rig`; files in the rig's own folder take precedence. */
-function lookUp(files: readonly ReadFile[], rig: ReadFile, kind: ReadFile['kind'], name: string) {
-  const base = baseName(name);
-  const fits = files.filter((f) => f.kind === kind && sameName(f.source.name, base));
-  return fits.find((f) => folderOf(f.source) === folderOf(rig.source)) ?? fits[0];
+function lookUp(files: FilesByName, rig: ReadFile, kind: FileKind, name: string): ReadFile | undefined {
+  const fits = files.get(nameKey(kind, baseName(name)));
+  return fits?.find((f) => folderOf(f.source) === folderOf(rig.source)) ?? fits?.[0];
 }
 
 function partNotGiven(rig: string, kind: FormatKind, name: string): Diagnostic {

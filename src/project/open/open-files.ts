@@ -8,7 +8,6 @@
 
 import { withMarkers } from '../../edit/markers.ts';
 import { newCharacter } from '../../edit/new-character.ts';
-import { placeBeside } from '../../edit/place-beside.ts';
 import { sameJoints } from '../../edit/pose/same-joints.ts';
 import { withSourcePairs } from '../../edit/rig/by-joint.ts';
 import { cutName } from '../../edit/step-names.ts';
@@ -31,7 +30,8 @@ import type { GuessedSpace, Space } from '../../model/space.ts';
 import { openingOf, type PartOpening } from '../kinds.ts';
 import { checkParts, withSource, withTextures, withWhole } from './assemble.ts';
 import { type FileGroup, groupFiles, isBroken, isRead, type LooseRole, namesFile, prefixFit } from './grouping.ts';
-import { bySkinName, hasSource, takeCalled } from './matching.ts';
+import { bySkinName, takeCalled } from './matching.ts';
+import { OpenCharacters } from './open-characters.ts';
 import { fittingCharacter, givePoses, type PoseFile } from './poses.ts';
 
 /** A file with numbers of another program. */
@@ -75,7 +75,11 @@ class Opening {
   /** Files left unused earlier; these files may make them usable. */
   private readonly waiting: readonly UnusedFile[];
   private readonly textures: readonly ParsedFile[];
-  private characters: readonly Character[];
+  private readonly characters: OpenCharacters;
+  /** Of before, without a skeleton; some may have one by now. */
+  private readonly bare: readonly Character[];
+  /** Of characters from before, by skeleton. */
+  private readonly spaces = new Map<string, Space>();
   private made: number;
   private readonly diagnostics: Diagnostic[] = [];
   private readonly opened = new Set<string>();
@@ -95,9 +99,15 @@ class Opening {
     const { unused, charactersMade, review } = document;
     const makesWay = document.isOpeningSample && !isForCharacters([...files, ...broken]);
     this.base = makesWay ? { ...EMPTY_DOCUMENT, unused, charactersMade, ...(review && { review }) } : document;
-    this.characters = this.base.characters;
+    this.characters = new OpenCharacters(this.base.characters);
+    this.bare = this.base.characters.filter(({ skeleton }) => !skeleton);
+    for (const { space, skeleton } of this.base.characters) {
+      const key = space && skeleton && skeletonKey(skeleton);
+      if (space && key !== undefined && !this.spaces.has(key)) this.spaces.set(key, space);
+    }
     this.made = charactersMade;
-    this.waiting = unused.filter(({ file }) => !files.some((f) => f.source.path === file.source.path));
+    const given = new Set(files.map(({ source }) => source.path));
+    this.waiting = unused.filter(({ file }) => !given.has(file.source.path));
     this.textures = [...files, ...this.waiting.map((w) => w.file)].filter((f) => f.kind === 'texture');
 
     const wanted = this.waiting.map((w) => w.file).filter((file) => this.isCalledFor(file));
@@ -141,8 +151,9 @@ class Opening {
   result(): OpenResult {
     const { document, files, opened, used, characters } = this;
     const unused = sameFiles(this.unused, document.unused) ? document.unused : this.unused;
+    const given = new Set(files);
     for (const { file, why } of unused) {
-      if (!files.includes(file)) continue;
+      if (!given.has(file)) continue;
       this.diagnostics.push(
         withoutPlace('info', 'file-unused', `Not used: ${why}`, this.called(file.source), 'kept for a matching file'),
       );
@@ -158,7 +169,7 @@ class Opening {
       // If nothing was opened, the opening example stays.
       return { ...rest, document: unused === document.unused ? document : { ...document, unused } };
     }
-    const next = { characters, unused, charactersMade: this.made, isOpeningSample: false };
+    const next = { characters: characters.all, unused, charactersMade: this.made, isOpeningSample: false };
     return { ...rest, document: { ...this.base, ...next } };
   }
 
@@ -177,7 +188,7 @@ class Opening {
     }
     const skeletonFile = parts.find((p) => p === group.skeleton);
     const wholes = skeletonFile ? charactersIn(skeletonFile) : [];
-    const earlier = skeletonFile ? this.characters.filter((c) => hasSource(c, skeletonFile.source)) : [];
+    const earlier = skeletonFile ? this.characters.withFile(skeletonFile.source) : [];
     (skeletonFile ? wholes : [undefined]).forEach((whole, root) => {
       const before = earlier[root] ?? (skeletonFile && root === 0 ? this.withoutSkeletonFor(group) : undefined);
       // Several roots become several characters; the other files of the group belong to the first.
@@ -195,7 +206,7 @@ class Opening {
     });
     // The file has fewer roots than before.
     const gone = new Set(earlier.slice(wholes.length));
-    if (gone.size) this.characters = this.characters.filter((c) => !gone.has(c));
+    if (gone.size) this.characters.replaceAll(this.characters.all.filter((c) => !gone.has(c)));
   }
 
   /**
@@ -205,22 +216,22 @@ class Opening {
   private spaceOf({ skeleton, space }: WholeCharacter): Space | undefined {
     if (!space) return undefined;
     const key = skeletonKey(skeleton);
-    const open = this.base.characters.find((c) => c.space && c.skeleton && skeletonKey(c.skeleton) === key);
-    return open?.space ?? (this.surest.get(key) ?? space).space;
+    return this.spaces.get(key) ?? (this.surest.get(key) ?? space).space;
   }
 
   /** A skin, morph or anim without a skeleton among the files. */
   private openLoose(file: ParsedFile): void {
-    const { base, characters } = this;
+    const { base } = this;
+    const characters = this.characters.all;
     const { onSkin, unused } = partOpening(file) ?? {};
     const fitting = onSkin ? characters.filter((c) => c.skins.length > 0) : characters;
     // Only characters from before can have been selected.
     const meant =
       findCharacter(base, this.selectedId) ?? (base.characters.length === 1 ? base.characters[0] : undefined);
     const target =
-      characters.find((c) => hasSource(c, file.source)) ??
+      this.characters.withFile(file.source)[0] ??
       (onSkin ? bySkinName(file.source, characters) : undefined) ??
-      characters.find((c) => c.id === meant?.id) ??
+      (meant && this.characters.current(meant)) ??
       (unused !== undefined && fitting.length === 1 ? fitting[0] : undefined);
     if (target && fitting.includes(target)) this.settle(target, withFile(target, file, target), [file]);
     else if (unused !== undefined) this.unused.push({ file, why: unused });
@@ -230,11 +241,11 @@ class Opening {
 
   /** Adds poses to the library of a character with matching joints. */
   private openPoses(file: PoseFile): void {
-    const { characters, base } = this;
+    const characters = this.characters.all;
     const fresh = characters.filter((c) => this.opened.has(c.id));
-    const selected = findCharacter(base, this.selectedId);
-    const meant = selected && characters.find((c) => c.id === selected.id);
-    const known = characters.filter((c) => hasSource(c, file.source));
+    const selected = findCharacter(this.base, this.selectedId);
+    const meant = selected && this.characters.current(selected);
+    const known = this.characters.withFile(file.source);
     const target = fittingCharacter(file, [...known, ...(meant ? [meant] : []), ...fresh, ...characters]);
     if (!target) {
       this.unused.push({ file, why: 'No open character has the joints of its poses.' });
@@ -242,14 +253,14 @@ class Opening {
     }
     const { character, diagnostics } = givePoses(target, file, this.called);
     this.diagnostics.push(...diagnostics);
-    this.characters = characters.map((c) => (c === target ? character : c));
+    this.characters.replace(character);
     this.opened.add(target.id);
     this.used.add(file);
   }
 
   /** Gives markers to the take that they are called after: one from the same folder, just opened, or any. */
   private openMarkers(file: ContentOf<'markers'> & { readonly source: SourceFile }): void {
-    const { characters } = this;
+    const characters = this.characters.all;
     const found = takeCalled(file.source, [...characters.filter((c) => this.opened.has(c.id)), ...characters]);
     if (!found) {
       this.unused.push({ file, why: 'No open take has the name of these markers.' });
@@ -257,7 +268,7 @@ class Opening {
     }
     const { character, clip } = found;
     const clips = character.clips.with(clip, withMarkers(character.clips[clip], file.markers));
-    this.characters = characters.map((c) => (c === character ? { ...c, clips } : c));
+    this.characters.replace({ ...character, clips });
     this.opened.add(character.id);
     this.used.add(file);
   }
@@ -275,7 +286,7 @@ class Opening {
         this.openMarkers(file);
         continue;
       }
-      const fresh = this.characters.filter((c) => this.opened.has(c.id));
+      const fresh = this.characters.all.filter((c) => this.opened.has(c.id));
       const target = partOpening(file)?.onSkin ? bySkinName(file.source, fresh) : undefined;
       const next = target && withFile(target, file, target);
       if (target && next && !hasErrors(checkParts(target, next, this.called))) this.settle(target, next, [file]);
@@ -285,13 +296,13 @@ class Opening {
 
   /** Gives textures that came alone to the skins that name them. */
   private dressAll(): void {
-    for (const character of this.characters) {
+    for (const character of [...this.characters.all]) {
       const dressed = withTextures(character, this.textures);
       if (dressed === character) continue;
-      this.characters = this.characters.map((c) => (c === character ? dressed : c));
+      this.characters.replace(dressed);
       this.opened.add(character.id);
     }
-    const shown = this.characters.flatMap((c) => c.textures);
+    const shown = this.characters.all.flatMap((c) => c.textures);
     for (const file of this.textures) {
       if (file.kind !== 'texture' || shown.includes(file.texture)) continue;
       this.unused.push({ file, why: 'No open skin names it as its texture.' });
@@ -309,14 +320,13 @@ class Opening {
       this.holdBack(others, `it belongs with ${error.file}, which does not fit`);
       return;
     }
-    const { characters } = this;
-    const next = before ? dressed : { ...dressed, placements: [placeBeside(characters, dressed)] };
-    this.characters = before ? characters.map((c) => (c === before ? next : c)) : [...characters, next];
-    if (before?.skeleton && next.skeleton && before.skeleton !== next.skeleton) {
-      const to = sameJoints(before.skeleton, next.skeleton);
-      this.characters = withSourcePairs(this.characters, next.id, before.skeleton, to);
+    if (before) this.characters.replace(dressed);
+    else this.characters.add(dressed);
+    if (before?.skeleton && dressed.skeleton && before.skeleton !== dressed.skeleton) {
+      const to = sameJoints(before.skeleton, dressed.skeleton);
+      this.characters.replaceAll(withSourcePairs(this.characters.all, dressed.id, before.skeleton, to));
     }
-    this.opened.add(next.id);
+    this.opened.add(dressed.id);
     for (const part of parts) this.used.add(part);
   }
 
@@ -333,7 +343,7 @@ class Opening {
 
   /** A character without a skeleton that this group completes: matched by name, or the only one waiting. */
   private withoutSkeletonFor(group: FileGroup): Character | undefined {
-    const waiting = this.characters.filter((c) => !c.skeleton && !this.opened.has(c.id));
+    const waiting = this.bare.flatMap((c) => (this.opened.has(c.id) ? [] : (this.characters.current(c) ?? [])));
     const stem = group.skeleton ? stemOf(group.skeleton.source) : '';
     const byName = waiting.find((c) => c.sources.some((s) => prefixFit(stem, stemOf(s)) > 0));
     // A group with its own skin or animation is complete and takes no other character's.
