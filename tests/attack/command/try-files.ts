@@ -101,6 +101,7 @@ export async function tryStreams(attempt: Attempt): Promise<void> {
     };
     const command = '"$0" "$1" "$2"';
     execFileSync('mkfifo', [join(scene.folder, 'p.bvh')]);
+    writeFileSync(join(scene.folder, 'growing.bvh'), bvh(20));
     await run(`cat takes/t0.bvh > p.bvh & ${command} info p.bvh`);
     await run(`echo nonsense > p.bvh & ${command} info p.bvh`);
     await run(`cat takes/t0.bvh > p.bvh & ${command} export p.bvh --to npz --out new`);
@@ -108,7 +109,7 @@ export async function tryStreams(attempt: Attempt): Promise<void> {
     await run(`${command} compare a.skel <(yes '1 0 0 0')`);
     await run(`${command} compare a.skel <(cat dump.txt)`);
     await run(
-      `(yes '1 2 3 4 5 6' | head -c 900M >> takes/t0.bvh) & ${command} info takes/t0.bvh; code=$?; wait; exit $code`,
+      `(yes '1 2 3 4 5 6' | head -c 60M >> growing.bvh) & ${command} info growing.bvh; code=$?; wait; exit $code`,
     );
     await run(
       `(for i in {1..200}; do mv takes/t1.bvh x; mv x takes/t1.bvh; done) & ${command} review takes; code=$?; wait; exit $code`,
