@@ -1,15 +1,12 @@
 /** Below the tree: open files, files that belong to nothing, and problems. */
-import type { Document } from '../../../model/document.ts';
-import type { SourceFile } from '../../../model/files.ts';
 import { copyText } from '../../kit/clipboard.ts';
 import { button, element, setText, uniqueId } from '../../kit/dom.ts';
-import { type IconName, icon } from '../../kit/icons.ts';
-import { cutLabel } from '../../kit/middle-cut.ts';
-import { bytes } from '../../kit/number-text.ts';
+import { icon } from '../../kit/icons.ts';
 import { messagesText } from '../../state/messages.ts';
 import { openPanel } from '../../state/panels.ts';
 import type { Uses } from '../../state/workbench.ts';
 import { diagnosticsList } from './diagnostics-list.ts';
+import { filesList } from './files-list.ts';
 
 type TabName = 'files' | 'messages';
 
@@ -17,7 +14,7 @@ export function filesAndMessages(wb: Uses<'store' | 'settings' | 'messages' | 't
   const files = filesList(wb);
   const messages = diagnosticsList(wb);
   const tools = messageTools(wb);
-  const tabs = { files: tab('Files', files), messages: tab('Messages', messages) };
+  const tabs = { files: tab('Files', files.element), messages: tab('Messages', messages) };
   const choose = (name: TabName, focus = false) => {
     for (const [key, { button, panel }] of Object.entries(tabs)) {
       const chosen = key === name;
@@ -44,9 +41,7 @@ export function filesAndMessages(wb: Uses<'store' | 'settings' | 'messages' | 't
 
   let seen = 0;
   const showCounts = () => {
-    const { characters, unused } = wb.store.document;
-    const open = characters.reduce((sum, c) => sum + c.sources.length, 0);
-    setText(tabs.files.count, String(open + unused.length || ''));
+    setText(tabs.files.count, String(files.count || ''));
     const list = wb.messages.list.get();
     setText(tabs.messages.count, String(list.length || ''));
     tabs.messages.button.dataset.severity = list.some((m) => m.severity === 'error') ? 'error' : '';
@@ -76,7 +71,13 @@ export function filesAndMessages(wb: Uses<'store' | 'settings' | 'messages' | 't
     tabs.files.button,
     tabs.messages.button,
   );
-  return element('div', { class: 'lower' }, element('div', { class: 'lower-head' }, bar, tools), files, messages);
+  return element(
+    'div',
+    { class: 'lower' },
+    element('div', { class: 'lower-head' }, bar, tools),
+    files.element,
+    messages,
+  );
 }
 
 function messageTools(wb: Uses<'messages'>): HTMLElement {
@@ -100,44 +101,4 @@ function tab(label: string, panel: HTMLElement) {
   panel.setAttribute('aria-labelledby', id);
   const button = element('button', { type: 'button', role: 'tab', id, 'aria-controls': panel.id }, label, count);
   return { button, count, panel };
-}
-
-function filesList(wb: Uses<'store'>): HTMLElement {
-  const list = element('div', { class: 'file-list scrolls' });
-  const show = (document: Document) => {
-    const rows = document.characters.flatMap((c) => c.sources.map((source) => fileRow('file', source, '')));
-    const unused = document.unused.map(({ file, why }) => fileRow('unused', file.source, why));
-    const nothing =
-      document.isOpeningSample && document.characters.length > 0
-        ? 'An example is open. It closes when you open your own files.'
-        : 'Files you open are listed here. Unused ones show the reason.';
-    list.replaceChildren(...rows, ...unused);
-    if (!list.children.length) list.append(element('p', { class: 'empty' }, nothing));
-  };
-  wb.store.subscribe((now, before) => {
-    if (now.document.unused !== before.document.unused || !sameSources(now.document, before.document)) {
-      show(now.document);
-    }
-  });
-  show(wb.store.document);
-  return list;
-}
-
-function sameSources(a: Document, b: Document): boolean {
-  return (
-    a.isOpeningSample === b.isOpeningSample &&
-    a.characters.length === b.characters.length &&
-    a.characters.every((c, i) => c.sources === b.characters[i].sources)
-  );
-}
-
-function fileRow(name: IconName, source: SourceFile, why: string): HTMLElement {
-  return element(
-    'div',
-    { class: `file-row ${why ? 'is-unused' : ''}`, tooltip: source.path },
-    icon(name),
-    cutLabel(source.name),
-    element('span', { class: 'detail' }, bytes(source.bytes)),
-    why && element('span', { class: 'why' }, `Unused: ${why}`),
-  );
 }

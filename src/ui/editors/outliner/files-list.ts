@@ -1,0 +1,95 @@
+/** The open files and those that belong to nothing. A drop of thousands is listed as it is scrolled. */
+import type { Document } from '../../../model/document.ts';
+import type { SourceFile } from '../../../model/files.ts';
+import { element } from '../../kit/dom.ts';
+import { icon } from '../../kit/icons.ts';
+import { cutLabel } from '../../kit/middle-cut.ts';
+import { bytes } from '../../kit/number-text.ts';
+import type { Uses } from '../../state/workbench.ts';
+
+export interface ListedFile {
+  readonly source: SourceFile;
+  /** Why it is unused; empty if it isn't. */
+  readonly why: string;
+}
+
+/** Each file once, even if several characters came from it. */
+export function listedFiles({ characters, unused }: Document): readonly ListedFile[] {
+  const sources = new Map<string, SourceFile>();
+  for (const character of characters) for (const source of character.sources) sources.set(source.path, source);
+  return [
+    ...Array.from(sources.values(), (source) => ({ source, why: '' })),
+    ...unused.map(({ file, why }) => ({ source: file.source, why })),
+  ];
+}
+
+/** Rows that are added at a time. */
+const CHUNK = 60;
+
+export interface FilesList {
+  readonly element: HTMLElement;
+  readonly count: number;
+}
+
+export function filesList(wb: Uses<'store'>): FilesList {
+  const list = element('div', { class: 'file-list scrolls' });
+  /** Scrolled into view, it adds more rows. */
+  const end = element('div', { class: 'list-end' });
+  let files: readonly ListedFile[] = [];
+  let next = 0;
+  const listMore = () => {
+    const more = files.slice(next, next + CHUNK);
+    next += more.length;
+    end.before(...more.map(fileRow));
+    // Observed anew, so that it is said again if it is still in view.
+    observer.unobserve(end);
+    if (next < files.length) observer.observe(end);
+  };
+  const observer = new IntersectionObserver(
+    (entries) => {
+      if (entries.some(({ isIntersecting }) => isIntersecting)) listMore();
+    },
+    { root: list, rootMargin: '200px 0px' },
+  );
+  const show = (document: Document) => {
+    files = listedFiles(document);
+    next = 0;
+    const nothing =
+      document.isOpeningSample && document.characters.length > 0
+        ? 'An example is open. It closes when you open your own files.'
+        : 'Files you open are listed here. Unused ones show the reason.';
+    list.replaceChildren(...(files.length ? [] : [element('p', { class: 'empty' }, nothing)]), end);
+    listMore();
+  };
+  wb.store.subscribe((now, before) => {
+    if (now.document.unused !== before.document.unused || !sameSources(now.document, before.document)) {
+      show(now.document);
+    }
+  });
+  show(wb.store.document);
+  return {
+    element: list,
+    get count() {
+      return files.length;
+    },
+  };
+}
+
+function sameSources(a: Document, b: Document): boolean {
+  return (
+    a.isOpeningSample === b.isOpeningSample &&
+    a.characters.length === b.characters.length &&
+    a.characters.every((c, i) => c.sources === b.characters[i].sources)
+  );
+}
+
+function fileRow({ source, why }: ListedFile): HTMLElement {
+  return element(
+    'div',
+    { class: `file-row ${why ? 'is-unused' : ''}`, tooltip: source.path },
+    icon(why ? 'unused' : 'file'),
+    cutLabel(source.name),
+    element('span', { class: 'detail' }, bytes(source.bytes)),
+    why && element('span', { class: 'why' }, `Unused: ${why}`),
+  );
+}
