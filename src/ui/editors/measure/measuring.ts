@@ -6,11 +6,11 @@ import { trackJoints } from '../../../evaluate/measure/tracks.ts';
 import { runInSlices } from '../../../view/slices.ts';
 import { type Observable, observable } from '../../kit/observable.ts';
 import type { Uses } from '../../state/workbench.ts';
-import { type Measured, MOST_OVERLAID, type Source, sourcesOf } from './series.ts';
+import { isTooLong, type Measured, MOST_OVERLAID, type Source, sourcesOf } from './series.ts';
 
 export interface MeasuredAll {
   readonly sources: readonly Source[];
-  /** Of the first `MOST_OVERLAID` sources. */
+  /** Of the first `MOST_OVERLAID` sources, but those that are too long. */
   readonly all: readonly Measured[];
 }
 
@@ -53,6 +53,7 @@ export class Measuring {
         const known = this.result.get()?.all ?? [];
         const all: Measured[] = [];
         for (const source of sources.slice(0, MOST_OVERLAID)) {
+          if (isTooLong(source)) continue;
           const before = known.find((one) => isAlike(one.source, source));
           const { character, frames, joints } = source;
           const tracks = before?.tracks ?? (await runInSlices(trackJoints(character, frames, joints), NEVER));

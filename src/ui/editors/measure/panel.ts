@@ -23,6 +23,7 @@ import { Measuring } from './measuring.ts';
 import { barY, dashOf, PlotPicture, type PlotScene, valueY } from './picture.ts';
 import {
   emptyText,
+  isTooLong,
   MOST_OVERLAID,
   massText,
   QUANTITY_LABELS,
@@ -166,7 +167,8 @@ class MeasurePanel implements TimelineTab, TimePlot {
     setText(this.empty, isEmpty ? emptyText(sources, subject, quantity) : '');
     this.exports.disabled = isEmpty;
     const left = sources.length > MOST_OVERLAID ? `The first ${MOST_OVERLAID} of ${sources.length} characters` : '';
-    const notes = [massText(all, subject, quantity), left].filter(Boolean);
+    const tooLong = all.length > 0 && sources.some(isTooLong) ? 'Without takes of too many frames' : '';
+    const notes = [massText(all, subject, quantity), left, tooLong].filter(Boolean);
     setText(this.note, notes.join('. '));
     this.note.hidden = notes.length === 0;
     this.showLegend(all.length > 1);

@@ -1,12 +1,12 @@
 /** What the plot shows: whose motion, which quantity, and each as a row of values with its name. */
-import type { Frames } from '../../../evaluate/bake.ts';
+import { type Frames, MAX_FRAMES } from '../../../evaluate/bake.ts';
 import { type Quantity, quantityOf } from '../../../evaluate/measure/quantities.ts';
 import { measuredFrames, type Tracks } from '../../../evaluate/measure/tracks.ts';
 import type { Character } from '../../../model/document.ts';
 import { jointName } from '../../../model/joint-name.ts';
 import { jointsIn } from '../../../model/selected-joints.ts';
 import { harmless, quoted } from '../../../review/formula-cells.ts';
-import { exact } from '../../kit/number-text.ts';
+import { count, exact } from '../../kit/number-text.ts';
 import { comparedIn, drawnDocument, playedName } from '../../state/takes.ts';
 import type { Uses } from '../../state/workbench.ts';
 
@@ -130,9 +130,15 @@ export function unitOf(all: readonly Pick<Measured, 'source'>[], quantity: Quant
   return `${inMetres ? 'm' : 'units'}${unit}`;
 }
 
+/** Whether a take has more frames than any real one: its range is a mistake, or a clock's. */
+export const isTooLong = ({ frames }: Source) => !(frames.frameCount <= MAX_FRAMES);
+
 /** Why nothing is shown. */
 export function emptyText(sources: readonly Source[], subject: Subject, quantity: Quantity): string {
   if (!sources.length) return 'No visible character has a take. Open one, or show its character.';
+  if (sources.every(isTooLong)) {
+    return `The take has more than ${count(MAX_FRAMES)} frames. Shorten its range in the inspector, or lower the FPS.`;
+  }
   if (quantity === 'contact' || subject === 'feet')
     return 'No feet were recognised: a leg needs a thigh, a shin and a foot.';
   if (subject === 'mass') return 'The centre of mass does not rotate. Choose joints, or another quantity.';

@@ -92,6 +92,8 @@ describe('the plotted series', () => {
     expect(emptyText(sourcesOf(wb), 'mass', 'angle')).toContain('does not rotate');
     expect(seriesOf(all, 'joints', 'contact')).toEqual([]);
     expect(emptyText(sourcesOf(wb), 'joints', 'contact')).toContain('No feet');
+    const endless = sourcesOf(wb).map((source) => ({ ...source, frames: { ...source.frames, frameCount: Infinity } }));
+    expect(emptyText(endless, 'joints', 'x')).toContain('more than 1,000,000 frames');
     expect(emptyText([], 'joints', 'x')).toContain('No visible character has a take');
   });
 
