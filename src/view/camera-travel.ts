@@ -12,6 +12,22 @@ export interface View {
 
 export const newView = (): View => ({ target: new Vector3(), azimuth: 0, polar: 0, distance: 1 });
 
+/** Of coordinates and distances: what is farther away, squared, is no 32-bit float of graphics any more. */
+export const FARTHEST = 1e15;
+/** The least distance to a target, as a part of how far that is from the origin: nearer, numbers can't tell the two. */
+const FINEST = 1e-9;
+
+/** Limits a view to what can be drawn. False, and nothing is changed, if any of its numbers isn't one. */
+export function limitView(view: View): boolean {
+  const { target, azimuth, polar, distance } = view;
+  if (Number.isNaN(target.x) || Number.isNaN(target.y) || Number.isNaN(target.z)) return false;
+  if (!Number.isFinite(azimuth) || !Number.isFinite(polar) || Number.isNaN(distance)) return false;
+  target.clampScalar(-FARTHEST, FARTHEST);
+  const off = Math.max(Math.abs(target.x), Math.abs(target.y), Math.abs(target.z));
+  view.distance = Math.min(FARTHEST, Math.max(distance, 1 / FARTHEST, FINEST * off));
+  return true;
+}
+
 /** CSS pixels: a press that moved no further is a click. */
 export const CLICK_PIXELS = 4;
 const MOVE_MS = 260;

@@ -8,11 +8,11 @@
  * A view is a target, a direction from it (azimuth from +z towards +x, height above the ground, radians) and a
  * distance; for an orthographic camera of half height h the distance is h / tan(fov/2).
  */
-import { type Box3, MOUSE, OrthographicCamera, PerspectiveCamera, Sphere, Spherical, TOUCH, Vector3 } from 'three';
+import { Box3, MOUSE, OrthographicCamera, PerspectiveCamera, Sphere, Spherical, TOUCH, Vector3 } from 'three';
 import { OrbitControls } from 'three/addons/controls/OrbitControls.js';
 import { distanceForHalfHeight, fitEye, lookingFrom, orthographicDepth, perspectiveDepth } from '../math/framing.ts';
 import type { Vec3 } from '../math/vec3.ts';
-import { CameraTravel, newView, PressWatch, type View } from './camera-travel.ts';
+import { CameraTravel, FARTHEST, limitView, newView, PressWatch, type View } from './camera-travel.ts';
 import { Grid } from './grid.ts';
 import { keepToOneKindOfPointer } from './one-kind-of-pointer.ts';
 
@@ -67,6 +67,7 @@ export class CameraRig {
   private readonly seen = newView();
   /** The last view that could be drawn. */
   private readonly sane = newView();
+  private readonly drawable = new Box3();
 
   /** @param changed called whenever a redraw is needed */
   constructor(
@@ -166,8 +167,8 @@ export class CameraRig {
    * @param smoothly in a short animated move
    */
   frame(boxes: readonly Box3[], coveredTop: number, smoothly: boolean): void {
-    const corners = boxes.flatMap((box) => (box.isEmpty() ? [] : [...box.min.toArray(), ...box.max.toArray()]));
-    if (corners.length === 0 || !corners.every(Number.isFinite)) return;
+    const corners = boxes.flatMap((box) => (this.limitBox(box) ? cornersOf(this.drawable) : []));
+    if (corners.length === 0) return;
     const to = this.goal();
     const { axes } = this;
     lookingFrom(to.azimuth, to.polar, axes);
@@ -217,6 +218,8 @@ export class CameraRig {
 
   /** Moves camera and target by the motion of what they follow. */
   shift(by: Vector3): void {
+    // A broken frame throws it out of reach.
+    if (!(by.length() < FARTHEST) || !(this.size.copy(this.target).add(by).length() < FARTHEST)) return;
     this.shown.position.add(by);
     this.target.add(by);
     this.travel.shift(by);
@@ -242,8 +245,8 @@ export class CameraRig {
   fitDepth(box: Box3, gridShown: boolean): void {
     this.keepSane();
     const { distance, shown, perspective, orthographic, controls, sphere } = this;
-    if (box.isEmpty()) sphere.set(this.target, distance);
-    else box.getBoundingSphere(sphere);
+    if (this.limitBox(box)) this.drawable.getBoundingSphere(sphere);
+    else sphere.set(this.target, distance);
     // A point at the target has neither size nor distance.
     sphere.radius ||= distance;
     const content = sphere.center.distanceTo(this.target) + sphere.radius;
@@ -312,13 +315,12 @@ export class CameraRig {
    * element that may have none.
    */
   private keepSane(): void {
-    const { target, azimuth, polar, distance } = this.read(this.seen);
-    const sum = target.x + target.y + target.z + azimuth + polar;
-    if (!(Number.isFinite(sum) && Number.isFinite(distance) && distance > 0)) {
-      this.place(this.sane);
+    const { seen, sane } = this;
+    const { target, azimuth, polar, distance } = this.read(seen);
+    if (!(distance > 0 && limitView(seen))) {
+      this.place(sane);
       return;
     }
-    const { sane } = this;
     sane.target.copy(target);
     sane.azimuth = azimuth;
     sane.polar = polar;
@@ -341,7 +343,18 @@ export class CameraRig {
     return goal ? { ...goal, target: goal.target.clone() } : this.read(newView());
   }
 
+  /** Copies a box to `drawable`, within what can be drawn. False if it is empty or has no numbers. */
+  private limitBox(box: Box3): boolean {
+    const { drawable } = this;
+    if (box.isEmpty() || !cornersOf(box).every(Number.isFinite)) return false;
+    drawable.copy(box);
+    drawable.min.clampScalar(-FARTHEST, FARTHEST);
+    drawable.max.clampScalar(-FARTHEST, FARTHEST);
+    return true;
+  }
+
   private go(to: View, smoothly: boolean): void {
+    if (!limitView(to)) return;
     const still = typeof matchMedia === 'function' && matchMedia('(prefers-reduced-motion: reduce)').matches;
     if (smoothly && !still) {
       this.travel.begin(this.read(newView()), to);
@@ -369,3 +382,5 @@ export class CameraRig {
     shown.updateMatrixWorld();
   }
 }
+
+const cornersOf = ({ min, max }: Box3) => [min.x, min.y, min.z, max.x, max.y, max.z];

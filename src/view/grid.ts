@@ -169,6 +169,8 @@ export class Grid {
     ]) {
       const first = Math.ceil((centre - near) / spacing);
       const last = Math.floor((centre + near) / spacing);
+      // So far away that one line isn't told from the next.
+      if (!Number.isSafeInteger(first) || !Number.isSafeInteger(last)) continue;
       at.fill(0);
       at[across] = acrossValue;
       for (let i = first; i <= last; i++) {

@@ -5,6 +5,7 @@
  */
 import { Box3, type Group, Vector3 } from 'three';
 import { placementMatrix } from '../evaluate/placements.ts';
+import { timeBetween } from '../math/time-between.ts';
 import { type Character, type Document, findCharacter, shownSkin } from '../model/document.ts';
 import type { Display, Selection } from '../model/session.ts';
 import type { CharacterView } from './character-view.ts';
@@ -177,7 +178,7 @@ export class ShownCharacters {
       const moments: Box3[] = [];
       own.copy(now);
       for (let i = 0; i <= steps; i++) {
-        view.seek(start + ((end - start) * i) / steps);
+        view.seek(timeBetween(start, end, i / steps));
         const moment = view.bounds(new Box3());
         moments.push(moment);
         own.union(moment);

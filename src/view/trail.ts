@@ -2,11 +2,19 @@
  * The motion path of one joint over the playback range: sampled when the joint, the character or the range changes, not
  * while playing.
  */
-import { BufferGeometry, DynamicDrawUsage, InstancedBufferAttribute, InstancedMesh, type ShaderMaterial } from 'three';
+import {
+  BufferGeometry,
+  DynamicDrawUsage,
+  InstancedBufferAttribute,
+  InstancedMesh,
+  type ShaderMaterial,
+  Sphere,
+} from 'three';
 import { compileSkeleton, worldMatrices } from '../evaluate/kinematics.ts';
 import { NO_TRAVEL, placementMatrix } from '../evaluate/placements.ts';
 import { dofCountOf, poseAt } from '../evaluate/pose.ts';
 import { carrierOf, groundTravel } from '../evaluate/travel.ts';
+import { timeBetween } from '../math/time-between.ts';
 import type { Character } from '../model/document.ts';
 import { shownClip } from '../model/document.ts';
 import type { StageTheme } from './theme.ts';
@@ -35,7 +43,7 @@ export function samplePath(
   const travel = new Float64Array(3);
   const carrier = carrierOf(character);
   for (let i = 0; i < count; i++) {
-    poseAt(character, start + ((end - start) * i) / Math.max(1, count - 1), dofs);
+    poseAt(character, timeBetween(start, end, i / Math.max(1, count - 1)), dofs);
     worldMatrices(skeleton, dofs, world);
     if (inPlace) groundTravel(skeleton, character.space, carrier, dofs, world, travel);
     for (let k = 0; k < 3; k++) path[3 * i + k] = world[16 * joint + 12 + k] - travel[k];
@@ -90,6 +98,8 @@ export class Trail {
     for (let i = 0; i + 1 < count; i++) segments.set(path.subarray(3 * i, 3 * i + 6), 6 * i);
     this.object.geometry.dispose();
     this.object.geometry = segmentsGeometry(segments);
+    // It is never culled, and three.js would complain of paths beyond 32-bit floats.
+    this.object.geometry.boundingSphere = new Sphere();
     this.place(character);
   }
 

@@ -1,6 +1,13 @@
 import { Vector3 } from 'three';
 import { describe, expect, it } from 'vitest';
-import { CameraTravel, CLICK_PIXELS, PressWatch, type View } from '../../src/view/camera-travel.ts';
+import {
+  CameraTravel,
+  CLICK_PIXELS,
+  FARTHEST,
+  limitView,
+  PressWatch,
+  type View,
+} from '../../src/view/camera-travel.ts';
 
 const view = (x: number, azimuth: number, distance: number): View => ({
   target: new Vector3(x, 0, 0),
@@ -56,4 +63,19 @@ describe('a press', () => {
     press.press(at(100));
     expect(press.isDrag(at(200, 0))).toBe(false);
   });
+});
+
+it('a view is limited to what can be drawn, and refused if it has no numbers', () => {
+  const limited = (x: number, distance: number) => {
+    const one = view(x, 0, distance);
+    return limitView(one) && [one.target.x, one.distance];
+  };
+  expect(limited(3, 5)).toEqual([3, 5]);
+  expect(limited(-1e308, Number.POSITIVE_INFINITY)).toEqual([-FARTHEST, FARTHEST]);
+  expect(limited(0, 1e-300)).toEqual([0, 1e-15]);
+  // One unit away from there is nowhere.
+  expect(limited(1e15, 1)).toEqual([1e15, expect.closeTo(1e6, 3)]);
+  expect(limited(Number.NaN, 1)).toBe(false);
+  expect(limited(0, Number.NaN)).toBe(false);
+  expect(limitView(view(0, Number.POSITIVE_INFINITY, 1))).toBe(false);
 });

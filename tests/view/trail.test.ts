@@ -1,5 +1,5 @@
 import { describe, expect, it } from 'vitest';
-import { samplePath } from '../../src/view/trail.ts';
+import { samplePath, Trail } from '../../src/view/trail.ts';
 import { character, clip, skeleton } from '../helpers/builders.ts';
 
 describe('the trail of a joint', () => {
@@ -23,5 +23,15 @@ describe('the trail of a joint', () => {
     const ends = samplePath(moving, 0, [0, 1], 2, false);
     expect(Array.from(one.subarray(0, 3))).toEqual(Array.from(ends.subarray(0, 3)));
     expect(Array.from(one.subarray(12))).toEqual(Array.from(ends.subarray(3)));
+  });
+
+  it('a path over all of time to where no 32-bit float reaches is drawn without complaint', () => {
+    const away = clip('away', [1e308, -1e308]);
+    const moving = character({ skeleton: skeleton(2), clips: [away], shownClip: 0 });
+    expect(samplePath(moving, 0, [-1e308, 1e308], 5, false).every((value) => !Number.isNaN(value))).toBe(true);
+    const trail = new Trail();
+    trail.show(moving, 0, [0, 1], false);
+    // three.js has no need to compute it, and to find that it isn't one.
+    expect(trail.object.geometry.boundingSphere?.radius).toBe(-1);
   });
 });
