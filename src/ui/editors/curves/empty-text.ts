@@ -19,6 +19,9 @@ function emptyText(wb: Uses<'store' | 'transport' | 'timeline'>, listed: number)
   const take = currentTake(wb);
   const at = `${shown(wb.transport.get().timeSeconds)} s`;
   const keyed = take?.clip.channels.some((_, c) => spanOfChannel(take.clip, c)) ?? false;
+  if (!keyed && !character.skeleton && character.morphs.length === 0) {
+    return `${character.name} has no skeleton, so there is nothing to animate. Drop its .skel file here.`;
+  }
   if (!keyed) {
     return `${character.name} has no animation. Rotate a joint and press K to key it at ${at} or Shift+K to key the whole pose, or drop an .anim file.`;
   }

@@ -57,6 +57,8 @@ export function listedChannels(character: Character, selection: Selection, setti
   const add = (channel: number) => {
     if (channel < silent) return;
     const one = namedChannel(character, channel);
+    // Of a skin alone: there is no joint to key.
+    if (!character.skeleton && one.joint !== '' && !isAnimated(one)) return;
     if (isFound(words, `${one.joint} ${one.dof}`.toLowerCase())) listed.push(one);
   };
   const count = channelCount(character);
