@@ -6,7 +6,7 @@
 import { Box3, type Group, Vector3 } from 'three';
 import { placementMatrix } from '../evaluate/placements.ts';
 import { timeBetween } from '../math/time-between.ts';
-import { type Character, type Document, findCharacter, shownSkin } from '../model/document.ts';
+import { type Character, type Document, findCharacter, shownClip, shownSkin } from '../model/document.ts';
 import type { Display, Selection } from '../model/session.ts';
 import type { CharacterView } from './character-view.ts';
 import type { PosedSkeleton } from './drawn-skeletons.ts';
@@ -28,6 +28,9 @@ export interface ShownCharacter {
 const MOMENTS = 160;
 const ALL_MOMENTS = 640;
 const FEWEST_MOMENTS = 16;
+/** Joints that are posed for it, over all moments; beside them each pose of a character costs as much as these. */
+const ALL_JOINTS = 600_000;
+const PER_POSE = 20;
 /** Motion enlarges the framed box to at most this multiple of its current size: farther away, no one sees it. */
 const MAX_ROOM = 50;
 
@@ -168,10 +171,13 @@ export class ShownCharacters {
   boundsOfMotion([start, end]: readonly [number, number], timeSeconds: number, these = this.visible): Box3[] {
     const { own, size } = this;
     const all: Box3[] = [];
-    const steps = Math.max(FEWEST_MOMENTS, Math.min(MOMENTS, Math.floor(ALL_MOMENTS / these.length)));
-    for (const { view } of these) {
+    const wanted = Math.max(FEWEST_MOMENTS, Math.min(MOMENTS, ALL_MOMENTS / these.length));
+    const cost = these.reduce((sum, { character }) => sum + PER_POSE + (character.skeleton?.joints.length ?? 0), 0);
+    const steps = Math.floor(Math.min(wanted, ALL_JOINTS / cost));
+    for (const { view, character } of these) {
       const now = view.bounds(new Box3());
-      if (!(end > start)) {
+      const isStill = !character.driver && !shownClip(character);
+      if (!(end > start) || isStill || steps < 1) {
         all.push(now);
         continue;
       }

@@ -51,6 +51,26 @@ describe('the characters in the picture', () => {
     expect(all.get('walker')?.view.dofs[0]).toBe(0);
   });
 
+  it('characters are posed for framing only if they move, and less often the more joints they have', () => {
+    const poses = (all: ShownCharacters) => {
+      let count = 0;
+      for (const { view } of all.all) {
+        const { seek } = view;
+        view.seek = (...values) => {
+          count++;
+          seek.apply(view, values);
+        };
+      }
+      all.boundsOfMotion([0, 1], 0);
+      return count;
+    };
+    const moving = shown(near);
+    expect(poses(moving)).toBeGreaterThan(100);
+    expect(poses(shown({ ...near, clips: [], shownClip: -1 }))).toBe(0);
+    const joints = Array.from({ length: 10_000 }, (_, j) => joint(j - 1));
+    expect(poses(shown({ ...near, skeleton: { ...skeleton, joints } }))).toBeLessThan(80);
+  });
+
   it('a character that a broken frame throws kilometres away is framed where it is', () => {
     const thrown = captured(
       skeleton,
