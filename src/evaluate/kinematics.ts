@@ -11,6 +11,7 @@ import { writeRotation } from '../math/quaternion.ts';
 import { couplesOf, type DofCouple } from '../model/couples.ts';
 import { rootDofCount } from '../model/dofs.ts';
 import { dofsOf, factorsOf, offsetBesideDofs, takesLimits } from '../model/joint-types.ts';
+import { perObject } from '../model/per-object.ts';
 import { perSkeleton } from '../model/per-skeleton.ts';
 import { type Motion, type Skeleton, UNLIMITED } from '../model/skeleton.ts';
 import { appliedDofs, eulerDofs } from './euler-dofs.ts';
@@ -75,7 +76,7 @@ function compile(skeleton: Skeleton): CompiledSkeleton {
     }
     firstDof[j + 1] = firstDof[j] + count;
   });
-  const slides = Int32Array.from(joints.flatMap(({ motion }, j) => slidesOf(motion, firstDof[j])));
+  const slides = dofsOfAll(joints, firstDof, slidesOf);
   return {
     jointCount,
     dofCount: lower.length,
@@ -89,23 +90,37 @@ function compile(skeleton: Skeleton): CompiledSkeleton {
     upper: Float64Array.from(upper),
     limited: Int32Array.from([...lower.keys()].filter((d) => lower[d] > UNLIMITED.min || upper[d] < UNLIMITED.max)),
     motions: joints.map((j) => jointMotion(j.motion)),
-    turns: Int32Array.from(joints.flatMap(({ motion }, j) => turnsOf(motion, firstDof[j]))),
+    turns: dofsOfAll(joints, firstDof, turnsOf),
     slides,
     couples: couplesOf(skeleton).ordered,
   };
 }
 
-function turnsOf(motion: Motion, first: number): readonly number[] {
-  const euler = eulerDofs(motion);
-  const before = factorsOf(motion)?.slice(0, -3) ?? [];
-  if (!euler || !before.every((name) => name.startsWith('t'))) return [-1, -1, -1];
-  return appliedDofs(euler).map((dof) => first + dof);
+/** Three DOFs of each joint, by what its motion tells of its own; −1 for none. */
+function dofsOfAll(
+  joints: Skeleton['joints'],
+  firstDof: Int32Array,
+  own: (motion: Motion) => readonly number[],
+): Int32Array {
+  const dofs = new Int32Array(3 * joints.length).fill(-1);
+  for (let j = 0; j < joints.length; j++) {
+    const three = own(joints[j].motion);
+    for (let k = 0; k < 3; k++) if (three[k] >= 0) dofs[3 * j + k] = firstDof[j] + three[k];
+  }
+  return dofs;
 }
 
-function slidesOf(motion: Motion, first: number): readonly number[] {
+/** Cached, since thousands of joints share what they don't state. */
+const turnsOf = perObject((motion: Motion): readonly number[] => {
+  const euler = eulerDofs(motion);
+  const before = factorsOf(motion)?.slice(0, -3) ?? [];
+  return euler && before.every((name) => name.startsWith('t')) ? appliedDofs(euler) : [-1, -1, -1];
+});
+
+const slidesOf = perObject((motion: Motion): readonly number[] => {
   const names = dofsOf(motion).map(({ name }) => name);
-  return ['tx', 'ty', 'tz'].map((name) => (names.includes(name) ? first + names.indexOf(name) : -1));
-}
+  return ['tx', 'ty', 'tz'].map((name) => names.indexOf(name));
+});
 
 /** Clamps the joints' DOFs to their limits, in place. Root translation and morph weights have none. */
 export function clampDofs(skeleton: CompiledSkeleton, dofs: Float64Array): void {

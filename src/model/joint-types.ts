@@ -149,7 +149,9 @@ export function replacesOffset(motion: Motion, name: string): boolean {
 }
 
 /** The part of a joint's offset that its DOFs do not replace. */
-export function offsetBesideDofs({ offset: [x, y, z], motion }: Pick<Joint, 'offset' | 'motion'>): Vec3 {
+export function offsetBesideDofs({ offset, motion }: Pick<Joint, 'offset' | 'motion'>): Vec3 {
+  if (positionsOf(motion) !== 'replace') return offset;
+  const [x, y, z] = offset;
   const left = (name: string, value: number) => (replacesOffset(motion, name) ? 0 : value);
   return [left('tx', x), left('ty', y), left('tz', z)];
 }
