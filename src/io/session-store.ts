@@ -6,9 +6,9 @@
  *     [id, 'piece', n]       bytes of typed arrays, at most a MB or so
  *     [id, 'head']           everything else, with references to files and pieces
  *
- * A save is one transaction: either all of it is stored or the session is unchanged. Its puts are chained, each in the
- * success event of the previous one, since the browser copies a value while `put` runs: together they would be one long
- * task. (A record per array would need no pieces, but a put then takes as long as the array is large.)
+ * A save is one transaction: either all of it is stored or the session is unchanged. Its puts of files and pieces are
+ * chained, each in the success event of the previous one, since the browser copies a value while `put` runs: together
+ * they would be one long task. The others don't wait, since each answer takes a while on a busy machine. (A record per array would need no pieces, but a put then takes as long as the array is large.)
  */
 import { createStore, promisifyRequest, type UseStore } from 'idb-keyval';
 import type { GivenBlob } from '../worker/protocol.ts';
@@ -154,10 +154,10 @@ function* puts(store: IDBObjectStore, write: SessionWrite): Generator<IDBRequest
   }
   for (const file of write.files) yield store.put(file, [id, 'file', file.id]);
   for (const piece of write.pieces) yield store.put(piece.bytes(), [id, 'piece', piece.id]);
-  for (const file of write.goneFiles) yield store.delete([id, 'file', file]);
-  for (const piece of write.gonePieces) yield store.delete([id, 'piece', piece]);
-  yield store.put(write.card, ['session', id]);
-  yield store.put(write.head, [id, 'head']);
+  for (const file of write.goneFiles) store.delete([id, 'file', file]);
+  for (const piece of write.gonePieces) store.delete([id, 'piece', piece]);
+  store.put(write.card, ['session', id]);
+  store.put(write.head, [id, 'head']);
 }
 
 function* gets(
@@ -195,7 +195,7 @@ function inTurn(store: IDBObjectStore, requests: Iterator<IDBRequest>, atOnce = 
           step.value.onsuccess = next;
           return;
         }
-        if (atOnce) transaction.commit();
+        if (transaction.mode === 'readwrite') transaction.commit();
       } catch (error) {
         fail(error);
       } finally {

@@ -55,13 +55,17 @@ async function killAgain(attempt: Attempt, url: string, work: Work, tally: Tally
       const target = attempt.random() < 0.5 ? 'browser' : 'renderer';
       const check = await work.run(pages, profile, attempt);
       tally.kills++;
-      if (profile.isStoring) tally.whileStoring++;
+      const { storingMs } = profile;
+      if (storingMs > 0) tally.whileStoring++;
       const killedMs = performance.now();
       await profile.kill(target);
       attempt.tried();
       const { lostMs, broken, pages: again } = await check(profile, killedMs);
       tally.worstMs = Math.max(tally.worstMs, lostMs);
-      if (lostMs > MAX_LOST_MS) attempt.gaveWay(`${work.name}: ${Math.round(lostMs)} ms lost by killing the ${target}`);
+      if (lostMs > MAX_LOST_MS) {
+        const storing = storingMs > 0 ? `, which was storing for ${Math.round(storingMs)} ms` : '';
+        attempt.gaveWay(`${work.name}: ${Math.round(lostMs)} ms lost by killing the ${target}${storing}`);
+      }
       if (broken !== undefined) {
         attempt.gaveWay(`${work.name}, ${target} killed: ${broken}`);
         return;

@@ -18,6 +18,7 @@ export class Profile {
   readonly downloads = join(this.folder, 'downloads');
   private context: BrowserContext | undefined;
   private storing = 0;
+  private storingSinceMs = 0;
   private listeners: (() => void)[] = [];
 
   constructor(
@@ -28,9 +29,9 @@ export class Profile {
     mkdirSync(this.downloads);
   }
 
-  /** Whether autosave is writing. */
-  get isStoring(): boolean {
-    return this.storing > 0;
+  /** For how many milliseconds autosave has been writing; 0 if it isn't. */
+  get storingMs(): number {
+    return this.storing > 0 ? performance.now() - this.storingSinceMs : 0;
   }
 
   /** Resolves when autosave next begins to write. */
@@ -45,7 +46,7 @@ export class Profile {
     const page = blank ?? (await this.context.newPage());
     page.on('console', (message) => {
       if (message.text() === BEGINS) {
-        this.storing++;
+        if (this.storing++ === 0) this.storingSinceMs = performance.now();
         for (const tell of this.listeners.splice(0)) tell();
       } else if (message.text() === ENDS) this.storing--;
     });
