@@ -27,7 +27,9 @@ export interface Runs<K extends JobName> {
 const AGAIN = 'Try again; if it stops again, with fewer or smaller files.';
 
 function whenReleased(lock: string, tell: () => void): void {
-  navigator.locks.request(lock, tell).catch(() => undefined);
+  // The type says it always exists; a page may lack it all the same.
+  const locks = navigator.locks as LockManager | undefined;
+  locks?.request(lock, tell).catch(() => undefined);
 }
 
 /** A job that failed with its worker; the message is a sentence for the user. */
