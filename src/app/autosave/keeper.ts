@@ -16,6 +16,8 @@ export interface SessionHead {
   readonly version?: number;
   /** Indexed by the tree's `part`s. */
   readonly files: readonly HeadFile[];
+  /** Ids of stored files that those are read with, such as the buffers of a `.gltf`; absent: none. */
+  readonly beside?: readonly number[];
   readonly tree: Encoded;
 }
 
@@ -106,17 +108,21 @@ export class Keeper {
   private encode(state: SessionState) {
     const kept: KeptState = { ...state, knownSkins: knownSkins(state.document, this.origins) };
     const encoded = encode(kept, this.origins);
-    return { ...encoded, given: new Set(encoded.files.map((file): Given => file.given)) };
+    const given = new Set(encoded.files.map((file): Given => file.given));
+    const beside = new Set<Given>();
+    for (const file of given) for (const other of this.origins.besideOf(file)) beside.add(other);
+    return { ...encoded, beside, given: new Set([...given, ...beside]) };
   }
 
   private async write(state: SessionState, savedAtMs: number, atOnce: boolean): Promise<void> {
     const begun = performance.now();
-    const { tree, files, arrays, given } = this.encode(state);
+    const { tree, files, arrays, given, beside } = this.encode(state);
     const filePlan = this.files.plan(given);
     const piecePlan = this.pieces.plan(arrays);
     const head: SessionHead = {
       version: SESSION_VERSION,
       files: files.map((f) => ({ given: f.given.id, path: f.path })),
+      ...(beside.size > 0 && { beside: Array.from(beside, ({ id }) => id) }),
       tree,
     };
     const write: SessionWrite = {

@@ -32,6 +32,8 @@ export class Origins {
   private readonly known = new WeakMap<object, Origin>();
   /** Opened files whose Blobs can't be stored: everything from them is kept as if created here. */
   private readonly unkeepable = new WeakSet<Given>();
+  /** What an opened file can't be read without, such as the buffers of a `.gltf`. */
+  private readonly beside = new WeakMap<Given, ReadonlySet<Given>>();
 
   /** @param nextId first id for opened files: above the ids of all that may be adopted */
   constructor(private nextId = 1) {}
@@ -48,7 +50,10 @@ export class Origins {
   adopt(given: readonly Given[], files: readonly ParsedFile[]): void {
     for (const file of files) {
       const found = givenOf(file, given);
-      if (found) this.walk(file, { file: { given: found, path: file.source.path }, up: undefined, key: '' });
+      if (!found) continue;
+      const others = (file.beside ?? []).flatMap(({ path }) => givenAt(path, given) ?? []);
+      if (others.length > 0) this.beside.set(found, new Set([...this.besideOf(found), ...others]));
+      this.walk(file, { file: { given: found, path: file.source.path }, up: undefined, key: '' });
     }
   }
 
@@ -57,10 +62,21 @@ export class Origins {
     else this.unkeepable.add(given);
   }
 
+  /** The opened files that this one was read with. */
+  besideOf(given: Given): Iterable<Given> {
+    return this.beside.get(given) ?? [];
+  }
+
+  private isUnkeepable(given: Given): boolean {
+    if (this.unkeepable.has(given)) return true;
+    for (const other of this.besideOf(given)) if (this.unkeepable.has(other)) return true;
+    return false;
+  }
+
   /** Where a value came from: its file, and the path of keys in it. */
   find(value: object): { readonly file: OriginFile; readonly path: readonly PathKey[] } | undefined {
     const origin = this.known.get(value);
-    if (!origin || this.unkeepable.has(origin.file.given)) return undefined;
+    if (!origin || this.isUnkeepable(origin.file.given)) return undefined;
     const path: PathKey[] = [];
     for (let at: Origin | undefined = origin; at?.up; at = at.up) path.unshift(at.key);
     return { file: origin.file, path };
@@ -80,8 +96,11 @@ export class Origins {
 }
 
 /** The opened file that a file was read from; undefined if that is ambiguous. */
-export function givenOf(file: ParsedFile, given: readonly Given[]): Given | undefined {
-  const { path } = file.source;
+export function givenOf({ source }: ParsedFile, given: readonly Given[]): Given | undefined {
+  return givenAt(source.path, given);
+}
+
+function givenAt(path: string, given: readonly Given[]): Given | undefined {
   const fitting = given.filter((g) => g.given.path === path || path.startsWith(`${g.given.path}/`));
   return fitting.length === 1 ? fitting[0] : undefined;
 }

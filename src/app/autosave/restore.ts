@@ -79,7 +79,7 @@ async function readOpenings(
   worker: Runs<'parse'>,
   { signal, onProgress }: ReadOptions,
 ): Promise<readonly Opening[]> {
-  const needed = new Set(head.files.map((file) => file.given));
+  const needed = new Set([...head.files.map((file) => file.given), ...(head.beside ?? [])]);
   const together = new Map<number, KeptFile[]>();
   for (const file of kept) {
     if (needed.has(file.id)) together.set(file.opening, [...(together.get(file.opening) ?? []), file]);
