@@ -10,13 +10,13 @@ export const commandLine: Attack = {
   async run(attempt) {
     let [longest, most, killed, kills] = [0, 0, 0, 0];
     for (let round = 0; attempt.goesOn(); round++) {
-      longest = Math.max(longest, await tryArguments(attempt, 1000));
-      most = Math.max(most, await tryFiles(attempt, 40));
-      const count = 35;
+      longest = Math.max(longest, await tryArguments(attempt, 300));
+      most = Math.max(most, await tryFiles(attempt, 15));
+      const count = 14;
       killed += await tryKills(attempt, count);
       kills += count;
-      if (round % 4 === 0) await tryFolders(attempt);
-      if (round % 4 === 1) await tryDisks(attempt);
+      await tryDisks(attempt, 4);
+      if (round % 4 === 1) await tryFolders(attempt);
       if (round % 4 === 2) await tryPipes(attempt);
       if (round % 4 === 3) {
         await tryStreams(attempt);
