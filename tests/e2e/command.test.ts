@@ -2,10 +2,12 @@
 import { execFile, spawn } from 'node:child_process';
 import {
   accessSync,
+  closeSync,
   constants,
   existsSync,
   mkdirSync,
   mkdtempSync,
+  openSync,
   readdirSync,
   readFileSync,
   rmSync,
@@ -153,6 +155,40 @@ describe('the built command', () => {
     child.stdout.once('data', () => child.stdout.destroy());
     await new Promise((resolve) => child.once('close', resolve));
     expect(err).toBe('');
+  });
+
+  it('the built command says that its results could not be written, and ends with 3', async () => {
+    const full = openSync('/dev/full', 'w');
+    const child = spawn(process.execPath, [BUILT, 'info', 'small.skel'], {
+      cwd: folder,
+      stdio: ['ignore', full, 'pipe'],
+    });
+    let err = '';
+    child.stderr?.on('data', (part) => {
+      err += part;
+    });
+    const code = await new Promise((resolve) => child.once('close', resolve));
+    closeSync(full);
+    expect([code, err]).toEqual([3, 'marrow: the results could not be written: the disk is full.\n']);
+  });
+
+  it('the built command ends at a signal with its output whole or untouched, and nothing beside it', async () => {
+    const rows = Array.from({ length: 30_000 }, (_, f) => `${f} 90 ${-f} ${3 * f} ${f} ${2 * f}`).join('\n');
+    const hips = 'OFFSET 0 90 0 CHANNELS 6 Xposition Yposition Zposition Zrotation Xrotation Yrotation';
+    const text = `HIERARCHY ROOT Hips { ${hips} End Site { OFFSET 0 9 0 } } MOTION Frames: 30000 Frame Time: 0.01\n${rows}\n`;
+    mkdirSync(join(folder, 'signal'));
+    writeFileSync(join(folder, 'signal', 'long.bvh'), text);
+    const child = spawn(process.execPath, [BUILT, 'convert', 'signal/long.bvh', 'signal/out.bvh'], { cwd: folder });
+    const ended = new Promise((resolve) => child.once('close', resolve));
+    // An unfinished file is there while it is written.
+    const isWriting = () => readdirSync(join(folder, 'signal')).length > 1;
+    while (!isWriting() && child.exitCode === null) await new Promise((resolve) => setImmediate(resolve));
+    child.kill('SIGTERM');
+    await ended;
+    const names = readdirSync(join(folder, 'signal')).filter((name) => name !== 'long.bvh');
+    expect([[], ['out.bvh']]).toContainEqual(names);
+    for (const name of names)
+      expect(readFileSync(join(folder, 'signal', name), 'utf8').split('\n').length).toBeGreaterThan(30_000);
   });
 
   it('takes paths from where the caller is, under npm too', async () => {
