@@ -204,7 +204,9 @@ function measure(character: Character): Extent {
   }
   const [min] = least;
   const [max] = most;
+  // Between values near the largest number the difference is infinite.
+  const span = (k: number) => Math.min(most[k] - least[k], Number.MAX_VALUE);
   return min <= max
-    ? { min, max, depth, height: most[1] - least[1], size: Math.max(...most.map((m, k) => m - least[k])) }
+    ? { min, max, depth, height: span(1), size: Math.max(span(0), span(1), span(2)) }
     : { min: 0, max: 0, depth, height: 0, size: 0 };
 }

@@ -3,16 +3,19 @@
  * of 0.02 units and of 200.
  */
 
-/** The smallest number of the form 1, 2 or 5 · 10ⁿ not below `atLeast`; 1 if that is not a positive number. */
+/** The next is infinite. */
+const LARGEST = 1e308;
+
+/** The smallest number of the form 1, 2 or 5 · 10ⁿ not below `atLeast`, up to 1e308; 1 if that is not a positive number. */
 export function roundStep(atLeast: number): number {
   if (!(atLeast > 0) || !Number.isFinite(atLeast)) return 1;
   const exponent = Math.floor(Math.log10(atLeast));
   for (const step of [1, 2, 5]) {
     const spacing = decimal(step, exponent);
     // Accepts a spacing that equals `atLeast` up to rounding.
-    if (spacing >= atLeast * (1 - 1e-9)) return spacing;
+    if (spacing >= atLeast * (1 - 1e-9)) return Math.min(spacing, LARGEST);
   }
-  return decimal(1, exponent + 1);
+  return Math.min(decimal(1, exponent + 1), LARGEST);
 }
 
 /**

@@ -24,6 +24,8 @@ export interface RulerScale {
 
 /** Safety limit: an empty time window must not hang the page. */
 const MAX_TICKS = 2000;
+/** More can't be told apart in a label. */
+const MAX_DECIMALS = 12;
 
 export function rulerTicks(scale: RulerScale): Tick[] {
   const { fromSeconds, toSeconds, width, spacing, framesPerSecond } = scale;
@@ -37,7 +39,7 @@ export function rulerTicks(scale: RulerScale): Tick[] {
   const wanted = leading === 2 ? 2 : 5;
   const parts = framesPerSecond && step / wanted < 1 ? Math.max(1, Math.round(step)) : wanted;
   const small = step / parts;
-  const decimals = Math.max(0, -Math.floor(Math.log10(step) + 1e-9));
+  const decimals = Math.min(MAX_DECIMALS, Math.max(0, -Math.floor(Math.log10(step) + 1e-9)));
   return wholeNumbers(from / small - 1e-9, to / small + 1e-9, MAX_TICKS).map((i) => {
     const timeSeconds = i * small * unit;
     return i % parts === 0 ? { timeSeconds, label: shown((i / parts) * step, decimals) } : { timeSeconds };

@@ -1,7 +1,7 @@
 /** Thousands of files, figures and parts opened at once. */
 import fc from 'fast-check';
 import { expect, it } from 'vitest';
-import { Placing, placeBeside } from '../../../src/edit/place-beside.ts';
+import { extentOf, Placing, placeBeside } from '../../../src/edit/place-beside.ts';
 import { spreadOfHeights } from '../../../src/edit/same-height.ts';
 import { type Character, EMPTY_DOCUMENT } from '../../../src/model/document.ts';
 import type { ParsedFile } from '../../../src/model/files.ts';
@@ -84,6 +84,11 @@ it('a character as large as numbers go has a placement of numbers', () => {
   const huge = character({ skeleton: skeletonOf(1e308) });
   for (const others of [[huge], [huge, huge]]) {
     expect(placeBeside(others, huge).position.every(Number.isFinite)).toBe(true);
+    const wide = character({
+      skeleton: { ...skeleton(), joints: [joint(-1), joint(0, { offset: [1.7e308, 1, 0], length: 1e308 })] },
+    });
+    expect(Object.values(extentOf(wide)).every((value) => !Number.isNaN(value))).toBe(true);
+    expect(extentOf(wide).size).toBeLessThan(Infinity);
   }
 });
 

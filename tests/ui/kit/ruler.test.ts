@@ -11,6 +11,26 @@ describe('rulerTicks', () => {
     expect(labels(scale)).toEqual(['0', '0.5', '1', '1.5', '2']);
   });
 
+  it('rulerTicks gives few ticks at finite times for windows of any length, anywhere', () => {
+    const time = fc
+      .constantFrom(0, 5e-324, 1e-300, 1e-9, 1, 1.7e9, 1.7e15, 1.7e18, 1e154, 1e308, 1.7e308)
+      .chain((size) => fc.constantFrom(size, -size));
+    const rate = fc.constantFrom(undefined, 24, 1e-300, 1e308);
+    fc.assert(
+      fc.property(time, time, rate, (fromSeconds, toSeconds, framesPerSecond) => {
+        const ticks = rulerTicks({
+          fromSeconds,
+          toSeconds,
+          width: 800,
+          spacing: 64,
+          ...(framesPerSecond && { framesPerSecond }),
+        });
+        expect(ticks.length).toBeLessThanOrEqual(2000);
+        expect(ticks.every(({ timeSeconds }) => Number.isFinite(timeSeconds))).toBe(true);
+      }),
+    );
+  });
+
   it('labels times before 0 and far away', () => {
     expect(labels({ fromSeconds: -2, toSeconds: 0, width: 200, spacing: 60 })).toEqual(['−2', '−1', '0']);
     expect(labels({ fromSeconds: 3600, toSeconds: 3700, width: 300, spacing: 60 })).toEqual([
