@@ -117,7 +117,7 @@ describe('faults', () => {
       await page.getByRole('button', { name: 'Cancel' }).waitFor();
       await end();
       await line(page).getByText('Nothing was opened. The worker stopped. Try again').waitFor();
-      expect(await line(page).getByText('more message').count()).toBe(0);
+      await expect.poll(() => line(page).getByText('more message').count()).toBe(0);
       await dropFiles(page, [{ name: 'tail.skel', bytes: ARM }]);
       await expect.poll(names).toEqual(['arm', 'leg', 'tail']);
     }, SMALL));
@@ -137,7 +137,7 @@ describe('faults', () => {
       await page.reload();
       await restore(page);
       await shown(page, 'arm');
-      expect((await dofs(page))[6]).toBe(0.5);
+      await expect.poll(async () => (await dofs(page))[6]).toBe(0.5);
     }, SMALL));
 
   it('a save that fails keeps the mark and says why in a sentence, and is tried again; saving needs no connection', () =>
@@ -162,10 +162,11 @@ describe('faults', () => {
         await line(page)
           .getByText('arm.skel: Not saved. Something unexpected failed. Try again. (TypeError: planted by the test)')
           .waitFor();
-        expect(await page.title()).toBe('• arm.skel – Marrow');
+        await expect.poll(() => page.title()).toBe('• arm.skel – Marrow');
         const saving = page.waitForEvent('download');
         await page.keyboard.press('Control+s');
-        expect((await saving).suggestedFilename()).toBe('arm.skel');
+        const download = await saving;
+        expect(download.suggestedFilename()).toBe('arm.skel');
         await expect.poll(() => page.title()).toBe('Marrow');
         await page.keyboard.press('?');
         await line(page)
@@ -173,7 +174,7 @@ describe('faults', () => {
           .waitFor();
         await page.context().setOffline(false);
         await setDof(page, 6, 0.25);
-        expect((await dofs(page))[6]).toBe(0.25);
+        await expect.poll(async () => (await dofs(page))[6]).toBe(0.25);
       },
       {
         ...SMALL,
