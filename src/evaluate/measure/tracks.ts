@@ -9,7 +9,7 @@ import { backMultiply3, copy3, writeRotationPart } from '../../math/mat3.ts';
 import { quaternionOfRotation } from '../../math/quaternion.ts';
 import type { Character } from '../../model/document.ts';
 import { restPose } from '../../model/dofs.ts';
-import { type Frames, framesOf, ownFrames, playedClip } from '../bake.ts';
+import { type Frames, framesOf, MAX_FRAMES, ownFrames, playedClip } from '../bake.ts';
 import { contactSpans, feetOf, framesOfSpans, standingHeight } from '../foot-contacts.ts';
 import { compileSkeleton, worldMatrices } from '../kinematics.ts';
 import { NO_TRAVEL, placementMatrix } from '../placements.ts';
@@ -36,14 +36,24 @@ export interface Tracks {
   readonly contacts: readonly Float64Array[];
 }
 
+/** For a range of keys that has more frames than a page can hold. */
+const FRAMES_INSTEAD = 100_000;
+
+function keptInBounds(frames: Frames, [start, end]: readonly [number, number]): Frames {
+  if (frames.frameCount <= MAX_FRAMES) return frames;
+  // The length of a range from −1e308 to 1e308 is no number.
+  const frameSeconds = end / (FRAMES_INSTEAD - 1) - start / (FRAMES_INSTEAD - 1);
+  return { startSeconds: start, frameSeconds, frameCount: FRAMES_INSTEAD };
+}
+
 /**
  * Frames of the take that drives a character, in seconds of the transport; undefined if it shows none.
- * @param framesPerSecond the rate of a take that has only keys
+ * @param framesPerSecond the rate of a take that has only keys; one of hours has fewer frames, over all of its range
  */
 export function measuredFrames(character: Character, framesPerSecond: number): Frames | undefined {
   const clip = playedClip(character);
   if (!clip) return undefined;
-  const frames = ownFrames(character) ?? framesOf(clip.range, framesPerSecond);
+  const frames = ownFrames(character) ?? keptInBounds(framesOf(clip.range, framesPerSecond), clip.range);
   const offset = character.timeOffsetSeconds + (character.driver?.source.timeOffsetSeconds ?? 0);
   return { ...frames, startSeconds: frames.startSeconds - offset };
 }

@@ -48,6 +48,20 @@ describe('the tracks of joints', () => {
     expect(measuredFrames(character(), 10)).toBeUndefined();
   });
 
+  it.each([
+    [0, 1e308],
+    [-1e308, 1e308],
+    [0, 1e6],
+  ])('a range of keys from %d to %d s is measured in frames that a page can hold', (start, end) => {
+    const long = character({ skeleton: skeleton(1), clips: [clip('take', [0], [start, end])], shownClip: 0 });
+    const frames = measuredFrames(long, 30);
+    expect(frames?.frameCount).toBeLessThanOrEqual(1e6);
+    const { startSeconds = 0, frameCount = 0, frameSeconds = 0 } = frames ?? {};
+    // The length of the longest is no number.
+    const [from, half] = [startSeconds / end, ((frameCount - 1) / 2) * (frameSeconds / end)];
+    expect(from + half + half).toBeCloseTo(1, 9);
+  });
+
   it('positions are metres of the scene, and rotations are from rest and relative to the parent', () => {
     const made = character({
       skeleton: skeleton(2),

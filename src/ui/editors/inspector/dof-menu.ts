@@ -5,11 +5,12 @@ import { channelOf, isDriven } from '../../../evaluate/pose.ts';
 import { silentChannels } from '../../../evaluate/retarget/moved-dofs.ts';
 import { coupleOf } from '../../../model/couples.ts';
 import { type Character, findCharacter } from '../../../model/document.ts';
-import { type CharacterDof, characterDofs, filePose } from '../../../model/dofs.ts';
+import { characterDofs, filePose } from '../../../model/dofs.ts';
 import { isUnlimited, type Limit, UNLIMITED } from '../../../model/skeleton.ts';
 import { type MenuEntry, openMenu } from '../../kit/menu.ts';
 import type { Slider } from '../../kit/slider.ts';
 import { addKeyed } from '../../state/add-keys.ts';
+import { attempt } from '../../state/attempt.ts';
 import { openPanel } from '../../state/panels.ts';
 import type { Uses } from '../../state/workbench.ts';
 import { shownDofs } from '../posing/active-dof.ts';
@@ -21,7 +22,7 @@ import { editLimits } from '../rig/limit-editor.ts';
  * @param at pointer position; absent if opened by keyboard in the row's number
  */
 export function openDofMenu(
-  wb: Uses<'store' | 'transport' | 'timeline' | 'posing' | 'settings'>,
+  wb: Uses<'store' | 'transport' | 'timeline' | 'posing' | 'settings' | 'messages'>,
   slider: Slider,
   characterId: string,
   dofs: readonly number[],
@@ -30,7 +31,7 @@ export function openDofMenu(
   const character = findCharacter(wb.store.document, characterId);
   const dof = character && characterDofs(character.skeleton, character.morphs)[dofs[0]];
   if (!dof) return;
-  const list = entries(wb, slider, character, dofs, dof);
+  const list = dofEntries(wb, character, dofs, (limited) => editLimits(wb, slider, characterId, limited));
   const label = dofs.length === 1 ? dof.name : `${dof.name} of ${dofs.length} joints`;
   if (at) openMenu(at, list, { label });
   else {
@@ -42,16 +43,23 @@ export function openDofMenu(
   }
 }
 
-function entries(
-  wb: Uses<'store' | 'transport' | 'timeline' | 'posing' | 'settings'>,
-  slider: Slider,
+/** @param openLimits shows the fields for limits of these DOFs */
+export function dofEntries(
+  wb: Uses<'store' | 'transport' | 'timeline' | 'posing' | 'settings' | 'messages'>,
   character: Character,
   [index, ...others]: readonly number[],
-  dof: CharacterDof,
+  openLimits: (dofs: readonly number[]) => void,
 ): readonly MenuEntry[] {
   const { id } = character;
-  const item = (label: string, enabled: boolean, run: () => void): MenuEntry => ({ kind: 'item', label, enabled, run });
+  const item = (label: string, enabled: boolean, run: () => void): MenuEntry => ({
+    kind: 'item',
+    label,
+    enabled,
+    // What was drawn when the menu opened may no longer be so.
+    run: () => attempt(wb.messages, run),
+  });
   const all = characterDofs(character.skeleton, character.morphs);
+  const dof = all[index];
   const each = [index, ...others].sort((a, b) => a - b);
   const isForSeveral = others.length > 0;
   const keys = isForSeveral ? 'keys' : 'key';
@@ -111,14 +119,7 @@ function entries(
     { kind: 'line' },
     item('Set lower limit here', canBeLower, () => limit((one) => ({ min: values[one], max: limitsOf(one).max }))),
     item('Set upper limit here', canBeUpper, () => limit((one) => ({ min: limitsOf(one).min, max: values[one] }))),
-    item('Edit limits…', true, () =>
-      editLimits(
-        wb,
-        slider,
-        id,
-        [index, ...others].filter((one) => limited.includes(one)),
-      ),
-    ),
+    item('Edit limits…', true, () => openLimits([index, ...others].filter((one) => limited.includes(one)))),
     item(
       'No limits',
       limited.some((one) => !isUnlimited(all[one].limit)),
