@@ -38,8 +38,8 @@ export interface PageOptions {
   readonly early?: boolean;
   /** With what newcomers see: the hint over the viewport, and shadows. */
   readonly firstVisit?: boolean;
-  /** Runs in the page before any of its own scripts. */
-  readonly before?: () => void;
+  /** Run in the page before any of its own scripts. */
+  readonly before?: (() => void) | readonly (() => void)[];
   /** With the page's service worker; by default there is none, so that no test reads what another has stored. */
   readonly serviceWorker?: boolean;
   /** Another folder than `dist/`. */
@@ -138,7 +138,7 @@ export async function withPage(body: (open: OpenPage) => Promise<void>, options:
       collectProblems(another, server.url, problems);
       await another.addInitScript(tellViolations);
       if (!options.firstVisit) await another.addInitScript(asKnownVisitor);
-      if (options.before) await another.addInitScript(options.before);
+      for (const script of [options.before ?? []].flat()) await another.addInitScript(script);
       await another.goto(server.url + query);
       // If the page can't draw, it has neither.
       if (!options.early) await another.waitForFunction(() => !document.querySelector('#app.frame'));

@@ -1,53 +1,152 @@
-/** Menus, tabs and files are opened and closed again and again: what the page holds stays level. */
+/** Menus, dialogs, panels, tabs, modes and files are opened and closed again and again: what the page holds stays level. */
 import type { Page } from 'playwright-core';
-import { openArm } from '../../e2e/checks/autosave.ts';
-import { dropFiles, withPage } from '../../helpers/page.ts';
+import { type DroppedFile, dropFiles, withPage } from '../../helpers/page.ts';
 import { changeText, countResources, type PageResources, resourcesOf } from '../../helpers/page-resources.ts';
 import type { Attack } from '../attack.ts';
+import { DROPS, WALKER_DROP } from './sample-files.ts';
 
 /** Caches fill, and scripts are fetched. */
 const WARM_UP = 3;
+/** A dialog's script is fetched when it is first opened. */
+const DIALOG_MS = 4000;
 /** Growth for each cycle that isn't chance. */
-const MAX_GROWTH: Partial<PageResources> = { nodes: 5, listeners: 2, gpuObjects: 1, objectUrls: 0.2, observers: 0.5 };
+const MAX_GROWTH: Partial<PageResources> = {
+  heapBytes: 250_000,
+  nodes: 5,
+  listeners: 2,
+  gpuObjects: 1,
+  objectUrls: 0.2,
+  observers: 0.5,
+};
+/** Each there and back. */
+const TOGGLED = [
+  'page.outliner',
+  'page.inspector',
+  'page.timeline',
+  'rigging.mode',
+  'posing.toggle',
+  'posing.selectTool',
+].flatMap((id) => [id, id]);
 
 export const openClose: Attack = {
   name: 'open-close',
   shows:
-    'nodes, listeners, observers, object URLs and GPU objects stay level while menus, tabs and files are opened and closed',
+    'heap, nodes, listeners, observers, object URLs and GPU objects stay level while menus, dialogs, panels, tabs, modes and files of all kinds are opened and closed',
   async run(attempt) {
     await withPage(
       async ({ page }) => {
-        await openArm(page);
-        for (let i = 0; i < WARM_UP; i++) await cycle(page);
+        await openWalker(page);
+        const dialogs: MenuPath[] = [];
+        // Some items ask the system, or need what isn't here.
+        for (const path of await dottedItems(page)) if (await openDialog(page, path)) dialogs.push(path);
+        for (let i = 0; i < WARM_UP; i++) await cycle(page, dialogs);
         const before = await resourcesOf(page);
         let cycles = 0;
         for (; attempt.goesOn(); cycles++) {
-          await cycle(page);
+          await cycle(page, dialogs);
           attempt.tried();
         }
         const after = await resourcesOf(page);
+        attempt.note(`${dialogs.length} dialogs, ${Object.keys(DROPS).length} drops in each cycle`);
         attempt.note(changeText(before, after));
-        for (const [name, most] of Object.entries(MAX_GROWTH)) {
-          // Names of the record above.
-          const key = name as keyof PageResources;
-          const grown = (after[key] - before[key]) / cycles;
-          if (cycles >= 5 && grown > most) attempt.gaveWay(`${grown.toFixed(1)} ${name} more after each cycle`);
-        }
+        for (const what of grownBetween(before, after, cycles)) attempt.gaveWay(what);
       },
       { size: { width: 1280, height: 800 }, before: countResources },
     );
   },
 };
 
-async function cycle(page: Page): Promise<void> {
+/** What has grown too much for that many cycles, in words; nothing after a few, which prove nothing. */
+function grownBetween(before: PageResources, after: PageResources, cycles: number): readonly string[] {
+  if (cycles < 5) return [];
+  return Object.entries(MAX_GROWTH).flatMap(([name, most]) => {
+    // Names of the record above.
+    const key = name as keyof PageResources;
+    const grown = (after[key] - before[key]) / cycles;
+    return grown > most ? [`${grown.toFixed(1)} ${name} more after each cycle`] : [];
+  });
+}
+
+export async function openWalker(page: Page): Promise<void> {
+  await page.waitForFunction(() => window.marrow?.characters().length);
+  await dropFiles(page, WALKER_DROP);
+  await page.waitForFunction(() => window.marrow.characters().some(({ name }) => name === 'walker'));
+}
+
+/** The labels that lead to an item: of a menu, of a submenu if it is in one, and its own. */
+export type MenuPath = readonly string[];
+
+/** The items of all menus that ask something, as their three dots say, and can be chosen now. */
+function dottedItems(page: Page): Promise<readonly MenuPath[]> {
+  return page.evaluate(() => {
+    const label = (item: Element) => item.querySelector('.menu-label')?.firstChild?.textContent ?? '';
+    const found: string[][] = [];
+    const collect = (menu: Element | undefined, above: readonly string[]) => {
+      for (const item of menu?.querySelectorAll<HTMLElement>('[role=menuitem]') ?? []) {
+        const path = [...above, label(item)];
+        if (item.getAttribute('aria-haspopup')) {
+          item.click();
+          collect([...document.querySelectorAll('[role=menu]')].at(-1), path);
+        } else if (label(item).endsWith('…') && !item.ariaDisabled) found.push(path);
+      }
+    };
+    for (const title of document.querySelectorAll<HTMLElement>('.menu-titles [role=menuitem]')) {
+      title.click();
+      collect(document.querySelector('[role=menu]') ?? undefined, [title.textContent ?? '']);
+      title.click();
+    }
+    return found;
+  });
+}
+
+/** Chooses an item, and closes the dialog that it opens. Returns false if none has come in some seconds. */
+async function openDialog(page: Page, path: MenuPath): Promise<boolean> {
+  await page.evaluate(([title, ...items]) => {
+    const byLabel = (all: Iterable<HTMLElement>, wanted: string) => {
+      for (const one of all) if (one.textContent?.startsWith(wanted)) return one;
+      throw new Error(`No menu has ${wanted}.`);
+    };
+    byLabel(document.querySelectorAll('.menu-titles [role=menuitem]'), title).click();
+    for (const item of items)
+      byLabel([...document.querySelectorAll<HTMLElement>('[role=menuitem] .menu-label')], item).click();
+  }, path);
+  const dialog = page.locator('dialog[open]');
+  const isOpen = await dialog.waitFor({ timeout: DIALOG_MS }).then(
+    () => true,
+    () => false,
+  );
+  await page.keyboard.press('Escape');
+  await dialog.waitFor({ state: 'detached' });
+  return isOpen;
+}
+
+/** Everything once, and back. @param dialogs items that open one */
+export async function cycle(page: Page, dialogs: readonly MenuPath[]): Promise<void> {
   for (const title of await page.locator('.menu-titles [role=menuitem]').all()) {
     await title.click();
     await page.getByRole('menu').first().waitFor();
     await page.keyboard.press('Escape');
-    await page.keyboard.press('Escape');
+  }
+  for (const path of dialogs) {
+    if (!(await openDialog(page, path))) throw new Error(`${path.join(' > ')} opens no dialog.`);
   }
   for (const tab of await page.locator('.timeline [role=tab]:not([hidden])').all()) await tab.click();
-  await dropFiles(page, [{ name: 'other.skel', bytes: 'balljoint other { boxmin 0 0 0 boxmax 1 3 1 }' }]);
-  await page.waitForFunction(() => window.marrow.characters().some(({ name }) => name === 'other'));
-  await page.evaluate(() => window.marrow.undo());
+  for (const id of TOGGLED) await page.evaluate((action) => window.marrow.run(action), id);
+  for (const files of Object.values(DROPS)) await openAndUndo(page, files);
+}
+
+async function openAndUndo(page: Page, files: readonly DroppedFile[]): Promise<void> {
+  const encoded = files.map(({ name, bytes }) => ({ name, base64: Buffer.from(bytes).toString('base64') }));
+  await page.evaluate(async (given) => {
+    const decoded = given.map(({ name, base64 }) => ({
+      name,
+      content: Uint8Array.from(atob(base64), (letter) => letter.charCodeAt(0)),
+    }));
+    const before = window.marrow.characters().length;
+    const step = window.marrow.steps().undo;
+    await window.marrow.open(decoded);
+    // What was refused, or compared, is no step.
+    if (window.marrow.steps().undo !== step) window.marrow.undo();
+    if (window.marrow.characters().length !== before) throw new Error(`${given[0].name} is still open.`);
+  }, encoded);
 }
