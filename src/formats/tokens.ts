@@ -47,12 +47,13 @@ export class Mark {
 
   constructor(
     readonly offset: number,
-    readonly keepsLine: boolean,
+    /** Of the marks that may still be needed, in the order of the file. */
+    readonly index: number,
   ) {}
 }
 
-/** Number of marks per file that keep their line, so that a file of a million joints does not keep a million lines. */
-const MARKS_WITH_LINES = 10000;
+/** Number of marks at a time that keep their line, so that a chain of a million joints does not keep a million lines. */
+const MARKS_WITH_LINES = 1000;
 const QUOTE = 34;
 /** Bytes after a keyword that are searched for a FILE's extension. */
 const FILE_REACH = 1024;
@@ -209,22 +210,27 @@ export class Tokens {
 
   /** Marks the current token: its place is found only if `placeOf` is called, or when its bytes are released. */
   mark(): Mark {
-    const mark = new Mark(this.start, this.marksMade++ < MARKS_WITH_LINES);
+    const mark = new Mark(this.start, this.marksMade++);
     this.marks.push(mark);
     return mark;
   }
 
   /** The place of a mark will not be needed. Saves finding it if that is the last mark. */
   forget(mark: Mark): void {
-    if (this.marks.at(-1) !== mark) return;
-    this.marks.pop();
-    this.marksMade--;
+    if (mark.index === this.marksMade - 1) this.forgetFrom(mark);
+  }
+
+  /** Neither the place of a mark will be needed nor those of later ones: what it opened is closed. */
+  forgetFrom({ index }: Mark): void {
+    this.marksMade = index;
+    // Those of earlier pieces have their places and are in the list no more.
+    while (this.marks.length > 0 && this.marks[this.marks.length - 1].index >= index) this.marks.pop();
   }
 
   /** For a diagnostic of that severity: not searched if it would only be counted. */
   placeOf(mark: Mark, severity?: Severity): Place {
     if (severity && !mark.place && !this.report.hasRoom(severity)) return NO_PLACE;
-    mark.place ??= this.places.place(mark.offset, mark.keepsLine);
+    mark.place ??= this.places.place(mark.offset, mark.index < MARKS_WITH_LINES);
     return mark.place;
   }
 
@@ -246,6 +252,7 @@ export class Tokens {
   *skipBlock(): Generator<void, void, void> {
     const opened = this.mark();
     if ((yield* this.skipTo(1, false)) === 'end') this.failAtEnd(opened, 'a block that is skipped');
+    this.forget(opened);
   }
 
   /** Stops after the `}` that returns to depth 0, before one that would go below, or before a line end at depth 0. */

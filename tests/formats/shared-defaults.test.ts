@@ -2,7 +2,7 @@
 import { expect, it } from 'vitest';
 import { readBvh } from '../../src/formats/bvh/read.ts';
 import type { Joint } from '../../src/model/skeleton.ts';
-import { read } from './read-in-pieces.ts';
+import { bytesOf, read, readInPieces } from './read-in-pieces.ts';
 
 function jointsOf(text: string, name: string): readonly Joint[] {
   const { value } = read(name, text);
@@ -47,4 +47,25 @@ it.each([
   ['x.axskel', `${'1 0 0 1 0 1\n'.repeat(MANY - 1)}1 0 0 1 0 0`],
 ])('a chain of twenty thousand joints in %s is read and written', (name, text) => {
   expect(jointsOf(text, name.replace('.ax', '.'))).toHaveLength(MANY);
+});
+
+it('joints of the axis-angle form with equal values share them, and −0 stays −0', () => {
+  const [, first, second, third] = jointsOf('1 0 0 1 5 1\n1 0 0 1 5 1\n1 0 0 1 5 1\n1 0 -0 1 -0 0\n', 'x.skel');
+  const isShared = (of: keyof Joint) => first[of] === second[of];
+  expect((['offset', 'motion', 'limits', 'pose', 'box'] as const).map(isShared)).toEqual([
+    true,
+    true,
+    true,
+    true,
+    true,
+  ]);
+  expect(third).toMatchObject({ motion: { axis: [0, -0, 1] }, pose: [-0] });
+});
+
+it('a joint that links a DOF keeps the place of the link, after the joints in it and beside it are closed', () => {
+  const text = `balljoint a {\n balljoint b { couple rx nobody.rx 1 0 balljoint c { pose 0 0 0 } }\n ${'balljoint{}'.repeat(50)}\n}`;
+  for (const cut of [[], [30], [60, 90]]) {
+    const { diagnostics } = readInPieces('x.skel', bytesOf(text), cut);
+    expect(diagnostics).toMatchObject([{ severity: 'error', line: 2, column: 26 }]);
+  }
 });

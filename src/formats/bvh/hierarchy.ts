@@ -83,6 +83,7 @@ function* tree(t: Tokens): GrammarPart<Root> {
     const kind = yield* t.next();
     if (kind === '}') {
       joints[joint.index] = close(t, joint);
+      t.forgetFrom(joint.place);
       stack.pop();
       continue;
     }
@@ -112,7 +113,8 @@ function* tree(t: Tokens): GrammarPart<Root> {
         yield* skipStrange(t, describe(joint), 'OFFSET, CHANNELS, JOINT or End Site');
     }
   }
-  return { name: root.name, joints };
+  // A copy has no room to grow, which of ten thousand roots takes more than their joints.
+  return { name: root.name, joints: joints.slice() };
 }
 
 /** `[NAME] "{"` */
@@ -146,7 +148,8 @@ function* endSite(t: Tokens): GrammarPart<Vec3> {
       break;
     } else yield* skipStrange(t, 'an End Site', 'OFFSET');
   }
-  return offset ?? [0, 0, 0];
+  t.forgetFrom(opened);
+  return offset ?? ORIGIN;
 }
 
 function* vector(t: Tokens): GrammarPart<Vec3> {
@@ -177,6 +180,7 @@ function* channels(t: Tokens): GrammarPart<readonly BvhChannel[]> {
     const message = `Expected ${declared} channels as declared, found ${found}.`;
     t.report.error('channel-count', message, t.placeOf(place, 'error'));
   }
+  t.forget(place);
   return all;
 }
 

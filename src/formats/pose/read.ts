@@ -74,6 +74,7 @@ function* pose(t: Tokens, index: number): GrammarPart<PoseByNames> {
       if (value !== undefined) weights.push({ name: yield* t.restOfLine(), value });
     } else yield* skipStrange(t, 'a pose', 'root, joint or weight');
   }
+  t.forgetFrom(opened);
   return { name, ...(root && { root }), joints, weights };
 }
 
@@ -95,5 +96,6 @@ function* joint(t: Tokens): GrammarPart<PosedJoint> {
     const value = yield* number(t, `the value of ${word}`, KEYWORDS);
     if (value !== undefined) dofs.set(word, value);
   }
+  t.forgetFrom(opened);
   return { name, dofs: [...dofs].map(([dof, value]) => ({ name: dof, value })) };
 }

@@ -57,7 +57,9 @@ export function resolveCouples(t: Tokens, joints: readonly Joint[], couples: rea
   if (couples.length === 0) return joints;
   const byName = new Map<string, number[]>();
   joints.forEach(({ name }, index) => {
-    byName.set(name, [...(byName.get(name) ?? []), index]);
+    const own = byName.get(name);
+    if (own) own.push(index);
+    else byName.set(name, [index]);
   });
   const found = new Map<number, Map<string, { readonly couple: Couple; readonly place: Mark }>>();
   for (const { owner, dof, dofPlace, target, follows, place, gain, offset } of couples) {

@@ -12,7 +12,7 @@
  * explicit stack, since trees may have any depth, and no count allocates anything.
  */
 import type { Vec3 } from '../../math/vec3.ts';
-import { DEFAULT_BOX, type Joint, UNLIMITED } from '../../model/skeleton.ts';
+import { DEFAULT_BOX, type Joint, type Limit, type Motion, UNLIMITED } from '../../model/skeleton.ts';
 import { type GrammarPart, looksNumeric } from '../grammar.ts';
 import { ParseError } from '../report.ts';
 import type { Mark, Tokens } from '../tokens.ts';
@@ -38,10 +38,45 @@ interface Open {
   readonly place: Mark;
 }
 
+const LIMITS: readonly Limit[] = [UNLIMITED];
+/** Of each kind of value: a file of short numbers has few. */
+const MAX_SHARED = 256;
+
+/** Equal values of joints, held once: a joint of twelve bytes of text would take thirty times as much. */
+class SharedValues {
+  private readonly offsets = new Map<number, Vec3>();
+  private readonly poses = new Map<number, readonly number[]>();
+  private readonly motions = new Map<string, Motion>();
+
+  /** At the tip of a bone of that length. */
+  offset(length: number): Vec3 {
+    // As keys of a map, 0 and −0 are the same.
+    return Object.is(length, -0) ? [0, length, 0] : sharedIn(this.offsets, length, [0, length, 0]);
+  }
+
+  pose(angle: number): readonly number[] {
+    return Object.is(angle, -0) ? [angle] : sharedIn(this.poses, angle, [angle]);
+  }
+
+  motion(axis: Vec3): Motion {
+    const hasMinusZero = axis.some((part) => Object.is(part, -0));
+    const motion: Motion = { kind: 'hinge', axis };
+    return hasMinusZero ? motion : sharedIn(this.motions, axis.join(' '), motion);
+  }
+}
+
+function sharedIn<K, V>(known: Map<K, V>, key: K, value: V): V {
+  const found = known.get(key);
+  if (found !== undefined) return found;
+  if (known.size < MAX_SHARED) known.set(key, value);
+  return value;
+}
+
 /** The whole file, starting at the current token. */
 export function* axisAngleTree(t: Tokens): GrammarPart<readonly Joint[]> {
   const joints: Joint[] = [];
   const open: Open[] = [];
+  const shared = new SharedValues();
   /** The last token of the previous joint. */
   let last: Mark | undefined;
   t.again();
@@ -56,14 +91,16 @@ export function* axisAngleTree(t: Tokens): GrammarPart<readonly Joint[]> {
     joints.push({
       name: '',
       parent: parent?.index ?? -1,
-      offset: [0, parent?.length ?? 0, 0],
+      offset: shared.offset(parent?.length ?? 0),
       box: DEFAULT_BOX,
-      motion: { kind: 'hinge', axis },
-      limits: [UNLIMITED],
-      pose: [radiansOf(angle)],
+      motion: shared.motion(axis),
+      limits: LIMITS,
+      pose: shared.pose(radiansOf(angle)),
       length,
     });
     if (parent) parent.missing--;
+    // That of a joint without children is needed no more.
+    if (last && last !== parent?.place) t.forget(last);
     last = t.mark();
     if (children > 0) open.push({ index, length, children, missing: children, place: last });
     while (open.at(-1)?.missing === 0) open.pop();
@@ -105,6 +142,7 @@ function* axisOf(t: Tokens, index: number): GrammarPart<Vec3> {
     const message = `Expected an axis with a direction for joint #${index}, found 0 0 0.`;
     t.report.error('axis-zero', message, t.placeOf(place, 'error'));
   }
+  if (place) t.forget(place);
   return [x, y, z];
 }
 

@@ -60,6 +60,8 @@ interface OpenJoint {
   readonly name: string;
   readonly type: SkelType;
   readonly place: Mark;
+  /** Links of the tree when it was opened: their places are needed at its end. */
+  readonly couplesBefore: number;
   offset: Vec3;
   boxMin: Vec3;
   boxMax: Vec3;
@@ -103,13 +105,14 @@ function* tree(t: Tokens, rootType: SkelType): GrammarPart<readonly Joint[]> {
   const stack: OpenJoint[] = [];
   const couples: OpenCouple[] = [];
   const open = function* (type: SkelType): GrammarPart<void> {
-    stack.push(yield* head(t, type, count++, stack.at(-1)?.index ?? -1));
+    stack.push(yield* head(t, type, count++, stack.at(-1)?.index ?? -1, couples.length));
   };
   yield* open(rootType);
   for (let joint = stack.at(-1); joint; joint = stack.at(-1)) {
     const kind = yield* t.next();
     if (kind === '}') {
       joints[joint.index] = close(t, joint);
+      if (joint.couplesBefore === couples.length) t.forgetFrom(joint.place);
       stack.pop();
     } else if (kind === 'end') t.failAtEnd(joint.place, describe(joint));
     else {
@@ -120,11 +123,18 @@ function* tree(t: Tokens, rootType: SkelType): GrammarPart<readonly Joint[]> {
         yield* skipStrange(t, describe(joint), 'a joint or its tokens');
     }
   }
-  return resolveCouples(t, joints, couples);
+  // A copy has no room to grow, which of ten thousand roots takes more than their joints.
+  return resolveCouples(t, joints.slice(), couples);
 }
 
 /** `[NAME] "{"` */
-function* head(t: Tokens, type: SkelType, index: number, parent: number): GrammarPart<OpenJoint> {
+function* head(
+  t: Tokens,
+  type: SkelType,
+  index: number,
+  parent: number,
+  couplesBefore: number,
+): GrammarPart<OpenJoint> {
   const place = t.mark();
   let name = '';
   if ((yield* t.next()) === 'word') name = t.text();
@@ -132,7 +142,7 @@ function* head(t: Tokens, type: SkelType, index: number, parent: number): Gramma
   yield* openBrace(t, name ? `the name ${name}` : type.keyword);
   const { min, max } = DEFAULT_BOX;
   return {
-    ...{ index, parent, name, type, place, motion: type.motion },
+    ...{ index, parent, name, type, place, couplesBefore, motion: type.motion },
     ...{ offset: ORIGIN, boxMin: min, boxMax: max, limits: [] },
   };
 }

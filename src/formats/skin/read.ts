@@ -185,6 +185,7 @@ function* matrix(t: Tokens, joint: number): GrammarPart<Float64Array> {
     const message = `The matrix of ${what} has no inverse: its columns are coplanar, or one of them is 0.`;
     t.report.error('binding-singular', message, t.placeOf(place));
   }
+  t.forget(place);
   return m;
 }
 
@@ -214,6 +215,7 @@ function* material(t: Tokens): GrammarPart<Material> {
       break;
     } else yield* skipStrange(t, 'a material', 'texture or color');
   }
+  t.forgetFrom(opened);
   return { name, ...(texture !== undefined && { texture }), ...(color && { color }) };
 }
 
