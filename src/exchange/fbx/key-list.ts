@@ -59,9 +59,11 @@ export class KeyList {
   }
 }
 
+/** A slope that is too steep to be a number is that of the straight line. */
 function tangentsOf(slopes: readonly Slope[], factor: number): Tangents {
+  const held = slopes.map((slope) => (slope === 'line' || !Number.isFinite(slope * factor) ? 'line' : slope));
   return {
-    kinds: Uint8Array.from(slopes, (slope) => (slope === 'line' ? LINEAR : slope === 0 ? FLAT : FIXED_TANGENT)),
-    slopes: Float64Array.from(slopes, (slope) => (slope === 'line' ? 0 : slope * factor)),
+    kinds: Uint8Array.from(held, (slope) => (slope === 'line' ? LINEAR : slope === 0 ? FLAT : FIXED_TANGENT)),
+    slopes: Float64Array.from(held, (slope) => (slope === 'line' ? 0 : slope * factor)),
   };
 }
