@@ -25,8 +25,9 @@ const SIZES: readonly Size[] = [
 const ACTS_PER_ROUND = 2500;
 /** Between two looks at what the page offers. */
 const BATCH = 40;
-/** A page that takes longer for a batch hangs. */
+/** A page that takes longer for a batch, or for all of its round, hangs. */
 const MAX_BATCH_MS = 60_000;
+const MAX_ROUND_MS = 600_000;
 /** What can be refused by a page that is driven at random. */
 const EXPECTED = /net::ERR_ABORTED|Context Lost/;
 
@@ -54,7 +55,8 @@ export const randomWalk: Attack = {
         attempt.gaveWay(`seed ${seed}: ${what}`, { extension: 'json', content });
       };
       try {
-        const walked = await walk({ seed, done, events: kept?.events, tried: attempt.tried, tell });
+        const walking = walk({ seed, done, events: kept?.events, tried: attempt.tried, tell });
+        const walked = await inTime(walking, MAX_ROUND_MS);
         inputs += walked.inputs;
         steps += walked.labels.length;
         // Without names and numbers.
@@ -127,13 +129,10 @@ async function walk({ seed, events, done, tried, tell }: Round): Promise<Walked>
         }
         done.push(...batch);
         const begunMs = performance.now();
-        await inTime(
-          Promise.all(
-            batch.map((event) =>
-              event.kind === 'drop' ? dropFiles(page, filesIn(DROPS[event.drop])) : hand.do(event),
-            ),
-          ),
+        const sent = batch.map((event) =>
+          event.kind === 'drop' ? dropFiles(page, filesIn(DROPS[event.drop])) : hand.do(event),
         );
+        await inTime(Promise.all(sent), MAX_BATCH_MS);
         slowestMs = Math.max(slowestMs, performance.now() - begunMs);
         tried(BATCH);
         const found = problems.find((problem) => !EXPECTED.test(problem));
@@ -195,10 +194,10 @@ function prepare(): void {
   localStorage.setItem('marrow.settings', JSON.stringify(settings));
 }
 
-function inTime(work: Promise<unknown>): Promise<unknown> {
+function inTime<T>(work: Promise<T>, mostMs: number): Promise<T> {
   let timer: ReturnType<typeof setTimeout> | undefined;
-  const late = new Promise((_, reject) => {
-    timer = setTimeout(() => reject(new Error(`The page hangs: ${MAX_BATCH_MS} ms for a batch.`)), MAX_BATCH_MS);
+  const late = new Promise<never>((_, reject) => {
+    timer = setTimeout(() => reject(new Error(`The page hangs: it took ${mostMs} ms.`)), mostMs);
   });
   return Promise.race([work, late]).finally(() => clearTimeout(timer));
 }
