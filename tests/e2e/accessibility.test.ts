@@ -243,7 +243,7 @@ const STATES: readonly (readonly [name: string, enter: (page: Page) => Promise<u
   ],
 ];
 
-it('the page meets WCAG 2.2 AA in every state, theme and size', () =>
+it('the page meets WCAG 2.2 AA in every state, theme and size', { timeout: 240_000 }, () =>
   withPage(async ({ page }) => {
     const session = await page.context().newCDPSession(page);
     // The page's own security policy lets no foreign script in.
@@ -270,7 +270,8 @@ it('the page meets WCAG 2.2 AA in every state, theme and size', () =>
       }
     }
     expect(found).toEqual([]);
-  }));
+  }),
+);
 
 /** The panel, role and name of what has the focus. */
 const focused = (page: Page) =>
