@@ -15,7 +15,7 @@ import { Unsaved } from './app/unsaved.ts';
 import { DEFAULT_PLAYBACK } from './edit/playback.ts';
 import { Store } from './edit/store.ts';
 import { fetchFiles, filesInQuery } from './io/address.ts';
-import * as disk from './io/disk-files.ts';
+import { asksWhereToSave, pickTarget, versionOnDisk, writeTo } from './io/disk-files.ts';
 import { download } from './io/download.ts';
 import { onLaunched } from './io/launched.ts';
 import { trustOwnScripts } from './io/trusted-scripts.ts';
@@ -91,7 +91,7 @@ const workbench: Workbench = {
     showSample: (shows) => sampleDisplay.show(shows),
     unsaved,
     handles,
-    disk: { ...disk, download },
+    disk: { asksWhereToSave, pickTarget, writeTo, versionOnDisk, download },
     framesPerSecond: () => transport.get().framesPerSecond,
     sourceWorker: new WorkerClient(spawnWorker),
     editWorker: new WorkerClient(spawnWorker),
