@@ -1,6 +1,5 @@
 /**
- * Names in the labels of undo steps: `Rotate head (rx)`, `Delete 4 keys on hip`. A step says what it did to what; long
- * names are cut in the middle, since they often differ only at the end.
+ * Names in the labels of undo steps: `Rotate head (rx)`, `Delete 4 keys on hip`. A step says what it did to what.
  */
 
 import type { Character, Document } from '../model/document.ts';
@@ -9,22 +8,11 @@ import { jointName } from '../model/joint-name.ts';
 import type { ChannelKeys } from '../model/session.ts';
 import type { Skeleton } from '../model/skeleton.ts';
 import { requireCharacter } from './characters.ts';
+import { cutName, SHORT_NAME } from './cut-name.ts';
 import { countKeys } from './keys/selection.ts';
 
 /** Characters of a whole label, at most. */
 export const LABEL_LENGTH = 60;
-/** Of a name that shares the label with a few words. */
-const NAME_LENGTH = 24;
-/** Of one of two names in a label, or beside many words. */
-export const SHORT_NAME = 16;
-
-/** The name, or its start and end around an ellipsis. */
-export function cutName(name: string, length = NAME_LENGTH): string {
-  if (name.length <= length) return name;
-  const end = Math.floor((length - 1) / 2);
-  return `${name.slice(0, length - 1 - end)}…${name.slice(-end)}`;
-}
-
 /** The character's name. */
 export function characterIn(document: Document, characterId: string, length?: number): string {
   return cutName(requireCharacter(document, characterId).name, length);

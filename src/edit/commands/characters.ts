@@ -2,9 +2,10 @@
 import type { Character, Placement } from '../../model/document.ts';
 import { finiteNumber, indexIn, listOf, text } from '../arguments.ts';
 import { changeCharacter, requireCharacter } from '../characters.ts';
+import { cutName, SHORT_NAME } from '../cut-name.ts';
 import { sameValue } from '../delta.ts';
 import { withoutDriver } from '../drivers.ts';
-import { characterIn, cutName, SHORT_NAME } from '../step-names.ts';
+import { characterIn } from '../step-names.ts';
 import { type Command, CommandError } from '../store.ts';
 import { withoutUnkeyed } from '../unkeyed.ts';
 

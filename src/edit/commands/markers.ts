@@ -4,9 +4,9 @@ import type { Document } from '../../model/document.ts';
 import type { Marker } from '../../model/markers.ts';
 import { finiteNumber, indexIn, listOf } from '../arguments.ts';
 import { changeCharacter, requireCharacter } from '../characters.ts';
+import { cutName } from '../cut-name.ts';
 import { sameValue } from '../delta.ts';
 import { withMarkers } from '../markers.ts';
-import { cutName } from '../step-names.ts';
 import { type Command, CommandError } from '../store.ts';
 import { requireTake, withTake } from '../takes.ts';
 

@@ -11,13 +11,14 @@ import type { NamedPose } from '../../model/poses.ts';
 import type { Skeleton } from '../../model/skeleton.ts';
 import { finiteNumber, indexIn, listOf, oneOf, text } from '../arguments.ts';
 import { changeCharacter, requireCharacter } from '../characters.ts';
+import { cutName, SHORT_NAME } from '../cut-name.ts';
 import type { KeyOptions } from '../key-dofs.ts';
 import { blendPoses } from '../pose/blend.ts';
 import { takePose } from '../pose/by-names.ts';
 import { addPoses, freePoseName, nextPoseName, withPoses } from '../pose/library.ts';
 import { counterpartOf, mirroredPose } from '../pose/mirror.ts';
 import { partnersByName } from '../pose/sides.ts';
-import { characterIn, cutName, jointIn, SHORT_NAME } from '../step-names.ts';
+import { characterIn, jointIn } from '../step-names.ts';
 import { type Command, CommandError, type Edit } from '../store.ts';
 import { setValues, withinLimit } from './pose.ts';
 

@@ -2,8 +2,8 @@
 import type { Document } from '../../model/document.ts';
 import { MOST_STARS, NO_REVIEW, type Review, type ReviewedTake, tagsOf, VERDICTS } from '../../model/review.ts';
 import { listOf, oneOf, text } from '../arguments.ts';
+import { cutName } from '../cut-name.ts';
 import { sameValue } from '../delta.ts';
-import { cutName } from '../step-names.ts';
 import { type Command, CommandError } from '../store.ts';
 
 interface OfTakes {

@@ -8,6 +8,7 @@ import { dofsOf, positionsOf, turnsJoint } from '../../model/joint-types.ts';
 import type { Joint, Motion, Skeleton } from '../../model/skeleton.ts';
 import { finiteNumber, indexIn, oneOf } from '../arguments.ts';
 import { changeCharacter, requireCharacter } from '../characters.ts';
+import { cutName, SHORT_NAME } from '../cut-name.ts';
 import { calledIn, findJoint, rigged, secondsOf, withJoint } from '../rig/apply.ts';
 import { checkedMotion, checkedName, vector } from '../rig/checks.ts';
 import { changedJoints, type JointMap } from '../rig/joint-map.ts';
@@ -16,7 +17,7 @@ import { intoSpace, localPivot, turnedAs, withPivots } from '../rig/places.ts';
 import { restAtOffsets } from '../rig/remap-skin.ts';
 import type { RenameJoint, SetBox, SetFilePose, SetLength, SetMotion, SetOffset } from '../rig/rigging.ts';
 import { requireSkeleton, type ShownPose, shownAt } from '../rig/shown.ts';
-import { characterIn, cutName, SHORT_NAME } from '../step-names.ts';
+import { characterIn } from '../step-names.ts';
 import { type Command, CommandError, type Edit } from '../store.ts';
 
 export const renameJoint: Command<RenameJoint, Document | Edit> = {

@@ -8,6 +8,7 @@ import { EMPTY_DOCUMENT } from '../../model/document.ts';
 import { jointName } from '../../model/joint-name.ts';
 import { indexIn, oneOf, text } from '../arguments.ts';
 import { changeCharacter, requireCharacter } from '../characters.ts';
+import { cutName, SHORT_NAME } from '../cut-name.ts';
 import { newCharacter, withSkeleton } from '../new-character.ts';
 import { placeBeside } from '../place-beside.ts';
 import { calledIn, findJoint, rigged, secondsOf } from '../rig/apply.ts';
@@ -28,7 +29,7 @@ import {
   SKIN_MODES,
 } from '../rig/rigging.ts';
 import { type Branch, branchesOf } from '../rig/tree.ts';
-import { characterIn, cutName, SHORT_NAME } from '../step-names.ts';
+import { characterIn } from '../step-names.ts';
 import { type Command, CommandError, type Edit } from '../store.ts';
 
 /** A new character of one joint; or the first joint of a character that has a skin or a take but no skeleton yet. */

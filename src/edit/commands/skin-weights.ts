@@ -15,7 +15,7 @@ import type { Skeleton } from '../../model/skeleton.ts';
 import { bindingCount, type Skin, vertexCount } from '../../model/skin.ts';
 import { finiteNumber, indexIn, oneOf } from '../arguments.ts';
 import { changeCharacter, requireCharacter } from '../characters.ts';
-import { cutName } from '../step-names.ts';
+import { cutName } from '../cut-name.ts';
 import { type Command, CommandError } from '../store.ts';
 
 /**

@@ -10,10 +10,11 @@ import { NO_MARKS, type PartMark } from '../../model/part.ts';
 import type { Space } from '../../model/space.ts';
 import { finiteNumber, indexIn, listOf } from '../arguments.ts';
 import { requireCharacter } from '../characters.ts';
+import { cutName, SHORT_NAME } from '../cut-name.ts';
 import { driverSource, RETARGETED, withoutDriver } from '../drivers.ts';
 import { extentOf } from '../place-beside.ts';
 import { ownHeight } from '../same-height.ts';
-import { characterIn, cutName, SHORT_NAME } from '../step-names.ts';
+import { characterIn } from '../step-names.ts';
 import { type Command, CommandError } from '../store.ts';
 import { withoutUnkeyed } from '../unkeyed.ts';
 

@@ -6,11 +6,11 @@
  * them is opened and the character is unchanged. Other characters in the same drop are not affected.
  */
 
+import { cutName } from '../../edit/cut-name.ts';
 import { withMarkers } from '../../edit/markers.ts';
 import { newCharacter } from '../../edit/new-character.ts';
 import { sameJoints } from '../../edit/pose/same-joints.ts';
 import { withSourcePairs } from '../../edit/rig/by-joint.ts';
-import { cutName } from '../../edit/step-names.ts';
 import { type Diagnostic, hasErrors, withoutPlace } from '../../model/diagnostic.ts';
 import { type Character, type Document, EMPTY_DOCUMENT, findCharacter, type UnusedFile } from '../../model/document.ts';
 import {

@@ -1,5 +1,5 @@
 /** The bar at the top: menus on the left, what is loaded on the right. */
-import { cutName } from '../../edit/step-names.ts';
+import { cutName } from '../../edit/cut-name.ts';
 import { type Document, shownClip, shownSkin } from '../../model/document.ts';
 import { vertexCount } from '../../model/skin.ts';
 import { button, element, keepsFocusElsewhere, setText } from '../kit/dom.ts';

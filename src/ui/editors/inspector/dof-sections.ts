@@ -1,7 +1,7 @@
 /** Sections of DOFs: the selected joints', the root translation, the morphs, and the list of all. */
 import type { GUI } from 'lil-gui';
+import { cutName } from '../../../edit/cut-name.ts';
 import { matchingDofs } from '../../../edit/pose/same-change.ts';
-import { cutName } from '../../../edit/step-names.ts';
 import type { Character } from '../../../model/document.ts';
 import { type CharacterDof, characterDofs, firstDofs, rootDofCount } from '../../../model/dofs.ts';
 import { jointName } from '../../../model/joint-name.ts';

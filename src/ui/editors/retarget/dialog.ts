@@ -3,9 +3,9 @@
  * previewed behind the dialog; one undo step when applied, none when closed.
  */
 import { bakeRetarget, clearRetarget, setRetarget } from '../../../edit/commands/retarget.ts';
+import { cutName, SHORT_NAME } from '../../../edit/cut-name.ts';
 import { driverSource, possibleSources } from '../../../edit/drivers.ts';
 import { intoRange, pause, play } from '../../../edit/playback.ts';
-import { cutName, SHORT_NAME } from '../../../edit/step-names.ts';
 import { CommandError } from '../../../edit/store.ts';
 import { Trial } from '../../../edit/trial.ts';
 import { retargetPlan } from '../../../evaluate/retarget/make-plan.ts';
