@@ -4,9 +4,8 @@
  * undo changes the pose, pins hold where they are.
  */
 import { sameNumbers } from '../../../math/same-numbers.ts';
-import type { Vec3 } from '../../../math/vec3.ts';
 import type { IkSetup, Pin } from '../../../model/ik.ts';
-import { type PinTarget, pinTarget } from '../set-up.ts';
+import type { PinTarget } from '../set-up.ts';
 import type { Hindrance } from './hindrance.ts';
 
 /** State left by a drag. */
@@ -51,26 +50,10 @@ export class HeldTargets {
     this.left.set(characterId, { dofs: dofs.slice(), targets: kept, hindrance });
   }
 
-  /** The current target of each pin, by id. @param world from `worldMatrices`, for the pose of `dofs` */
-  targetsOf(
-    characterId: string,
-    { pins }: Pick<IkSetup, 'pins'>,
-    dofs: Float64Array,
-    world: Float64Array,
-  ): Map<number, PinTarget> {
-    const left = this.leftOf(characterId, dofs);
-    return new Map(
-      pins.map((pin) => {
-        const before = left?.targets.get(pin.id);
-        return [pin.id, before && isSamePoint(before.pin, pin) ? before.target : pinTarget(pin, world)];
-      }),
-    );
-  }
-
   /** The target that a drag left for a pin, if pose and pin are unchanged. */
-  leftTarget(left: Left | undefined, pin: Pin): Vec3 | undefined {
+  leftTarget(left: Left | undefined, pin: Pin): PinTarget | undefined {
     const before = left?.targets.get(pin.id);
-    return before && isSamePoint(before.pin, pin) ? before.target.position : undefined;
+    return before && isSamePoint(before.pin, pin) ? before.target : undefined;
   }
 
   /** Forgets removed characters. */

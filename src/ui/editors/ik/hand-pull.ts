@@ -2,9 +2,11 @@
  * A drag's effect on the page: the pose is previewed, the release is one undo step, and pin targets stay where it ends.
  * Owns the store's gesture; pointer motion belongs to `PinDrag` and `PinNudge`, the pose to `Pull`.
  */
+
 import { type SetDofs, setDofs } from '../../../edit/commands/pose.ts';
 import { jointIn } from '../../../edit/step-names.ts';
 import type { Command, Edit } from '../../../edit/store.ts';
+import { currentTargets } from '../../../evaluate/ik/drag/current-targets.ts';
 import type { Hindrance } from '../../../evaluate/ik/drag/hindrance.ts';
 import { type Gap, type Grip, Pull } from '../../../evaluate/ik/drag/pull.ts';
 import { ikOf } from '../../../evaluate/ik/set-up.ts';
@@ -162,6 +164,6 @@ function pullOf({ viewport, posing }: Workbench, character: Character, grip: IkG
   if (!facts || !skeleton || !placement || placement.length < 16 || isSingular(placement)) return undefined;
   const { dofs, worlds: world } = facts;
   if (16 * grip.joint + 16 > world.length) return undefined;
-  const held = posing.ik.targets.targetsOf(id, ikOf(character), dofs, world);
+  const held = currentTargets(posing.ik.targets, id, ikOf(character), dofs, world);
   return new Pull(character, skeleton, { dofs, world }, held, grip, placement);
 }

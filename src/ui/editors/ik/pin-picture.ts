@@ -239,7 +239,7 @@ function paintLeft(wb: Uses<'viewport' | 'posing'>, painter: PinPainter, seen: S
   if (!left) return [];
   const near = IS_THERE * reachOf(skeleton);
   return (character.ik?.pins ?? []).flatMap((pin) => {
-    const target = targets.leftTarget(left, pin);
+    const target = targets.leftTarget(left, pin)?.position;
     if (!target) return [];
     const { position } = pinTarget(pin, world);
     if (Math.hypot(...position.map((p, k) => p - target[k])) <= near) return [];

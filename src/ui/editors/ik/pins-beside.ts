@@ -1,5 +1,7 @@
 /** How pins adapt to DOFs set by slider, number or ring: `BesidePins` for the page's current state. */
+
 import { BesidePins } from '../../../evaluate/ik/drag/beside-pins.ts';
+import { currentTargets } from '../../../evaluate/ik/drag/current-targets.ts';
 import { ikOf } from '../../../evaluate/ik/set-up.ts';
 import { findCharacter } from '../../../model/document.ts';
 import { jointDofCount, rootDofCount } from '../../../model/dofs.ts';
@@ -23,7 +25,7 @@ export function besidePins(
   if (!facts) return undefined;
   const { targets } = wb.posing.ik;
   const setup = ikOf(character);
-  const held = targets.targetsOf(characterId, setup, facts.dofs, facts.worlds);
+  const held = currentTargets(targets, characterId, setup, facts.dofs, facts.worlds);
   const beside = new BesidePins(character, character.skeleton, dofs, facts.dofs, held);
   return {
     at: (values) => beside.at(values),

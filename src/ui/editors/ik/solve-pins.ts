@@ -1,5 +1,7 @@
 /** Re-solves all pins with restarts, on request. */
+
 import { setDofs } from '../../../edit/commands/pose.ts';
+import { currentTargets } from '../../../evaluate/ik/drag/current-targets.ts';
 import { resolvePins } from '../../../evaluate/ik/drag/re-solve.ts';
 import { ikOf } from '../../../evaluate/ik/set-up.ts';
 import type { Character } from '../../../model/document.ts';
@@ -19,7 +21,7 @@ export function solvePins(wb: Workbench, character: Character): void {
   const facts = wb.viewport.character(id);
   if (!skeleton || !facts || setup.pins.length === 0) return;
   const { targets } = wb.posing.ik;
-  const held = targets.targetsOf(id, setup, facts.dofs, facts.worlds);
+  const held = currentTargets(targets, id, setup, facts.dofs, facts.worlds);
   const { changes, missed, hindrance } = resolvePins(character, skeleton, facts.dofs, held);
   const { timeSeconds } = wb.transport.get();
   if (changes.length) {
