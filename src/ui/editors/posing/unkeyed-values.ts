@@ -6,8 +6,7 @@
 import { discardUnkeyed } from '../../../edit/commands/unkeyed.ts';
 import { countUnkeyed } from '../../../edit/unkeyed.ts';
 import { findCharacter } from '../../../model/document.ts';
-import { findAction, tryAction } from '../../state/action.ts';
-import { keyNameOf } from '../../state/tooltips.ts';
+import { onDemand } from '../../state/on-demand.ts';
 import type { Uses } from '../../state/workbench.ts';
 
 /** Discards changes made at another time, with a message. */
@@ -21,15 +20,12 @@ export function dropStale(wb: Uses<'store' | 'actions' | 'settings' | 'messages'
   // Retargeted DOFs can't be keyed.
   const canBeKeyed = store.document.characters.some((c) => c.unkeyed && !c.driver);
   store.apply(discardUnkeyed, { exceptSeconds: timeSeconds });
-  const undo = keyNameOf(wb, 'edit.undo');
-  const key = canBeKeyed ? keyNameOf(wb, 'key.changed') : undefined;
-  const hints = [undo && `${undo} restores ${count === 1 ? 'it' : 'them'}`, key && `${key} keys such changes`];
-  const said = hints.filter(Boolean).join(', ');
-  const what = count === 1 ? 'Unkeyed change' : `${count} unkeyed changes`;
-  const action = findAction(wb, 'edit.undo');
-  const text = `${what} discarded${said && `. ${said}`}.`;
-  if (action) messages.confirm(text, { label: 'Undo', run: () => tryAction(wb, action) });
-  else messages.note(text);
+  const { document } = store;
+  // With the names of keys, which the page's start has no use for.
+  onDemand(messages, 'A message', () => import('./tell-discarded.ts')).then((module) => {
+    // By then its button could undo another step.
+    if (store.document === document) module?.tellDiscarded(wb, count, canBeKeyed);
+  });
 }
 
 /** Sets the time of restored values (by undo, or from a script), where alone they are visible. */

@@ -84,17 +84,28 @@ describe('values set by hand and not keyed', () => {
     return { wb, now, seek };
   };
 
-  it('unkeyed changes are discarded when the time changes, with a message', () => {
+  it('unkeyed changes are discarded when the time changes, with a message', async () => {
     const { wb, now, seek } = setAt();
     expect(now()).toEqual(unkeyed);
     seek(0.5);
     expect(now()).toBeUndefined();
-    expect(wb.messages.passing.get()).toBe('Unkeyed change discarded. Ctrl+Z restores it, K keys such changes.');
+    await expect
+      .poll(() => wb.messages.passing.get())
+      .toBe('Unkeyed change discarded. Ctrl+Z restores it, K keys such changes.');
     expect(wb.messages.offer?.label).toBe('Undo');
     const step = wb.store.undoLabel;
     wb.messages.offer?.run();
     expect([step, wb.store.redoLabel]).toEqual([expect.any(String), step]);
     wb.store.redo();
+  });
+
+  it('no message tells of discarded changes that were restored before it came', async () => {
+    const { wb, now, seek } = setAt();
+    seek(0.5);
+    wb.store.undo();
+    await vi.dynamicImportSettled();
+    expect(now()).toEqual(unkeyed);
+    expect(wb.messages.passing.get()).toBeUndefined();
   });
 
   it('unkeyed changes are restored by undo, with their time', () => {

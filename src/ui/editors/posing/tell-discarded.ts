@@ -1,0 +1,26 @@
+/** The message that unkeyed changes were discarded, with the ways to have them back. */
+import { findAction, tryAction } from '../../state/action.ts';
+import { keyNameOf } from '../../state/tooltips.ts';
+import type { Uses } from '../../state/workbench.ts';
+
+/**
+ * To be told while the discarding is the last step, which its button undoes.
+ *
+ * @param count of the changes, at least 1
+ * @param canBeKeyed whether keying them would have kept any
+ */
+export function tellDiscarded(
+  wb: Uses<'store' | 'actions' | 'settings' | 'messages'>,
+  count: number,
+  canBeKeyed: boolean,
+): void {
+  const undo = keyNameOf(wb, 'edit.undo');
+  const key = canBeKeyed ? keyNameOf(wb, 'key.changed') : undefined;
+  const hints = [undo && `${undo} restores ${count === 1 ? 'it' : 'them'}`, key && `${key} keys such changes`];
+  const said = hints.filter(Boolean).join(', ');
+  const what = count === 1 ? 'Unkeyed change' : `${count} unkeyed changes`;
+  const action = findAction(wb, 'edit.undo');
+  const text = `${what} discarded${said && `. ${said}`}.`;
+  if (action) wb.messages.confirm(text, { label: 'Undo', run: () => tryAction(wb, action) });
+  else wb.messages.note(text);
+}
