@@ -51,6 +51,8 @@ export class OpenedSource {
         (text) => {
           this.text = text;
           first = this.showFirst(text);
+          // It is told when the whole is read, or not at all if that fails too.
+          first.catch(() => undefined);
         },
         (share) => this.set({ kind: 'reading', share }),
       );
