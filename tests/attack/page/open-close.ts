@@ -35,19 +35,11 @@ export const openClose: Attack = {
   async run(attempt) {
     await withPage(
       async ({ page }) => {
-        await openWalker(page);
-        const dialogs: MenuPath[] = [];
-        // Some items ask the system, or need what isn't here.
-        for (const path of await dottedItems(page)) if (await openDialog(page, path)) dialogs.push(path);
-        for (let i = 0; i < WARM_UP; i++) await cycle(page, dialogs);
-        const before = await resourcesOf(page);
-        let cycles = 0;
-        for (; attempt.goesOn(); cycles++) {
-          await cycle(page, dialogs);
+        const { dialogs, before, after, cycles } = await openAndClose(page, WARM_UP, () => {
           attempt.tried();
-        }
-        const after = await resourcesOf(page);
-        attempt.note(`${dialogs.length} dialogs, ${Object.keys(DROPS).length} drops in each cycle`);
+          return attempt.goesOn();
+        });
+        attempt.note(`${dialogs} dialogs, ${Object.keys(DROPS).length} drops in each cycle`);
         attempt.note(changeText(before, after));
         for (const what of grownBetween(before, after, cycles)) attempt.gaveWay(what);
       },
@@ -55,6 +47,34 @@ export const openClose: Attack = {
     );
   },
 };
+
+export interface OpenedAndClosed {
+  /** How many in each cycle. */
+  readonly dialogs: number;
+  readonly before: PageResources;
+  readonly after: PageResources;
+  readonly cycles: number;
+}
+
+/**
+ * Everything, again and again, at least once.
+ * @param warmUp cycles that are not counted
+ * @param goesOn asked after each other cycle
+ */
+export async function openAndClose(page: Page, warmUp: number, goesOn: () => boolean): Promise<OpenedAndClosed> {
+  await openWalker(page);
+  const dialogs: MenuPath[] = [];
+  // Some items ask the system, or need what isn't here.
+  for (const path of await dottedItems(page)) if (await openDialog(page, path)) dialogs.push(path);
+  for (let i = 0; i < warmUp; i++) await cycle(page, dialogs);
+  const before = await resourcesOf(page);
+  let cycles = 0;
+  do {
+    await cycle(page, dialogs);
+    cycles++;
+  } while (goesOn());
+  return { dialogs: dialogs.length, before, after: await resourcesOf(page), cycles };
+}
 
 /** What has grown too much for that many cycles, in words; nothing after a few, which prove nothing. */
 function grownBetween(before: PageResources, after: PageResources, cycles: number): readonly string[] {
