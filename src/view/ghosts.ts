@@ -9,14 +9,12 @@
  */
 import {
   Color,
-  CylinderGeometry,
   DynamicDrawUsage,
   Group,
   InstancedBufferAttribute,
   InstancedMesh,
   type Material,
   ShaderMaterial,
-  SphereGeometry,
 } from 'three';
 import { compileSkeleton, worldMatrices } from '../evaluate/kinematics.ts';
 import { NO_TRAVEL, placementMatrix } from '../evaluate/placements.ts';
@@ -24,6 +22,7 @@ import { dofCountOf, poseAt } from '../evaluate/pose.ts';
 import { carrierOf, groundTravel } from '../evaluate/travel.ts';
 import { type Character, shownClip } from '../model/document.ts';
 import type { Display } from '../model/session.ts';
+import { ballGeometry, boneGeometry, type Level, levelFor } from './bone-levels.ts';
 import { nodesFor, sizesFor } from './drawn-skeletons.ts';
 import { fillBones, placementScale, placePoints } from './node-matrices.ts';
 import type { StageTheme } from './theme.ts';
@@ -32,6 +31,8 @@ import { rawColor } from './thick-lines.ts';
 /** Opacity of the nearest and the furthest ghost. */
 const NEAR_OPACITY = 0.5;
 const FAR_OPACITY = 0.16;
+/** Those of a few joints are pale, and have no more triangles than those of some. */
+const GHOST_LEVELS: readonly Level[] = [1, 1, 2];
 /** Tolerance at the range's ends; seconds. */
 const SLACK = 1e-9;
 
@@ -59,6 +60,9 @@ export function ghostSteps(
 
 export class Ghosts {
   readonly object = new Group();
+  /** By level. */
+  private readonly ballLevels = GHOST_LEVELS.map(ballGeometry);
+  private readonly boneLevels = GHOST_LEVELS.map(boneGeometry);
   private readonly balls: InstancedMesh;
   private readonly bones: InstancedMesh;
   /** r g b a per instance, shared by both meshes. */
@@ -73,10 +77,8 @@ export class Ghosts {
 
   constructor() {
     const material = ghostMaterial();
-    const ball = new SphereGeometry(1, 12, 8);
-    const bone = new CylinderGeometry(0.45, 1, 1, 8, 1, true).translate(0, 0.5, 0);
-    this.balls = new InstancedMesh(ball, material, 1);
-    this.bones = new InstancedMesh(bone, material, 1);
+    this.balls = new InstancedMesh(this.ballLevels[0], material, 1);
+    this.bones = new InstancedMesh(this.boneLevels[0], material, 1);
     for (const mesh of [this.bones, this.balls]) {
       mesh.frustumCulled = false;
       mesh.matrixAutoUpdate = false;
@@ -130,14 +132,17 @@ export class Ghosts {
         first += nodes.count;
       }
     }
+    const level = levelFor(first);
+    balls.geometry = this.ballLevels[level];
+    bones.geometry = this.boneLevels[level];
     balls.count = bones.count = first;
     balls.instanceMatrix.needsUpdate = bones.instanceMatrix.needsUpdate = tint.needsUpdate = true;
     object.visible = true;
   }
 
   dispose(): void {
+    for (const geometry of [...this.ballLevels, ...this.boneLevels]) geometry.dispose();
     for (const mesh of [this.balls, this.bones]) {
-      mesh.geometry.dispose();
       // One material, created above.
       (mesh.material as Material).dispose();
       mesh.dispose();
@@ -157,8 +162,8 @@ export class Ghosts {
       // Frees the old buffers.
       mesh.dispose();
       mesh.instanceMatrix = matrices.setUsage(DynamicDrawUsage);
-      mesh.geometry.setAttribute('tint', this.tint);
     }
+    for (const geometry of [...this.ballLevels, ...this.boneLevels]) geometry.setAttribute('tint', this.tint);
   }
 }
 

@@ -33,7 +33,8 @@ export class InstancedKind {
     private readonly tinted: boolean,
     parent: Group,
     private readonly coveredMaterial?: Material,
-    private readonly lighter?: BufferGeometry,
+    /** With fewer and fewer triangles, instead of `geometry`. */
+    private readonly lighter: readonly BufferGeometry[] = [],
     /** If given, drawn from a `NodeBuffer`, which its owner fills, instead of `matrices`. */
     private readonly shape?: NodeShape,
   ) {
@@ -59,12 +60,12 @@ export class InstancedKind {
 
   /** All its geometries. */
   get geometries(): readonly BufferGeometry[] {
-    return this.lighter ? [this.geometry, this.lighter] : [this.geometry];
+    return [this.geometry, ...this.lighter];
   }
 
-  /** Draws with fewer triangles, if there is a lighter geometry. */
-  setLight(isLight: boolean): void {
-    const shape = (isLight && this.lighter) || this.geometry;
+  /** Draws with fewer triangles. @param level of `geometries` */
+  setLevel(level: number): void {
+    const shape = this.geometries[level] ?? this.geometry;
     this.mesh.geometry = shape;
     if (this.covered) this.covered.geometry = shape;
   }
@@ -90,7 +91,7 @@ export class InstancedKind {
     this.mesh.removeFromParent();
     this.mesh.dispose();
     this.geometry.dispose();
-    this.lighter?.dispose();
+    for (const geometry of this.lighter) geometry.dispose();
     this.material.dispose();
     this.idMaterial?.dispose();
     this.covered?.removeFromParent();

@@ -9,17 +9,16 @@ import {
   BoxGeometry,
   type BufferGeometry,
   Color,
-  CylinderGeometry,
   GreaterDepth,
   Group,
   MeshStandardMaterial,
-  SphereGeometry,
   Vector2,
   type Vector3,
 } from 'three';
 import { axesMatrix, boxMatrix } from '../evaluate/shapes/joint-shapes.ts';
 import { areBoxesOversized, areBoxesPlain, hasAllBoxes, hasBox, hasBoxes } from '../model/boxes.ts';
 import { DEFAULT_DISPLAY, type Display, type Selection, type SkinStyle } from '../model/session.ts';
+import { ballGeometry, boneGeometry, LEVELS, levelFor } from './bone-levels.ts';
 import {
   assignInstances,
   boneOwner,
@@ -56,17 +55,6 @@ function boxEdges(): number[] {
   }
   return points;
 }
-
-/** From y = 0, radius 1, to y = 1, tapered; open, since the ends are inside the balls. */
-function boneGeometry(sides: number): BufferGeometry {
-  return new CylinderGeometry(0.45, 1, 1, sides, 1, true).translate(0, 0.5, 0);
-}
-
-/**
- * From this many joints and End Sites on, balls and bones have a third of the triangles: that many are small on screen,
- * and seventeen takes would be half a million triangles.
- */
-const MANY_BALLS = 400;
 
 /** Opacity of bones and axes shown through a skin. */
 const COVERED_OPACITY = 0.55;
@@ -112,15 +100,15 @@ export class SkeletonDrawing {
     const axisLines = { width: 1.75, segmentColors: true };
     const axesThrough = lineMaterial({ ...axisLines, opacity: COVERED_OPACITY }, behind);
     const ids = meshIdMaterial;
-    const ofNodes = (shape: NodeShape, geometry: BufferGeometry, lighter: BufferGeometry) => {
+    const ofNodes = (shape: NodeShape, [geometry, ...lighter]: readonly BufferGeometry[]) => {
       const idMaterial = drawnByNodes(ids(), shape, this.idResolution);
       return new InstancedKind(geometry, lit(shape), idMaterial, false, object, through(shape), lighter, shape);
     };
     this.kinds = {
       edges: new InstancedKind(edges, edgeLines, lineIdMaterial(5, 2e-5), true, object),
       faces: new InstancedKind(new BoxGeometry(1, 1, 1), flat, ids(), false, object),
-      balls: ofNodes('ball', new SphereGeometry(1, 16, 10), new SphereGeometry(1, 10, 6)),
-      bones: ofNodes('bone', boneGeometry(12), boneGeometry(8)),
+      balls: ofNodes('ball', LEVELS.map(ballGeometry)),
+      bones: ofNodes('bone', LEVELS.map(boneGeometry)),
       axes: new InstancedKind(axes, lineMaterial(axisLines), undefined, false, object, axesThrough),
     };
     this.markers = new JointMarkers(object, segmentsGeometry(boxEdges()), axes);
@@ -145,15 +133,15 @@ export class SkeletonDrawing {
     faces.mesh.visible = edges.mesh.visible && display.boxes !== 'wire';
     balls.mesh.visible = bones.mesh.visible = this.withBones.includes(true);
     axes.mesh.visible = display.axes;
-    const isLight = this.instanceCount >= MANY_BALLS;
-    for (const kind of [balls, bones]) kind.setLight(isLight);
+    const level = levelFor(this.instanceCount);
+    for (const kind of [balls, bones]) kind.setLevel(level);
     if (balls.mesh.visible) this.nodes.resize(this.instanceCount, [...balls.geometries, ...bones.geometries]);
     for (const kind of Object.values(this.kinds)) {
       if (kind.mesh.visible) kind.resize(this.instanceCount);
       if (kind.covered) kind.covered.visible = kind.mesh.visible && this.isCovered;
       kind.mesh.receiveShadow = display.shadow && kind.mesh.material instanceof MeshStandardMaterial;
       // The balls' part of the shadow isn't noticeable.
-      kind.mesh.castShadow = kind.mesh.receiveShadow && !(isLight && kind === balls);
+      kind.mesh.castShadow = kind.mesh.receiveShadow && !(level > 0 && kind === balls);
     }
     const marked = this.selected;
     const { others = [] } = selection;

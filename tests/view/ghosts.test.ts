@@ -57,6 +57,21 @@ describe('ghosts', () => {
     for (const [, y] of found) expect(y).toBeCloseTo(1.1, 5);
   });
 
+  it('ghosts of thousands of joints have a tenth of the triangles each, and stay in their places', () => {
+    const ghosts = new Ghosts();
+    const meshes = ghosts.object.children.filter((m) => m instanceof InstancedMesh);
+    const triangles = () => meshes.map(({ geometry }) => (geometry.index?.count ?? 0) / 3).reduce((a, b) => a + b);
+    ghosts.fill(walking, ON, 0.5, [0, 1], 30);
+    const [few, before] = [triangles(), roots(ghosts, 9)];
+    const crowd = { ...walking, placements: Array.from({ length: 120 }, () => walking.placements[0]) };
+    ghosts.fill(crowd, ON, 0.5, [0, 1], 30);
+    expect(triangles()).toBeLessThan(0.15 * few);
+    expect(meshes.every(({ geometry, count }) => geometry.getAttribute('tint').count >= count)).toBe(true);
+    ghosts.fill(walking, ON, 0.5, [0, 1], 30);
+    expect(triangles()).toBe(few);
+    expect(roots(ghosts, 9)).toEqual(before);
+  });
+
   it('ghosts stay on the spot in place', () => {
     const ghosts = new Ghosts();
     ghosts.fill(walking, { ...ON, inPlace: true }, 0.5, [0, 1], 30);

@@ -94,6 +94,18 @@ describe('a skeleton without boxes', () => {
     expect(triangles(drawing)).toEqual([alone[0], alone[0], alone[1], alone[1]]);
   });
 
+  it('twenty thousand joints are drawn with fewer than half a million triangles, and few again as before', () => {
+    const drawing = drawn([figure()]);
+    const alone = triangles(drawing);
+    const star = { name: 'star', joints: Array.from({ length: 20_000 }, (_, j) => joint(j ? 0 : -1)) };
+    drawing.show([posed('star', star)], { ...DEFAULT_DISPLAY, boxes: 'hidden', bones: true }, {}, STAGE_THEMES.dark);
+    const [ball, bone] = triangles(drawing);
+    expect(drawing.instanceCount).toBe(20_000);
+    expect(20_000 * (ball + bone)).toBeLessThan(500_000);
+    drawing.show([posed('c0', figure())], DEFAULT_DISPLAY, {}, STAGE_THEMES.dark);
+    expect(triangles(drawing)).toEqual(alone);
+  });
+
   it('leaves boxes to those that have them, side by side', () => {
     const box = { min: [0, 0, 0], max: [1, 1, 1] } as const;
     const boxed = { name: 'boxed', joints: skeleton(3).joints.map((j) => ({ ...j, box })) };
