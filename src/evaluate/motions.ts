@@ -5,6 +5,7 @@
  * Everything else about a type is in its record (`model/joint-types.ts`). A fast path for the most common type gains
  * nothing, since calls of a single function are inlined anyway.
  */
+import { perObject } from '../model/per-object.ts';
 import type { Motion } from '../model/skeleton.ts';
 import { prismaticMotion, screwMotion } from './motions/axis.ts';
 import { BALLS } from './motions/ball.ts';
@@ -35,9 +36,9 @@ const MOTION_RULES: Rules = {
 const TRANSLATIONAL = productOf(['tx', 'ty', 'tz'].map(factorOf));
 const FIXED = productOf([]);
 
-/** The rule of a joint. */
-export function jointMotion(motion: Motion): JointMotion {
+/** The rule of a joint. Cached, since thousands of joints share what they don't state. */
+export const jointMotion = perObject((motion: Motion): JointMotion => {
   // Each rule takes the kind that it is stored under.
   const rule = MOTION_RULES[motion.kind] as (motion: Motion) => JointMotion;
   return rule(motion);
-}
+});

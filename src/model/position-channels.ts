@@ -52,18 +52,18 @@ export function positionsMeant(skeleton: Skeleton, clip: ChannelClip | undefined
  * changes.
  */
 export function withPositions(skeleton: Skeleton, positions: Positions): Skeleton {
-  let changed = false;
+  const isOther = ({ motion }: Joint) => (positionsOf(motion) ?? positions) !== positions;
+  if (!skeleton.joints.some(isOther)) return skeleton;
   const joints = skeleton.joints.map((joint): Joint => {
+    if (!isOther(joint)) return joint;
     const { motion, pose } = joint;
-    if ((positionsOf(motion) ?? positions) === positions) return joint;
-    changed = true;
     return {
       ...joint,
       motion: withParameter(motion, 'positions', positions),
       pose: pose.map((value, i) => value + shiftOf(joint, i, positions)),
     };
   });
-  return changed ? { ...skeleton, joints } : skeleton;
+  return { ...skeleton, joints };
 }
 
 /**

@@ -14,14 +14,17 @@ export interface CapturedContent {
 }
 
 export function capturedContent(read: readonly CapturedFigure[], fileName: string): CapturedContent {
-  const figures = read.map(({ skeleton, ...rest }) => ({
-    ...rest,
-    skeleton: { ...skeleton, joints: sharedJoints(skeleton.joints) },
-  }));
+  const figures = read.map((figure) => {
+    const joints = sharedJoints(figure.skeleton.joints);
+    return joints === figure.skeleton.joints ? figure : { ...figure, skeleton: { ...figure.skeleton, joints } };
+  });
   const isAdded = figures.some(({ skeleton, clip }) => positionsMeant(skeleton, clip) === 'add');
   const positions = isAdded ? 'add' : 'replace';
   // The size of a collapsed figure can't be measured.
-  const meant = figures.map((figure) => ({ ...figure, skeleton: withPositions(figure.skeleton, positions) }));
+  const meant = figures.map((figure) => {
+    const skeleton = withPositions(figure.skeleton, positions);
+    return skeleton === figure.skeleton ? figure : { ...figure, skeleton };
+  });
   const message =
     'Position channels stay near 0 where OFFSETs do not, so they are added to OFFSET. ' +
     'If the figure comes apart, change "Positions" in the Character section.';

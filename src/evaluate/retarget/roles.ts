@@ -53,7 +53,7 @@ const PARTS = {
 
 function find(skeleton: Skeleton, up: Space['up']): BodyParts {
   const { joints } = skeleton;
-  const names = statedNames(skeleton) ?? joints.map(({ name }) => readName(name));
+  const names = namesOf(skeleton);
   const single = new Map<Role, number>();
   const byShape = new Set<number>();
   const chainTo = (joint: number) => {
@@ -133,6 +133,18 @@ function find(skeleton: Skeleton, up: Space['up']): BodyParts {
   }
   return { single, spine, neck, byShape, names };
 }
+
+/** Cached, since shapes are looked for along two axes; equal names share what they say. */
+const namesOf = perSkeleton((skeleton): readonly NameParts[] => {
+  const stated = statedNames(skeleton);
+  if (stated) return stated;
+  const known = new Map<string, NameParts>();
+  return skeleton.joints.map(({ name }) => {
+    const parts = known.get(name) ?? readName(name);
+    known.set(name, parts);
+    return parts;
+  });
+});
 
 /** The parts of the body that a file states, as names; undefined if it states none. */
 function statedNames({ joints }: Skeleton): readonly NameParts[] | undefined {
