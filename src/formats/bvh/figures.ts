@@ -13,17 +13,17 @@ import type { MotionRows } from './motion.ts';
 /** Named after the file; if there are several, also after their roots. */
 export function figuresOf(stem: string, roots: readonly Root[], motion: MotionRows): readonly CapturedFigure[] {
   const names = roots.length === 1 ? [stem] : namesOf(stem, roots);
-  const scales = roots.map(scalesOf);
-  const width = scales.reduce((sum, own) => sum + own.length, 0);
+  if (motion.frameCount === 0) return roots.map(({ joints }, r) => ({ skeleton: { name: names[r], joints } }));
+  const width = motion.values.length / motion.frameCount;
   let from = 0;
   return roots.map(({ joints }, r) => {
     const skeleton: Skeleton = { name: names[r], joints };
-    const own = scales[r];
+    const scales = scalesOf(joints);
     const first = from;
-    from += own.length;
-    if (motion.frameCount === 0 || own.length === 0) return { skeleton };
-    const values = own.length === width ? motion.values : columns(motion, width, first, own.length);
-    return { skeleton, clip: clipOf(skeleton, samplesOf(skeleton, motion, values, own)) };
+    from += scales.length;
+    if (scales.length === 0) return { skeleton };
+    const values = scales.length === width ? motion.values : columns(motion, width, first, scales.length);
+    return { skeleton, clip: clipOf(skeleton, samplesOf(skeleton, motion, values, scales)) };
   });
 }
 
@@ -44,7 +44,7 @@ function namesOf(stem: string, roots: readonly Root[]): string[] {
   });
 }
 
-function scalesOf({ joints }: Root): Float64Array {
+function scalesOf(joints: Root['joints']): Float64Array {
   return Float64Array.from(
     joints.flatMap((joint) => dofsOf(joint.motion).map(({ unit }) => (unit === 'angle' ? RADIANS_PER_DEGREE : 1))),
   );

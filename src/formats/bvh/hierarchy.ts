@@ -43,14 +43,22 @@ interface OpenJoint {
   readonly keyword: 'ROOT' | 'JOINT';
   readonly name: string;
   readonly place: Mark;
-  offset?: Vec3;
-  channels?: readonly BvhChannel[];
-  readonly endSites: Vec3[];
+  offset: Vec3 | undefined;
+  channels: readonly BvhChannel[] | undefined;
+  endSites: Vec3[] | undefined;
+}
+
+/** The tree that is read: its joints, and those that are not closed. */
+interface Open {
+  readonly joints: Joint[];
+  readonly stack: OpenJoint[];
 }
 
 /** Everything up to `MOTION`, which is then the current token. */
 export function* hierarchy(t: Tokens): GrammarPart<readonly Root[]> {
   const roots: Root[] = [];
+  // One list for all: of ten thousand roots, each would take more than its joints.
+  const open: Open = { joints: [], stack: [] };
   yield* t.next();
   if (t.keyword() !== 'hierarchy') {
     t.error('hierarchy-missing', `Expected HIERARCHY at the start of a .bvh file, found ${t.found()}.`);
@@ -59,7 +67,7 @@ export function* hierarchy(t: Tokens): GrammarPart<readonly Root[]> {
   for (;;) {
     const kind = yield* t.next();
     const word = t.keyword();
-    if (word === 'root') roots.push(yield* tree(t));
+    if (word === 'root') roots.push(yield* tree(t, open));
     else if (word === 'motion') break;
     else if (kind === '}') braceTooMany(t);
     else {
@@ -74,11 +82,11 @@ export function* hierarchy(t: Tokens): GrammarPart<readonly Root[]> {
 }
 
 /** A root and its descendants. The current token is `ROOT`. */
-function* tree(t: Tokens): GrammarPart<Root> {
-  const joints: Joint[] = [];
+function* tree(t: Tokens, { joints, stack }: Open): GrammarPart<Root> {
+  joints.length = 0;
+  joints.push(OPEN);
   const root = yield* head(t, 'ROOT', 0, -1);
-  const stack = [root];
-  let count = 1;
+  stack.push(root);
   for (let joint: OpenJoint | undefined = root; joint; joint = stack.at(-1)) {
     const kind = yield* t.next();
     if (kind === '}') {
@@ -90,7 +98,8 @@ function* tree(t: Tokens): GrammarPart<Root> {
     if (kind === 'end') t.failAtEnd(joint.place, describe(joint));
     switch (t.keyword()) {
       case 'joint':
-        stack.push(yield* head(t, 'JOINT', count++, joint.index));
+        stack.push(yield* head(t, 'JOINT', joints.length, joint.index));
+        joints.push(OPEN);
         break;
       case 'offset':
         if (joint.offset) t.error('offset-repeated', `OFFSET appears a second time in ${describe(joint)}.`);
@@ -101,6 +110,7 @@ function* tree(t: Tokens): GrammarPart<Root> {
         joint.channels = yield* channels(t);
         break;
       case 'end':
+        joint.endSites ??= [];
         joint.endSites.push(yield* endSite(t));
         break;
       case 'root':
@@ -113,7 +123,7 @@ function* tree(t: Tokens): GrammarPart<Root> {
         yield* skipStrange(t, describe(joint), 'OFFSET, CHANNELS, JOINT or End Site');
     }
   }
-  // A copy has no room to grow, which of ten thousand roots takes more than their joints.
+  // A copy has no room to grow.
   return { name: root.name, joints: joints.slice() };
 }
 
@@ -122,7 +132,7 @@ function* head(t: Tokens, keyword: 'ROOT' | 'JOINT', index: number, parent: numb
   const place = t.mark();
   const name = yield* t.restOfLine();
   yield* openBrace(t, name ? `the name ${shortName(name)}` : keyword);
-  return { index, parent, keyword, name, place, endSites: [] };
+  return { index, parent, keyword, name, place, offset: undefined, channels: undefined, endSites: undefined };
 }
 
 /** After `End`: the point, or 0 0 0 without one. */
@@ -205,11 +215,16 @@ function close(t: Tokens, joint: OpenJoint): Joint {
     limits,
     // A position channel that replaces the offset has its value at rest.
     pose: rest ?? motion.channels.map((name) => (isPosition(name) ? offset['xyz'.indexOf(name[1])] : 0)),
-    ...(endSites.length > 0 && { endSites }),
+    ...(endSites && { endSites }),
   };
 }
 
 const ORIGIN: Vec3 = [0, 0, 0];
+/** In place of a joint that is not closed: filled from the last to the first, an array takes six times as much. */
+const OPEN: Joint = {
+  ...{ name: '', parent: -1, offset: ORIGIN, box: DEFAULT_BOX },
+  ...{ motion: { kind: 'bvh', channels: [], positions: 'replace' }, limits: [], pose: [] },
+};
 const NO_CHANNELS: readonly BvhChannel[] = [];
 
 /** What joints with the same channels share: a joint would take a hundred times its bytes otherwise. */

@@ -67,14 +67,37 @@ interface OpenJoint {
   boxMax: Vec3;
   motion: Motion;
   /** In file order: the last one for a DOF counts. */
-  readonly limits: { readonly dof: string; readonly limit: Limit; readonly place: Mark }[];
+  limits: { readonly dof: string; readonly limit: Limit; readonly place: Mark }[] | undefined;
   pose?: { readonly values: number[]; readonly found: number; readonly place: Mark };
   length?: number;
   role?: string;
 }
 
+/** The tree that is read. One object for all roots: of ten thousand, each would take more than its joints. */
+class OpenTree {
+  readonly joints: Joint[] = [];
+  readonly stack: OpenJoint[] = [];
+  couples: OpenCouple[] = [];
+
+  *open(t: Tokens, type: SkelType): GrammarPart<void> {
+    const { joints, stack, couples } = this;
+    stack.push(yield* head(t, type, joints.length, stack.at(-1)?.index ?? -1, couples.length));
+    joints.push(OPEN);
+  }
+
+  /** Its joints, and is empty again. */
+  close(t: Tokens): readonly Joint[] {
+    // A copy has no room to grow.
+    const joints = resolveCouples(t, this.joints.slice(), this.couples);
+    this.joints.length = 0;
+    if (this.couples.length > 0) this.couples = [];
+    return joints;
+  }
+}
+
 function* skeletons(t: Tokens): GrammarPart<readonly Skeleton[]> {
   const roots: (readonly Joint[])[] = [];
+  const open = new OpenTree();
   for (let isFirst = true; ; isFirst = false) {
     const kind = yield* t.next();
     if (kind === 'end') break;
@@ -88,7 +111,7 @@ function* skeletons(t: Tokens): GrammarPart<readonly Skeleton[]> {
         const message = 'Found a second root; each root becomes its own skeleton.';
         t.report.info('several-roots', message, t.place());
       }
-      roots.push(yield* tree(t, type));
+      roots.push(yield* tree(t, type, open));
     } else if (isFirst && beginsAxisAngle(t)) {
       return [{ name: stemOfName(t.fileName), joints: yield* axisAngleTree(t), form: 'axis-angle' }];
     } else yield* skipStrange(t, 'a .skel file', 'a joint such as balljoint');
@@ -99,15 +122,9 @@ function* skeletons(t: Tokens): GrammarPart<readonly Skeleton[]> {
 }
 
 /** A root and its descendants. The current token is its joint type. */
-function* tree(t: Tokens, rootType: SkelType): GrammarPart<readonly Joint[]> {
-  const joints: Joint[] = [];
-  let count = 0;
-  const stack: OpenJoint[] = [];
-  const couples: OpenCouple[] = [];
-  const open = function* (type: SkelType): GrammarPart<void> {
-    stack.push(yield* head(t, type, count++, stack.at(-1)?.index ?? -1, couples.length));
-  };
-  yield* open(rootType);
+function* tree(t: Tokens, rootType: SkelType, open: OpenTree): GrammarPart<readonly Joint[]> {
+  const { joints, stack, couples } = open;
+  yield* open.open(t, rootType);
   for (let joint = stack.at(-1); joint; joint = stack.at(-1)) {
     const kind = yield* t.next();
     if (kind === '}') {
@@ -118,13 +135,12 @@ function* tree(t: Tokens, rootType: SkelType): GrammarPart<readonly Joint[]> {
     else {
       const word = t.keyword();
       const type = skelTypeOf(word);
-      if (type) yield* open(type);
+      if (type) yield* open.open(t, type);
       else if (!(yield* token(t, joint, word, couples)))
         yield* skipStrange(t, describe(joint), 'a joint or its tokens');
     }
   }
-  // A copy has no room to grow, which of ten thousand roots takes more than their joints.
-  return resolveCouples(t, joints.slice(), couples);
+  return open.close(t);
 }
 
 /** `[NAME] "{"` */
@@ -143,7 +159,7 @@ function* head(
   const { min, max } = DEFAULT_BOX;
   return {
     ...{ index, parent, name, type, place, couplesBefore, motion: type.motion },
-    ...{ offset: ORIGIN, boxMin: min, boxMax: max, limits: [] },
+    ...{ offset: ORIGIN, boxMin: min, boxMax: max, limits: undefined },
   };
 }
 
@@ -224,6 +240,7 @@ function* limit(t: Tokens, joint: OpenJoint, dof: string): GrammarPart<void> {
   if (min === undefined) return;
   const max = yield* number(t, `the upper limit of ${dof}`, KEYWORDS);
   if (max === undefined) return;
+  joint.limits ??= [];
   joint.limits.push({ dof, limit: { min, max }, place });
   if (min > max) {
     const message = `Expected the lower limit of ${dof} first, found ${min} and ${max}.`;
@@ -233,7 +250,7 @@ function* limit(t: Tokens, joint: OpenJoint, dof: string): GrammarPart<void> {
 
 /** Called at the joint's `}`, when everything about it is known. */
 function close(t: Tokens, joint: OpenJoint): Joint {
-  const { name, parent, offset, motion, pose, limits: given } = joint;
+  const { name, parent, offset, motion, pose, limits: given = [] } = joint;
   const dofs = dofsOf(motion);
   const limits = given.length
     ? dofs.map((dof) => given.findLast((g) => g.dof === dof.name)?.limit ?? UNLIMITED)
@@ -273,6 +290,12 @@ interface Defaults {
 }
 
 const ORIGIN: Vec3 = [0, 0, 0];
+
+/** In place of a joint that is not closed: filled from the last to the first, an array takes six times as much. */
+const OPEN: Joint = {
+  ...{ name: '', parent: -1, offset: ORIGIN, box: DEFAULT_BOX },
+  ...{ motion: { kind: 'fixed' }, limits: [], pose: [] },
+};
 
 const defaultsOf = perObject(
   (dofs: readonly Dof[]): Defaults => ({ limits: dofs.map(() => UNLIMITED), pose: dofs.map(({ rest }) => rest) }),
