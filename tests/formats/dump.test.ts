@@ -259,3 +259,38 @@ function blocksOf(text: string, name = 'x.txt'): readonly DumpBlock[] {
   expect(diagnostics).toEqual([]);
   return value?.blocks ?? [];
 }
+
+describe('a dump of long lines and many', () => {
+  const numbers = Array.from({ length: 3000 }, (_, i) => i / 8);
+
+  it.each([
+    ['a label', `hip: ${numbers.join(', ')}`],
+    ['a name in each pair of brackets', `hip: ${numbers.map((value) => `(${value})`).join(' vec3 ')}`],
+  ])('all numbers behind %s are read', (_, text) => {
+    const [block] = readDump(text, 'x.txt').value?.blocks ?? [];
+    expect([...block.values]).toEqual(numbers);
+    expect(block.labels).toEqual([{ name: 'hip' }]);
+  });
+
+  it('a line with hundreds of names among its numbers is prose', () => {
+    const text = `hip: ${numbers.map((value) => `${value} and somebody`).join(' ')}`;
+    expect(readDump(text, 'x.txt').value?.blocks).toEqual([]);
+  });
+
+  it('rows that are labelled late have no label before, and equal labels are held once', () => {
+    const [block] = readDump(`1 2 3\n${'hip: 1 2 3\nhead: 4 5 6\n'.repeat(100)}`, 'x.txt').value?.blocks ?? [];
+    const [none, hip, head, again] = block.labels ?? [];
+    expect([none, hip, head]).toEqual([null, { name: 'hip' }, { name: 'head' }]);
+    expect(again).toBe(hip);
+    expect([...block.starts.slice(0, 3), block.starts.at(-1)]).toEqual([0, 3, 6, 603]);
+    expect([block.lines[0], block.lines.at(-1), block.lines.length]).toEqual([1, 201, 201]);
+  });
+
+  it('of lines of JSON of which one is none, nothing is read as JSON', () => {
+    const plain = readDump('[1, 2, 3]\n[4, 5, 6]\nhip: 7 8 9', 'x.txt').value?.blocks ?? [];
+    expect(plain.flatMap(({ values }) => [...values])).toEqual([1, 2, 3, 4, 5, 6, 7, 8, 9]);
+    expect(plain.flatMap(({ holds, nesting }) => [holds, nesting])).toEqual(
+      plain.flatMap(() => [undefined, undefined]),
+    );
+  });
+});

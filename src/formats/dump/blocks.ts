@@ -16,10 +16,13 @@ export class Blocks {
   heading: Heading = {};
   private values = new Float64Array(1024);
   private count = 0;
-  private starts: number[] = [];
-  private lines: number[] = [];
+  private starts = new Uint32Array(64);
+  private lines = new Uint32Array(64);
+  private rows = 0;
+  /** Empty up to the first row with one. */
   private labels: (DumpLabel | null)[] = [];
-  private isLabelled = false;
+  /** Of all blocks, by what they say: held once, as thousands of rows have the same few. */
+  private readonly known = new Map<string, DumpLabel>();
 
   /** Says something about the rows to come; ends the current block if that is new. */
   say(change: Heading): void {
@@ -37,17 +40,33 @@ export class Blocks {
       grown.set(this.values);
       this.values = grown;
     }
-    this.starts.push(this.count);
+    // One more than rows.
+    if (this.rows + 2 > this.starts.length) {
+      this.starts = twiceAsLong(this.starts);
+      this.lines = twiceAsLong(this.lines);
+    }
     this.values.set(numbers, this.count);
+    this.lines[this.rows] = line;
+    if (label || this.labels.length > 0) {
+      while (this.labels.length < this.rows) this.labels.push(null);
+      this.labels.push(label && this.shared(label));
+    }
     this.count = needed;
-    this.lines.push(line);
-    this.labels.push(label);
-    this.isLabelled ||= label !== null;
+    this.starts[++this.rows] = needed;
   }
 
-  /** Drops all rows so far. */
+  private shared(label: DumpLabel): DumpLabel {
+    const key = `${label.index ?? ''} ${label.name ?? ''}`;
+    const known = this.known.get(key);
+    if (known) return known;
+    if (this.known.size < MAX_KNOWN) this.known.set(key, label);
+    return label;
+  }
+
+  /** Drops all rows so far, and what headings said. */
   forget(): void {
     this.done.length = 0;
+    this.heading = {};
     this.reset();
   }
 
@@ -63,19 +82,25 @@ export class Blocks {
         ...(columns !== undefined && { columns }),
         ...(nesting !== undefined && { nesting }),
         values: this.values.slice(0, this.count),
-        starts: Uint32Array.from([...this.starts, this.count]),
-        lines: Uint32Array.from(this.lines),
-        ...(this.isLabelled && { labels: this.labels }),
+        starts: this.starts.slice(0, this.rows + 1),
+        lines: this.lines.slice(0, this.rows),
+        ...(this.labels.length > 0 && { labels: this.labels }),
       });
     }
     this.reset();
   }
 
   private reset(): void {
-    this.count = 0;
-    this.starts = [];
-    this.lines = [];
-    this.labels = [];
-    this.isLabelled = false;
+    this.count = this.rows = 0;
+    if (this.labels.length > 0) this.labels = [];
   }
+}
+
+/** Labels that are looked up; those of a table of joints. */
+const MAX_KNOWN = 1024;
+
+function twiceAsLong(numbers: Uint32Array<ArrayBuffer>): Uint32Array<ArrayBuffer> {
+  const grown = new Uint32Array(2 * numbers.length);
+  grown.set(numbers);
+  return grown;
 }

@@ -9,6 +9,7 @@
  */
 import type { DumpKind, DumpLabel } from '../../model/dump.ts';
 import type { Blocks } from './blocks.ts';
+import { linesOf } from './numbers.ts';
 
 /** Objects within objects that are searched. */
 const MAX_DEPTH = 8;
@@ -19,21 +20,28 @@ type Json = Readonly<Record<string, unknown>>;
 export function readJson(text: string, blocks: Blocks): boolean {
   if (!/^\s*[[{]/.test(text)) return false;
   const whole = parse(text);
-  const documents = whole ? [whole] : linesOf(text);
-  if (!documents) return false;
-  for (const { value, line } of documents) new JsonDump(text, line, blocks).find(value, 0);
+  if (whole) new JsonDump(text, 1, blocks).find(whole.value, 0);
+  return whole !== undefined || readLines(text, blocks);
+}
+
+/** One text per line, each read before the next: a list of all would take many times their bytes. */
+function readLines(text: string, blocks: Blocks): boolean {
+  let line = 0;
+  for (const part of linesOf(text)) {
+    line++;
+    if (part.trim() === '') continue;
+    const one = /^\s*[[{]/.test(part) ? parse(part) : undefined;
+    if (!one) {
+      blocks.forget();
+      return false;
+    }
+    new JsonDump(text, line, blocks).find(one.value, 0);
+  }
   return true;
 }
 
-interface Parsed {
-  readonly value: unknown;
-  /** From 1. */
-  readonly line: number;
-}
-
-function parse(text: string, line = 1): Parsed | undefined {
-  const value = parsed(text) ?? parsed(withoutNaN(text)) ?? parsed(withoutNaN(text.replaceAll("'", '"')));
-  return value && { ...value, line };
+function parse(text: string): { readonly value: unknown } | undefined {
+  return parsed(text) ?? parsed(withoutNaN(text)) ?? parsed(withoutNaN(text.replaceAll("'", '"')));
 }
 
 function withoutNaN(text: string): string {
@@ -46,19 +54,6 @@ function parsed(text: string): { value: unknown } | undefined {
   } catch {
     return undefined;
   }
-}
-
-function linesOf(text: string): Parsed[] | undefined {
-  const found: Parsed[] = [];
-  let line = 0;
-  for (const part of text.split('\n')) {
-    line++;
-    if (part.trim() === '') continue;
-    const one = /^\s*[[{]/.test(part) ? parse(part, line) : undefined;
-    if (!one) return undefined;
-    found.push(one);
-  }
-  return found;
 }
 
 const KEYS: readonly (readonly [RegExp, DumpKind])[] = [

@@ -1,4 +1,5 @@
 /** Dumps as meshes: positions and normals of vertices in a Wavefront OBJ or an ascii PLY; all else is skipped. */
+import { NO_PLACE } from '../places.ts';
 import type { Report } from '../report.ts';
 import { Blocks } from './blocks.ts';
 import { linesOf, numbersIn, timeIn } from './numbers.ts';
@@ -30,7 +31,8 @@ export function readObj(text: string, blocks: Blocks, report: Report): void {
 }
 
 function shortRow(report: Report, keyword: string, line: number): void {
-  report.error('row-incomplete', `Expected 3 numbers after "${keyword}", found fewer.`, { line, column: 1 });
+  const place = report.hasRoom('error') ? { line, column: 1 } : NO_PLACE;
+  report.error('row-incomplete', `Expected 3 numbers after "${keyword}", found fewer.`, place);
 }
 
 interface Element {
@@ -43,19 +45,25 @@ interface Element {
 export function readPly(text: string, blocks: Blocks, report: Report): void {
   const lines = linesOf(text);
   const elements: Element[] = [];
-  let at = 1;
-  for (; at < lines.length && lines[at].trim() !== 'end_header'; at++) {
-    const [word, second, third] = lines[at].trim().split(/\s+/);
+  // The first is `ply`.
+  lines.next();
+  let line = 1;
+  const nextLine = () => {
+    line++;
+    return lines.next();
+  };
+  for (let next = nextLine(); !next.done && next.value.trim() !== 'end_header'; next = nextLine()) {
+    const words = next.value.trim().split(/\s+/);
+    const [word, second, third] = words;
     if (word === 'comment' || word === 'obj_info') {
-      const time = timeIn(lines[at]);
+      const time = timeIn(next.value);
       if (time !== undefined) blocks.say({ time });
     } else if (word === 'format' && second !== 'ascii') {
-      report.error('ply-binary', `Expected "format ascii 1.0", found "format ${second}".`, { line: at + 1, column: 1 });
+      report.error('ply-binary', `Expected "format ascii 1.0", found "format ${second}".`, { line, column: 1 });
       return;
     } else if (word === 'element') elements.push({ name: second, count: Number(third), properties: [] });
-    else if (word === 'property') elements.at(-1)?.properties.push(lines[at].trim().split(/\s+/).at(-1) ?? '');
+    else if (word === 'property') elements.at(-1)?.properties.push(words.at(-1) ?? '');
   }
-  at++;
   const { time } = blocks.heading;
   const kinds = [
     { holds: 'vertices', names: ['x', 'y', 'z'] },
@@ -67,22 +75,24 @@ export function readPly(text: string, blocks: Blocks, report: Report): void {
     return own;
   });
   for (const { name, count, properties } of elements) {
-    for (let i = 0; i < count && at < lines.length; at++) {
-      if (lines[at].trim() === '') continue;
+    for (let i = 0; i < count; ) {
+      const next = nextLine();
+      if (next.done) break;
+      if (next.value.trim() === '') continue;
       i++;
       if (name !== 'vertex') continue;
-      const numbers = numbersIn(lines[at]);
+      const numbers = numbersIn(next.value);
       kinds.forEach(({ names }, k) => {
         const columns = names.map((each) => properties.indexOf(each));
         if (columns.some((column) => column < 0)) return;
         if (numbers && columns.every((column) => column < numbers.length))
           into[k].row(
             columns.map((c) => numbers[c]),
-            at + 1,
+            line,
           );
         else {
           const message = `Expected ${properties.length} numbers for a vertex, found ${numbers?.length ?? 'something else'}.`;
-          report.error('row-incomplete', message, { line: at + 1, column: 1 });
+          report.error('row-incomplete', message, { line, column: 1 });
         }
       });
     }

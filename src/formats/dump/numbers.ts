@@ -28,9 +28,10 @@ export function numberOfWord(word: string): number | undefined {
 /** All numbers of a text without any other words; undefined if there are others. */
 export function numbersIn(text: string): number[] | undefined {
   const numbers: number[] = [];
-  for (const word of text.split(/[\s,;()[\]{}<>|]+/)) {
-    if (word === '') continue;
-    const value = numberOfWord(word);
+  // One word after the other: a list of those of a long line would take twenty times its bytes.
+  const words = /[^\s,;()[\]{}<>|]+/g;
+  for (let found = words.exec(text); found; found = words.exec(text)) {
+    const value = numberOfWord(found[0]);
     if (value === undefined) return undefined;
     numbers.push(value);
   }
@@ -46,10 +47,15 @@ export function timeIn(text: string): number | undefined {
 }
 
 /** A run of CRs before an LF is part of one line end; any other CR is one. */
-export function linesOf(text: string): string[] {
-  return text.split('\n').flatMap((part) => {
-    let end = part.length;
-    while (end > 0 && part[end - 1] === '\r') end--;
-    return part.slice(0, end).split('\r');
-  });
+export function* linesOf(text: string): Generator<string, void, void> {
+  for (let from = 0; from <= text.length; ) {
+    const feed = text.indexOf('\n', from);
+    const next = feed < 0 ? text.length : feed;
+    let end = next;
+    while (end > from && text[end - 1] === '\r') end--;
+    const line = text.slice(from, end);
+    if (line.includes('\r')) yield* line.split('\r');
+    else yield line;
+    from = next + 1;
+  }
 }

@@ -102,14 +102,16 @@ class Lines {
 
   private mixed(text: string, line: number): void {
     const isComment = /^(#(?!\d)|\/\/|%|\/\*)/.test(text);
-    const tokens = tokensOf(text.replace(/^(#(?!\d)|\/\/+|%+|\/\*|-{2,}|={2,}|\*{2,})\s*/, ''));
+    const { tokens, more, strange } = tokensOf(text.replace(/^(#(?!\d)|\/\/+|%+|\/\*|-{2,}|={2,}|\*{2,})\s*/, ''));
     const words = tokens.filter(({ kind }) => kind === 'word').map((token) => token.text.toLowerCase());
-    const count = tokens.filter(({ kind }) => kind === 'number').length;
+    const count = tokens.filter(({ kind }) => kind === 'number').length + more.length;
     const first = tokens.findIndex(({ kind }) => kind === 'number');
-    const isProse = count === 0 ? text.length > MAX_WORDS_LENGTH : first > MAX_LABEL_TOKENS;
+    const isProse = first < 0 ? text.length > MAX_WORDS_LENGTH : first > MAX_LABEL_TOKENS;
     if (isProse) this.prose++;
     else if (count === 0) this.wordsOnly(text, words, isComment);
-    else if (!this.stated(text, tokens, words, count, line) && !isComment) this.labelled(tokens, line);
+    else if (!this.stated(text, tokens, words, count, more, line) && !isComment) {
+      this.labelled(tokens, more, strange, line);
+    }
   }
 
   private wordsOnly(text: string, words: readonly string[], isComment: boolean): void {
@@ -145,6 +147,7 @@ class Lines {
     tokens: readonly Token[],
     words: readonly string[],
     count: number,
+    more: readonly number[],
     line: number,
   ): boolean {
     const first = tokens.findIndex(({ kind }) => kind === 'number');
@@ -152,12 +155,7 @@ class Lines {
     const last = tokens.findLastIndex(({ kind }) => kind === 'number');
     const isPlainLine = words.every((word) => isPlain(word) || isChannelWord(word) || isComponent(word));
     if (before === 'times' && count > 1) {
-      this.say({
-        times: Float64Array.from(
-          tokens.filter(({ kind }) => kind === 'number'),
-          ({ value }) => value,
-        ),
-      });
+      this.say({ times: Float64Array.from(numbersOf(tokens, more)) });
       return true;
     }
     const time = timeIn(text);
@@ -169,7 +167,7 @@ class Lines {
     }
     if (time !== undefined && isPlainLine && (before === 'time' || before === 't')) {
       this.say({ holds: 'channels' });
-      this.row(numbersOf(tokens), line);
+      this.row(numbersOf(tokens, more), line);
       return true;
     }
     if (isChannelWord(before) && Number.isInteger(tokens[first].value)) {
@@ -177,7 +175,7 @@ class Lines {
       if (count === 1) this.say({ holds: 'channels', channel: index });
       else {
         this.say({ holds: 'channels' });
-        this.row(numbersOf(tokens.slice(first + 1)), line, { index });
+        this.row(numbersOf(tokens.slice(first + 1), more), line, { index });
       }
       return true;
     }
@@ -191,7 +189,7 @@ class Lines {
   }
 
   /** A row with a label, or a label alone. */
-  private labelled(tokens: readonly Token[], line: number): void {
+  private labelled(tokens: readonly Token[], more: readonly number[], strangeMore: number, line: number): void {
     const boundary = boundaryOf(tokens);
     const first = tokens.findIndex(({ kind }) => kind === 'number');
     let prefix = tokens.slice(0, boundary >= 0 ? boundary : first);
@@ -210,8 +208,8 @@ class Lines {
       prefix = tokens.slice(0, end);
       rest = tokens.slice(end);
     }
-    const numbers = numbersOf(rest);
-    const strange = rest.filter(({ kind, text }) => kind === 'word' && !isPlain(text.toLowerCase())).length;
+    const numbers = numbersOf(rest, more);
+    const strange = strangeMore + rest.filter((token) => isStrange(token)).length;
     if (strange > MAX_NAME_WORDS || strange > numbers.length + 1) {
       this.prose++;
       return;
@@ -239,15 +237,37 @@ class Lines {
   }
 }
 
-function tokensOf(text: string): Token[] {
+/** A line's tokens, as far as they can be of a label; of what follows, only what a row needs. */
+interface LineTokens {
+  /** At most `MAX_TOKENS`. */
+  readonly tokens: readonly Token[];
+  /** The numbers behind them. */
+  readonly more: readonly number[];
+  /** Words behind them that may be somebody's name. */
+  readonly strange: number;
+}
+
+/** More than any label or heading has; all tokens of a line of a hundred thousand would take fifty times its bytes. */
+const MAX_TOKENS = MAX_WORDS_LENGTH;
+
+function tokensOf(text: string): LineTokens {
   const tokens: Token[] = [];
+  const more: number[] = [];
+  let strange = 0;
   for (const found of text.matchAll(TOKEN)) {
     const [all, number, word] = found;
     const value = number === undefined ? Number.NaN : (numberOfWord(number) ?? Number.NaN);
     const kind = number === undefined ? (word === undefined ? 'mark' : 'word') : 'number';
-    tokens.push({ kind, text: all, value, from: found.index, to: found.index + all.length });
+    const token: Token = { kind, text: all, value, from: found.index, to: found.index + all.length };
+    if (tokens.length < MAX_TOKENS) tokens.push(token);
+    else if (kind === 'number') more.push(value);
+    else if (isStrange(token)) strange++;
   }
-  return tokens;
+  return { tokens, more, strange };
+}
+
+function isStrange({ kind, text }: Token): boolean {
+  return kind === 'word' && !isPlain(text.toLowerCase());
 }
 
 /** A number, a word such as `mixamorig:Hips` or `Spine.001`, or any other character. */
@@ -335,6 +355,9 @@ function lastWord(tokens: readonly Token[], before: number): string {
   return '';
 }
 
-function numbersOf(tokens: readonly Token[]): number[] {
-  return tokens.filter(({ kind }) => kind === 'number').map(({ value }) => value);
+/** @param more those behind the tokens */
+function numbersOf(tokens: readonly Token[], more: readonly number[]): number[] {
+  const numbers = tokens.filter(({ kind }) => kind === 'number').map(({ value }) => value);
+  for (const value of more) numbers.push(value);
+  return numbers;
 }
