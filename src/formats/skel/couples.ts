@@ -61,29 +61,32 @@ export function resolveCouples(t: Tokens, joints: readonly Joint[], couples: rea
     if (own) own.push(index);
     else byName.set(name, [index]);
   });
-  const found = new Map<number, Map<string, { readonly couple: Couple; readonly place: Mark }>>();
+  // One map by joint and DOF: thousands of maps would take more than the joints.
+  const found = new Map<string, { readonly couple: Couple; readonly place: Mark }>();
+  const owners = new Set<number>();
   for (const { owner, dof, dofPlace, target, follows, place, gain, offset } of couples) {
     if (!hasDof(t, joints, owner, dof, dofPlace)) continue;
     const joint = jointNamed(t, joints, byName, target, place);
     if (joint === undefined || !hasDof(t, joints, joint, follows, place)) continue;
-    const own = found.get(owner) ?? new Map();
-    if (own.has(dof)) {
+    const key = `${owner} ${dof}`;
+    if (found.has(key)) {
       const message = `${dof} of ${called(joints, owner)} is linked a second time.`;
       t.report.warn('repeated', message, t.placeOf(dofPlace, 'warning'), 'the later one is used');
     }
-    found.set(owner, own.set(dof, { couple: { dof, joint, follows, gain, offset }, place: dofPlace }));
+    owners.add(owner);
+    found.set(key, { couple: { dof, joint, follows, gain, offset }, place: dofPlace });
   }
   const coupled = joints.map((joint, index) => {
-    const own = found.get(index);
-    const inOrder = own && dofsOf(joint.motion).flatMap(({ name }) => own.get(name)?.couple ?? []);
-    return inOrder ? { ...joint, couples: inOrder } : joint;
+    if (!owners.has(index)) return joint;
+    const inOrder = dofsOf(joint.motion).flatMap(({ name }) => found.get(`${index} ${name}`)?.couple ?? []);
+    return { ...joint, couples: inOrder };
   });
   const skeleton = { name: '', joints: coupled };
   const first = firstDofs(skeleton);
   for (const { dof } of couplesOf(skeleton).circular) {
     const joint = first.findLastIndex((start) => start <= dof);
     const own = dofsOf(joints[joint].motion)[dof - first[joint]].name;
-    const place = found.get(joint)?.get(own)?.place;
+    const place = found.get(`${joint} ${own}`)?.place;
     const message = `${own} of ${called(joints, joint)} ends up following itself.`;
     if (place) t.report.error('couple-cycle', message, t.placeOf(place, 'error'));
   }

@@ -8,7 +8,7 @@
  *     finite     what is accepted has no NaN and no infinity, and its indices are of something
  *     written    written and read again it is the same model, and written once more the same bytes
  *     slow       it takes less than a second
- *     memory     it takes less than ten times the file and a megabyte (`memory.ts`)
+ *     memory     it takes less than ten times the file, a megabyte, and what its joints need (`memory.ts`)
  */
 import { isDeepStrictEqual } from 'node:util';
 import { recordsIn } from '../../../src/cli/export/records.ts';
@@ -25,7 +25,7 @@ import { listAsCsv, listAsJson } from '../../../src/review/write-list.ts';
 import { parseSettings } from '../../../src/ui/state/settings.ts';
 import { notFinite } from './finite.ts';
 import type { Input } from './inputs.ts';
-import { LEFT_BYTES, mostBytes, taken, takenExactly } from './memory.ts';
+import { type Held, heldBy, LEFT_BYTES, mostBytes, openedBy, taken, takenExactly } from './memory.ts';
 import { cutsOf, hashOf } from './pieces.ts';
 
 export interface Fault {
@@ -34,6 +34,7 @@ export interface Fault {
   readonly what: string;
 }
 
+const NOTHING: Held = { things: 0, rows: 0 };
 const SLOW_MS = 1000;
 /** The places of problems are looked for in one of so many files, since they are read again a dozen times for it. */
 const ONE_IN = 16;
@@ -65,14 +66,19 @@ async function check(input: Input, tell: Told): Promise<void> {
 const textOf = (bytes: Uint8Array) => new TextDecoder().decode(bytes);
 
 /** Reads, and tells what took too long or too much. */
-async function measured<T>({ bytes }: Input, read: () => T | Promise<T>, tell: Told): Promise<T> {
-  const most = mostBytes(bytes.length);
+async function measured<T>(
+  { bytes }: Input,
+  read: () => T | Promise<T>,
+  tell: Told,
+  heldOf: (result: T) => Held = () => NOTHING,
+): Promise<T> {
   const begun = performance.now();
   const { result, most: upTo } = await taken(read);
   if (performance.now() - begun > SLOW_MS) {
     const ms = Math.min(await cpuMs(read), await cpuMs(read));
     if (ms > SLOW_MS) tell('slow', `${Math.round(ms)} ms for ${bytes.length} bytes`);
   }
+  const most = mostBytes(bytes.length, heldOf(result));
   if (upTo > most) {
     const exact = await takenExactly(read);
     const of = `of ${bytes.length} bytes, ${(exact.peak / bytes.length).toFixed(1)} times as much`;
@@ -93,7 +99,12 @@ async function cpuMs(read: () => unknown): Promise<number> {
 async function checkFormat(input: Input, format: Format, tell: Told): Promise<void> {
   const { subject, bytes } = input;
   const name = `x.${subject}`;
-  const whole = await measured(input, () => read(format, name, bytes, []), tell);
+  const whole = await measured(
+    input,
+    () => read(format, name, bytes, []),
+    tell,
+    ({ value }) => (value ? heldBy(value) : openedBy(bytes)),
+  );
   checkTold(whole, bytes, tell);
   for (const cuts of cutsOf(bytes)) {
     const inPieces = read(format, name, bytes, cuts);

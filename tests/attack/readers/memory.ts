@@ -11,6 +11,8 @@
  */
 import { GCProfiler, getHeapStatistics, setFlagsFromString } from 'node:v8';
 import { runInNewContext } from 'node:vm';
+import type { FileContent } from '../../../src/model/files.ts';
+import type { Skeleton } from '../../../src/model/skeleton.ts';
 
 /** For `maxYoungGenerationSizeMb`: three times what new objects may fill. */
 export const NEW_SPACE_MB = 3;
@@ -21,6 +23,19 @@ export const LEFT_BYTES = 1 << 20;
 /** Allowed for each byte of a file, and for any file. */
 const PER_BYTE = 10;
 const BASE = 1 << 20;
+/**
+ * Allowed besides for each thing that a file holds in few bytes, as a joint in `JOINT{}`: an object of the model has
+ * eight bytes for each of its fields, also for those that are not written, and a joint that is not closed has another.
+ */
+const PER_THING = 512;
+/** For each row of a dump, whose JSON is a list of lists. */
+const PER_ROW = 128;
+
+/** What a file holds: joints, skeletons, takes, poses, links; blocks of a dump count twice, for their arrays. */
+export interface Held {
+  readonly things: number;
+  readonly rows: number;
+}
 
 export interface Taken<T> {
   readonly result: T;
@@ -30,8 +45,39 @@ export interface Taken<T> {
   readonly peak: number;
 }
 
-export function mostBytes(fileBytes: number): number {
-  return PER_BYTE * fileBytes + BASE;
+export function mostBytes(fileBytes: number, { things, rows }: Held): number {
+  return PER_BYTE * fileBytes + PER_THING * things + PER_ROW * rows + BASE;
+}
+
+/** What a text opened before it was refused: at most a thing for each brace or keyword. */
+export function openedBy(bytes: Uint8Array): Held {
+  const text = Buffer.from(bytes.buffer, bytes.byteOffset, bytes.length).toString('latin1');
+  return { things: text.match(/\{|joint|root/gi)?.length ?? 0, rows: 0 };
+}
+
+export function heldBy(content: FileContent): Held {
+  switch (content.kind) {
+    case 'skel':
+      return { things: sumOf(content.skeletons, thingsOf), rows: 0 };
+    case 'bvh':
+      return { things: sumOf(content.figures, ({ skeleton, clip }) => thingsOf(skeleton) + (clip ? 1 : 0)), rows: 0 };
+    case 'pose':
+      return { things: sumOf(content.poses, ({ joints }) => 1 + joints.length), rows: 0 };
+    case 'dump': {
+      const { blocks } = content.dump;
+      return { things: 2 * blocks.length, rows: sumOf(blocks, ({ lines }) => lines.length) };
+    }
+    default:
+      return { things: 0, rows: 0 };
+  }
+}
+
+function thingsOf({ joints }: Skeleton): number {
+  return 1 + sumOf(joints, ({ couples }) => 1 + (couples?.length ?? 0));
+}
+
+function sumOf<T>(list: readonly T[], of: (each: T) => number): number {
+  return list.reduce((sum, each) => sum + of(each), 0);
 }
 
 function alive(): number {
