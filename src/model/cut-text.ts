@@ -5,6 +5,9 @@ export const MOST_SHOWN = 200;
 /** Characters of a whole message, tooltip or accessible name. */
 const LONGEST_MESSAGE = 1000;
 
+/** Of a message, times what is left of it: long words and names before and after what is shown count too. */
+const MOST_SEARCHED = 20;
+
 /** Words, and names in quotes. */
 const LONG_PIECES = new RegExp(`[^\\s"]{${MOST_SHOWN + 1},}|"[^"]{${MOST_SHOWN},}"`, 'g');
 
@@ -21,8 +24,10 @@ export function cutText(text: string, most = MOST_SHOWN): string {
 /** A message of at most `most` characters, its long words and quoted names cut; the same text if none is long. */
 export function cutMessage(message: string, most = LONGEST_MESSAGE): string {
   if (message.length <= MOST_SHOWN) return message;
+  // A megabyte would be searched for milliseconds, each time it is shown.
+  const searched = cutText(message, MOST_SEARCHED * most);
   return cutText(
-    message.replace(LONG_PIECES, (piece) => cutText(piece)),
+    searched.replace(LONG_PIECES, (piece) => cutText(piece)),
     most,
   );
 }
