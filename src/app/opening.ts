@@ -11,13 +11,13 @@ import { type Diagnostic, hasErrors, withoutPlace } from '../model/diagnostic.ts
 import { type Character, type Document, findCharacter, shownClip } from '../model/document.ts';
 import { sentenceOf } from '../model/failure.ts';
 import type { ParsedFile, SourceFile } from '../model/files.ts';
-import { type DumpFile, openFiles } from '../project/open/open-files.ts';
+import { type DumpFile, type OpenResult, openFiles, openInSteps } from '../project/open/open-files.ts';
 import { unseenChanges } from '../project/open/unseen-changes.ts';
 import type { Observable } from '../ui/kit/observable.ts';
 import type { Messages } from '../ui/state/messages.ts';
 import type { Loading, WorkbenchStage } from '../ui/state/workbench.ts';
 import { type WorkerClient, WorkerError } from '../worker/client.ts';
-import type { GivenBlob } from '../worker/protocol.ts';
+import type { GivenBlob, ParseOutput } from '../worker/protocol.ts';
 
 export interface OpeningParts {
   readonly store: Store;
@@ -50,6 +50,8 @@ export interface OpenOptions {
   readonly reloads?: string;
 }
 
+/** Of putting characters together, between frames. */
+const SLICE_MS = 12;
 /** Diagnostics of files that have no errors but were not opened. */
 const LEFT_ASIDE: ReadonlySet<string> = new Set(['held-back', 'file-unused', 'format-unknown']);
 
@@ -111,11 +113,11 @@ export class Opener {
       for (const { skin, facts, morphs } of output.facts) adoptSkinFacts(skin, facts, morphs);
       const { store } = this.parts;
       // The user has opened something meanwhile, which takes precedence over the example.
-      if (options.asOpeningSample && store.document.characters.length > 0) return [];
-      store.settle();
+      const isLate = () => options.asOpeningSample && store.document.characters.length > 0;
+      if (isLate()) return [];
       const { reloads } = options;
-      const meant = reloads ?? store.selection.characterId;
-      const result = openFiles(store.document, output.files, output.broken, meant);
+      const result = await this.assembled(output, reloads, abort.signal);
+      if (isLate()) return [];
       const diagnostics = [...output.diagnostics, ...result.diagnostics];
       const before = store.document;
       const isChange = result.document !== before;
@@ -150,6 +152,36 @@ export class Opener {
       return [diagnostic];
     } finally {
       loading.set(undefined);
+    }
+  }
+
+  /**
+   * The document with what was read, put together a slice at a time; all at once if the document changes meanwhile.
+   *
+   * @throws the signal's reason if it is aborted
+   */
+  private async assembled(
+    { files, broken }: ParseOutput,
+    reloads: string | undefined,
+    signal: AbortSignal,
+  ): Promise<OpenResult> {
+    const { store } = this.parts;
+    store.settle();
+    const before = store.document;
+    const steps = openInSteps(before, files, broken, reloads ?? store.selection.characterId);
+    let until = performance.now() + SLICE_MS;
+    for (;;) {
+      const step = steps.next();
+      if (performance.now() >= until) {
+        await new Promise((resolve) => setTimeout(resolve));
+        signal.throwIfAborted();
+        if (store.document !== before) {
+          store.settle();
+          return openFiles(store.document, files, broken, reloads ?? store.selection.characterId);
+        }
+        until = performance.now() + SLICE_MS;
+      }
+      if (step.done) return step.value;
     }
   }
 

@@ -1,4 +1,4 @@
-import { describe, expect, it } from 'vitest';
+import { afterEach, describe, expect, it, vi } from 'vitest';
 import { Opener } from '../../src/app/opening.ts';
 import { createRig } from '../../src/edit/commands/rig.ts';
 import { DEFAULT_PLAYBACK } from '../../src/edit/playback.ts';
@@ -13,13 +13,18 @@ import { InThisThread } from './in-this-thread.ts';
 
 function openerOf(
   store: Store,
-  { transport = observable(DEFAULT_PLAYBACK), reducesMotion = false, messages = new Messages() } = {},
+  {
+    transport = observable(DEFAULT_PLAYBACK),
+    reducesMotion = false,
+    messages = new Messages(),
+    loading = observable<Loading | undefined>(undefined),
+  } = {},
 ): Opener {
   return new Opener({
     store,
     transport,
     messages,
-    loading: observable<Loading | undefined>(undefined),
+    loading,
     viewport: { frameAll: () => undefined },
     worker: new InThisThread(),
     reducesMotion: () => reducesMotion,
@@ -170,4 +175,56 @@ it('a file of a kind that is not read is not said to be opened', async () => {
   expect(messages.list.get().map(({ text }) => text)).toEqual([
     expect.stringMatching(/^notes\.md: Marrow does not read this kind of file; it reads \.skel /),
   ]);
+});
+
+describe('opening in slices', () => {
+  afterEach(() => {
+    vi.restoreAllMocks();
+  });
+
+  /** A clock by which each look at it costs a second; `then` happens in the pause after the first slice. */
+  function slowClock(then: () => void = () => undefined): void {
+    let looks = 0;
+    vi.spyOn(performance, 'now').mockImplementation(() => {
+      if (++looks === 2) setTimeout(then);
+      return 1000 * looks;
+    });
+  }
+  const three = () => ['a', 'b', 'c'].flatMap((name) => sample().map(({ blob }) => ({ path: `${name}.skel`, blob })));
+
+  it('what is put together in slices is the same, as one step', async () => {
+    const [atOnce, store] = [new Store(), new Store()];
+    await openerOf(atOnce).open(three);
+    slowClock();
+    await openerOf(store).open(three);
+    expect(store.document.characters).toEqual(atOnce.document.characters);
+    expect(store.undoLabel).toBe('Open a.skel and 2 more');
+    store.undo();
+    expect(store.document.characters).toEqual([]);
+  });
+
+  it('a change of the document between two slices is kept, beside what is opened', async () => {
+    const store = new Store();
+    slowClock(() => store.apply(createRig, {}));
+    await openerOf(store).open(three);
+    expect(shown(store).names).toEqual(['character', 'a', 'b', 'c']);
+    store.undo();
+    expect(shown(store).names).toEqual(['character']);
+  });
+
+  it('opening that is cancelled between two slices changes nothing, and says so', async () => {
+    const [store, messages] = [new Store(), new Messages()];
+    const loading = observable<Loading | undefined>(undefined);
+    slowClock(() => loading.get()?.cancel());
+    await openerOf(store, { messages, loading }).open(three);
+    expect(store.document.characters).toEqual([]);
+    expect(messages.passing.get()).toBe('Open cancelled. Nothing was changed.');
+  });
+
+  it('the opening sample gives way to what was begun between two slices', async () => {
+    const store = new Store();
+    slowClock(() => store.apply(createRig, {}));
+    await openerOf(store).open(sample, { asOpeningSample: true });
+    expect(shown(store)).toEqual({ names: ['character'], isOpeningSample: false });
+  });
 });

@@ -11,6 +11,7 @@ import { withMarkers } from '../../edit/markers.ts';
 import { newCharacter } from '../../edit/new-character.ts';
 import { sameJoints } from '../../edit/pose/same-joints.ts';
 import { withSourcePairs } from '../../edit/rig/by-joint.ts';
+import { runToEnd, type Steps } from '../../evaluate/steps.ts';
 import { type Diagnostic, hasErrors, withoutPlace } from '../../model/diagnostic.ts';
 import { type Character, type Document, EMPTY_DOCUMENT, findCharacter, type UnusedFile } from '../../model/document.ts';
 import {
@@ -62,7 +63,18 @@ export function openFiles(
   selectedId?: string,
   called = byFileName,
 ): OpenResult {
-  return new Opening(document, files, broken, selectedId, called).result();
+  return runToEnd(openInSteps(document, files, broken, selectedId, called));
+}
+
+/** `openFiles` in steps, one for each file of a character: there may be thousands. */
+export function openInSteps(
+  document: Document,
+  files: readonly ParsedFile[],
+  broken: readonly BrokenFile[] = [],
+  selectedId?: string,
+  called = byFileName,
+): Steps<OpenResult> {
+  return new Opening(document, files, broken, selectedId, called).steps();
 }
 
 /** One opening in progress. */
@@ -92,7 +104,7 @@ class Opening {
   constructor(
     private readonly document: Document,
     private readonly files: readonly ParsedFile[],
-    broken: readonly BrokenFile[],
+    private readonly broken: readonly BrokenFile[],
     private readonly selectedId: string | undefined,
     private readonly called: FileNaming,
   ) {
@@ -109,7 +121,10 @@ class Opening {
     const given = new Set(files.map(({ source }) => source.path));
     this.waiting = unused.filter(({ file }) => !given.has(file.source.path));
     this.textures = [...files, ...this.waiting.map((w) => w.file)].filter((f) => f.kind === 'texture');
+  }
 
+  *steps(): Steps<OpenResult> {
+    const { files, broken, called } = this;
     const wanted = this.waiting.map((w) => w.file).filter((file) => this.isCalledFor(file));
     const grouping = groupFiles([...files, ...broken.map((b) => ({ ...b, broken: true as const })), ...wanted], called);
     this.diagnostics.push(...grouping.diagnostics);
@@ -119,7 +134,7 @@ class Opening {
         if (space && !(space.standing <= (this.surest.get(key)?.standing ?? -1))) this.surest.set(key, space);
       }
     }
-    for (const group of grouping.groups) this.openGroup(group);
+    for (const group of grouping.groups) yield* this.openGroup(group);
     const openLoose: { readonly [R in LooseRole]: (loose: readonly ParsedFile[]) => void } = {
       part: (loose) => {
         // Morphs last: the skin they modify may be among the files and come later.
@@ -146,9 +161,10 @@ class Opening {
     }
     this.takeUpWaiting();
     this.dressAll();
+    return this.result();
   }
 
-  result(): OpenResult {
+  private result(): OpenResult {
     const { document, files, opened, used, characters } = this;
     const unused = sameFiles(this.unused, document.unused) ? document.unused : this.unused;
     const given = new Set(files);
@@ -178,7 +194,7 @@ class Opening {
     return this.files.some((f) => namesFile(f, file.source) || namesFile(file, f.source));
   }
 
-  private openGroup(group: FileGroup): void {
+  private *openGroup(group: FileGroup): Steps<void> {
     const members = [...group.rigs, ...(group.skeleton ? [group.skeleton] : []), ...group.parts];
     const parts = members.filter(isRead);
     const hole = members.find(isBroken);
@@ -189,7 +205,7 @@ class Opening {
     const skeletonFile = parts.find((p) => p === group.skeleton);
     const wholes = skeletonFile ? charactersIn(skeletonFile) : [];
     const earlier = skeletonFile ? this.characters.withFile(skeletonFile.source) : [];
-    (skeletonFile ? wholes : [undefined]).forEach((whole, root) => {
+    for (const [root, whole] of (skeletonFile ? wholes : [undefined]).entries()) {
       const before = earlier[root] ?? (skeletonFile && root === 0 ? this.withoutSkeletonFor(group) : undefined);
       // Several roots become several characters; the other files of the group belong to the first.
       const own = root === 0 ? parts : parts.filter((p) => p === skeletonFile);
@@ -199,11 +215,14 @@ class Opening {
         const name = next.skeleton ? next.name : (group.name ?? whole.skeleton.name);
         next = withWhole({ ...next, name }, whole, { ...skeletonFile, before }, before?.space ?? this.spaceOf(whole));
       }
-      for (const part of own) next = withFile(next, part, before);
+      for (const part of own) {
+        next = withFile(next, part, before);
+        yield Math.min(1, this.used.size / this.files.length);
+      }
       // Of several new alternatives, show the first.
       if (!before) next = { ...next, shownSkin: 0, shownClip: next.clips.length ? 0 : -1 };
       this.settle(before, next, own);
-    });
+    }
     // The file has fewer roots than before.
     const gone = new Set(earlier.slice(wholes.length));
     if (gone.size) this.characters.replaceAll(this.characters.all.filter((c) => !gone.has(c)));
