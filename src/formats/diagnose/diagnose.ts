@@ -10,6 +10,7 @@
  * after which the fewest problems are left is taken. These don't follow from the error; all others do, and are left
  * out. If no guess explains anything, the problems stay as they were told.
  */
+import { cutMessage } from '../../model/cut-text.ts';
 import { type Diagnostic, hasErrors } from '../../model/diagnostic.ts';
 import { type Reader, readWhole } from '../reader.ts';
 import { edited } from './edit.ts';
@@ -204,7 +205,7 @@ function ofLine(
   return {
     severity: isLoaded ? 'warning' : 'error',
     code: edit.code,
-    message: noticed?.message ?? edit.message,
+    message: cutMessage(noticed?.message ?? edit.message),
     file: first.file,
     ...lines.at(edit.at),
     ...(isLoaded && assumed !== undefined && { assumed }),
