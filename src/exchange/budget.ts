@@ -12,6 +12,11 @@ const PER_BYTE = 16;
 /** Numbers that a take holds for each node and each morph target, moved or not. */
 const PER_NODE_OF_TAKE = 30;
 
+/** What a file of that size may become, in numbers. */
+export function mostNumbers(bytes: number): number {
+  return BASE + PER_BYTE * bytes;
+}
+
 export class Budget {
   private left: number;
 
@@ -23,7 +28,7 @@ export class Budget {
     readonly bytes: number,
     private readonly fail: (message: string) => never,
   ) {
-    this.left = BASE + PER_BYTE * bytes;
+    this.left = mostNumbers(bytes);
   }
 
   /** Counts a take: every take of a character has channels of all its joints and morphs. */
@@ -36,7 +41,7 @@ export class Budget {
     this.left -= numbers;
     if (this.left >= 0) return;
     this.fail(
-      `${what} goes beyond ${BASE + PER_BYTE * this.bytes} numbers in memory, more than is read of a file of ${this.bytes} bytes. It may be damaged, or use the same bytes too often: export it again, with less.`,
+      `${what} goes beyond ${mostNumbers(this.bytes)} numbers in memory, more than is read of a file of ${this.bytes} bytes. It may be damaged, or use the same bytes too often: export it again, with less.`,
     );
   }
 }

@@ -12,6 +12,7 @@
  */
 import { isDeepStrictEqual } from 'node:util';
 import { recordsIn } from '../../../src/cli/export/records.ts';
+import { mostNumbers } from '../../../src/exchange/budget.ts';
 import { isWorthDiagnosing } from '../../../src/formats/diagnose/diagnose.ts';
 import type { ReadResult } from '../../../src/formats/reader.ts';
 import { unzip } from '../../../src/formats/unzip.ts';
@@ -195,7 +196,15 @@ function written(value: FileContent, name: string) {
 async function checkImport({ subject, bytes }: Input, imports: NonNullable<Format['imports']>, tell: Told) {
   const fileName = `x.${subject}`;
   const given = { fileName, bytes, beside: async () => undefined };
-  const { value, diagnostics } = await measured({ subject, bytes }, () => imports(given), tell);
+  const { value, diagnostics } = await measured(
+    { subject, bytes },
+    () => imports(given),
+    tell,
+    () => ({
+      ...NOTHING,
+      numbers: mostNumbers(bytes.length),
+    }),
+  );
   checkTold({ ...(value && { value }), diagnostics }, bytes, tell);
   for (const character of value?.characters ?? []) {
     checkIndices(character, tell);

@@ -35,6 +35,8 @@ const PER_ROW = 128;
 export interface Held {
   readonly things: number;
   readonly rows: number;
+  /** Of formats that pack numbers: how many they may become. */
+  readonly numbers?: number;
 }
 
 export interface Taken<T> {
@@ -45,8 +47,8 @@ export interface Taken<T> {
   readonly peak: number;
 }
 
-export function mostBytes(fileBytes: number, { things, rows }: Held): number {
-  return PER_BYTE * fileBytes + PER_THING * things + PER_ROW * rows + BASE;
+export function mostBytes(fileBytes: number, { things, rows, numbers = 0 }: Held): number {
+  return 8 * numbers + PER_BYTE * fileBytes + PER_THING * things + PER_ROW * rows + BASE;
 }
 
 /** What a text opened before it was refused: at most a thing for each brace or keyword. */
