@@ -258,7 +258,12 @@ async function checkSettings(input: Input, tell: Told): Promise<void> {
 async function checkList(input: Input, tell: Told): Promise<void> {
   const text = textOf(input.bytes);
   isTakeList(text);
-  const { takes, diagnostics } = await measured(input, () => readList(text, `x.${input.subject}`), tell);
+  const { takes, diagnostics } = await measured(
+    input,
+    () => readList(text, `x.${input.subject}`),
+    tell,
+    (list) => ({ things: list.takes.length, rows: 0 }),
+  );
   checkTold({ ...(takes.length > 0 && { value: takes }), diagnostics }, input.bytes, tell);
   const path = notFinite(takes);
   if (path) tell('finite', path);

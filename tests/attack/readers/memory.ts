@@ -31,7 +31,7 @@ const PER_THING = 512;
 /** For each row of a dump, whose JSON is a list of lists. */
 const PER_ROW = 128;
 
-/** What a file holds: joints, skeletons, takes, poses, links; blocks of a dump count twice, for their arrays. */
+/** What a file holds: joints, skeletons, takes, poses; links and the blocks of a dump count twice. */
 export interface Held {
   readonly things: number;
   readonly rows: number;
@@ -51,10 +51,10 @@ export function mostBytes(fileBytes: number, { things, rows, numbers = 0 }: Held
   return 8 * numbers + PER_BYTE * fileBytes + PER_THING * things + PER_ROW * rows + BASE;
 }
 
-/** What a text opened before it was refused: at most a thing for each brace or keyword. */
+/** What a text opened before it was refused: at most a thing for each bracket or keyword. */
 export function openedBy(bytes: Uint8Array): Held {
   const text = Buffer.from(bytes.buffer, bytes.byteOffset, bytes.length).toString('latin1');
-  return { things: text.match(/\{|joint|root/gi)?.length ?? 0, rows: 0 };
+  return { things: text.match(/[{[]|joint|root/gi)?.length ?? 0, rows: 0 };
 }
 
 export function heldBy(content: FileContent): Held {
@@ -75,7 +75,7 @@ export function heldBy(content: FileContent): Held {
 }
 
 function thingsOf({ joints }: Skeleton): number {
-  return 1 + sumOf(joints, ({ couples }) => 1 + (couples?.length ?? 0));
+  return 1 + sumOf(joints, ({ couples }) => 1 + 2 * (couples?.length ?? 0));
 }
 
 function sumOf<T>(list: readonly T[], of: (each: T) => number): number {
