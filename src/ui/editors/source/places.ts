@@ -3,7 +3,7 @@
  * those of the file as it was opened.
  */
 import { keysOf } from '../../../model/clip.ts';
-import { type Character, type Document, shownClip, shownSkin } from '../../../model/document.ts';
+import { type Character, type Document, findCharacter, shownClip, shownSkin } from '../../../model/document.ts';
 import { characterDofs } from '../../../model/dofs.ts';
 import type { SourceFile } from '../../../model/files.ts';
 import { jointName } from '../../../model/joint-name.ts';
@@ -57,6 +57,12 @@ export function partsFrom({ characters }: Pick<Document, 'characters'>, path: st
     found.push({ character, ...(root !== undefined && { root }), hasSkin, hasMorph, hasClip });
   }
   return found;
+}
+
+/** Whether the selected character has something from a file. */
+export function hasPartOfSelected(document: Document, { characterId }: Selection, path: string): boolean {
+  const character = findCharacter(document, characterId);
+  return character !== undefined && partsFrom({ characters: [character] }, path).length > 0;
 }
 
 /** Also what isn't shown, or has no lines that can be selected. */

@@ -5,7 +5,7 @@ import { linesOf, type SourceTarget, targetAt } from '../../../model/source-map.
 import { count } from '../../kit/number-text.ts';
 import type { Uses } from '../../state/workbench.ts';
 import { frameThen, type Known, type Origins, originsIn, pickNow, targetsThen } from './as-opened.ts';
-import { partsFrom } from './places.ts';
+import { hasPartOfSelected, partsFrom } from './places.ts';
 import type { TextInView } from './text-in-view.ts';
 
 type Parts = Uses<'store' | 'files' | 'posing' | 'transport'>;
@@ -42,6 +42,9 @@ export class SelectedLines {
 
   /** Whether a file holds something of what is selected. */
   hasSelected(path: string): boolean {
+    const { document, selection } = this.wb.store;
+    // Asked of each of thousands of files: few need a look at all characters.
+    if (!hasPartOfSelected(document, selection, path)) return false;
     return this.selectedOf(this.from(path)).length > 0;
   }
 

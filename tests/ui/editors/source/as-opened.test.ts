@@ -10,6 +10,7 @@ import type { Selection } from '../../../../src/model/session.ts';
 import { linesOf, targetAt } from '../../../../src/model/source-map.ts';
 import { openFiles } from '../../../../src/project/open/open-files.ts';
 import { frameThen, type Known, originsIn, pickNow, targetsThen } from '../../../../src/ui/editors/source/as-opened.ts';
+import { hasPartOfSelected } from '../../../../src/ui/editors/source/places.ts';
 import { bytesOf, read } from '../../../formats/read-in-pieces.ts';
 
 const joint = (name: string, inside = '') => `balljoint ${name} {\n${inside}}\n`;
@@ -154,4 +155,16 @@ describe('the frame of a capture in its file', () => {
     const [origin] = originsIn(store.document, 'my/b.bvh', known).origins;
     expect(frameThen(origin, 0.6)).toEqual({ kind: 'frame', frame: 1 });
   });
+});
+
+it('only the selected character is asked what it has from a file', () => {
+  const { store } = openedStore({ ...TEXTS, 'b.skel': TEXTS['a.skel'] });
+  const [a, b] = store.document.characters.map(({ id }) => id);
+  const paths = ['my/a.skel', 'my/a.anim', 'my/b.skel', 'a.skel'];
+  const from = (characterId?: string) =>
+    paths.filter((path) => hasPartOfSelected(store.document, { ...(characterId && { characterId }) }, path));
+  expect(from(a)).toEqual(['my/a.skel', 'my/a.anim']);
+  expect(from(b)).toEqual(['my/b.skel']);
+  expect(from()).toEqual([]);
+  expect(from('gone')).toEqual([]);
 });
