@@ -98,11 +98,12 @@ export function curveOf(
   return curve;
 }
 
-/** Seconds in ascending order, with their values. Times that are no number count as 0. */
+/** Seconds in ascending order, with their values. Times that are no number, and values that are no single, count as 0. */
 function sorted(ticks: FbxNumbers, values: FbxNumbers, ticksPerSecond: number): [Float64Array, Float64Array] {
   const times = Float64Array.from(ticks, (time) => finite(time / ticksPerSecond));
   const isSorted = times.every((time, i) => i === 0 || time >= times[i - 1]);
-  const numbers = Float64Array.from(values, finite);
+  // Texts can say more than the format holds: slopes and fitted keys of 1e308 would be no numbers.
+  const numbers = Float64Array.from(values, (value) => (Number.isFinite(Math.fround(value)) ? value : 0));
   if (isSorted) return [times, numbers];
   const order = [...times.keys()].sort((a, b) => times[a] - times[b] || a - b);
   return [Float64Array.from(order, (i) => times[i]), Float64Array.from(order, (i) => numbers[i])];
