@@ -98,6 +98,16 @@ describe('faults', () => {
       { ...SMALL, touch: true },
     ));
 
+  it('a shortcut that is clicked twice before its new key is pressed is changed once', () =>
+    withPage(async ({ page }) => {
+      await openArm(page);
+      await page.evaluate(() => window.marrow.run('help.shortcuts'));
+      const dialog = page.getByRole('dialog', { name: 'Shortcuts' });
+      await dialog.getByRole('button', { name: 'K: press to change' }).first().dblclick();
+      await page.keyboard.press(';');
+      await dialog.getByRole('button', { name: ';: press to change', exact: true }).waitFor();
+    }, SMALL));
+
   it('a worker that the browser ends, idle or while it reads, is noticed, told once, and replaced', () =>
     withPage(async ({ page }) => {
       await openArm(page);

@@ -108,6 +108,8 @@ function changeable(
     refresh(give(wb, action, next ? [next, ...kept] : kept));
   };
   key.addEventListener('click', () => {
+    // A second click while it waits would have it told twice that the key is left.
+    if (key.classList.contains('waiting')) return;
     key.textContent = 'press a key';
     key.classList.add('waiting');
     const wait = new AbortController();
