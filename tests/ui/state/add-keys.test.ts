@@ -155,4 +155,11 @@ describe('what is asked', () => {
       'hips tx and 1 more channel repeat every 0.8 s. A key at 2 s would make them repeat every 3 s.',
     );
   });
+
+  it('offers no repeats as keys where there would be endlessly many', () => {
+    keyNow(wb, 'c1', [0]);
+    const { answers } = cycleText(asked(), [0, 1e308]);
+    expect(Object.keys(answers)).toEqual(['inside', 'lengthen']);
+    expect(answers.inside).toBe(cycleText(asked(), [0, 6.4]).answers.inside);
+  });
 });

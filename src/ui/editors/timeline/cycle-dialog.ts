@@ -14,12 +14,13 @@ export function cycleDialog(wb: Uses<'transport' | 'timeline' | 'messages'>, clo
   if (!question) return { title: TITLE, kind, body: element('p', {}, 'No key waits for an answer.') };
   const { about, answers } = cycleText(question, wb.transport.get().range);
   const always = element('input', { type: 'checkbox' });
+  const first = OUTSIDE_CYCLE.find((how) => answers[how] !== undefined);
   const choices = OUTSIDE_CYCLE.flatMap((how) => {
     const detail = answers[how];
     if (detail === undefined) return [];
     const made = element(
       'button',
-      { type: 'button', class: 'choice-card', ...(how === 'bake' && { autofocus: true }) },
+      { type: 'button', class: 'choice-card', ...(how === first && { autofocus: true }) },
       element('span', { class: 'choice-name' }, OUTSIDE_LABELS[how]),
       element('span', { class: 'faint' }, detail),
     );

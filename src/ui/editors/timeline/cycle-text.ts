@@ -1,6 +1,8 @@
 /** Texts of the question about keys outside a cycle. */
 import { type OutsideCycle, placeOf, withRepeatsBaked } from '../../../edit/keys/cycle.ts';
 import { sameTime } from '../../../edit/keys/same-time.ts';
+import { CommandError } from '../../../edit/store.ts';
+import type { KeyedChannel } from '../../../model/clip.ts';
 import { shownClip } from '../../../model/document.ts';
 import { plural, shown } from '../../kit/number-text.ts';
 import type { CycleQuestion } from '../../state/cycle-question.ts';
@@ -38,19 +40,31 @@ export function cycleText(
   if (channel?.kind !== 'keys') return { about, answers: {} };
   const placing = { bakedRange: [range[0] + offset, range[1] + offset] as const };
   const [start, end] = [Math.min(timeSeconds, placing.bakedRange[0]), Math.max(timeSeconds, placing.bakedRange[1])];
-  const { times } = withRepeatsBaked(channel, start, end);
-  const bakedTo = `${shown(times[0] - offset)} to ${seconds(times[times.length - 1] - offset)}`;
+  const baked = bakedRange(channel, start, end);
   const inside = placeOf(channel, timeSeconds, { ...placing, outsideCycle: 'inside' });
   return {
     about,
     answers: {
-      bake: `Repeats from ${bakedTo} become keys. Only the motion around ${time} changes.`,
+      ...(baked && {
+        bake: `Repeats from ${shown(baked[0] - offset)} to ${seconds(baked[1] - offset)} become keys. Only the motion around ${time} changes.`,
+      }),
       ...(inside.isFolded && {
         inside: `The key is set at ${seconds(inside.time - offset)} instead, and every repeat shows it.`,
       }),
       lengthen: 'All keys repeat together, the new one included: the motion changes at other times too.',
     },
   };
+}
+
+/** From which to which time keys would be; undefined if there would be too many. */
+function bakedRange(channel: KeyedChannel, start: number, end: number): readonly [number, number] | undefined {
+  try {
+    const { times } = withRepeatsBaked(channel, start, end);
+    return [times[0], times[times.length - 1]];
+  } catch (error) {
+    if (error instanceof CommandError) return undefined;
+    throw error;
+  }
 }
 
 /** A number never ends a line without its unit. */
