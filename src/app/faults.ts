@@ -8,7 +8,7 @@ import type { FileActions } from '../ui/state/workbench.ts';
 
 export interface FaultsParts {
   readonly messages: Messages;
-  readonly files: Pick<FileActions, 'saveEverything'>;
+  readonly files: Pick<FileActions, 'saveEverything' | 'saveText'>;
 }
 
 /** The rest is only in the report. */
@@ -39,8 +39,7 @@ export class Faults {
   }
 
   private async copy(): Promise<void> {
-    const { messages } = this.parts;
-    const module = await onDemand(messages, 'The report', () => import('./fault-report.ts'));
-    await module?.copyReport(messages, this.known);
+    const module = await onDemand(this.parts.messages, 'The report', () => import('./fault-report.ts'));
+    await module?.copyReport(this.parts, this.known);
   }
 }

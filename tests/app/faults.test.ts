@@ -6,7 +6,7 @@ import { Messages } from '../../src/ui/state/messages.ts';
 function told() {
   const messages = new Messages();
   let saved = 0;
-  const faults = new Faults({ messages, files: { saveEverything: () => void saved++ } });
+  const faults = new Faults({ messages, files: { saveEverything: () => void saved++, saveText: () => {} } });
   return { messages, faults, texts: () => messages.list.get().map(({ text }) => text), saved: () => saved };
 }
 

@@ -64,6 +64,22 @@ describe('faults', () => {
         await line(page).getByText('Report copied.').waitFor();
         const report = await page.evaluate(() => navigator.clipboard.readText());
         expect(report).toMatch(/^Marrow .*3 times: Something went wrong.*TypeError: planted by the test/s);
+
+        // A browser that lets nothing be copied.
+        await page.evaluate(() => {
+          navigator.clipboard.writeText = () => Promise.reject(new DOMException('', 'NotAllowedError'));
+          document.execCommand = () => false;
+          setTimeout(() => {
+            throw new RangeError('planted by the test, too');
+          });
+        });
+        await line(page).getByText('planted by the test, too').waitFor();
+        const saving = page.waitForEvent('download');
+        await line(page).getByRole('button', { name: 'Copy report' }).click();
+        expect(readFileSync(await (await saving).path(), 'utf8')).toMatch(
+          /TypeError: .*RangeError: planted by the test, too/s,
+        );
+        await expect.poll(() => page.getByText('The browser blocked copying.').count()).toBeGreaterThan(0);
       },
       {
         ...SMALL,

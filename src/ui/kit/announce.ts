@@ -2,8 +2,6 @@
 import { cutMessage } from '../../model/cut-text.ts';
 import { element } from './dom.ts';
 
-export const BLOCKED = 'The browser blocked copying';
-
 let region: HTMLElement | undefined;
 
 /** Says it, also if it is the same again. */

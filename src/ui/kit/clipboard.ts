@@ -1,4 +1,7 @@
-/** Copies text; browsers allow the clipboard API over https only. */
+/** What is said where nothing could be copied. */
+export const BLOCKED = 'The browser blocked copying.';
+
+/** Copies text. Returns false if the browser doesn’t let it. Browsers allow the clipboard API over https only. */
 export async function copyText(text: string): Promise<boolean> {
   try {
     await navigator.clipboard.writeText(text);
@@ -14,7 +17,8 @@ function copyBySelection(text: string): boolean {
   area.value = text;
   area.className = 'off-screen';
   const focused = document.activeElement;
-  document.body.append(area);
+  // All else is inert beside a modal dialog.
+  (focused?.closest('dialog') ?? document.body).append(area);
   area.select();
   const done = document.execCommand('copy');
   area.remove();

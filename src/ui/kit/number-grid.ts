@@ -8,8 +8,8 @@
  *
  * The whole table is one tab stop. What was copied is announced.
  */
-import { announce, BLOCKED } from './announce.ts';
-import { copyText } from './clipboard.ts';
+import { announce } from './announce.ts';
+import { BLOCKED, copyText } from './clipboard.ts';
 import { element, setText } from './dom.ts';
 import { isMac } from './keyboard.ts';
 import { asksForMenu, type MenuEntry, openMenu } from './menu.ts';

@@ -1,5 +1,5 @@
 /** What the panel shows before there is a dump: what to print, how, and a field for it. */
-import { copyText } from '../../kit/clipboard.ts';
+import { BLOCKED, copyText } from '../../kit/clipboard.ts';
 import { button, element, uniqueId } from '../../kit/dom.ts';
 import { icon } from '../../kit/icons.ts';
 import type { Uses } from '../../state/workbench.ts';
@@ -71,7 +71,7 @@ export function startPage(wb: Uses<'files' | 'messages'>): HTMLElement {
 function snippet({ messages }: Uses<'messages'>, language: string, code: string): HTMLElement {
   const copy = async () => {
     if (await copyText(code)) messages.note(`Copied the lines for ${language}.`);
-    else messages.note('The browser blocked copying.', 'warning');
+    else messages.note(BLOCKED, 'warning');
   };
   return element(
     'section',

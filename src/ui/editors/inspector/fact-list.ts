@@ -1,6 +1,6 @@
 /** Facts in two columns, with tables of numbers between them; used by `joint-facts` and `vertex-facts`. */
-import { announce, BLOCKED } from '../../kit/announce.ts';
-import { copyText } from '../../kit/clipboard.ts';
+import { announce } from '../../kit/announce.ts';
+import { BLOCKED, copyText } from '../../kit/clipboard.ts';
 import { button, element, setText } from '../../kit/dom.ts';
 import { type GridOptions, NumberGrid } from '../../kit/number-grid.ts';
 

@@ -3,7 +3,7 @@
  * take, as displayed. Nothing in the document changes.
  */
 import { QUANTITIES, type Quantity } from '../../../evaluate/measure/quantities.ts';
-import { copyText } from '../../kit/clipboard.ts';
+import { BLOCKED, copyText } from '../../kit/clipboard.ts';
 import { element, keepsFocusElsewhere, setAttribute, setText } from '../../kit/dom.ts';
 import { focusPanel, HAS_KEYS } from '../../kit/focus.ts';
 import { oncePerFrame } from '../../kit/frame.ts';
@@ -293,7 +293,7 @@ class MeasurePanel implements TimelineTab, TimePlot {
     const isCopied = await copyText(this.csv());
     const what = plural(this.series.length, 'column');
     if (isCopied) this.wb.messages.note(`Copied ${what} as CSV.`);
-    else this.wb.messages.note('The browser blocked copying. Save the CSV instead.', 'warning');
+    else this.wb.messages.note(`${BLOCKED} Save the CSV instead.`, 'warning');
   }
 }
 

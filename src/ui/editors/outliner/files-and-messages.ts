@@ -1,5 +1,5 @@
 /** Below the tree: open files, files that belong to nothing, and problems. */
-import { copyText } from '../../kit/clipboard.ts';
+import { BLOCKED, copyText } from '../../kit/clipboard.ts';
 import { button, element, setText, uniqueId } from '../../kit/dom.ts';
 import { icon } from '../../kit/icons.ts';
 import { messagesText } from '../../state/messages.ts';
@@ -83,7 +83,7 @@ export function filesAndMessages(wb: Uses<'store' | 'settings' | 'messages' | 't
 function messageTools(wb: Uses<'messages'>): HTMLElement {
   const copy = async () => {
     const text = messagesText(wb.messages.list.get());
-    if (!(await copyText(text))) wb.messages.note('The browser blocked copying.', 'warning');
+    if (!(await copyText(text))) wb.messages.note(BLOCKED, 'warning');
   };
   return element(
     'div',
