@@ -26,7 +26,7 @@ import { listAsCsv, listAsJson } from '../../../src/review/write-list.ts';
 import { parseSettings } from '../../../src/ui/state/settings.ts';
 import { notFinite } from './finite.ts';
 import type { Input } from './inputs.ts';
-import { type Held, heldBy, LEFT_BYTES, mostBytes, openedBy, taken, takenExactly } from './memory.ts';
+import { type Held, heldBy, mostBytes, openedBy, taken, takenExactly } from './memory.ts';
 import { cutsOf, hashOf } from './pieces.ts';
 
 export interface Fault {
@@ -84,7 +84,7 @@ async function measured<T>(
     const exact = await takenExactly(read);
     const of = `of ${bytes.length} bytes, ${(exact.peak / bytes.length).toFixed(1)} times as much`;
     if (exact.kept > most) tell('memory', `${exact.kept} bytes kept ${of}`);
-    else if (exact.peak > most + LEFT_BYTES) tell('memory', `${exact.peak} bytes at peak ${of}`);
+    else if (exact.peak > most) tell('memory', `${exact.peak} bytes at peak ${of}`);
   }
   return result;
 }

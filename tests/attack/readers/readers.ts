@@ -3,35 +3,28 @@
  * memory, is ended, and the next begins behind the input that did it.
  */
 import { once } from 'node:events';
-import { fileURLToPath } from 'node:url';
-import { Worker } from 'node:worker_threads';
-import { build } from 'vite';
-import { draco } from '../../../vite.draco.ts';
 import type { Attack, Attempt } from '../attack.ts';
 import { corpus, type Seed } from './corpus.ts';
 import { Inputs } from './inputs.ts';
-import { NEW_SPACE_MB } from './memory.ts';
 import { type Found, type Orders, SHRINKS } from './protocol.ts';
+import { buildThread, startThread } from './start-thread.ts';
 
-const ROOT = fileURLToPath(new URL('../../../', import.meta.url));
-const BUILT = `${ROOT}node_modules/.cache/marrow-attack/`;
 const LOOK_MS = 500;
 /** An input is slow above a second of its own time, which the thread measures; the machine may be busy. */
 const HANGS_MS = 20_000;
 const SHRINKS_MS = 60_000;
-const MAX_HEAP_MB = 2000;
 
 export const readers: Attack = {
   name: 'readers',
   shows:
     'mutated files of all kinds are read or refused: in time, in bounds, the same in pieces, the same when written',
   async run(attempt) {
-    await buildThread();
+    const script = await buildThread('thread');
     const seeds = corpus();
     const counts = new Map<string, number>();
     const begun = performance.now();
     let next = 0;
-    do next = await runThread(attempt, seeds, next, counts);
+    do next = await runThread(attempt, script, seeds, next, counts);
     while (attempt.goesOn());
     const seconds = (performance.now() - begun) / 1000;
     attempt.note(`${Math.round(next / seconds)} per second`);
@@ -39,36 +32,20 @@ export const readers: Attack = {
   },
 };
 
-/** One script, which runs as fast as the page's. */
-async function buildThread(): Promise<void> {
-  await build({
-    configFile: false,
-    root: ROOT,
-    logLevel: 'warn',
-    plugins: [draco()],
-    ssr: { noExternal: true },
-    build: {
-      ssr: 'tests/attack/readers/thread.ts',
-      outDir: BUILT,
-      emptyOutDir: true,
-      copyPublicDir: false,
-      target: 'node20',
-      rolldownOptions: { output: { entryFileNames: 'thread.js', format: 'es' } },
-    },
-  });
-}
-
 /** Until time is over or the thread ends. Returns the first input that was not read. */
-async function runThread(attempt: Attempt, seeds: readonly Seed[], from: number, counts: Map<string, number>) {
+async function runThread(
+  attempt: Attempt,
+  script: string,
+  seeds: readonly Seed[],
+  from: number,
+  counts: Map<string, number>,
+) {
   const shared = new SharedArrayBuffer(8);
   const at = new Int32Array(shared);
   at[0] = from;
   const orders: Orders = { corpus: seeds, seed: attempt.seed, from, at: shared };
   const inputs = new Inputs(seeds, attempt.seed);
-  const thread = new Worker(`${BUILT}thread.js`, {
-    workerData: orders,
-    resourceLimits: { maxOldGenerationSizeMb: MAX_HEAP_MB, maxYoungGenerationSizeMb: NEW_SPACE_MB },
-  });
+  const thread = startThread(script, orders);
   let ended: unknown;
   thread.on('error', (error) => {
     ended = error;
