@@ -234,6 +234,11 @@ export class Tokens {
     return mark.place;
   }
 
+  /** The line of a mark, from 1. */
+  lineOf(mark: Mark): number {
+    return mark.place?.line ?? this.places.lineAt(mark.offset);
+  }
+
   // ——— the rest of a line ———
 
   /**

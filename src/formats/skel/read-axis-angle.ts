@@ -28,14 +28,40 @@ export function beginsAxisAngle(t: Tokens): boolean {
   return looksNumeric(t) || (/\.axskel$/i.test(t.fileName) && !skelTypeOf(t.keyword()));
 }
 
-/** A joint with remaining children. */
-interface Open {
-  readonly index: number;
-  readonly length: number;
-  readonly children: number;
-  missing: number;
-  /** Of its count of children. */
-  readonly place: Mark;
+/** Joints with remaining children, the innermost last; packed, since any joint of a file may be one. */
+class OpenJoints {
+  /** Of each its index, the line of its count of children, and how many of them are missing. */
+  private readonly values: number[] = [];
+
+  get hasAny(): boolean {
+    return this.values.length > 0;
+  }
+
+  push(index: number, line: number, missing: number): void {
+    this.values.push(index, line, missing);
+  }
+
+  /** The index of the innermost; -1 without any. */
+  get index(): number {
+    return this.hasAny ? this.values[this.values.length - 3] : -1;
+  }
+
+  get line(): number {
+    return this.values[this.values.length - 2];
+  }
+
+  get missing(): number {
+    return this.values[this.values.length - 1];
+  }
+
+  /**
+   * The next joint is a child of the innermost, which is closed before its last child: a chain keeps one open joint,
+   * however long it is.
+   */
+  beginChild(): void {
+    const { values } = this;
+    if (--values[values.length - 1] === 0) values.length -= 3;
+  }
 }
 
 const LIMITS: readonly Limit[] = [UNLIMITED];
@@ -75,36 +101,34 @@ function sharedIn<K, V>(known: Map<K, V>, key: K, value: V): V {
 /** The whole file, starting at the current token. */
 export function* axisAngleTree(t: Tokens): GrammarPart<readonly Joint[]> {
   const joints: Joint[] = [];
-  const open: Open[] = [];
+  const open = new OpenJoints();
   const shared = new SharedValues();
   /** The last token of the previous joint. */
   let last: Mark | undefined;
   t.again();
   do {
-    const parent = open.at(-1);
+    const parent = open.index;
     const index = joints.length;
-    if (parent && last) yield* expectChild(t, parent, last);
+    if (last) yield* expectChild(t, joints, open, last);
     const length = yield* boneLength(t, index);
     const axis = yield* axisOf(t, index);
     const angle = yield* number(t, `the angle of joint #${index}, in degrees`);
     const children = yield* childCount(t, index);
     joints.push({
       name: '',
-      parent: parent?.index ?? -1,
-      offset: shared.offset(parent?.length ?? 0),
+      parent,
+      offset: shared.offset(parent < 0 ? 0 : (joints[parent].length ?? 0)),
       box: DEFAULT_BOX,
       motion: shared.motion(axis),
       limits: LIMITS,
       pose: shared.pose(radiansOf(angle)),
       length,
     });
-    if (parent) parent.missing--;
-    // That of a joint without children is needed no more.
-    if (last && last !== parent?.place) t.forget(last);
+    if (parent >= 0) open.beginChild();
+    if (last) t.forget(last);
     last = t.mark();
-    if (children > 0) open.push({ index, length, children, missing: children, place: last });
-    while (open.at(-1)?.missing === 0) open.pop();
-  } while (open.length > 0);
+    if (children > 0) open.push(index, t.lineOf(last), children);
+  } while (open.hasAny);
   if ((yield* t.next()) !== 'end') {
     const count = joints.length === 1 ? '1 joint' : `${joints.length} joints`;
     t.error('trailing', `Expected the end of the file after the ${count} of the tree, found ${t.found()}.`);
@@ -113,15 +137,17 @@ export function* axisAngleTree(t: Tokens): GrammarPart<readonly Joint[]> {
 }
 
 /** Reports a missing child at the last joint, since there is no line after it to show. */
-function* expectChild(t: Tokens, { index, children, missing, place }: Open, last: Mark): GrammarPart<void> {
+function* expectChild(t: Tokens, joints: readonly Joint[], open: OpenJoints, last: Mark): GrammarPart<void> {
   yield* t.next();
   if (t.kind !== 'end') {
     t.again();
     return;
   }
+  const { index, line, missing } = open;
+  const begun = joints.filter(({ parent }) => parent === index).length;
+  const children = begun + missing;
   const wanted = `${children} ${children === 1 ? 'child' : 'children'} of joint #${index}`;
-  const found = `found ${children - missing || 'none'} before the end of the file`;
-  const message = `Expected ${wanted}, as line ${t.placeOf(place).line} says, ${found}.`;
+  const message = `Expected ${wanted}, as line ${line} says, found ${begun || 'none'} before the end of the file.`;
   t.report.error('joint-missing', message, t.placeOf(last, 'error'));
   throw new ParseError('joint-missing');
 }
