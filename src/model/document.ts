@@ -9,6 +9,7 @@ import type { IkSetup } from './ik.ts';
 import { isOfBvh } from './joint-types.ts';
 import type { Morph } from './morph.ts';
 import type { PartMarks } from './part.ts';
+import { perObject } from './per-object.ts';
 import type { NamedPose } from './poses.ts';
 import type { JointPair, RetargetOptions } from './retarget.ts';
 import type { ReviewedTake } from './review.ts';
@@ -138,8 +139,13 @@ export function isBvh({ skeleton }: Pick<Character, 'skeleton'>): boolean {
   return skeleton?.joints.every(({ motion }) => isOfBvh(motion)) ?? false;
 }
 
-export function findCharacter(document: Document, id: string | undefined): Character | undefined {
-  return document.characters.find((c) => c.id === id);
+/** Of more characters than these, looking through them for each would take time by the square of their number. */
+const FEW = 32;
+const byId = perObject((characters: readonly Character[]) => new Map(characters.map((c) => [c.id, c])));
+
+export function findCharacter({ characters }: Document, id: string | undefined): Character | undefined {
+  if (id === undefined) return undefined;
+  return characters.length > FEW ? byId(characters).get(id) : characters.find((c) => c.id === id);
 }
 
 /** The visible characters that play something, or all that play if none is visible: their time is the transport's. */
