@@ -110,7 +110,11 @@ function sourcesOf(characters: readonly Character[]) {
         return mark;
       });
     }
-    for (const source of sources) found.set(source, [...(found.get(source) ?? []), character]);
+    for (const source of sources) {
+      const own = found.get(source);
+      if (own) own.push(character);
+      else found.set(source, [character]);
+    }
   }
   return [...found].map(([source, own]) => ({ source, characters: own }));
 }

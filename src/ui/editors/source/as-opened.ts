@@ -45,6 +45,7 @@ export interface Known {
 export function originsIn(document: Document, path: string, known: Known): Origins {
   const origins: Origin[] = [];
   let state: TextState = 'same';
+  const lists = new Map<readonly Character[], ReadonlyMap<string, FileParts>>();
   for (const now of partsFrom(document, path)) {
     const { character } = now;
     const source = marksFrom(character, path)[0]?.file?.source;
@@ -56,9 +57,13 @@ export function originsIn(document: Document, path: string, known: Known): Origi
       continue;
     }
     if (opened.given !== known.given(path)) return { state: 'other', origins: [] };
+    // Listed once: a file of thousands of characters would be looked through for each.
+    const list = lists.get(opened.characters) ?? partsById(opened, path);
+    lists.set(opened.characters, list);
+    const then = list.get(character.id);
     // A pose is no part, but is saved with its skeleton.
-    if (isEdited(character, opened.characters, path) || known.isUnsaved(character.id, path)) state = 'edited';
-    const file = partsThen(now, opened.characters, path);
+    if (isEdited(character, then?.character, path) || known.isUnsaved(character.id, path)) state = 'edited';
+    const file = then && partsThen(now, then, path);
     if (file) origins.push({ now, file });
   }
   return { state, origins };
@@ -117,29 +122,30 @@ function marksFrom({ parts }: Character, path: string): readonly PartMark[] {
   return all.flatMap((mark) => (mark?.file?.source.path === path ? [mark] : []));
 }
 
+/** What the file gave, by the ids of its characters. */
+function partsById({ characters }: AsOpened, path: string): ReadonlyMap<string, FileParts> {
+  return new Map(partsFrom({ characters }, path).map((parts) => [parts.character.id, parts]));
+}
+
 /** A revision identifies a part's content; undo restores it. */
-function isEdited(now: Character, then: readonly Character[], path: string): boolean {
+function isEdited(now: Character, before: Character | undefined, path: string): boolean {
   const key = ({ id, revision }: PartMark) => `${id} ${revision}`;
-  const before = then.find(({ id }) => id === now.id);
   const known = new Set(before && marksFrom(before, path).map(key));
   const marks = marksFrom(now, path);
   return known.size !== marks.length || marks.some((mark) => !known.has(key(mark)));
 }
 
 /** The parts as they were opened, showing the skin and take that are shown now. */
-function partsThen(now: FileParts, opened: readonly Character[], path: string): FileParts | undefined {
-  const { id, parts, timeOffsetSeconds, ...shown } = now.character;
-  const characters = opened.map((then) => {
-    if (then.id !== id) return then;
-    const at = (marks: readonly PartMark[] | undefined, own: PartMark | undefined) =>
-      marks?.findIndex((mark) => mark.id === own?.id) ?? -1;
-    const shownSkin = at(then.parts?.skins, parts?.skins[shown.shownSkin]);
-    const shownClip = at(then.parts?.clips, parts?.clips[shown.shownClip]);
-    return { ...then, shownSkin, shownClip, timeOffsetSeconds };
-  });
-  const then = partsFrom({ characters }, path).find(({ character }) => character.id === id);
+function partsThen(now: FileParts, { character, root }: FileParts, path: string): FileParts | undefined {
+  const { parts, timeOffsetSeconds, ...shown } = now.character;
+  const at = (marks: readonly PartMark[] | undefined, own: PartMark | undefined) =>
+    marks?.findIndex((mark) => mark.id === own?.id) ?? -1;
+  const shownSkin = at(character.parts?.skins, parts?.skins[shown.shownSkin]);
+  const shownClip = at(character.parts?.clips, parts?.clips[shown.shownClip]);
+  const [then] = partsFrom({ characters: [{ ...character, shownSkin, shownClip, timeOffsetSeconds }] }, path);
   if (!then) return undefined;
-  const { root, ...rest } = then;
+  // Alone it is the first of its file.
+  const { root: _first, ...rest } = then;
   return {
     ...rest,
     ...(now.root !== undefined && root !== undefined && { root }),

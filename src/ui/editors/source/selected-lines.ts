@@ -1,5 +1,6 @@
 /** What of the text in view is selected, at the current time, or clicked: between its lines and the document. */
 import { baseName } from '../../../model/files.ts';
+import { perObject } from '../../../model/per-object.ts';
 import type { Selection } from '../../../model/session.ts';
 import { linesOf, type SourceTarget, targetAt } from '../../../model/source-map.ts';
 import { count } from '../../kit/number-text.ts';
@@ -9,12 +10,21 @@ import { hasPartOfSelected, partsFrom } from './places.ts';
 import type { TextInView } from './text-in-view.ts';
 
 type Parts = Uses<'store' | 'files' | 'posing' | 'transport'>;
+type Unsaved = ReturnType<Parts['files']['unsaved']['get']>;
+
+const nameOf = (characterId: string, file: string) => `${characterId} ${file}`;
+/** Of the files that differ from what characters have of them. */
+const namesOf = perObject(
+  (unsaved: Unsaved) => new Set(unsaved.map(({ characterId, name }) => nameOf(characterId ?? '', name))),
+);
 
 export class SelectedLines {
   private readonly known: Known;
   /** What was clicked in the text is in view already. */
   private isOwnPick = false;
   private seen: Selection | undefined;
+  /** What was found last, and of what. */
+  private last: { readonly of: readonly unknown[]; readonly origins: Origins } | undefined;
 
   constructor(
     private readonly wb: Parts,
@@ -24,8 +34,7 @@ export class SelectedLines {
     this.known = {
       opened: (file) => source.opened(file),
       given: (path) => source.given(path),
-      isUnsaved: (id, path) =>
-        unsaved.get().some(({ characterId, name }) => characterId === id && name === baseName(path)),
+      isUnsaved: (id, path) => namesOf(unsaved.get()).has(nameOf(id, baseName(path))),
     };
   }
 
@@ -103,8 +112,14 @@ export class SelectedLines {
     return { state: 'edited', origins: parts.map((now) => ({ now, file: now })) };
   }
 
+  /** Found once for what asks in a frame: of thousands of characters it takes a while. */
   private from(path: string): Origins {
-    return originsIn(this.wb.store.document, path, this.known);
+    const { store, files } = this.wb;
+    const of = [path, store.document, files.source.given(path), files.unsaved.get()];
+    if (this.last?.of.every((one, i) => one === of[i])) return this.last.origins;
+    const origins = originsIn(store.document, path, this.known);
+    this.last = { of, origins };
+    return origins;
   }
 
   private selectedOf({ origins }: Origins): readonly SourceTarget[] {

@@ -157,6 +157,42 @@ describe('the frame of a capture in its file', () => {
   });
 });
 
+describe('a file of many characters', () => {
+  const BARE = Array.from({ length: 300 }, (_, i) => `balljoint r${i} {\n}\n`).join('');
+
+  it('has each of them at its own skeleton, each with what is edited of it', () => {
+    const { store, known } = openedStore({ 'many.skel': BARE });
+    const { characters } = store.document;
+    expect(characters).toHaveLength(300);
+    const before = originsIn(store.document, 'my/many.skel', known);
+    expect(before.state).toBe('same');
+    expect(before.origins.map(({ file }) => file.root)).toEqual(characters.map((_, i) => i));
+    expect(
+      before.origins.every(({ now, file }) => now.root === file.root && now.character.id === file.character.id),
+    ).toBe(true);
+    store.apply(renameJoint, { characterId: characters[7].id, joint: 0, name: 'other' });
+    const after = originsIn(store.document, 'my/many.skel', known);
+    expect(after.state).toBe('edited');
+    expect(after.origins[7].now.character.skeleton?.joints[0].name).toBe('other');
+    expect(after.origins[7].file.character.skeleton?.joints[0].name).toBe('r7');
+  });
+
+  it('is not looked through for each of them', () => {
+    const { store, known } = openedStore({ 'many.skel': BARE });
+    let looks = 0;
+    for (const character of store.document.characters) {
+      const { parts } = character;
+      const get = () => {
+        looks++;
+        return parts;
+      };
+      Object.defineProperty(character, 'parts', { enumerable: true, get });
+    }
+    originsIn(store.document, 'my/many.skel', known);
+    expect(looks).toBeLessThan(30 * 300);
+  });
+});
+
 it('only the selected character is asked what it has from a file', () => {
   const { store } = openedStore({ ...TEXTS, 'b.skel': TEXTS['a.skel'] });
   const [a, b] = store.document.characters.map(({ id }) => id);
