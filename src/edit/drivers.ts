@@ -18,9 +18,14 @@ export function driverSource(character: Character): DriverSource | undefined {
   return { name, skeleton, clip, pose, clampsToLimits, timeOffsetSeconds, ...(space && { space }) };
 }
 
+/** Whether a character's take can be retargeted to another one. */
+export function isPossibleSource(character: Character): boolean {
+  return !character.driver && character.skeleton !== undefined && shownClip(character) !== undefined;
+}
+
 /** Characters whose take can be retargeted to another one. */
 export function possibleSources(document: Document, target: Character): readonly Character[] {
-  return document.characters.filter((c) => c.id !== target.id && !c.driver && driverSource(c) !== undefined);
+  return document.characters.filter((c) => c.id !== target.id && isPossibleSource(c));
 }
 
 /** The document with drivers updated to their sources; the same object if none changed. */
