@@ -54,6 +54,14 @@ interface Dropped {
 }
 
 /**
+ * Items whose entries are taken beside their handles, for folders that the browser gives no handle of. An entry takes a
+ * question to the system each, while everything waits: those of thousands held up the page.
+ */
+const MAX_ENTRIES = 100;
+/** Dates and sizes take a question to the system each, too: the page goes on after so many milliseconds. */
+const SLICE_MS = 12;
+
+/**
  * From a drop or paste, including folders. The data is only accessible during the event, so handles and entries are
  * taken at once and only their content is awaited.
  */
@@ -63,14 +71,19 @@ export async function fromDataTransfer(data: DataTransfer): Promise<readonly Giv
     if (item.kind !== 'file') continue;
     // Items copied from a page, or made by a script, have no handle: browsers return null, or reject.
     const handle = item.getAsFileSystemHandle?.().catch(() => null);
-    dropped.push({ handle, entry: item.webkitGetAsEntry(), file: item.getAsFile() });
+    const entry = handle === undefined || dropped.length < MAX_ENTRIES ? item.webkitGetAsEntry() : null;
+    dropped.push({ handle, entry, file: item.getAsFile() });
   }
   const found: GivenFile[] = [];
+  let until = performance.now() + SLICE_MS;
   for (const { handle, entry, file } of dropped) {
     const own = (await handle) ?? undefined;
     if (own?.kind === 'directory') found.push(...(await inFolder(own)));
     else if (entry?.isDirectory) await walk(entry, found);
     else if (file) found.push(givenFile(file.name, file, own));
+    if (performance.now() < until) continue;
+    await new Promise((resolve) => setTimeout(resolve));
+    until = performance.now() + SLICE_MS;
   }
   return inNaturalOrder(found);
 }

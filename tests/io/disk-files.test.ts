@@ -95,6 +95,28 @@ describe('a drop', () => {
     expect(given[0].handle).toBe(parts[0]);
   });
 
+  it('of thousands asks only the first for what is beside their handles, which takes the system a while', async () => {
+    let asked = 0;
+    const items = Array.from({ length: 1000 }, (_, i) => {
+      const name = `${i}.skel`;
+      const given = item(new File(['x'], name), { handle: handle(name).handle });
+      return {
+        ...given,
+        webkitGetAsEntry: () => {
+          asked++;
+          return null;
+        },
+      };
+    });
+    const given = await drop(...items);
+    expect(given.map(({ path }) => path)).toEqual(items.map((_, i) => `${i}.skel`));
+    expect(given.every((g) => g.handle)).toBe(true);
+    expect(asked).toBeLessThan(200);
+    asked = 0;
+    await drop(...items.map(({ getAsFileSystemHandle: _none, ...rest }) => rest));
+    expect(asked).toBe(1000);
+  });
+
   it('gives what is in folders of older browsers', async () => {
     const file = {
       isFile: true,
