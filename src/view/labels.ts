@@ -8,6 +8,7 @@
 import { type Camera, Matrix4 } from 'three';
 import { jointName } from '../model/joint-name.ts';
 import type { Display, Selection } from '../model/session.ts';
+import type { Skeleton } from '../model/skeleton.ts';
 import { MIN_Y, placeName } from './character-names.ts';
 import { type DrawnSkeleton, instanceOf, type JointRef, jointAt } from './drawn-skeletons.ts';
 import type { LabelCover } from './label-cover.ts';
@@ -43,7 +44,8 @@ export class Labels {
   readonly canvas = document.createElement('canvas');
   private readonly pen: CanvasRenderingContext2D;
   private readonly sprites = new NameSprites();
-  private names: Name[] = [];
+  /** Of the joints of all characters, one after the other, each measured when it is first written. */
+  private names: (Name | undefined)[] = [];
   private drawn: readonly DrawnSkeleton[] = [];
   private width = 1;
   private height = 1;
@@ -55,8 +57,8 @@ export class Labels {
   private hovered = -1;
   private hoveredName: Name | undefined;
   private showsAll = false;
-  /** In the order of `drawn`; empty for a single character, or if names are off. */
-  private characterNames: Name[] = [];
+  /** In the order of `drawn`, each measured when first written; empty for a single character, or if names are off. */
+  private characterNames: (Name | undefined)[] = [];
   private selectedCharacter = -1;
   /** Under the pointer. */
   private hoveredCharacter: string | undefined;
@@ -65,7 +67,8 @@ export class Labels {
   private readonly toClip = new Matrix4();
   /** Screen x, y and depth of each candidate. */
   private readonly screen = new Float32Array(3 * CANDIDATES);
-  /** Index in `names`, and instance, of each candidate. */
+  /** Index in `drawn` and in `names`, and instance, of each candidate. */
+  private readonly owners = new Uint32Array(CANDIDATES);
   private readonly named = new Uint32Array(CANDIDATES);
   private readonly instances = new Uint32Array(CANDIDATES);
   private readonly layout = new LabelLayout();
@@ -98,22 +101,18 @@ export class Labels {
 
   /** Call after an edit. `hovered` is labelled even if names are off. */
   show(drawn: readonly DrawnSkeleton[], display: Display, selection: Selection, hovered: JointRef | undefined): void {
-    this.showsAll = display.names;
-    this.drawn = drawn;
-    this.names = [];
-    if (display.names) {
-      for (const { skeleton } of drawn) {
-        skeleton.joints.forEach((_, j) => {
-          this.names.push(this.measure(jointName(skeleton, j)));
-        });
-      }
+    if (drawn !== this.drawn || display.names !== this.showsAll) {
+      const joints = drawn.reduce((sum, { nodes }) => sum + nodes.jointCount, 0);
+      this.names = new Array(display.names ? joints : 0);
     }
+    this.showsAll = display.names;
     this.selected = display.names ? instanceOf(drawn, selection.characterId, 0, selection.joint) : -1;
     this.hovered = hovered ? instanceOf(drawn, hovered.characterId, hovered.placement, hovered.joint) : -1;
     this.hoveredName = hovered && this.nameUnderPointer(hovered);
     this.always = [...new Set([this.hovered, this.selected])].filter((i) => i >= 0);
-    const isNamed = display.characterNames && drawn.length > 1;
-    this.characterNames = isNamed ? drawn.map(({ name }) => this.measure(name ?? '')) : [];
+    const named = display.characterNames && drawn.length > 1 ? drawn.length : 0;
+    if (drawn !== this.drawn || this.characterNames.length !== named) this.characterNames = new Array(named);
+    this.drawn = drawn;
     this.selectedCharacter = drawn.findIndex((d) => d.characterId === selection.characterId);
   }
 
@@ -155,7 +154,8 @@ export class Labels {
     // Only the first instance of each character: a crowd would repeat the same names.
     let firstName = 0;
     let count = 0;
-    for (const { firstInstance, skeleton } of this.drawn) {
+    for (let d = 0; d < this.drawn.length && count < CANDIDATES; d++) {
+      const { firstInstance, skeleton } = this.drawn[d];
       const first = count;
       let left = Infinity;
       let right = -Infinity;
@@ -167,6 +167,7 @@ export class Labels {
         right = Math.max(right, screen[3 * count]);
         top = Math.min(top, screen[3 * count + 1]);
         bottom = Math.max(bottom, screen[3 * count + 1]);
+        this.owners[count] = d;
         this.named[count] = firstName + j;
         this.instances[count] = firstInstance + j;
         count++;
@@ -185,7 +186,7 @@ export class Labels {
     const { characterNames: names, selectedCharacter: first } = this;
     if (names.length === 0) return;
     if (first >= 0) this.writeCharacter(first, positions, theme.selectedLabel);
-    for (let c = 0; c < names.length; c++) {
+    for (let c = 0; c < names.length && !this.layout.isFull; c++) {
       if (c === first) continue;
       const { tint, characterId } = this.drawn[c];
       const color = characterId === this.hoveredCharacter ? theme.selectedLabel : tint ? theme[tint] : theme.label;
@@ -194,9 +195,10 @@ export class Labels {
   }
 
   private writeCharacter(c: number, positions: Float64Array, color: string): void {
-    const { place } = this;
+    const { place, characterNames } = this;
     if (!placeName(this.drawn[c], positions, this.toClip, this.width, this.height, place)) return;
-    const name = this.characterNames[c];
+    characterNames[c] ??= this.measure(this.drawn[c].name ?? '');
+    const name = characterNames[c];
     const left = Math.min(this.width - EDGE - name.width, Math.max(EDGE, place[0] - name.width / 2));
     // Above a name that is already there.
     for (let y = place[1]; y > place[1] - NAME_LINES * LINE_HEIGHT && y >= MIN_Y; y -= LINE_HEIGHT) {
@@ -237,7 +239,10 @@ export class Labels {
   /** The joints that may be named in a frame. */
   private jointCandidates() {
     const { screen, layout, instances, pen } = this;
-    const nameOf = (i: number) => this.names[this.named[i]];
+    const nameOf = (i: number) => {
+      const { skeleton, firstInstance } = this.drawn[this.owners[i]];
+      return this.nameAt(this.named[i], skeleton, instances[i] - firstInstance);
+    };
     const candidates = {
       count: 0,
       positions: new Float64Array(0) as Float64Array,
@@ -245,6 +250,7 @@ export class Labels {
       color: '',
       depthOf: (i: number) => screen[3 * i + 2],
       hasRoom(i: number) {
+        if (layout.isFull) return false;
         const { text, width } = nameOf(i);
         return text !== '' && layout.hasRoom(Math.round(screen[3 * i] + BESIDE), Math.round(screen[3 * i + 1]), width);
       },
@@ -317,11 +323,18 @@ export class Labels {
   private nameOf(instance: number): Name | undefined {
     const found = jointAt(this.drawn, instance);
     let first = 0;
-    for (const { characterId, nodes } of this.drawn) {
-      if (found && characterId === found.characterId) return this.names[first + found.joint];
+    for (const { characterId, nodes, skeleton } of this.drawn) {
+      if (found && characterId === found.characterId) return this.nameAt(first + found.joint, skeleton, found.joint);
       first += nodes.jointCount;
     }
     return undefined;
+  }
+
+  /** @param index in `names` */
+  private nameAt(index: number, skeleton: Skeleton, joint: number): Name {
+    const { names } = this;
+    names[index] ??= this.measure(jointName(skeleton, joint));
+    return names[index];
   }
 }
 
