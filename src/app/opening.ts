@@ -6,6 +6,7 @@
 import { type Playback, pause, play } from '../edit/playback.ts';
 import type { Store } from '../edit/store.ts';
 import { adoptSkinFacts } from '../evaluate/bounds.ts';
+import type { Steps } from '../evaluate/steps.ts';
 import type { GivenFile } from '../io/given.ts';
 import { type Diagnostic, hasErrors, withoutPlace } from '../model/diagnostic.ts';
 import { type Character, type Document, findCharacter, shownClip } from '../model/document.ts';
@@ -24,7 +25,7 @@ export interface OpeningParts {
   readonly transport: Observable<Playback>;
   readonly messages: Messages;
   readonly loading: Observable<Loading | undefined>;
-  readonly viewport: Pick<WorkbenchStage, 'frameAll'>;
+  readonly viewport: Pick<WorkbenchStage, 'frameAll' | 'prepare'>;
   readonly worker: WorkerClient;
   /** Whether the user wants less motion: then new takes don't start to play. */
   reducesMotion(): boolean;
@@ -52,6 +53,8 @@ export interface OpenOptions {
 
 /** Of putting characters together, between frames. */
 const SLICE_MS = 12;
+/** Views of fewer new characters are made with the first picture of them. */
+const MANY = 100;
 /** Diagnostics of files that have no errors but were not opened. */
 const LEFT_ASIDE: ReadonlySet<string> = new Set(['held-back', 'file-unused', 'format-unknown']);
 
@@ -168,7 +171,7 @@ export class Opener {
     const { store } = this.parts;
     store.settle();
     const before = store.document;
-    const steps = openInSteps(before, files, broken, reloads ?? store.selection.characterId);
+    const steps = this.withViews(openInSteps(before, files, broken, reloads ?? store.selection.characterId));
     let until = performance.now() + SLICE_MS;
     for (;;) {
       const step = steps.next();
@@ -183,6 +186,20 @@ export class Opener {
       }
       if (step.done) return step.value;
     }
+  }
+
+  /** Goes on with the views of new characters. */
+  private *withViews(steps: Steps<OpenResult>): Steps<OpenResult> {
+    const result = yield* steps;
+    const { document, opened } = result;
+    if (opened.length > MANY) {
+      for (const [i, id] of opened.entries()) {
+        const character = findCharacter(document, id);
+        if (character) this.parts.viewport.prepare(character);
+        yield i;
+      }
+    }
+    return result;
   }
 
   /** As they are on disk now, if the browser can tell. */

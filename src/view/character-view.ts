@@ -170,6 +170,11 @@ export class CharacterView {
     this.seek(this.timeSeconds);
   }
 
+  /** Whether another display, or another joint's heat map, changes nothing of how it is drawn and posed. */
+  isDrawnAlike({ inPlace }: Display): boolean {
+    return !this.skin && this.display?.inPlace === inPlace;
+  }
+
   /** See `Viewport.heatSkin`. Another skin has no values until it is given some. */
   heatSkin(values: Float32Array): void {
     this.skin?.heat(values);
@@ -342,6 +347,7 @@ export class CharacterView {
   }
 
   private dropSkin(): void {
+    if (!this.skin) return;
     this.skinLife.abort();
     this.skinLife = new AbortController();
     this.building = undefined;

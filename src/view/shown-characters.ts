@@ -9,7 +9,7 @@ import { timeBetween } from '../math/time-between.ts';
 import { type Character, type Document, findCharacter, shownClip, shownSkin } from '../model/document.ts';
 import type { Display, Selection } from '../model/session.ts';
 import type { CharacterView } from './character-view.ts';
-import type { PosedSkeleton } from './drawn-skeletons.ts';
+import { nodesFor, type PosedSkeleton, sizesFor } from './drawn-skeletons.ts';
 import type { Look } from './look.ts';
 import type { DrawnSkin } from './picking.ts';
 import type { Tints } from './theme.ts';
@@ -36,6 +36,8 @@ const MAX_ROOM = 50;
 
 export class ShownCharacters {
   private readonly byId = new Map<string, ShownCharacter>();
+  /** Of characters that aren't in the document yet. */
+  private readonly prepared = new Map<string, CharacterView>();
   /** The same as a list, since iterating it allocates nothing. */
   all: readonly ShownCharacter[] = [];
   /** Those that aren't hidden. */
@@ -67,10 +69,20 @@ export class ShownCharacters {
     return entry?.character.isHidden ? undefined : entry;
   }
 
+  /** Makes the view of a character that the next `show` will add: thousands at once would hold up the page. */
+  prepareView(character: Character, display: Display): void {
+    const { id, skeleton } = character;
+    if (this.byId.has(id) || this.prepared.has(id)) return;
+    const view = this.create(id);
+    view.show(character, display, undefined);
+    if (skeleton) for (const prepare of [nodesFor, sizesFor]) prepare(skeleton);
+    this.prepared.set(id, view);
+  }
+
   /**
    * Call after an edit.
    *
-   * @param everything refresh unchanged characters too
+   * @param everything refresh unchanged characters too: the display, the look or the joint of the heat map has changed
    */
   show(
     document: Document,
@@ -80,7 +92,7 @@ export class ShownCharacters {
     everything: boolean,
     look?: Look,
   ): void {
-    const { byId } = this;
+    const { byId, prepared } = this;
     for (const [id, { view }] of byId) {
       if (findCharacter(document, id)) continue;
       view.dispose();
@@ -89,10 +101,12 @@ export class ShownCharacters {
     for (const character of document.characters) {
       let entry = byId.get(character.id);
       if (!entry) {
-        entry = { view: this.create(character.id), character, placements: new Float64Array(0), placedFor: undefined };
+        const view = prepared.get(character.id) ?? this.create(character.id);
+        prepared.delete(character.id);
+        entry = { view, character, placements: new Float64Array(0), placedFor: undefined };
         byId.set(character.id, entry);
         this.parent.add(entry.view.object);
-      } else if (character === entry.character && !everything) continue;
+      } else if (character === entry.character && (!everything || entry.view.isDrawnAlike(display))) continue;
       entry.character = character;
       if (entry.placements.length !== 16 * character.placements.length) {
         entry.placements = new Float64Array(16 * character.placements.length);
@@ -105,6 +119,9 @@ export class ShownCharacters {
       entry.view.seek(timeSeconds);
       if (entry.view.needsPreparing) this.prepare(entry);
     }
+    // Made for a document that didn't come.
+    for (const view of prepared.values()) view.dispose();
+    prepared.clear();
     this.all = [...byId.values()];
     this.visible = this.all.filter(({ character }) => !character.isHidden);
   }
@@ -198,6 +215,8 @@ export class ShownCharacters {
 
   dispose(): void {
     for (const { view } of this.all) view.dispose();
+    for (const view of this.prepared.values()) view.dispose();
+    this.prepared.clear();
     this.byId.clear();
     this.all = this.visible = [];
   }

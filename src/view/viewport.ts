@@ -118,6 +118,11 @@ export class Viewport {
     });
   }
 
+  /** Makes ready what `show` will need of a character that is about to be added: see `ShownCharacters`. */
+  prepare(character: Character): void {
+    this.tryShow(() => this.shown.characters.prepareView(character, this.shown.display));
+  }
+
   /** Draws a character in another way than the display says; undefined: all as it says. */
   setLook(look: Look | undefined): void {
     this.tryShow(() => this.shown.setLook(look));

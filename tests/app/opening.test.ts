@@ -3,6 +3,7 @@ import { Opener } from '../../src/app/opening.ts';
 import { createRig } from '../../src/edit/commands/rig.ts';
 import { DEFAULT_PLAYBACK } from '../../src/edit/playback.ts';
 import { Store } from '../../src/edit/store.ts';
+import { type Character, findCharacter } from '../../src/model/document.ts';
 import { saveCharacter } from '../../src/project/save/saving.ts';
 import { observable } from '../../src/ui/kit/observable.ts';
 import { Messages } from '../../src/ui/state/messages.ts';
@@ -18,6 +19,7 @@ function openerOf(
     reducesMotion = false,
     messages = new Messages(),
     loading = observable<Loading | undefined>(undefined),
+    prepare = (_: Character): void => undefined,
   } = {},
 ): Opener {
   return new Opener({
@@ -25,7 +27,7 @@ function openerOf(
     transport,
     messages,
     loading,
-    viewport: { frameAll: () => undefined },
+    viewport: { frameAll: () => undefined, prepare },
     worker: new InThisThread(),
     reducesMotion: () => reducesMotion,
   });
@@ -219,6 +221,24 @@ describe('opening in slices', () => {
     await openerOf(store, { messages, loading }).open(three);
     expect(store.document.characters).toEqual([]);
     expect(messages.passing.get()).toBe('Open cancelled. Nothing was changed.');
+  });
+
+  it('what shows many characters is made ready before they are in the document, and of few with them', async () => {
+    const store = new Store();
+    const prepared: Character[] = [];
+    const early: boolean[] = [];
+    const opener = openerOf(store, {
+      prepare: (character) => {
+        prepared.push(character);
+        early.push(findCharacter(store.document, character.id) === undefined);
+      },
+    });
+    await opener.open(three);
+    expect(prepared).toEqual([]);
+    const [{ blob }] = sample();
+    await opener.open(() => Array.from({ length: 150 }, (_, i) => ({ path: `d${i}.skel`, blob })));
+    expect(prepared.map(({ id }) => id)).toEqual(store.document.characters.slice(3).map(({ id }) => id));
+    expect(early.every(Boolean)).toBe(true);
   });
 
   it('the opening sample gives way to what was begun between two slices', async () => {

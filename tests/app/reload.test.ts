@@ -27,7 +27,7 @@ async function page(texts: Readonly<Record<string, string>> = HERO) {
     transport,
     messages,
     loading: observable<Loading | undefined>(undefined),
-    viewport: { frameAll: () => void framed++ },
+    viewport: { frameAll: () => void framed++, prepare: () => undefined },
     worker: new InThisThread(),
     reducesMotion: () => false,
   });

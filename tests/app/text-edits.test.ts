@@ -60,7 +60,7 @@ class Opened {
     const opener = new Opener({
       ...{ store, messages, worker: new InThisThread(), transport: observable(DEFAULT_PLAYBACK) },
       ...{ loading: observable<Loading | undefined>(undefined), reducesMotion: () => true },
-      viewport: { frameAll: () => void this.framed++ },
+      viewport: { frameAll: () => void this.framed++, prepare: () => undefined },
     });
     this.edits = new FileEdits({ store, unsaved, texts, messages, opener, worker: new InThisThread() });
   }

@@ -163,6 +163,78 @@ function framedBy(all: ShownCharacters, range: readonly [number, number], aspect
   return { camera, gridReach: Grid.reach(z - middle) };
 }
 
+describe('views of characters', () => {
+  const posts = (count: number) => Array.from({ length: count }, (_, i) => character({ id: `post${i}` }));
+  /** With what is shown of the views that it makes. */
+  function counted() {
+    const said: string[] = [];
+    const all = new ShownCharacters(
+      new Group(),
+      (id) => {
+        const view = new CharacterView();
+        const { show, dispose } = view;
+        view.show = (...given) => {
+          said.push(`show ${id}`);
+          show.apply(view, given);
+        };
+        view.dispose = () => {
+          said.push(`dispose ${id}`);
+          dispose.apply(view);
+        };
+        return view;
+      },
+      () => {},
+    );
+    return { all, taken: () => said.splice(0) };
+  }
+
+  it('another display shows only those anew that it draws or poses otherwise', () => {
+    const { all, taken } = counted();
+    const document = documentOf(...posts(3), character({ id: 'skinned', skins: [skin()] }));
+    all.show(document, DEFAULT_DISPLAY, {}, 0, true);
+    expect(taken()).toHaveLength(4);
+    all.show(document, { ...DEFAULT_DISPLAY, names: true }, {}, 0, true);
+    expect(taken()).toEqual(['show skinned']);
+    all.show(document, { ...DEFAULT_DISPLAY, inPlace: true }, {}, 0, true);
+    expect(taken()).toHaveLength(4);
+    all.show(document, { ...DEFAULT_DISPLAY, inPlace: true }, {}, 0, true);
+    expect(taken()).toEqual(['show skinned']);
+  });
+
+  it('those prepared beforehand are taken for the characters that come, and let go of if they do not', () => {
+    const { all, taken } = counted();
+    const [a, b, c] = posts(3);
+    for (const one of [a, b, a]) all.prepareView(one, DEFAULT_DISPLAY);
+    expect(taken()).toEqual(['show post0', 'show post1']);
+    expect(all.get('post0')).toBeUndefined();
+    const { length } = Object.keys(a);
+    all.show(documentOf({ ...a }, c), DEFAULT_DISPLAY, {}, 0, false);
+    expect(taken()).toEqual(['show post0', 'show post2', 'dispose post1']);
+    expect(all.visible.map(({ character: { id } }) => id)).toEqual(['post0', 'post2']);
+    expect(Object.keys(all.visible[0].character)).toHaveLength(length);
+    all.prepareView(a, DEFAULT_DISPLAY);
+    expect(taken()).toEqual([]);
+    all.prepareView(b, DEFAULT_DISPLAY);
+    all.dispose();
+    expect(taken().sort()).toEqual(['dispose post0', 'dispose post1', 'dispose post2', 'show post1']);
+  });
+
+  it('a prepared one is posed at the time that is shown', () => {
+    const { all } = counted();
+    const moving = captured(
+      skeleton,
+      take(skeleton, [
+        [0, 85, 0],
+        [0, 185, 0],
+      ]),
+      { id: 'moving', space },
+    );
+    all.prepareView(moving, DEFAULT_DISPLAY);
+    all.show(documentOf(moving), DEFAULT_DISPLAY, {}, moving.clips[0].range[1], false);
+    expect(all.get('moving')?.view.dofs[1]).toBeCloseTo(185, 9);
+  });
+});
+
 describeShared('captures of the reference, framed', () => {
   const files = ['bandai-namco-bow-normal', 'cmu-01_01', 'cmu-daz-pirouette', 'rokoko-dance', 'poser-sl-walk'];
   it.each(files)('every joint of %s is in the picture at every frame, wide or tall', (name) => {

@@ -28,6 +28,7 @@ import type { Timeline } from './timeline.ts';
 export type WorkbenchStage = Pick<
   Viewport,
   | 'show'
+  | 'prepare'
   | 'setLook'
   | 'seek'
   | 'pick'
