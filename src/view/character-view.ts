@@ -146,12 +146,14 @@ export class CharacterView {
    * Call after an edit.
    *
    * @param heat what the heat map shows
+   * @param timeSeconds of the transport, to pose it at; default: as before
    */
-  show(character: Character, display: Display, heat: Heat): void {
+  show(character: Character, display: Display, heat: Heat, timeSeconds = this.timeSeconds): void {
     const before = this.shown;
     this.shown = character;
     this.display = display;
     this.heat = heat;
+    this.timeSeconds = timeSeconds;
     if (this.player?.fits(character)) this.player.character = character;
     else this.player = new PosePlayer(character);
 
@@ -167,7 +169,7 @@ export class CharacterView {
     } else this.rebuildSkin(character, skin);
     this.textures.show(skin?.texcoords ? textureNames(skin) : [], character.textures);
     this.placeGroups(character);
-    this.seek(this.timeSeconds);
+    this.seek(timeSeconds);
   }
 
   /** Whether another display, or another joint's heat map, changes nothing of how it is drawn and posed. */

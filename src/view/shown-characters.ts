@@ -114,9 +114,8 @@ export class ShownCharacters {
       entry.view.object.visible = !character.isHidden;
       const heatJoint = selection.characterId === character.id ? selection.joint : undefined;
       if (look?.characterId === character.id) {
-        entry.view.show(character, { ...display, skin: look.skin }, look.heat ?? heatJoint);
-      } else entry.view.show(character, display, heatJoint);
-      entry.view.seek(timeSeconds);
+        entry.view.show(character, { ...display, skin: look.skin }, look.heat ?? heatJoint, timeSeconds);
+      } else entry.view.show(character, display, heatJoint, timeSeconds);
       if (entry.view.needsPreparing) this.prepare(entry);
     }
     // Made for a document that didn't come.

@@ -5,6 +5,7 @@
 import { spreadOfHeights, tensBetween } from '../../edit/same-height.ts';
 import type { Character } from '../../model/document.ts';
 import { button, element, setText } from '../kit/dom.ts';
+import { atMostEvery } from '../kit/frame.ts';
 import { icon } from '../kit/icons.ts';
 import { shown } from '../kit/number-text.ts';
 import { findAction, tryAction } from '../state/action.ts';
@@ -51,7 +52,8 @@ export function heightsNote(wb: Uses<'store' | 'actions' | 'timeline'>): HTMLEle
     measured = visible;
     show();
   };
-  wb.store.subscribe(follow);
+  // Not with the change: of thousands of characters measuring takes a while.
+  wb.store.subscribe(atMostEvery(0, follow));
   comparison.subscribe(show);
   follow();
   show();
