@@ -51,6 +51,7 @@ it.each([
   ['labels', 'txt', many('7:1\n')],
   ['blocks', 'txt', many('t 1\n1\nt 2\n1\n')],
   ['JSON texts', 'json', many('[1]\n')],
+  ['quotes in a cell', 'review.csv', `path\n"${'""'.repeat(200_000)}"`],
 ] as const)('many %s in a .%s are read in memory in proportion', async (_, subject, text) => {
   expect(await faultsOf({ subject, bytes: new TextEncoder().encode(text) })).toEqual([]);
 });

@@ -4,11 +4,8 @@
  * messages.
  */
 import { cutMessage } from '../model/cut-text.ts';
-import type { Diagnostic, Excerpt, Severity } from '../model/diagnostic.ts';
+import { type Diagnostic, type Excerpt, MOST_KEPT, moreThanKept, type Severity } from '../model/diagnostic.ts';
 import { excerptOf, type Place } from './places.ts';
-
-/** Number kept for each severity and file. */
-export const KEPT = 100;
 
 /** Thrown inside a reader when nothing after this place can be read; only the readers of `reader.ts` catch it. */
 export class ParseError extends Error {
@@ -43,7 +40,7 @@ export class Report {
 
   /** Whether another one of this severity would be kept, so that its place is worth finding. */
   hasRoom(severity: Severity): boolean {
-    return this.counts[severity] < KEPT;
+    return this.counts[severity] < MOST_KEPT;
   }
 
   error(code: string, message: string, place: Place): void {
@@ -72,7 +69,7 @@ export class Report {
   }
 
   private add(severity: Severity, code: string, message: string, place: Place, assumed?: string): Entry | undefined {
-    if (++this.counts[severity] > KEPT) return undefined;
+    if (++this.counts[severity] > MOST_KEPT) return undefined;
     const used = assumed === undefined ? undefined : cutMessage(assumed);
     const entry: Entry = { severity, code, message: cutMessage(message), place, assumed: used, count: 1 };
     this.entries.push(entry);
@@ -86,14 +83,13 @@ export class Report {
     const line = (d: Diagnostic) => d.line || Number.POSITIVE_INFINITY;
     const all = this.entries.map((entry) => this.diagnostic(entry));
     all.sort((a, b) => (line(a) === line(b) ? a.column - b.column : line(a) - line(b)));
-    for (const severity of ['error', 'warning', 'info'] as const) {
-      const more = this.counts[severity] - KEPT;
-      if (more <= 0) continue;
-      const what = severity === 'info' ? 'remarks' : `${severity}s`;
-      const code = `more-${what}`;
-      all.push({ severity, code, message: `And ${more} more ${what}.`, file: this.file, line: 0, column: 0 });
-    }
-    return all;
+    const { error, warning, info } = this.counts;
+    return [
+      ...all,
+      ...moreThanKept('error', error, this.file),
+      ...moreThanKept('warning', warning, this.file),
+      ...moreThanKept('info', info, this.file),
+    ];
   }
 
   private diagnostic({ severity, code, message, place, assumed, count }: Entry): Diagnostic {

@@ -3,40 +3,59 @@
 export interface CsvRow {
   /** From 1; where the row starts, since quoted cells may contain line ends. */
   readonly line: number;
+  /** Up to 16,384 of them, as many as spreadsheets have. */
   readonly cells: readonly string[];
 }
 
-export interface Csv {
-  readonly rows: readonly CsvRow[];
-  /** The line of a quote that nothing closes. */
-  readonly unclosed?: number;
-}
+const MAX_CELLS = 16_384;
+/** Put together at a time: a cell with many quotes would take 16 times its length. */
+const MAX_PARTS = 1024;
 
 /** Comma, semicolon or tab: the one that the first line has most of. */
 export function separatorOf(text: string): string {
-  const [line] = text.split(/\r|\n/, 1);
-  const counts = [',', ';', '\t'].map((separator) => ({ separator, count: line.split(separator).length }));
+  const line = firstLineOf(text);
+  const counts = [',', ';', '\t'].map((separator) => ({ separator, count: countOf(line, separator) }));
   return counts.reduce((a, b) => (b.count > a.count ? b : a)).separator;
 }
 
-/** Empty lines are left out. A run of CRs before an LF is part of one line end; any other CR is one. */
-export function readCsv(text: string, separator: string): Csv {
-  const rows: CsvRow[] = [];
+/** Up to the first line end. */
+export function firstLineOf(text: string): string {
+  const end = text.search(/\r|\n/);
+  return end < 0 ? text : text.slice(0, end);
+}
+
+function countOf(text: string, part: string): number {
+  let count = 0;
+  for (let at = text.indexOf(part); at >= 0; at = text.indexOf(part, at + 1)) count++;
+  return count;
+}
+
+/**
+ * Gives all rows, one after the other, to `take`. Empty lines are left out. A run of CRs before an LF is part of one
+ * line end; any other CR is one.
+ * @returns the line of a quote that nothing closes, whose row is left out; undefined if there is none
+ */
+export function eachRow(text: string, separator: string, take: (row: CsvRow) => void): number | undefined {
   let cells: string[] = [];
   let cell = '';
   /** What of the text is not yet in the cell: character by character, a cell would take 32 times its length. */
   let from = 0;
+  /** Of a quoted cell, up to its quotes. */
+  const parts: string[] = [];
   /** Up to which a run of CRs was looked at. */
   let run = 0;
   let line = 1;
   let start = 1;
   let isQuoted = false;
   let opened = 0;
-  const endRow = () => {
-    cells.push(cell);
-    if (cells.length > 1 || cells[0].trim() !== '') rows.push({ line: start, cells });
-    cells = [];
+  const endCell = () => {
+    if (cells.length < MAX_CELLS) cells.push(cell);
     cell = '';
+  };
+  const endRow = () => {
+    endCell();
+    if (cells.length > 1 || cells[0].trim() !== '') take({ line: start, cells });
+    cells = [];
   };
   for (let i = 0; i < text.length; i++) {
     const c = text[i];
@@ -44,11 +63,11 @@ export function readCsv(text: string, separator: string): Csv {
     const endsLine = c === '\n' || (c === '\r' && text[run] !== '\n');
     if (isQuoted) {
       if (c === '"') {
-        cell += text.slice(from, i);
+        isQuoted = text[i + 1] === '"';
+        // Of two quotes the first is the cell's.
+        parts.push(text.slice(from, isQuoted ? ++i : i));
         from = i + 1;
-        // Of two quotes the second is the cell's.
-        if (text[from] === '"') i++;
-        else isQuoted = false;
+        if (!isQuoted || parts.length === MAX_PARTS) cell += parts.splice(0).join('');
       }
     } else if (c === '"' && cell === '' && from === i) {
       isQuoted = true;
@@ -57,15 +76,14 @@ export function readCsv(text: string, separator: string): Csv {
     } else if (c === separator || c === '\n' || c === '\r') {
       cell += text.slice(from, i);
       from = i + 1;
-      if (c === separator) {
-        cells.push(cell);
-        cell = '';
-      } else if (endsLine) endRow();
+      if (c === separator) endCell();
+      else if (endsLine) endRow();
     }
     if (endsLine) line++;
     if (endsLine && !isQuoted) start = line;
   }
+  if (isQuoted) return opened;
   cell += text.slice(from);
   if (cell !== '' || cells.length > 0) endRow();
-  return { rows, ...(isQuoted && { unclosed: opened }) };
+  return undefined;
 }

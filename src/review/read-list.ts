@@ -3,9 +3,9 @@
  * spreadsheet, or plain paths, one a line. Only the path is needed.
  */
 import { cutMessage } from '../model/cut-text.ts';
-import type { Diagnostic } from '../model/diagnostic.ts';
+import { type Diagnostic, MOST_KEPT, moreThanKept } from '../model/diagnostic.ts';
 import { MOST_STARS, NO_REVIEW, tagsOf, VERDICTS, type Verdict } from '../model/review.ts';
-import { readCsv, separatorOf } from './csv.ts';
+import { eachRow, firstLineOf, separatorOf } from './csv.ts';
 import { meant } from './formula-cells.ts';
 import { LIST_COLUMNS, type ListColumn, type ListedTake } from './list.ts';
 
@@ -18,113 +18,131 @@ export interface ReadList {
 /** @param file its name, for messages */
 export function readList(text: string, file: string): ReadList {
   const content = text.replace(/^\ufeff/, '');
-  const report = new Report(file);
-  const takes = /^\s*[[{]/.test(content) ? fromJson(content, report) : fromLines(content, report);
-  const byPath = new Map<string, ListedTake>();
-  for (const take of takes) {
-    if (byPath.has(take.path)) {
-      report.warn('path-repeated', `"${take.path}" is listed twice.`, 0, 'used the last row');
-      byPath.delete(take.path);
-    }
-    byPath.set(take.path, take);
-  }
-  if (byPath.size === 0 && !report.hasErrors) report.fail('list-empty', 'The list has no paths.', 0);
-  return { takes: report.hasErrors ? [] : [...byPath.values()], diagnostics: report.diagnostics };
+  const list = new List(file);
+  if (/^\s*[[{]/.test(content)) readJson(content, list);
+  else readLines(content, list);
+  return list.finish();
 }
 
 /** Whether a text is a list with columns, rather than any other CSV or JSON. */
 export function isTakeList(text: string): boolean {
   const content = text.replace(/^\ufeff/, '');
   if (/^\s*\[/.test(content)) return /^\s*\[\s*\{\s*"path"\s*:/.test(content);
-  const [line] = content.split(/\r|\n/, 1);
-  return columnsIn(line.split(separatorOf(line))) !== undefined;
+  return columnsIn(firstLineOf(content)) !== undefined;
 }
 
-class Report {
-  readonly diagnostics: Diagnostic[] = [];
-  hasErrors = false;
+/** What was read so far, with up to 100 problems of each severity. */
+class List {
+  private readonly byPath = new Map<string, ListedTake>();
+  private readonly diagnostics: Diagnostic[] = [];
+  private warnings = 0;
+  private errors = 0;
 
   constructor(private readonly file: string) {}
 
+  add(take: ListedTake, line: number): void {
+    const { path } = take;
+    if (this.byPath.delete(path)) {
+      this.warn('path-repeated', `"${path}" is listed twice.`, line, 'used the last row');
+    }
+    this.byPath.set(path, take);
+  }
+
   warn(code: string, message: string, line: number, assumed: string): void {
-    this.diagnostics.push({
-      severity: 'warning',
-      code,
-      message: cutMessage(message),
-      file: this.file,
-      line,
-      column: 0,
-      assumed,
-    });
+    if (++this.warnings > MOST_KEPT) return;
+    const { file } = this;
+    const severity = 'warning';
+    this.diagnostics.push({ severity, code, message: cutMessage(message), file, line, column: 0, assumed });
   }
 
   fail(code: string, message: string, line: number): void {
-    this.hasErrors = true;
-    this.diagnostics.push({ severity: 'error', code, message: cutMessage(message), file: this.file, line, column: 0 });
+    if (++this.errors > MOST_KEPT) return;
+    const { file } = this;
+    this.diagnostics.push({ severity: 'error', code, message: cutMessage(message), file, line, column: 0 });
+  }
+
+  finish(): ReadList {
+    if (this.byPath.size === 0 && this.errors === 0) this.fail('list-empty', 'The list has no paths.', 0);
+    const { file, diagnostics, errors, warnings } = this;
+    return {
+      takes: errors > 0 ? [] : [...this.byPath.values()],
+      diagnostics: [...diagnostics, ...moreThanKept('error', errors, file), ...moreThanKept('warning', warnings, file)],
+    };
   }
 }
 
 /** What a cell or a member holds, still as found. */
 type Found = Partial<Record<ListColumn, unknown>>;
 
-function fromLines(text: string, report: Report): ListedTake[] {
-  const separator = separatorOf(text);
-  const [heading] = text.split(/\r|\n/, 1);
-  const columns = columnsIn(readCsv(heading, separator).rows[0]?.cells ?? []);
-  if (!columns) return plainPaths(text);
-  const { rows, unclosed } = readCsv(text, separator);
-  if (unclosed !== undefined) {
-    report.fail('quote-unclosed', 'Expected a closing quote, found the end of the file.', unclosed);
-    return [];
+function readLines(text: string, list: List): void {
+  const columns = columnsIn(firstLineOf(text));
+  if (!columns) {
+    readPaths(text, list);
+    return;
   }
-  return rows.slice(1).flatMap(({ cells, line }) => {
+  let isHeading = true;
+  const unclosed = eachRow(text, separatorOf(text), ({ cells, line }) => {
     const found: Found = {};
-    columns.forEach((column, c) => {
-      if (column && cells[c] !== undefined) found[column] = meant(cells[c]);
+    for (const [c, column] of columns) if (cells[c] !== undefined) found[column] = meant(cells[c]);
+    if (!isHeading) addTake(found, line, list);
+    isHeading = false;
+  });
+  if (unclosed === undefined) return;
+  list.fail('quote-unclosed', 'Expected a closing quote, found the end of the file.', unclosed);
+}
+
+function readPaths(text: string, list: List): void {
+  let from = 0;
+  let line = 1;
+  for (let i = 0; i <= text.length; i++) {
+    const c = text[i];
+    if (i < text.length && c !== '\n' && c !== '\r') continue;
+    const path = text.slice(from, i).trim();
+    if (path !== '') list.add({ path: slashed(path), ...NO_REVIEW }, line);
+    from = i + 1;
+    if (c === '\n' || text[from] !== '\n') line++;
+  }
+}
+
+/** By its index, what a cell of a heading is called, where it is a known column; undefined without a path. */
+function columnsIn(heading: string): ReadonlyMap<number, ListColumn> | undefined {
+  const columns = new Map<number, ListColumn>();
+  eachRow(heading, separatorOf(heading), ({ cells }) => {
+    cells.forEach((cell, c) => {
+      const name = cell.trim().replaceAll('"', '').toLowerCase();
+      const column = LIST_COLUMNS.find((each) => each === name);
+      if (column) columns.set(c, column);
     });
-    return takeOf(found, line, report);
   });
+  return [...columns.values()].includes('path') ? columns : undefined;
 }
 
-function plainPaths(text: string): ListedTake[] {
-  const lines = text.split(/\r\n|\r|\n/).map((line) => line.trim());
-  return lines.filter((line) => line !== '').map((path) => ({ path: slashed(path), ...NO_REVIEW }));
-}
-
-/** Of each cell of a heading, its column; undefined without a path. */
-function columnsIn(cells: readonly string[]): (ListColumn | undefined)[] | undefined {
-  const columns = cells.map((cell) => {
-    const name = cell.trim().replaceAll('"', '').toLowerCase();
-    return LIST_COLUMNS.find((column) => column === name);
-  });
-  return columns.includes('path') ? columns : undefined;
-}
-
-function fromJson(text: string, report: Report): ListedTake[] {
+function readJson(text: string, list: List): void {
   let parsed: unknown;
   try {
     parsed = JSON.parse(text);
   } catch (error) {
-    report.fail('json-expected', `Expected JSON: ${error instanceof Error ? error.message : String(error)}.`, 0);
-    return [];
+    list.fail('json-expected', `Expected JSON: ${error instanceof Error ? error.message : String(error)}.`, 0);
+    return;
   }
   if (!Array.isArray(parsed)) {
-    report.fail('list-expected', 'Expected an array of takes, found an object.', 0);
-    return [];
+    list.fail('list-expected', 'Expected an array of takes, found an object.', 0);
+    return;
   }
-  return parsed.flatMap((each: unknown, i) => {
-    if (typeof each === 'string') return takeOf({ path: each }, 0, report);
-    if (typeof each === 'object' && each !== null) return takeOf(each, 0, report);
-    report.fail('take-expected', `Expected a path or a record with one as take ${i + 1}, found ${String(each)}.`, 0);
-    return [];
+  parsed.forEach((each: unknown, i) => {
+    if (typeof each === 'string') addTake({ path: each }, 0, list);
+    else if (typeof each === 'object' && each !== null) addTake(each, 0, list);
+    else {
+      list.fail('take-expected', `Expected a path or a record with one as take ${i + 1}, found ${String(each)}.`, 0);
+    }
   });
 }
 
-function takeOf(found: Found, line: number, report: Report): ListedTake[] {
+function addTake(found: Found, line: number, list: List): void {
   const path = typeof found.path === 'string' ? slashed(found.path.trim()) : '';
   if (path === '') {
-    report.warn('path-expected', 'Expected a path, found none.', line, 'skipped');
-    return [];
+    list.warn('path-expected', 'Expected a path, found none.', line, 'skipped');
+    return;
   }
   const { notes } = found;
   const counts = (['frames', 'fps', 'seconds', 'joints', 'worst'] as const).flatMap((column) => {
@@ -137,32 +155,31 @@ function takeOf(found: Found, line: number, report: Report): ListedTake[] {
   });
   // An empty cell may be that of a take that was not checked.
   const flags = found.flags === undefined || found.flags === '' ? undefined : textsOf(found.flags);
-  return [
-    {
-      path,
-      verdict: verdictOf(found.verdict, line, report),
-      stars: starsOf(found.stars, line, report),
-      tags: tagsOf(textsOf(found.tags).join(';')),
-      notes: typeof notes === 'string' ? notes : '',
-      ...Object.fromEntries([...counts, ...words]),
-      ...(flags && { flags }),
-    },
-  ];
+  const take: ListedTake = {
+    path,
+    verdict: verdictOf(found.verdict, line, list),
+    stars: starsOf(found.stars, line, list),
+    tags: tagsIn(found.tags),
+    notes: typeof notes === 'string' ? notes : '',
+    ...Object.fromEntries([...counts, ...words]),
+    ...(flags && { flags }),
+  };
+  list.add(take, line);
 }
 
-function verdictOf(found: unknown, line: number, report: Report): Verdict {
+function verdictOf(found: unknown, line: number, list: List): Verdict {
   const text = typeof found === 'string' ? found.trim().toLowerCase() : '';
   const verdict = VERDICTS.find((each) => each === text);
   if (verdict === undefined && text !== '') {
-    report.warn('verdict-unknown', `Expected "good", "bad" or nothing, found "${text}".`, line, 'used none');
+    list.warn('verdict-unknown', `Expected "good", "bad" or nothing, found "${text}".`, line, 'used none');
   }
   return verdict ?? '';
 }
 
-function starsOf(found: unknown, line: number, report: Report): number {
+function starsOf(found: unknown, line: number, list: List): number {
   const value = numberOf(found) ?? 0;
   if (Number.isInteger(value) && value >= 0 && value <= MOST_STARS) return value;
-  report.warn('stars-expected', `Expected 0 to ${MOST_STARS} stars, found ${value}.`, line, 'used none');
+  list.warn('stars-expected', `Expected 0 to ${MOST_STARS} stars, found ${value}.`, line, 'used none');
   return 0;
 }
 
@@ -173,6 +190,11 @@ function numberOf(found: unknown): number | undefined {
   // Spreadsheets of many countries write a decimal comma.
   const value = Number(found.trim().replace(',', '.'));
   return Number.isFinite(value) ? value + 0 : undefined;
+}
+
+function tagsIn(found: unknown): readonly string[] {
+  const tags = tagsOf(typeof found === 'string' ? found : textsOf(found).join(';'));
+  return tags.length > 0 ? tags : NO_REVIEW.tags;
 }
 
 /** Of an array, or a cell with semicolons. */

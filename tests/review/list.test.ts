@@ -126,7 +126,32 @@ describe('a list of takes', () => {
   it('that names a take twice says so, and its last row counts', () => {
     const { takes, diagnostics } = readList('path,verdict\na,good\nb,\na,bad\n', 'list.csv');
     expect(takes.map(({ path, verdict }) => `${path} ${verdict}`)).toEqual(['b ', 'a bad']);
-    expect(diagnostics.map(({ code }) => code)).toEqual(['path-repeated']);
+    expect(diagnostics.map(({ code, line }) => [code, line])).toEqual([['path-repeated', 4]]);
+  });
+
+  it.each([
+    ['plain paths', 'a\r\n\r\nb\rc\n\na', 6],
+    ['a table', 'path\r\na\r\nb\r\na', 4],
+  ])('of %s says in which line a path comes a second time', (_, text, line) => {
+    expect(readList(text, 'list.csv').diagnostics.map((each) => [each.code, each.line])).toEqual([
+      ['path-repeated', line],
+    ]);
+  });
+
+  it.each([
+    ['warnings', 'a\n'.repeat(5001), 1],
+    ['errors', `[${'1,'.repeat(4999)}1]`, 0],
+  ])('keeps a hundred %s and counts the others', (what, text, takes) => {
+    const read = readList(text, 'list');
+    expect(read.takes).toHaveLength(takes);
+    expect(read.diagnostics).toHaveLength(101);
+    expect(read.diagnostics.at(-1)).toMatchObject({ code: `more-${what}`, message: `And 4900 more ${what}.` });
+  });
+
+  it('has columns as far as spreadsheets do', () => {
+    const read = (cells: number) => readList(`${','.repeat(cells)}path\n${','.repeat(cells)}a`, 'list.csv').takes;
+    expect(read(16_383)).toHaveLength(1);
+    expect(isTakeList(`${','.repeat(16_384)}path\n`)).toBe(false);
   });
 
   it('is told from other tables and JSON by its columns', () => {

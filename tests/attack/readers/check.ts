@@ -262,7 +262,11 @@ async function checkList(input: Input, tell: Told): Promise<void> {
     input,
     () => readList(text, `x.${input.subject}`),
     tell,
-    (list) => ({ things: list.takes.length, rows: 0 }),
+    // A bracket of JSON is a thing, whether it is a take or not.
+    (list) => ({
+      things: Math.max(list.takes.length, input.subject === 'review.json' ? openedBy(input.bytes).things : 0),
+      rows: 0,
+    }),
   );
   checkTold({ ...(takes.length > 0 && { value: takes }), diagnostics }, input.bytes, tell);
   const path = notFinite(takes);
