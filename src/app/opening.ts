@@ -53,8 +53,9 @@ export interface OpenOptions {
 
 /** Of putting characters together, between frames. */
 const SLICE_MS = 12;
-/** Views of fewer new characters are made with the first picture of them. */
-const MANY = 100;
+/** Views of less are made with the first picture of it: joints, and characters, each of which counts as some. */
+const MANY_JOINTS = 4000;
+const PER_CHARACTER = 40;
 /** Diagnostics of files that have no errors but were not opened. */
 const LEFT_ASIDE: ReadonlySet<string> = new Set(['held-back', 'file-unused', 'format-unknown']);
 
@@ -192,12 +193,14 @@ export class Opener {
   private *withViews(steps: Steps<OpenResult>): Steps<OpenResult> {
     const result = yield* steps;
     const { document, opened } = result;
-    if (opened.length > MANY) {
-      for (const [i, id] of opened.entries()) {
-        const character = findCharacter(document, id);
-        if (character) this.parts.viewport.prepare(character);
-        yield i;
+    const characters = opened.flatMap((id) => findCharacter(document, id) ?? []);
+    const size = characters.reduce((sum, { skeleton }) => sum + PER_CHARACTER + (skeleton?.joints.length ?? 0), 0);
+    if (size > MANY_JOINTS) {
+      for (const character of characters) {
+        yield 1;
+        this.parts.viewport.prepare(character);
       }
+      yield 1;
     }
     return result;
   }

@@ -9,7 +9,7 @@ import { observable } from '../../src/ui/kit/observable.ts';
 import { Messages } from '../../src/ui/state/messages.ts';
 import type { Loading } from '../../src/ui/state/workbench.ts';
 import { GltfMaker } from '../exchange/make-gltf.ts';
-import { character, clip } from '../helpers/builders.ts';
+import { character, clip, skeleton } from '../helpers/builders.ts';
 import { InThisThread } from './in-this-thread.ts';
 
 function openerOf(
@@ -239,6 +239,10 @@ describe('opening in slices', () => {
     await opener.open(() => Array.from({ length: 150 }, (_, i) => ({ path: `d${i}.skel`, blob })));
     expect(prepared.map(({ id }) => id)).toEqual(store.document.characters.slice(3).map(({ id }) => id));
     expect(early.every(Boolean)).toBe(true);
+    prepared.length = 0;
+    const [{ text }] = saveCharacter(character({ skeleton: skeleton(5000) }), 'skel');
+    await opener.open(() => [{ path: 'long.skel', blob: new Blob([text]) }]);
+    expect(prepared.map(({ skeleton }) => skeleton?.joints.length)).toEqual([5000]);
   });
 
   it('the opening sample gives way to what was begun between two slices', async () => {
