@@ -52,14 +52,24 @@ export function unzip(
   return { entries, passedOver };
 }
 
+/** Where the central directory begins (APPNOTE 4.3.14 to 4.3.16), in 64 bits too; undefined if there is no end of it. */
+function directoryAt(view: DataView): number | undefined {
+  let end = view.byteLength - 22;
+  while (end >= 0 && view.getUint32(end, true) !== 0x06054b50) end--;
+  if (end < 0) return undefined;
+  const at = view.getUint32(end + 16, true);
+  const locator = end - 20;
+  if (locator < 0 || view.getUint32(locator, true) !== 0x07064b50) return at;
+  const record = Number(view.getBigUint64(locator + 8, true));
+  if (record + 56 > view.byteLength || view.getUint32(record, true) !== 0x06064b50) return at;
+  return Number(view.getBigUint64(record + 48, true));
+}
+
 /** Names of encrypted entries, by the central directory (APPNOTE 4.3.12): fflate would unpack noise. */
 function encryptedEntries(bytes: Uint8Array): ReadonlySet<string> {
   const found = new Set<string>();
   const view = new DataView(bytes.buffer, bytes.byteOffset, bytes.byteLength);
-  let end = bytes.length - 22;
-  while (end >= 0 && view.getUint32(end, true) !== 0x06054b50) end--;
-  if (end < 0) return found;
-  let at = view.getUint32(end + 16, true);
+  let at = directoryAt(view) ?? bytes.length;
   while (at + 46 <= bytes.length && view.getUint32(at, true) === 0x02014b50) {
     const lengths = [28, 30, 32].map((field) => view.getUint16(at + field, true));
     if (view.getUint16(at + 8, true) & 1) {

@@ -22,12 +22,27 @@ import { transferables } from './transferables.ts';
 
 /** Interval of progress messages: enough for a smooth bar, at negligible cost. */
 const PROGRESS_STEP_BYTES = 1 << 20;
+/** Of one opening. What more files hold would keep the page busy for seconds at a time. */
+const MAX_FILES = 10_000;
+/** Files of unknown kinds in a zip that are told one by one; more are counted. */
+const MAX_TOLD = 100;
 
-export async function parse(input: ParseInput, onProgress: (progress: Progress) => void): Promise<ParseOutput> {
+export async function parse(
+  input: ParseInput,
+  onProgress: (progress: Progress) => void,
+  maxFiles = MAX_FILES,
+): Promise<ParseOutput> {
   const diagnostics: Diagnostic[] = [];
   const files: ParsedFile[] = [];
   const broken: BrokenFile[] = [];
-  const { given, passedOver } = await unpacked(input.files, diagnostics);
+  const { given, passedOver, uncounted } = await unpacked(input.files, diagnostics, maxFiles);
+  if (given.length > maxFiles) {
+    const of = given.length.toLocaleString('en');
+    diagnostics.push(
+      withoutPlace('error', 'too-many-files', `Of ${of} files nothing was opened: ${tooMany(maxFiles)}`, ''),
+    );
+    return { files, broken, diagnostics, facts: [], keeps: [] };
+  }
   const withoutNumbers: SourceFile[] = [];
   const bytesTotal = given.reduce((sum, { blob }) => sum + blob.size, 0);
   let bytesDone = 0;
@@ -80,6 +95,9 @@ export async function parse(input: ParseInput, onProgress: (progress: Progress) 
   // A readme beside a character is only worth an info.
   const severity = files.length || broken.length ? 'info' : 'warning';
   for (const source of passedOver) diagnostics.push(skipped(source, unknownFormatMessage(), severity));
+  for (const { source, count } of uncounted) {
+    diagnostics.push(skipped(source, unknownFormatMessage(`${count.toLocaleString('en')} files in it`), severity));
+  }
   for (const source of withoutNumbers) diagnostics.push(skipped(source, emptyDumpMessage(source.bytes), severity));
 
   return { files, broken, diagnostics, facts: factsOf(files), keeps };
@@ -115,10 +133,12 @@ function isReadable(name: string): boolean {
 }
 
 /** The given files, with zips replaced by their content. */
-async function unpacked(files: readonly GivenBlob[], diagnostics: Diagnostic[]) {
+async function unpacked(files: readonly GivenBlob[], diagnostics: Diagnostic[], maxFiles: number) {
   const given: GivenBlob[] = [];
   /** Inside zips, of unknown kinds. */
   const passedOver: SourceFile[] = [];
+  /** Zips with many of these, which aren't among them. */
+  const uncounted: { readonly source: SourceFile; readonly count: number }[] = [];
   for (const file of files) {
     if (!file.path.toLowerCase().endsWith('.zip')) {
       given.push(file);
@@ -126,15 +146,33 @@ async function unpacked(files: readonly GivenBlob[], diagnostics: Diagnostic[]) 
     }
     const source = sourceOf(file.path, file.blob.size);
     try {
-      const { entries, passedOver: other } = unzip(new Uint8Array(await file.blob.arrayBuffer()), isReadable);
+      let count = 0;
+      const { entries, passedOver: other } = unzip(new Uint8Array(await file.blob.arrayBuffer()), (name) => {
+        const isWanted = isReadable(name);
+        // Before any is unpacked.
+        if (isWanted && ++count > maxFiles) throw new TooMany(`It holds too many files: ${tooMany(maxFiles)}`);
+        return isWanted;
+      });
       // In a folder named after the archive, since files packed together belong together.
       for (const { path, bytes } of entries) given.push({ path: `${file.path}/${path}`, blob: new Blob([bytes]) });
-      for (const path of other) passedOver.push(sourceOf(`${file.path}/${path}`, 0));
+      if (other.length > MAX_TOLD) uncounted.push({ source, count: other.length });
+      else for (const path of other) passedOver.push(sourceOf(`${file.path}/${path}`, 0));
     } catch (error) {
-      diagnostics.push(unreadable(source, error));
+      diagnostics.push(
+        error instanceof TooMany
+          ? withoutPlace('error', 'too-many-files', error.message, source.name)
+          : unreadable(source, error),
+      );
     }
   }
-  return { given, passedOver };
+  return { given, passedOver, uncounted };
+}
+
+/** Of a zip. */
+class TooMany extends Error {}
+
+function tooMany(maxFiles: number): string {
+  return `at most ${maxFiles.toLocaleString('en')} are opened at once. Open fewer, such as a folder at a time.`;
 }
 
 /** The problems at their places. The file is read again for it, so only if there are any. */
@@ -163,7 +201,10 @@ function skipped({ name }: SourceFile, message: string, severity: 'info' | 'warn
   return withoutPlace(severity, 'format-unknown', message, name, 'skipped');
 }
 
-function unknownFormatMessage(): string {
+/** @param several what they are, if it is about more than one file: `200 files in it` */
+function unknownFormatMessage(several?: string): string {
   const known = [...READABLE_EXTENSIONS, 'zip'].map((e) => `.${e}`).join(' ');
-  return `Marrow does not read this kind of file; it reads ${known}.`;
+  return several === undefined
+    ? `Marrow does not read this kind of file; it reads ${known}.`
+    : `${several} are of kinds that Marrow does not read; it reads ${known}.`;
 }

@@ -24,6 +24,27 @@ describe('zips', () => {
     expect(unzip(zip, () => false).passedOver).toEqual(['a.skel']);
   });
 
+  it('an encrypted entry is refused in a zip with 64-bit records too', () => {
+    const zip = altered(zipSync({ 'a.skel': strToU8('balljoint a { }') }), (view, directory, entry) => {
+      view.setUint16(directory + 8, view.getUint16(directory + 8, true) | 1, true);
+      view.setUint16(entry + 6, view.getUint16(entry + 6, true) | 1, true);
+    });
+    const end = zip.length - 22;
+    const wide = new Uint8Array(zip.length + 76);
+    wide.set(zip.subarray(0, end));
+    wide.set(zip.subarray(end), end + 76);
+    const [from, view] = [new DataView(zip.buffer), new DataView(wide.buffer)];
+    view.setUint32(end, 0x06064b50, true);
+    view.setBigUint64(end + 32, 1n, true);
+    view.setBigUint64(end + 48, BigInt(from.getUint32(end + 16, true)), true);
+    view.setUint32(end + 56, 0x07064b50, true);
+    view.setBigUint64(end + 64, BigInt(end), true);
+    view.setUint16(end + 76 + 10, 0xffff, true);
+    view.setUint32(end + 76 + 16, 0xffffffff, true);
+    expect(() => unzip(wide, all)).toThrow('a.skel is encrypted');
+    expect(unzip(wide, () => false).passedOver).toEqual(['a.skel']);
+  });
+
   it('an entry that states more than its bytes can hold is refused before anything is allocated for it', () => {
     const zip = altered(zipSync({ 'a.skel': strToU8('balljoint a { }') }), (view, directory, entry) => {
       view.setUint32(directory + 24, 2_000_000_000, true);

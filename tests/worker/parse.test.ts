@@ -63,6 +63,36 @@ describe('the parse job', () => {
     expect(diagnostics.map((d) => d.file)).toEqual(['readme.txt']);
   });
 
+  it('counts what it does not know in a zip of many such files', async () => {
+    const many = Object.fromEntries(Array.from({ length: 1234 }, (_, i) => [`f${i}.xyz`, strToU8('x')]));
+    const zip = zipSync({ ...many, 'hero.skel': strToU8(skel) });
+    const { files, diagnostics } = await parse({ files: [given('pack.zip', new Uint8Array(zip))] }, ignore);
+    expect(files).toHaveLength(1);
+    expect(diagnostics).toMatchObject([{ severity: 'info', code: 'format-unknown', file: 'pack.zip' }]);
+    expect(diagnostics[0].message).toMatch(
+      /^1,234 files in it are of kinds that Marrow does not read; it reads \.skel/,
+    );
+  });
+
+  it('refuses more files than a page can show, in a zip before it unpacks any, and reads as many as it can', async () => {
+    const named = (count: number) => Array.from({ length: count }, (_, i) => `f${i}.skel`);
+    const zipOf = (count: number) =>
+      new Uint8Array(zipSync(Object.fromEntries(named(count).map((name) => [name, strToU8(skel)])), { level: 0 }));
+    const most = await parse({ files: [given('pack.zip', zipOf(20))] }, ignore, 20);
+    expect(most.files).toHaveLength(20);
+    const zip = given('pack.zip', zipOf(21));
+    const { files, broken, diagnostics } = await parse({ files: [zip, given('one.skel', skel)] }, ignore, 20);
+    expect(files.map(({ source }) => source.name)).toEqual(['one.skel']);
+    expect(broken).toEqual([]);
+    expect(diagnostics).toMatchObject([{ severity: 'error', code: 'too-many-files', file: 'pack.zip' }]);
+    expect(diagnostics[0].message).toBe(
+      'It holds too many files: at most 20 are opened at once. Open fewer, such as a folder at a time.',
+    );
+    const drop = await parse({ files: named(2001).map((name) => given(name, skel)) }, ignore, 2000);
+    expect(drop).toMatchObject({ files: [], broken: [], diagnostics: [{ code: 'too-many-files', file: '' }] });
+    expect(drop.diagnostics[0].message).toMatch(/^Of 2,001 files nothing was opened: at most 2,000/);
+  });
+
   it('says so when a zip is damaged', async () => {
     const { diagnostics } = await parse({ files: [given('pack.zip', 'PK no zip')] }, ignore);
     expect(diagnostics).toMatchObject([{ severity: 'error', code: 'file-unreadable', file: 'pack.zip' }]);

@@ -134,7 +134,7 @@ const textured = (name: string, bytes: Uint8Array) => [
 const encoded = (text: string) => new TextEncoder().encode(text);
 const ONE = encoded('balljoint a { boxmin 0 0 0 boxmax 1 1 1 }');
 
-/** @param count up to 65,535: more need Zip64, which fflate doesn't write */
+/** With more than 65,535 entries it ends as Zip64. */
 function zipOf(count: number, name: (i: number) => string, content: Uint8Array): Uint8Array {
   const pieces: Uint8Array[] = [];
   const zip = new Zip((error, piece) => {
@@ -147,7 +147,27 @@ function zipOf(count: number, name: (i: number) => string, content: Uint8Array):
     entry.push(content, true);
   }
   zip.end();
-  return Buffer.concat(pieces);
+  const whole = Buffer.concat(pieces);
+  return count > 0xffff ? withZip64End(whole, count) : whole;
+}
+
+/** fflate counts entries modulo 65,536: with the records of APPNOTE 4.3.14 and 4.3.15 before its end. */
+function withZip64End(zip: Buffer, count: number): Buffer {
+  const end = zip.length - 22;
+  const record = Buffer.alloc(56);
+  record.writeUInt32LE(0x06064b50, 0);
+  record.writeBigUInt64LE(44n, 4);
+  for (const at of [12, 14]) record.writeUInt16LE(45, at);
+  for (const at of [24, 32]) record.writeBigUInt64LE(BigInt(count), at);
+  record.writeBigUInt64LE(BigInt(zip.readUInt32LE(end + 12)), 40);
+  record.writeBigUInt64LE(BigInt(zip.readUInt32LE(end + 16)), 48);
+  const locator = Buffer.alloc(20);
+  locator.writeUInt32LE(0x07064b50, 0);
+  locator.writeBigUInt64LE(BigInt(end), 8);
+  locator.writeUInt32LE(1, 16);
+  const last = Buffer.from(zip.subarray(end));
+  for (const at of [8, 10]) last.writeUInt16LE(0xffff, at);
+  return Buffer.concat([zip.subarray(0, end), record, locator, last]);
 }
 
 /** A skeleton and then blanks: deflated about a thousandfold. */
@@ -326,12 +346,19 @@ export const EXTREMES: readonly Extreme[] = [
   { name: 'a BMP of 50,000 × 50,000', files: () => textured('huge.bmp', bmpHeader(50_000, 50_000)) },
   { name: 'a BMP of 16,000 × 6,000 without pixels', files: () => textured('large.bmp', bmpHeader(16_000, 6000)) },
   {
-    name: 'a zip of 60,000 entries',
-    files: () => [{ name: 'many.zip', bytes: zipOf(60_000, (i) => `f${i}.xyz`, encoded('x')) }],
+    name: 'a zip of 100,000 entries',
+    opens: false,
+    files: () => [{ name: 'many.zip', bytes: zipOf(100_000, (i) => `f${i}.xyz`, encoded('x')) }],
   },
   {
-    name: 'a zip of 60,000 skeletons',
-    files: () => [{ name: 'skels.zip', bytes: zipOf(60_000, (i) => `f${i}.skel`, ONE) }],
+    name: 'a zip of 100,000 skeletons',
+    opens: false,
+    files: () => [{ name: 'skels.zip', bytes: zipOf(100_000, (i) => `f${i}.skel`, ONE) }],
+  },
+  {
+    name: 'a zip of 5,000 skeletons',
+    opens: true,
+    files: () => [{ name: 'skels.zip', bytes: zipOf(5000, (i) => `f${i}.skel`, ONE) }],
   },
   { name: 'nested zips', files: () => [{ name: 'nested.zip', bytes: nested(50) }] },
   { name: 'a zip that unpacks to 3 GB', opens: false, files: () => [{ name: 'bomb.zip', bytes: bomb(3000) }] },
