@@ -192,7 +192,8 @@ export class Opener {
   /** Goes on with the views of new characters. */
   private *withViews(steps: Steps<OpenResult>): Steps<OpenResult> {
     const result = yield* steps;
-    const { document, opened } = result;
+    const { opened } = result;
+    const document = this.parts.store.asReplaced(result.document);
     const characters = opened.flatMap((id) => findCharacter(document, id) ?? []);
     const size = characters.reduce((sum, { skeleton }) => sum + PER_CHARACTER + (skeleton?.joints.length ?? 0), 0);
     if (size > MANY_JOINTS) {
@@ -202,7 +203,7 @@ export class Opener {
       }
       yield 1;
     }
-    return result;
+    return { ...result, document };
   }
 
   /** As they are on disk now, if the browser can tell. */

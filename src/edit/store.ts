@@ -164,6 +164,11 @@ export class Store {
     this.step(label, this.stateAfter(this.present, change));
   }
 
+  /** A document made from this store's as `replace` will have it: what is made for its characters beforehand fits them. */
+  asReplaced(document: Document): Document {
+    return this.followed(this.document, document);
+  }
+
   /** Adopts a document from another page: like `replace`, or like `amend` without a label. */
   adopt(label: string | undefined, { document, selection }: State): void {
     this.settle();

@@ -172,6 +172,13 @@ export class CharacterView {
     this.seek(timeSeconds);
   }
 
+  /** Whether `show` with these has nothing to do. */
+  isShowing(character: Character, display: Display, heat: Heat, timeSeconds: number): boolean {
+    return (
+      character === this.shown && display === this.display && heat === this.heat && timeSeconds === this.timeSeconds
+    );
+  }
+
   /** Whether another display, or another joint's heat map, changes nothing of how it is drawn and posed. */
   isDrawnAlike({ inPlace }: Display): boolean {
     return !this.skin && this.display?.inPlace === inPlace;

@@ -70,11 +70,11 @@ export class ShownCharacters {
   }
 
   /** Makes the view of a character that the next `show` will add: thousands at once would hold up the page. */
-  prepareView(character: Character, display: Display): void {
+  prepareView(character: Character, display: Display, timeSeconds: number): void {
     const { id, skeleton } = character;
     if (this.byId.has(id) || this.prepared.has(id)) return;
     const view = this.create(id);
-    view.show(character, display, undefined);
+    view.show(character, display, undefined, timeSeconds);
     if (skeleton) for (const prepare of [nodesFor, sizesFor]) prepare(skeleton);
     this.prepared.set(id, view);
   }
@@ -115,7 +115,9 @@ export class ShownCharacters {
       const heatJoint = selection.characterId === character.id ? selection.joint : undefined;
       if (look?.characterId === character.id) {
         entry.view.show(character, { ...display, skin: look.skin }, look.heat ?? heatJoint, timeSeconds);
-      } else entry.view.show(character, display, heatJoint, timeSeconds);
+      } else if (!entry.view.isShowing(character, display, heatJoint, timeSeconds)) {
+        entry.view.show(character, display, heatJoint, timeSeconds);
+      }
       if (entry.view.needsPreparing) this.prepare(entry);
     }
     // Made for a document that didn't come.

@@ -120,7 +120,8 @@ export class Viewport {
 
   /** Makes ready what `show` will need of a character that is about to be added: see `ShownCharacters`. */
   prepare(character: Character): void {
-    this.tryShow(() => this.shown.characters.prepareView(character, this.shown.display));
+    const { characters, display, timeSeconds } = this.shown;
+    this.tryShow(() => characters.prepareView(character, display, timeSeconds));
   }
 
   /** Draws a character in another way than the display says; undefined: all as it says. */
