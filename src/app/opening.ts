@@ -142,7 +142,8 @@ export class Opener {
         },
       );
       if (result.dumps.length > 0) this.parts.compare?.(result.dumps);
-      const unseen = reloads === undefined ? unseenChanges(before, result.document, output.files) : undefined;
+      const unseen =
+        reloads === undefined ? unseenChanges(before, result.document, output.files, output.diagnostics) : undefined;
       // Errors stay in the line instead: they say themselves what became of their files.
       if (unseen !== undefined && !hasErrors(diagnostics)) messages.note(unseen);
       return diagnostics;

@@ -134,6 +134,6 @@ function withEarlier(name: string, parts: readonly SourceFile[]): Diagnostic {
 
 /** What is told of a buffer that no file names yet. */
 export function waitingBuffer({ name }: SourceFile): Diagnostic {
-  const message = 'Not used: a .gltf file names its buffers, and none that was given names this one. Drop it, too.';
+  const message = 'No .gltf file that was given names it as a buffer. Drop that file, too.';
   return withoutPlace('info', 'file-unused', message, name, 'kept for a matching file');
 }

@@ -160,6 +160,12 @@ describe('the opener, of a .gltf and its buffers', () => {
     expect(tops(store).map(([, top]) => top)).toEqual([1, 5]);
   });
 
+  it('a buffer of a glTF file dropped alone is said to be kept: nothing else tells that it was read', async () => {
+    const messages = new Messages();
+    await openerOf(new Store(), { messages }).open(() => [triangle('tri', 2)[1]]);
+    expect(messages.passing.get()).toMatch(/^tri\.bin is kept for a matching file\. /);
+  });
+
   it('files given before are noted as those of what they opened, for reloading', async () => {
     const opener = openerOf(new Store());
     const [gltf, bin] = triangle('tri', 2);

@@ -3,6 +3,7 @@
  * others, a skin shown instead of another one, a file that waits for others. Without a sentence it would seem that
  * nothing had happened, or that something had been lost.
  */
+import type { Diagnostic } from '../../model/diagnostic.ts';
 import { type Character, type Document, findCharacter, shownClip, shownSkin } from '../../model/document.ts';
 import type { ParsedFile } from '../../model/files.ts';
 
@@ -16,15 +17,22 @@ interface Named {
 /**
  * One line, or undefined if everything new is in the picture. New characters are.
  * @param files those of this opening
+ * @param told what was told of them while they were read: buffers of glTF files may wait, too
  */
-export function unseenChanges(before: Document, after: Document, files: readonly ParsedFile[]): string | undefined {
+export function unseenChanges(
+  before: Document,
+  after: Document,
+  files: readonly ParsedFile[],
+  told: readonly Diagnostic[] = [],
+): string | undefined {
   const sentences = after.characters.flatMap((character) => {
     const was = findCharacter(before, character.id);
     return was && was !== character ? changesOf(was, character) : [];
   });
   for (const { file, why } of after.unused) {
-    if (files.includes(file)) sentences.push(`${file.source.name} is kept for a matching file. ${why}`);
+    if (files.includes(file)) sentences.push(isKept(file.source.name, why));
   }
+  for (const { code, file, message } of told) if (code === 'file-unused') sentences.push(isKept(file, message));
   if (sentences.length === 0) {
     // Dumps are compared, and have a banner.
     const isSilent = after === before && files.length > 0 && !files.some(({ kind }) => kind === 'dump');
@@ -34,6 +42,8 @@ export function unseenChanges(before: Document, after: Document, files: readonly
   const rest = more > 0 ? [`${more} more ${more === 1 ? 'change' : 'changes'}.`] : [];
   return [...sentences.slice(0, MAX_SENTENCES), ...rest].join(' ');
 }
+
+const isKept = (name: string, why: string) => `${name} is kept for a matching file. ${why}`;
 
 function changesOf(before: Character, after: Character): string[] {
   return [

@@ -3,6 +3,7 @@ import { EMPTY_DOCUMENT } from '../../../src/model/document.ts';
 import type { ParsedFile } from '../../../src/model/files.ts';
 import { openFiles } from '../../../src/project/open/open-files.ts';
 import { unseenChanges } from '../../../src/project/open/unseen-changes.ts';
+import { waitingBuffer } from '../../../src/worker/parse-imports.ts';
 import {
   animFile,
   character,
@@ -99,4 +100,11 @@ describe('opening files', () => {
     expect(unseenChanges(before, before, [morphFile('a.morph', morph('a'))])).toBe('Nothing has changed.');
     expect(unseenChanges(before, before, [])).toBeUndefined();
   });
+});
+
+it('a buffer that no glTF file names yet is said to be kept, though it is no file of the document', () => {
+  const waiting = waitingBuffer({ name: 'tri.bin', path: 'tri.bin', bytes: 8 });
+  expect(unseenChanges(EMPTY_DOCUMENT, EMPTY_DOCUMENT, [], [waiting])).toBe(
+    'tri.bin is kept for a matching file. No .gltf file that was given names it as a buffer. Drop that file, too.',
+  );
 });
