@@ -380,5 +380,5 @@ function emptyText(wb: Uses<'store'>, list: ListChoice, filter: string): string 
   if (filter) return `No channel matches “${filter}”.`;
   if (list === 'pinned') return 'No pinned channels. Click the pin at the end of a channel’s row to keep it here.';
   if (currentCharacter(wb)?.driver) return 'Its own channels are hidden while it is retargeted.';
-  return wb.store.document.characters.length ? 'This joint has no channels.' : 'No channels yet.';
+  return wb.store.selection.joint === undefined ? 'No channels yet.' : 'This joint has no channels.';
 }

@@ -23,7 +23,8 @@ function emptyText(wb: Uses<'store' | 'transport' | 'timeline'>, listed: number)
     return `${character.name} has no skeleton, so there is nothing to animate. Drop its .skel file here.`;
   }
   if (!keyed) {
-    return `${character.name} has no animation. Rotate a joint and press K to key it at ${at} or Shift+K to key the whole pose, or drop an .anim file.`;
+    const what = take ? `The take ${take.clip.name} has no keys` : `${character.name} has no animation`;
+    return `${what}. Rotate a joint and press K to key it at ${at} or Shift+K to key the whole pose, or drop an .anim file.`;
   }
   const { list, hidden, filter } = wb.timeline.view.get();
   if (!listed) {
