@@ -51,7 +51,7 @@ export function findGiven(args: readonly string[], folder: string): GivenPaths {
     const absolute = resolve(folder, arg);
     const stats = statsOf(absolute);
     if (!stats) {
-      missing.push({ path: arg, code: 'file-missing', why: `There is no file "${arg}" in ${folder}.` });
+      missing.push({ path: arg, code: 'file-missing', why: `There is no such file in ${folder}.` });
     } else if ('failure' in stats) {
       missing.push({ path: arg, code: 'file-unreadable', why: `The file could not be read: ${stats.failure}.` });
     } else if (stats.isDirectory()) {

@@ -396,7 +396,9 @@ describe('marrow export', () => {
     expect(await wrong(...all, '--crop', '3,1')).toMatch('found 3 and 1');
     expect(await wrong(...all, '--jobs', '1.5')).toMatch('--jobs takes a whole number');
     expect(await wrong(...all, '--map', 'map.csv')).toMatch('--map needs --retarget');
-    expect(await wrong(...all, '--retarget', 'gone.bvh')).toMatch('There is no file "gone.bvh"');
+    expect(await wrong(...all, '--retarget', 'gone.bvh')).toMatch(
+      'gone.bvh error file-missing: There is no such file in',
+    );
     writeFileSync(join(folder, 'map.csv'), 'Hips\n');
     expect(await wrong(...all, '--retarget', 'takes/walk.bvh', '--map', 'map.csv')).toMatch(
       'map.csv:1: Expected two names, "target,source", found "Hips".',

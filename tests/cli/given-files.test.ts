@@ -34,6 +34,7 @@ describe('files given to npm start', () => {
   it('files given to npm start are relative to the caller, each once; missing ones are named as written', () => {
     const { files, missing } = given('one', './one/wasp.skel', 'one/none.skel', join(folder, 'one', 'wasp.skel'));
     expect(files.map((f) => f.path)).toEqual(['one/wasp.skel', 'one/x,y 50%#?&+ä.skin']);
-    expect(missing).toMatchObject([{ path: 'one/none.skel', code: 'file-missing' }]);
+    const why = `There is no such file in ${folder}.`;
+    expect(missing).toEqual([{ path: 'one/none.skel', code: 'file-missing', why }]);
   });
 });

@@ -118,6 +118,6 @@ describe('npm start', () => {
   it('names a file that is not there and ends with 2', async () => {
     const { code, text } = await start(folder, ['one', 'gone.skel'], PLAIN);
     expect(code).toBe(2);
-    expect(text()).toContain('There is no file "gone.skel"');
+    expect(text().trim()).toBe(`marrow: gone.skel: There is no such file in ${folder}.`);
   });
 });
