@@ -17,6 +17,7 @@ import { unseenChanges } from '../project/open/unseen-changes.ts';
 import type { Observable } from '../ui/kit/observable.ts';
 import type { Messages } from '../ui/state/messages.ts';
 import type { Loading, WorkbenchStage } from '../ui/state/workbench.ts';
+import { runInSlices } from '../view/slices.ts';
 import { type WorkerClient, WorkerError } from '../worker/client.ts';
 import type { GivenBlob, ParseOutput } from '../worker/protocol.ts';
 
@@ -51,8 +52,6 @@ export interface OpenOptions {
   readonly reloads?: string;
 }
 
-/** Of putting characters together, between frames. */
-const SLICE_MS = 12;
 /** Views of less are made with the first picture of it: joints, and characters, each of which counts as some. */
 const MANY_JOINTS = 4000;
 const PER_CHARACTER = 40;
@@ -161,7 +160,7 @@ export class Opener {
   }
 
   /**
-   * The document with what was read, put together a slice at a time; all at once if the document changes meanwhile.
+   * The document with what was read, put together between frames; at once if it has changed meanwhile.
    *
    * @throws the signal's reason if it is aborted
    */
@@ -172,22 +171,13 @@ export class Opener {
   ): Promise<OpenResult> {
     const { store } = this.parts;
     store.settle();
-    const before = store.document;
-    const steps = this.withViews(openInSteps(before, files, broken, reloads ?? store.selection.characterId));
-    let until = performance.now() + SLICE_MS;
-    for (;;) {
-      const step = steps.next();
-      if (performance.now() >= until) {
-        await new Promise((resolve) => setTimeout(resolve));
-        signal.throwIfAborted();
-        if (store.document !== before) {
-          store.settle();
-          return openFiles(store.document, files, broken, reloads ?? store.selection.characterId);
-        }
-        until = performance.now() + SLICE_MS;
-      }
-      if (step.done) return step.value;
-    }
+    const { document, selection } = store;
+    const steps = openInSteps(document, files, broken, reloads ?? selection.characterId);
+    const result = await runInSlices(this.withViews(steps), signal);
+    signal.throwIfAborted();
+    if (result && store.document === document) return result;
+    store.settle();
+    return openFiles(store.document, files, broken, reloads ?? store.selection.characterId);
   }
 
   /** Goes on with the views of new characters. */

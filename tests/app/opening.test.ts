@@ -190,12 +190,12 @@ describe('opening in slices', () => {
     vi.restoreAllMocks();
   });
 
-  /** A clock by which each look at it costs a second; `then` happens in the pause after the first slice. */
+  /** A clock by which each step takes most of a slice; `then` happens in the pause after the first one. */
   function slowClock(then: () => void = () => undefined): void {
     let looks = 0;
     vi.spyOn(performance, 'now').mockImplementation(() => {
-      if (++looks === 2) setTimeout(then);
-      return 1000 * looks;
+      if (++looks === 3) queueMicrotask(then);
+      return 5 * looks;
     });
   }
   const three = () => ['a', 'b', 'c'].flatMap((name) => sample().map(({ blob }) => ({ path: `${name}.skel`, blob })));
