@@ -37,8 +37,7 @@ export function placeBeside(others: readonly Character[], character: Character, 
 /** Places many characters one after the other, as `placeBeside`, without measuring all of them for each. */
 export class Placing {
   private readonly characters: Character[] = [];
-  /** Of captured figures: which is the first of each file. */
-  private readonly firsts = new Map<SourceFile, number>();
+  private readonly figures = new FirstFigures();
   /** Per character: the first of its file, or itself; its row and size, or NaN before they are asked for. */
   private readonly leaders: number[] = [];
   private readonly rows: number[] = [];
@@ -51,18 +50,16 @@ export class Placing {
   /** With its placement. */
   add(character: Character): void {
     const i = this.characters.push(character) - 1;
-    const { space, sources } = character;
-    for (const source of space ? sources : []) if (!this.firsts.has(source)) this.firsts.set(source, i);
-    this.leaders.push((space && sources.length > 0 ? this.firsts.get(sources[0]) : undefined) ?? i);
+    this.figures.add(character, i);
+    this.leaders.push(this.figures.find(character) ?? i);
     this.rows.push(Number.NaN);
     this.sizes.push(Number.NaN);
   }
 
   /** @param scale as of `placeBeside` */
   place(character: Character, scale = 1): Placement {
-    const { characters, leaders, firsts, rows, sizes } = this;
-    const source = character.space && character.sources.find((s) => firsts.has(s));
-    const together = source && firsts.get(source);
+    const { characters, leaders, rows, sizes } = this;
+    const together = this.figures.find(character);
     if (together !== undefined) return characters[together].placements[0];
     if (characters.length === 0) return { ...DEFAULT_PLACEMENT, scale };
     const own = scaled(extentOf(character), scale);
@@ -103,16 +100,28 @@ export class Placing {
   }
 }
 
+/** Which captured figure is the first of each file, by its index in a list. */
+class FirstFigures {
+  private readonly firsts = new Map<SourceFile, number>();
+
+  add({ space, sources }: Character, index: number): void {
+    for (const source of space ? sources : []) if (!this.firsts.has(source)) this.firsts.set(source, index);
+  }
+
+  /** Undefined if none is from a file of this character, or it is not captured. */
+  find({ space, sources }: Character): number | undefined {
+    const source = space && sources.find((each) => this.firsts.has(each));
+    return source && this.firsts.get(source);
+  }
+}
+
 /** Maps a captured figure to the first of `others` from the same file, and everything else to itself. */
 export function leadersOf(others: readonly Character[]): (character: Character) => Character {
-  const first = new Map<SourceFile, Character>();
-  for (const other of others) {
-    if (!other.space) continue;
-    for (const source of other.sources) if (!first.has(source)) first.set(source, other);
-  }
+  const figures = new FirstFigures();
+  for (const [i, other] of others.entries()) figures.add(other, i);
   return (character) => {
-    const source = character.space && character.sources.find((s) => first.has(s));
-    return (source && first.get(source)) ?? character;
+    const first = figures.find(character);
+    return first === undefined ? character : others[first];
   };
 }
 
