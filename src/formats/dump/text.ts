@@ -102,16 +102,12 @@ class Lines {
 
   private mixed(text: string, line: number): void {
     const isComment = /^(#(?!\d)|\/\/|%|\/\*)/.test(text);
-    const { tokens, more, strange } = tokensOf(text.replace(/^(#(?!\d)|\/\/+|%+|\/\*|-{2,}|={2,}|\*{2,})\s*/, ''));
-    const words = tokens.filter(({ kind }) => kind === 'word').map((token) => token.text.toLowerCase());
-    const count = tokens.filter(({ kind }) => kind === 'number').length + more.length;
-    const first = tokens.findIndex(({ kind }) => kind === 'number');
+    const found = tokensOf(text.replace(/^(#(?!\d)|\/\/+|%+|\/\*|-{2,}|={2,}|\*{2,})\s*/, ''));
+    const first = found.tokens.findIndex(({ kind }) => kind === 'number');
     const isProse = first < 0 ? text.length > MAX_WORDS_LENGTH : first > MAX_LABEL_TOKENS;
     if (isProse) this.prose++;
-    else if (count === 0) this.wordsOnly(text, words, isComment);
-    else if (!this.stated(text, tokens, words, count, more, line) && !isComment) {
-      this.labelled(tokens, more, strange, line);
-    }
+    else if (first < 0) this.wordsOnly(text, wordsOf(found.tokens), isComment);
+    else if (!this.stated(text, found, line) && !isComment) this.labelled(found, line);
   }
 
   private wordsOnly(text: string, words: readonly string[], isComment: boolean): void {
@@ -142,14 +138,9 @@ class Lines {
   }
 
   /** Lines that state something about the rows that follow. */
-  private stated(
-    text: string,
-    tokens: readonly Token[],
-    words: readonly string[],
-    count: number,
-    more: readonly number[],
-    line: number,
-  ): boolean {
+  private stated(text: string, { tokens, more }: LineTokens, line: number): boolean {
+    const words = wordsOf(tokens);
+    const count = tokens.filter(({ kind }) => kind === 'number').length + more.length;
     const first = tokens.findIndex(({ kind }) => kind === 'number');
     const before = lastWord(tokens, first);
     const last = tokens.findLastIndex(({ kind }) => kind === 'number');
@@ -189,7 +180,7 @@ class Lines {
   }
 
   /** A row with a label, or a label alone. */
-  private labelled(tokens: readonly Token[], more: readonly number[], strangeMore: number, line: number): void {
+  private labelled({ tokens, more, strange: strangeMore }: LineTokens, line: number): void {
     const boundary = boundaryOf(tokens);
     const first = tokens.findIndex(({ kind }) => kind === 'number');
     let prefix = tokens.slice(0, boundary >= 0 ? boundary : first);
@@ -214,7 +205,7 @@ class Lines {
       this.prose++;
       return;
     }
-    const words = prefix.filter(({ kind }) => kind === 'word').map(({ text }) => text.toLowerCase());
+    const words = wordsOf(prefix);
     const holds = words.every(isPlain) || words.some(isIndexWord) ? kindOf(words.filter(isPlain)) : undefined;
     if (holds && holds !== 'positions') this.say({ holds });
     const label = labelIn(prefix);
@@ -264,6 +255,10 @@ function tokensOf(text: string): LineTokens {
     else if (isStrange(token)) strange++;
   }
   return { tokens, more, strange };
+}
+
+function wordsOf(tokens: readonly Token[]): string[] {
+  return tokens.filter(({ kind }) => kind === 'word').map(({ text }) => text.toLowerCase());
 }
 
 function isStrange({ kind, text }: Token): boolean {
