@@ -31,19 +31,31 @@ function countOf(text: string, part: string): number {
 }
 
 /**
- * Gives all rows, one after the other, to `take`. Empty lines are left out. A run of CRs before an LF is part of one
- * line end; any other CR is one.
+ * Tells of the CRs and LFs of a text whether a line ends with them; to be asked from its beginning on. A run of CRs
+ * before an LF is part of one line end; any other CR is one.
+ */
+export function lineEndsOf(text: string): (at: number) => boolean {
+  /** Up to which a run of CRs was looked at. */
+  let run = 0;
+  return (at) => {
+    if (text[at] === '\n') return true;
+    if (at >= run) for (run = at + 1; text[run] === '\r'; ) run++;
+    return text[run] !== '\n';
+  };
+}
+
+/**
+ * Gives all rows, one after the other, to `take`. Empty lines are left out.
  * @returns the line of a quote that nothing closes, whose row is left out; undefined if there is none
  */
 export function eachRow(text: string, separator: string, take: (row: CsvRow) => void): number | undefined {
+  const endsAt = lineEndsOf(text);
   let cells: string[] = [];
   let cell = '';
   /** What of the text is not yet in the cell: character by character, a cell would take 32 times its length. */
   let from = 0;
   /** Of a quoted cell, up to its quotes. */
   const parts: string[] = [];
-  /** Up to which a run of CRs was looked at. */
-  let run = 0;
   let line = 1;
   let start = 1;
   let isQuoted = false;
@@ -59,8 +71,7 @@ export function eachRow(text: string, separator: string, take: (row: CsvRow) => 
   };
   for (let i = 0; i < text.length; i++) {
     const c = text[i];
-    if (c === '\r' && i >= run) for (run = i + 1; text[run] === '\r'; ) run++;
-    const endsLine = c === '\n' || (c === '\r' && text[run] !== '\n');
+    const endsLine = (c === '\n' || c === '\r') && endsAt(i);
     if (isQuoted) {
       if (c === '"') {
         isQuoted = text[i + 1] === '"';

@@ -5,7 +5,7 @@
 import { cutMessage } from '../model/cut-text.ts';
 import { type Diagnostic, MOST_KEPT, moreThanKept } from '../model/diagnostic.ts';
 import { MOST_STARS, NO_REVIEW, tagsOf, VERDICTS, type Verdict } from '../model/review.ts';
-import { eachRow, firstLineOf, separatorOf } from './csv.ts';
+import { eachRow, firstLineOf, lineEndsOf, separatorOf } from './csv.ts';
 import { meant } from './formula-cells.ts';
 import { LIST_COLUMNS, type ListColumn, type ListedTake } from './list.ts';
 
@@ -92,6 +92,7 @@ function readLines(text: string, list: List): void {
 }
 
 function readPaths(text: string, list: List): void {
+  const endsAt = lineEndsOf(text);
   let from = 0;
   let line = 1;
   for (let i = 0; i <= text.length; i++) {
@@ -100,7 +101,7 @@ function readPaths(text: string, list: List): void {
     const path = text.slice(from, i).trim();
     if (path !== '') list.add({ path: slashed(path), ...NO_REVIEW }, line);
     from = i + 1;
-    if (c === '\n' || text[from] !== '\n') line++;
+    if (i < text.length && endsAt(i)) line++;
   }
 }
 

@@ -130,8 +130,8 @@ describe('a list of takes', () => {
   });
 
   it.each([
-    ['plain paths', 'a\r\n\r\nb\rc\n\na', 6],
-    ['a table', 'path\r\na\r\nb\r\na', 4],
+    ['plain paths', 'a\r\n\r\r\nb\rc\n\na', 6],
+    ['a table', 'path\r\na\r\r\nb\r\na', 4],
   ])('of %s says in which line a path comes a second time', (_, text, line) => {
     expect(readList(text, 'list.csv').diagnostics.map((each) => [each.code, each.line])).toEqual([
       ['path-repeated', line],
