@@ -3,11 +3,12 @@
  *
  *     ['session', id]        the card: enough to offer the session without reading it
  *     [id, 'file', n]        a file as it was opened, its Blob put once: the browser copies it, the page never reads it
- *     [id, 'piece', n]       bytes of typed arrays, at most a MB or so
- *     [id, 'head']           everything else, with references to files and pieces
+ *     [id, 'piece', n]       bytes of a large typed array, at most a MB
+ *     [id, 'chunk', n]       a run of the items of a long list
+ *     [id, 'head']           everything else, with references to files, pieces and chunks
  *
- * A save is one transaction: either all of it is stored or the session is unchanged. Its puts of files and pieces are
- * chained, each in the success event of the previous one, since the browser copies a value while `put` runs: together
+ * A save is one transaction: either all of it is stored or the session is unchanged. Its puts of files, pieces and chunks
+ * are chained, each in the success event of the previous one, since the browser copies a value while `put` runs: together
  * they would be one long task. The others don't wait, since each answer takes a while on a busy machine. (A record per array would need no pieces, but a put then takes as long as the array is large.)
  */
 import { createStore, promisifyRequest, type UseStore } from 'idb-keyval';
@@ -46,14 +47,25 @@ export interface PiecePut {
   bytes(): Uint8Array<ArrayBuffer>;
 }
 
+/** Never changed: what replaces it has another id. */
+export interface ChunkPut {
+  readonly id: number;
+  /** In bytes, roughly. */
+  readonly size: number;
+  /** Plain data, as in the head. */
+  readonly of: readonly unknown[];
+}
+
 export interface SessionWrite {
   readonly card: SessionCard;
   /** Must be plain data, or the save fails. */
   readonly head: unknown;
   readonly files: readonly KeptFile[];
   readonly pieces: readonly PiecePut[];
+  readonly chunks: readonly ChunkPut[];
   readonly goneFiles: readonly number[];
   readonly gonePieces: readonly number[];
+  readonly goneChunks: readonly number[];
   /** Extends an earlier save: fails with `SessionLostError` if that no longer exists. */
   readonly follows: boolean;
   /** All puts in one task, committed without waiting, for a page that is being closed. */
@@ -65,6 +77,7 @@ export interface SessionContent {
   /** Ascending by id. */
   readonly files: readonly KeptFile[];
   readonly pieces: readonly number[];
+  readonly chunks: readonly number[];
 }
 
 export interface SessionStore {
@@ -75,6 +88,12 @@ export interface SessionStore {
   read(id: string): Promise<SessionContent | undefined>;
   /** Calls back with each of the pieces, one per task. Throws a `SessionLostError` if one is missing. */
   readPieces(id: string, pieces: readonly number[], take: (piece: number, bytes: Uint8Array) => void): Promise<void>;
+  /** Likewise. */
+  readChunks(
+    id: string,
+    chunks: readonly number[],
+    take: (chunk: number, of: readonly unknown[]) => void,
+  ): Promise<void>;
   remove(id: string): Promise<void>;
   /** Calls back when the browser closes the store while it is in use, as when its data is cleared. */
   onClosed(listener: () => void): void;
@@ -120,17 +139,32 @@ export function sessionStore(): SessionStore {
     write: (write) => within('readwrite', (store) => inTurn(store, puts(store, write), write.atOnce)),
     read: (id) =>
       within('readonly', async (store) => {
-        const [head, files, keys] = await Promise.all([
+        const [head, files, pieces, chunks] = await Promise.all([
           promisifyRequest<unknown>(store.get([id, 'head'])),
           promisifyRequest<KeptFile[]>(store.getAll(under(id, 'file'))),
           promisifyRequest(store.getAllKeys(under(id, 'piece'))),
+          promisifyRequest(store.getAllKeys(under(id, 'chunk'))),
         ]);
-        // Keys of pieces end with their number.
-        const pieces = keys.map((key) => Number(Array.isArray(key) ? key.at(-1) : Number.NaN));
-        return head === undefined ? undefined : { head, files, pieces };
+        return head === undefined
+          ? undefined
+          : { head, files, pieces: pieces.map(numberOf), chunks: chunks.map(numberOf) };
       }),
     readPieces: (id, pieces, take) =>
-      within('readonly', async (store) => void (await inTurn(store, gets(store, id, pieces, take)))),
+      within('readonly', async (store) => {
+        const read = (piece: number, found: unknown) => {
+          if (!(found instanceof Uint8Array)) throw lostPart();
+          take(piece, found);
+        };
+        await inTurn(store, gets(store, id, 'piece', pieces, read));
+      }),
+    readChunks: (id, chunks, take) =>
+      within('readonly', async (store) => {
+        const read = (chunk: number, found: unknown) => {
+          if (!Array.isArray(found)) throw lostPart();
+          take(chunk, found);
+        };
+        await inTurn(store, gets(store, id, 'chunk', chunks, read));
+      }),
     remove: (id) =>
       within('readwrite', (store) => {
         store.delete(['session', id]);
@@ -154,23 +188,32 @@ function* puts(store: IDBObjectStore, write: SessionWrite): Generator<IDBRequest
   }
   for (const file of write.files) yield store.put(file, [id, 'file', file.id]);
   for (const piece of write.pieces) yield store.put(piece.bytes(), [id, 'piece', piece.id]);
+  for (const chunk of write.chunks) yield store.put(chunk.of, [id, 'chunk', chunk.id]);
   for (const file of write.goneFiles) store.delete([id, 'file', file]);
   for (const piece of write.gonePieces) store.delete([id, 'piece', piece]);
+  for (const chunk of write.goneChunks) store.delete([id, 'chunk', chunk]);
   store.put(write.card, ['session', id]);
   store.put(write.head, [id, 'head']);
 }
 
+/** Keys of pieces and chunks end with their number. */
+function numberOf(key: IDBValidKey): number {
+  return Number(Array.isArray(key) ? key.at(-1) : Number.NaN);
+}
+
+const lostPart = () => new SessionLostError('Part of the stored session is gone.');
+
 function* gets(
   store: IDBObjectStore,
   id: string,
-  pieces: readonly number[],
-  take: (piece: number, bytes: Uint8Array) => void,
+  kind: 'piece' | 'chunk',
+  numbers: readonly number[],
+  take: (number: number, found: unknown) => void,
 ): Generator<IDBRequest> {
-  for (const piece of pieces) {
-    const request = store.get([id, 'piece', piece]);
+  for (const number of numbers) {
+    const request = store.get([id, kind, number]);
     yield request;
-    if (!(request.result instanceof Uint8Array)) throw new SessionLostError('Part of the stored session is gone.');
-    take(piece, request.result);
+    take(number, request.result);
   }
 }
 

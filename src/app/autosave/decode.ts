@@ -1,6 +1,6 @@
 /** Decodes a kept session: the inverse of `encode.ts`. */
 import type { ParsedFile } from '../../model/files.ts';
-import { type Encoded, isNumbers, NUMBERS_TYPES, type StorableNumbers, type StoredNumbers } from './encode.ts';
+import { type Encoded, isNumbers, NUMBERS_TYPES, type StorableNumbers, type StoredNumbers } from './encoded.ts';
 import { formerColumn, inPresentForm } from './former-channels.ts';
 import { formerMaterial, isFormerSkin, skinOf } from './former-skins.ts';
 
@@ -9,8 +9,8 @@ export class RestoreError extends Error {
   override readonly name = 'RestoreError';
 }
 
-/** Places in pieces that a tree refers to, each node once. */
-export function storedNumbers(tree: Encoded): readonly StoredNumbers[] {
+/** Places in pieces that trees refer to, each node once. */
+export function storedNumbers(trees: readonly Encoded[]): readonly StoredNumbers[] {
   const found = new Set<StoredNumbers>();
   const seen = new Set<unknown>();
   const walk = (node: Encoded): void => {
@@ -20,7 +20,7 @@ export function storedNumbers(tree: Encoded): readonly StoredNumbers[] {
     else if (node.is === 'list') node.of.forEach(walk);
     else if (node.is === 'object') Object.values(node.of).forEach(walk);
   };
-  walk(tree);
+  trees.forEach(walk);
   return [...found];
 }
 
@@ -30,18 +30,22 @@ export function emptyNumbers({ type, bytes }: StoredNumbers): StorableNumbers {
   return new Type(bytes / Type.BYTES_PER_ELEMENT);
 }
 
+/** What trees refer to. */
+export interface Referred {
+  /** Those that `part`s refer to, read again. */
+  readonly files: readonly (ParsedFile | undefined)[];
+  /** One for each of `storedNumbers`. */
+  readonly arrays: ReadonlyMap<StoredNumbers, StorableNumbers>;
+  /** Items of lists, encoded. */
+  readonly chunks: ReadonlyMap<number, readonly Encoded[]>;
+}
+
 /**
  * The value that a tree encodes. Shared values are shared again; parts of files are the files' own objects.
  *
- * @param files those that `part`s refer to, read again
- * @param arrays one for each of `storedNumbers`
- * @throws RestoreError if a file has no such part
+ * @throws RestoreError if something that it refers to is missing
  */
-export function decode(
-  tree: Encoded,
-  files: readonly ParsedFile[],
-  arrays: ReadonlyMap<StoredNumbers, StorableNumbers>,
-): unknown {
+export function decode(tree: Encoded, { files, arrays, chunks }: Referred): unknown {
   const values = new Map<object, unknown>();
   const valueAt = (node: Encoded): unknown => {
     if (typeof node !== 'object' || node === null || isNumbers(node)) return node;
@@ -49,6 +53,13 @@ export function decode(
     const value = make(node);
     values.set(node, value);
     return value;
+  };
+  const items = new Map<number, readonly unknown[]>();
+  const itemsOf = (chunk: number): readonly unknown[] => {
+    const known = items.get(chunk) ?? chunks.get(chunk)?.map(valueAt);
+    if (!known) throw new RestoreError('Part of the stored session is missing.');
+    items.set(chunk, known);
+    return known;
   };
   const make = (node: Exclude<Encoded, undefined | null | boolean | number | string | StorableNumbers>): unknown => {
     switch (node.is) {
@@ -59,8 +70,13 @@ export function decode(
       case 'plain':
       case 'other':
         return node.of;
-      case 'part':
-        return partOf(files[node.file], node.path);
+      case 'chunks':
+        return node.of.flatMap(itemsOf);
+      case 'part': {
+        const file = files[node.file];
+        if (!file) throw new RestoreError('A file of the stored session is missing.');
+        return partOf(file, node.path);
+      }
       case 'numbers': {
         const array = arrays.get(node);
         if (!array) throw new RestoreError('Part of the stored session is missing.');

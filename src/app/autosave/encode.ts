@@ -1,135 +1,200 @@
-/**
- * A session as data to be stored: a tree of plain values in which
- *
- *     what came from a file      is the file and a path in it
- *     a typed array              is a place in the store's pieces
- *     everything else            is itself
- *
- * so that a skin of 100 MB read from a file takes a few bytes. A value shared in the session is one node, and structured
- * cloning preserves that: decoded, it is shared again.
- */
+/** Encodes a session into the form of `encoded.ts`: what is in the store already is only referred to. */
+import type { Steps } from '../../evaluate/steps.ts';
+import type { ChunkDraft } from './chunks.ts';
+import {
+  type Chunk,
+  type Encoded,
+  isNumbers,
+  type Needs,
+  type NumbersType,
+  type StorableNumbers,
+  type StoredNumbers,
+} from './encoded.ts';
 import type { OriginFile, Origins, PathKey } from './origins.ts';
 
-export type Encoded =
-  | undefined
-  | null
-  | boolean
-  | number
-  | string
-  | StorableNumbers
-  | { readonly is: 'object'; readonly of: Readonly<Record<string, Encoded>> }
-  | { readonly is: 'list'; readonly of: readonly Encoded[] }
-  /** A list of primitives only, stored as it is. */
-  | { readonly is: 'plain'; readonly of: readonly unknown[] }
-  /** Index into the head's files, and the path in that file. */
-  | { readonly is: 'part'; readonly file: number; readonly path: readonly PathKey[] }
-  | StoredNumbers
-  /** Anything else that can be cloned: a file handle, for example. */
-  | { readonly is: 'other'; readonly of: unknown };
-
-/** A typed array in the store's pieces: starts in one and continues in those numbered after it. */
-export interface StoredNumbers {
-  readonly is: 'numbers';
-  readonly type: NumbersType;
-  piece: number;
-  /** Bytes into the first piece. */
-  offset: number;
-  readonly bytes: number;
-}
-
-export type StorableNumbers =
-  | Float64Array<ArrayBuffer>
-  | Float32Array<ArrayBuffer>
-  | Uint32Array<ArrayBuffer>
-  | Int32Array<ArrayBuffer>
-  | Uint8Array<ArrayBuffer>;
-
-export const NUMBERS_TYPES = { Float64Array, Float32Array, Uint32Array, Int32Array, Uint8Array } as const;
-export type NumbersType = keyof typeof NUMBERS_TYPES;
-
-/** Smaller arrays stay in the tree: placing them would cost more. */
-export const SMALL_BYTES = 256;
+/** Arrays of at least this size have pieces of their own; smaller ones are in the tree. */
+export const LARGE_BYTES = 1 << 15;
+/** Of a chunk, in bytes, roughly: encoded and cloned in a millisecond or two. */
+const CHUNK_BYTES = 1 << 16;
+const NODE_BYTES = 32;
 
 export interface EncodedSession {
   readonly tree: Encoded;
-  /** Indexed by `part`s. */
-  readonly files: readonly OriginFile[];
-  /** Arrays to be stored in pieces, each once, with its node, whose place is not set yet. */
-  readonly arrays: ReadonlyMap<StorableNumbers, StoredNumbers>;
+  /** What the tree needs directly, or by its chunks. */
+  readonly needs: Needs;
 }
 
-/** Arrays aren't placed yet: the store's pieces are planned from `arrays` (`pieces.ts`). */
-export function encode(session: unknown, origins: Origins): EncodedSession {
-  const encoder = new Encoder(origins);
-  return { tree: encoder.encode(session), files: encoder.files, arrays: encoder.arrays };
-}
+/** Index of each file that nodes refer to; a file keeps its index, so that stored chunks stay right. */
+export type FileIndices = Map<OriginFile, number>;
 
-class Encoder {
-  readonly files: OriginFile[] = [];
-  readonly arrays = new Map<StorableNumbers, StoredNumbers>();
-  private readonly nodes = new Map<object, Encoded>();
-  private readonly indices = new Map<OriginFile, number>();
+/** One for each save. */
+export class Encoder {
+  private readonly nodes = new Map<object, Known>();
+  private readonly arrays = new Map<StorableNumbers, StoredNumbers>();
+  /** What nodes referred to, in the order in which they were encoded. */
+  private readonly journal: Reference[] = [];
+  /** The values with a node, in that order too. */
+  private readonly made: object[] = [];
+  private bytes = 0;
 
-  constructor(private readonly origins: Origins) {}
+  constructor(
+    private readonly origins: Origins,
+    private readonly indices: FileIndices,
+    private readonly chunks: ChunkDraft,
+  ) {}
 
-  encode(value: unknown): Encoded {
-    switch (typeof value) {
-      case 'undefined':
-      case 'boolean':
-      case 'number':
-      case 'string':
-        return value;
-      case 'object':
-        return value === null ? null : this.once(value);
-      default:
-        return { is: 'other', of: value };
-    }
+  /** Yields after each new chunk; how much is left is not known. */
+  *encode(session: object): Steps<EncodedSession> {
+    const tree = yield* this.once(session);
+    return { tree, needs: this.needsSince(0) };
   }
 
-  private once(value: object): Encoded {
+  private *once(value: object): Steps<Encoded> {
     const known = this.nodes.get(value);
-    if (known !== undefined) return known;
-    const node = this.node(value);
-    this.nodes.set(value, node);
+    if (known) {
+      for (let i = known.from; i < known.to; i++) this.journal.push(this.journal[i]);
+      return known.node;
+    }
+    const from = this.journal.length;
+    const node = yield* this.node(value);
+    this.nodes.set(value, { node, from, to: this.journal.length });
+    this.made.push(value);
     return node;
   }
 
-  private node(value: object): Encoded {
+  private *node(value: object): Steps<Encoded> {
+    this.bytes += NODE_BYTES;
     const origin = this.origins.find(value);
-    if (origin) return { is: 'part', file: this.indexOf(origin.file), path: origin.path };
+    if (origin) return this.part(origin);
     if (isNumbers(value)) return this.numbers(value);
-    if (Array.isArray(value)) {
-      if (!value.some((item) => typeof item === 'object' && item !== null)) return { is: 'plain', of: value };
-      return { is: 'list', of: value.map((item) => this.encode(item)) };
-    }
+    if (Array.isArray(value)) return yield* this.list(value);
     if (Object.getPrototypeOf(value) !== Object.prototype) return { is: 'other', of: value };
     const of: Record<string, Encoded> = {};
-    for (const [key, inner] of Object.entries(value)) of[key] = this.encode(inner);
+    for (const [key, inner] of Object.entries(value)) {
+      of[key] = isObject(inner) ? yield* this.once(inner) : this.primitive(inner);
+    }
     return { is: 'object', of };
   }
 
+  private *list(list: readonly unknown[]): Steps<Encoded> {
+    if (!list.some(isObject)) {
+      this.bytes += 8 * list.length;
+      return { is: 'plain', of: list };
+    }
+    const chunks: Chunk[] = [];
+    let begin = this.mark(0);
+    let of: Encoded[] = [];
+    // What replaces a chunk may be larger: split, it would leave a small one behind with each edit.
+    let replaces = false;
+    for (let at = 0; at < list.length; ) {
+      const stored = this.chunks.find(list, at);
+      if (stored) {
+        if (of.length > 0) chunks.push(this.close(begin, list, of));
+        chunks.push(stored);
+        at += stored.items.length;
+        replaces = true;
+      } else {
+        if (of.length === 0) replaces ||= this.chunks.begins(list[at]);
+        const item = list[at++];
+        of.push(isObject(item) ? yield* this.once(item) : this.primitive(item));
+        if (this.bytes - begin.bytes < (replaces ? 2 : 1) * CHUNK_BYTES) continue;
+        chunks.push(this.close(begin, list, of));
+        yield 0;
+      }
+      of = [];
+      begin = this.mark(at);
+    }
+    if (chunks.length === 0) return { is: 'list', of };
+    if (of.length > 0) chunks.push(this.close(begin, list, of));
+    for (const chunk of chunks) this.journal.push(chunk);
+    this.bytes += 8 * chunks.length;
+    return { is: 'chunks', of: chunks.map(({ id }) => id) };
+  }
+
+  private mark(at: number): Mark {
+    return { at, references: this.journal.length, made: this.made.length, bytes: this.bytes };
+  }
+
+  /** Makes a chunk of what was encoded since then: nodes in it are not shared with what comes after it. */
+  private close(since: Mark, list: readonly unknown[], of: readonly Encoded[]): Chunk {
+    const items = list.slice(since.at, since.at + of.length);
+    const chunk = this.chunks.add(items, of, this.bytes - since.bytes, this.needsSince(since.references));
+    for (let i = since.made; i < this.made.length; i++) this.nodes.delete(this.made[i]);
+    this.made.length = since.made;
+    this.journal.length = since.references;
+    this.bytes = since.bytes;
+    return chunk;
+  }
+
+  private needsSince(reference: number): Needs {
+    const files = new Set<OriginFile>();
+    const arrays = new Map<StorableNumbers, StoredNumbers>();
+    const chunks = new Set<Chunk>();
+    for (let i = reference; i < this.journal.length; i++) {
+      const one = this.journal[i];
+      if ('items' in one) chunks.add(one);
+      else if ('array' in one) arrays.set(one.array, one.node);
+      else files.add(one);
+    }
+    return { files, arrays, chunks };
+  }
+
+  private primitive(value: unknown): Encoded {
+    this.bytes += typeof value === 'string' ? 8 + 2 * value.length : 8;
+    return isPrimitive(value) ? value : { is: 'other', of: value };
+  }
+
   private numbers(array: StorableNumbers): Encoded {
-    if (array.byteLength < SMALL_BYTES) {
+    if (array.byteLength < LARGE_BYTES) {
+      this.bytes += array.byteLength;
       // Cloning a view would clone its whole buffer.
       return array.byteLength === array.buffer.byteLength ? array : array.slice();
     }
-    // Constructor names are the keys of the table.
-    const type = array.constructor.name as NumbersType;
-    const node: StoredNumbers = { is: 'numbers', type, piece: 0, offset: 0, bytes: array.byteLength };
-    this.arrays.set(array, node);
+    let node = this.arrays.get(array);
+    if (!node) {
+      // Constructor names are the keys of the table.
+      const type = array.constructor.name as NumbersType;
+      node = { is: 'numbers', type, piece: 0, offset: 0, bytes: array.byteLength };
+      this.arrays.set(array, node);
+    }
+    this.journal.push({ array, node });
     return node;
   }
 
-  private indexOf(file: OriginFile): number {
-    const known = this.indices.get(file);
-    if (known !== undefined) return known;
-    const index = this.files.length;
-    this.files.push(file);
-    this.indices.set(file, index);
-    return index;
+  private part({ file, path }: { readonly file: OriginFile; readonly path: readonly PathKey[] }): Encoded {
+    this.bytes += 16 * path.length;
+    this.journal.push(file);
+    let index = this.indices.get(file);
+    if (index === undefined) {
+      index = this.indices.size;
+      this.indices.set(file, index);
+    }
+    return { is: 'part', file: index, path };
   }
 }
 
-export function isNumbers(value: unknown): value is StorableNumbers {
-  return Object.values(NUMBERS_TYPES).some((Type) => value instanceof Type);
+type Reference = OriginFile | Chunk | { readonly array: StorableNumbers; readonly node: StoredNumbers };
+
+interface Known {
+  readonly node: Encoded;
+  /** Of its references in the journal, up to `to` (excluding). */
+  readonly from: number;
+  readonly to: number;
+}
+
+/** How far encoding has come. */
+interface Mark {
+  /** Index into the list. */
+  readonly at: number;
+  readonly references: number;
+  readonly made: number;
+  readonly bytes: number;
+}
+
+function isObject(value: unknown): value is object {
+  return typeof value === 'object' && value !== null;
+}
+
+function isPrimitive(value: unknown): value is undefined | null | boolean | number | string {
+  return value === null || ['undefined', 'boolean', 'number', 'string'].includes(typeof value);
 }

@@ -8,11 +8,11 @@ import type { ParsedFile } from '../../model/files.ts';
 import type { Runs } from '../../worker/client.ts';
 import type { Progress } from '../../worker/protocol.ts';
 import { decode, emptyNumbers, RestoreError, storedNumbers } from './decode.ts';
-import type { StorableNumbers, StoredNumbers } from './encode.ts';
+import type { Encoded, StorableNumbers, StoredNumbers } from './encoded.ts';
 import { Keeper, type SessionHead } from './keeper.ts';
 import { givenOf, type Origins } from './origins.ts';
 import { fill, piecesOf } from './pieces.ts';
-import type { KeptState, SessionState } from './session-state.ts';
+import { type KeptState, SESSION_VERSION, type SessionState } from './session-state.ts';
 import { fromVersion1 } from './version-1.ts';
 
 export interface ReadOptions {
@@ -45,17 +45,20 @@ export async function readSession(
   // Written by Marrow, in the version that its card names.
   const head = content.head as SessionHead;
   const openings = await readOpenings(head, content.files, worker, options);
-  const files = head.files.map(({ given, path }) => {
+  const files = head.files.map((file) => {
+    if (!file) return undefined;
+    const { given, path } = file;
     for (const opening of openings) {
       const file = opening.files.find((f) => f.source.path === path && givenOf(f, opening.given)?.id === given);
       if (file) return file;
     }
     throw new RestoreError(`${path} can no longer be read.`);
   });
-  const arrays = await readArrays(id, store, head);
+  const chunks = await readChunks(id, store, content.chunks);
+  const arrays = await readArrays(id, store, [head.tree, ...[...chunks.values()].flat()]);
   options.signal.throwIfAborted();
   // `Keeper` wrote it; other versions are converted below.
-  const kept = decode(head.tree, files, arrays) as KeptState;
+  const kept = decode(head.tree, { files, arrays, chunks }) as KeptState;
   const { knownSkins = [], ...state } = head.version === undefined ? fromVersion1(kept) : kept;
   if (state.document.characters.some(({ driver }) => driver)) await import('../../evaluate/retarget/driving.ts');
   for (const { skin, facts, morphs } of knownSkins) adoptSkinFacts(skin, facts, morphs);
@@ -66,8 +69,10 @@ export async function readSession(
       keeper.isStored = true;
       for (const { given, files: read } of openings) origins.adopt(given, read);
       for (const file of content.files) keeper.files.adopt(file.id);
-      for (const [place, array] of arrays) keeper.pieces.adopt(array, place);
+      // Earlier versions stored several arrays in a piece.
+      if (head.version === SESSION_VERSION) for (const [place, array] of arrays) keeper.pieces.adopt(array, place);
       for (const piece of content.pieces) keeper.pieces.adoptWaste(piece);
+      for (const chunk of content.chunks) keeper.chunks.adoptWaste(chunk);
       return keeper;
     },
   };
@@ -79,7 +84,7 @@ async function readOpenings(
   worker: Runs<'parse'>,
   { signal, onProgress }: ReadOptions,
 ): Promise<readonly Opening[]> {
-  const needed = new Set([...head.files.map((file) => file.given), ...(head.beside ?? [])]);
+  const needed = new Set([...head.files.flatMap((file) => file?.given ?? []), ...(head.beside ?? [])]);
   const together = new Map<number, KeptFile[]>();
   for (const file of kept) {
     if (needed.has(file.id)) together.set(file.opening, [...(together.get(file.opening) ?? []), file]);
@@ -93,12 +98,31 @@ async function readOpenings(
   return openings;
 }
 
+async function readChunks(
+  id: string,
+  store: SessionStore,
+  chunks: readonly number[],
+): Promise<ReadonlyMap<number, readonly Encoded[]>> {
+  const read = new Map<number, readonly Encoded[]>();
+  // Written by `Keeper`.
+  await store.readChunks(id, chunks, (chunk, of) => read.set(chunk, of as readonly Encoded[]));
+  return read;
+}
+
 async function readArrays(
   id: string,
   store: SessionStore,
-  head: SessionHead,
+  trees: readonly Encoded[],
 ): Promise<ReadonlyMap<StoredNumbers, StorableNumbers>> {
-  const arrays = new Map(storedNumbers(head.tree).map((place) => [place, emptyNumbers(place)]));
+  const arrays = new Map<StoredNumbers, StorableNumbers>();
+  // An array that several records refer to is one.
+  const byPlace = new Map<string, StorableNumbers>();
+  for (const place of storedNumbers(trees)) {
+    const key = `${place.piece} ${place.offset} ${place.bytes} ${place.type}`;
+    const array = byPlace.get(key) ?? emptyNumbers(place);
+    byPlace.set(key, array);
+    arrays.set(place, array);
+  }
   const wanted = new Map<number, StoredNumbers[]>();
   for (const place of arrays.keys()) {
     for (const piece of piecesOf(place)) wanted.set(piece, [...(wanted.get(piece) ?? []), place]);

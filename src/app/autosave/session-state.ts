@@ -38,9 +38,9 @@ export interface KeptState extends SessionState {
 }
 
 /** Version of the records' format, with everything in them. */
-export const SESSION_VERSION = 2;
+export const SESSION_VERSION = 3;
 /** Versions that can be read; others are left to the pages that wrote them. */
-export const READABLE_VERSIONS: readonly number[] = [1, SESSION_VERSION];
+export const READABLE_VERSIONS: readonly number[] = [1, 2, SESSION_VERSION];
 
 export function cardOf(id: string, { document }: SessionState, savedAtMs: number): SessionCard {
   const characters = document.characters.map(

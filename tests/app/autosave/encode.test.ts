@@ -1,7 +1,8 @@
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
 import { decode, emptyNumbers, RestoreError, storedNumbers } from '../../../src/app/autosave/decode.ts';
-import { type Encoded, encode, SMALL_BYTES, type StorableNumbers } from '../../../src/app/autosave/encode.ts';
+import { LARGE_BYTES } from '../../../src/app/autosave/encode.ts';
+import type { Encoded, StorableNumbers } from '../../../src/app/autosave/encoded.ts';
 import { Origins } from '../../../src/app/autosave/origins.ts';
 import { fill, piecesOf, StoredPieces } from '../../../src/app/autosave/pieces.ts';
 import { keysOf, NO_KEYS, restChannel } from '../../../src/model/clip.ts';
@@ -19,19 +20,27 @@ import {
   skin,
   skinFile,
 } from '../../helpers/builders.ts';
+import { encodeAll } from './encode-all.ts';
 
 const blob = (path: string) => ({ path, blob: new Blob([path]) });
 
+const only = (...files: readonly ParsedFile[]) => ({ files, arrays: new Map(), chunks: new Map() });
+
 /** Encodes and decodes; `files` are read again, so they are other objects. */
-function thereAndBack(session: unknown, origins = new Origins(), files: readonly ParsedFile[] = []): unknown {
-  const encoded = encode(session, origins);
-  const { puts } = new StoredPieces().plan(encoded.arrays);
+function thereAndBack(session: object, origins = new Origins(), files: readonly ParsedFile[] = []): unknown {
+  const encoded = encodeAll(session, origins);
+  const { puts } = new StoredPieces().plan(encoded.needs.arrays);
   const stored = structuredClone({
     tree: encoded.tree,
     pieces: new Map(puts.map((put) => [put.id, put.bytes()])),
+    // Each a record of its own.
+    chunks: encoded.chunks.map(({ id, of }) => ({ id, of: structuredClone(of) })),
     files: encoded.files.map((f) => f.path),
   });
-  const arrays = new Map(storedNumbers(stored.tree).map((place) => [place, emptyNumbers(place)]));
+  // Written by the encoder.
+  const chunks = new Map(stored.chunks.map(({ id, of }) => [id, of as readonly Encoded[]]));
+  const places = storedNumbers([stored.tree, ...[...chunks.values()].flat()]);
+  const arrays = new Map(places.map((place) => [place, emptyNumbers(place)]));
   for (const [place, array] of arrays) {
     for (const piece of piecesOf(place)) fill(array, place, piece, stored.pieces.get(piece) ?? new Uint8Array());
   }
@@ -40,7 +49,7 @@ function thereAndBack(session: unknown, origins = new Origins(), files: readonly
     if (!found) throw new Error(path);
     return found;
   });
-  return decode(stored.tree, again, arrays);
+  return decode(stored.tree, { files: again, arrays, chunks });
 }
 
 describe('encoding a session', () => {
@@ -69,7 +78,7 @@ describe('encoding a session', () => {
     }));
     fc.assert(
       fc.property(tree, (value) => {
-        expect(thereAndBack(value)).toStrictEqual(value);
+        expect(thereAndBack([value])).toStrictEqual([value]);
       }),
       { numRuns: 60 },
     );
@@ -88,7 +97,7 @@ describe('encoding a session', () => {
 
   it('stores a small array that looks into a large buffer without the buffer', () => {
     const window = new Float64Array(100_000).subarray(10, 12);
-    const { tree } = encode(window, new Origins());
+    const { tree } = encodeAll(window, new Origins());
     expect((tree as Float64Array).buffer.byteLength).toBe(16);
   });
 
@@ -99,8 +108,8 @@ describe('encoding a session', () => {
     origins.learn([blob('hero.skel'), blob('hero.skin')], files);
     const [skel] = files;
     const hero = character({ skeleton: skel.kind === 'skel' ? skel.skeletons[0] : skeleton(), skins: [big] });
-    const encoded = encode(documentOf(hero), origins);
-    expect(encoded.arrays.size).toBe(0);
+    const encoded = encodeAll(documentOf(hero), origins);
+    expect(encoded.needs.arrays.size).toBe(0);
     expect(JSON.stringify(encoded.tree).length).toBeLessThan(2000);
     expect(encoded.files.map((f) => f.path)).toEqual(['hero.skel', 'hero.skin']);
   });
@@ -152,7 +161,7 @@ describe('encoding a session', () => {
     const columns = { times: part('times'), values: part('values') };
     const sides = { tangentsIn: part('tangentsIn'), tangentsOut: part('tangentsOut') };
     const former = { rest: 3, extrapolateIn: 'constant', extrapolateOut: 'constant', ...columns, ...sides };
-    expect(decode({ is: 'object', of: former }, [read], new Map())).toEqual(restChannel(3));
+    expect(decode({ is: 'object', of: former }, only(read))).toEqual(restChannel(3));
   });
 
   it('gives the one material of skins of earlier versions to all of their triangles', () => {
@@ -162,7 +171,7 @@ describe('encoding a session', () => {
     expect(thereAndBack(rest)).toEqual(skin());
     const files = [skinFile('hero.skin', paintedSkin('hero', material))];
     const part: Encoded = { is: 'part', file: 0, path: ['skin', 'material'] };
-    expect(decode(part, files, new Map())).toBe(material);
+    expect(decode(part, only(...files))).toBe(material);
   });
 
   it('refuses if a file reads differently than before', () => {
@@ -196,7 +205,7 @@ describe('encoding a session', () => {
     const picture = file('hero.png', { kind: 'texture', texture: { name: 'hero.png', mime: 'image/png', bytes } });
     const origins = new Origins();
     origins.learn([blob('hero.png')], [picture]);
-    expect(bytes.byteLength).toBeGreaterThan(SMALL_BYTES);
-    expect(encode({ bytes }, origins).arrays.size).toBe(0);
+    expect(bytes.byteLength).toBeGreaterThan(LARGE_BYTES);
+    expect(encodeAll({ bytes }, origins).needs.arrays.size).toBe(0);
   });
 });

@@ -13,6 +13,7 @@ interface Stored {
   head: unknown;
   readonly files: Map<number, KeptFile>;
   readonly pieces: Map<number, Uint8Array>;
+  readonly chunks: Map<number, readonly unknown[]>;
 }
 
 export interface MemoryStore extends SessionStore {
@@ -48,10 +49,12 @@ export function memoryStore(): MemoryStore {
       await this.onWrite(write);
       const before = sessions.get(card.id);
       if (follows && !before) throw new SessionLostError('gone');
-      const stored = before ?? { card, head: undefined, files: new Map(), pieces: new Map() };
+      const stored = before ?? { card, head: undefined, files: new Map(), pieces: new Map(), chunks: new Map() };
       // Blobs are immutable; Node's structuredClone accepts them too.
       for (const file of write.files) stored.files.set(file.id, file);
       for (const piece of write.pieces) stored.pieces.set(piece.id, structuredClone(piece.bytes()));
+      for (const chunk of write.chunks) stored.chunks.set(chunk.id, structuredClone(chunk.of));
+      for (const id of write.goneChunks) stored.chunks.delete(id);
       for (const id of write.goneFiles) stored.files.delete(id);
       for (const id of write.gonePieces) stored.pieces.delete(id);
       stored.card = card;
@@ -63,13 +66,21 @@ export function memoryStore(): MemoryStore {
       const stored = sessions.get(id);
       if (!stored) return undefined;
       const files = [...stored.files.values()].sort((a, b) => a.id - b.id);
-      return { head: structuredClone(stored.head), files, pieces: [...stored.pieces.keys()] };
+      const [pieces, chunks] = [[...stored.pieces.keys()], [...stored.chunks.keys()]];
+      return { head: structuredClone(stored.head), files, pieces, chunks };
     },
     async readPieces(id, pieces, take) {
       for (const piece of pieces) {
         const bytes = sessions.get(id)?.pieces.get(piece);
         if (!bytes) throw new SessionLostError('gone');
         take(piece, bytes);
+      }
+    },
+    async readChunks(id, chunks, take) {
+      for (const chunk of chunks) {
+        const of = sessions.get(id)?.chunks.get(chunk);
+        if (!of) throw new SessionLostError('gone');
+        take(chunk, structuredClone(of));
       }
     },
     remove: async (id) => void sessions.delete(id),

@@ -10,7 +10,7 @@ async function offersOf(...ids: readonly string[]) {
   const store = memoryStore();
   ids.forEach((id, i) => {
     const card = { id, version: SESSION_VERSION, savedAtMs: Date.now() - 1000 * (ids.length - i), characters: [] };
-    store.sessions.set(id, { card, head: undefined, files: new Map(), pieces: new Map() });
+    store.sessions.set(id, { card, head: undefined, files: new Map(), pieces: new Map(), chunks: new Map() });
   });
   const shown = observable<KeptOffer | undefined>(undefined);
   const restored: string[] = [];

@@ -42,8 +42,10 @@ async function restored() {
     head: kept.head,
     files: kept.files.map(({ id, opening, path, text }) => ({ id, opening, given: { path, blob: new Blob([text]) } })),
     pieces: kept.pieces.map(({ id, bytes }) => ({ id, size: bytes.length, bytes: () => bytes })),
+    chunks: [],
     goneFiles: [],
     gonePieces: [],
+    goneChunks: [],
     follows: false,
     atOnce: false,
   });
