@@ -15,7 +15,9 @@ import type { Uses } from '../state/workbench.ts';
 const FAR_APART = 4;
 
 export function heightsNote(wb: Uses<'store' | 'actions' | 'timeline'>): HTMLElement {
-  const text = element('span', { class: 'offer-text', role: 'status' });
+  const found = element('span');
+  const hint = element('span', { class: 'offer-hint' });
+  const text = element('span', { class: 'offer-text', role: 'status' }, found, hint);
   const { comparison } = wb.timeline.takes;
   let dismissed = '';
   let measured: readonly Character[] = [];
@@ -42,7 +44,8 @@ export function heightsNote(wb: Uses<'store' | 'actions' | 'timeline'>): HTMLEle
     const isComparing = comparison.get() !== undefined;
     const offer = isComparing || idsOf(measured) === dismissed ? undefined : heightsText(measured);
     note.hidden = offer === undefined;
-    setText(text, offer ?? '');
+    setText(found, offer?.[0] ?? '');
+    setText(hint, offer?.[1] === undefined ? '' : ` ${offer[1]}`);
     unit.hidden = unitsApart(measured) === undefined;
   };
   const follow = () => {
@@ -60,14 +63,14 @@ export function heightsNote(wb: Uses<'store' | 'actions' | 'timeline'>): HTMLEle
   return note;
 }
 
-/** `The characters are 0.02 to 60 units tall.` with what the units may be; undefined if they are similar. */
-export function heightsText(characters: readonly Character[]): string | undefined {
+/** `The characters are 0.02 to 60 units tall.`, and what the units may be; undefined if they are similar. */
+export function heightsText(characters: readonly Character[]): readonly [found: string, hint?: string] | undefined {
   const [least, most] = spreadOfHeights(characters) ?? [1, 1];
   if (!(most > FAR_APART * least)) return undefined;
   const factor = unitsApart(characters);
   const found = `The characters are ${rough(least)} to ${rough(most)} units tall.`;
   const [one, other] = (factor !== undefined && UNITS[factor]) || [];
-  return one === undefined ? found : `${found} Some may be in ${one}, others in ${other}.`;
+  return one === undefined ? [found] : [found, `Some may be in ${one}, others in ${other}.`];
 }
 
 /** The power of ten between the heights, if that is about all that they differ by. */

@@ -10,16 +10,17 @@ const tall = (height: number) =>
   });
 
 it('the same height is offered for characters of which one is more than four times as tall', () => {
-  expect(heightsText([tall(0.02), tall(2), tall(60)])).toBe('The characters are 0.02 to 60 units tall.');
+  expect(heightsText([tall(0.02), tall(2), tall(60)])).toEqual(['The characters are 0.02 to 60 units tall.']);
   expect(heightsText([tall(1), tall(4)])).toBeUndefined();
   expect(heightsText([tall(60)])).toBeUndefined();
   expect(heightsText([])).toBeUndefined();
 });
 
 it('the same unit is offered if a power of ten is about all that heights differ by', () => {
-  expect(heightsText([tall(1.8), tall(165)])).toBe(
-    'The characters are 1.8 to 170 units tall. Some may be in metres, others in centimetres.',
-  );
+  expect(heightsText([tall(1.8), tall(165)])).toEqual([
+    'The characters are 1.8 to 170 units tall.',
+    'Some may be in metres, others in centimetres.',
+  ]);
   expect(unitsApart([tall(1.8), tall(165)])).toBe(100);
   expect(unitsApart([tall(0.02), tall(60)])).toBeUndefined();
   expect(unitsApart([tall(1), tall(1.5)])).toBeUndefined();

@@ -244,8 +244,8 @@ function isControl(target: EventTarget | null): boolean {
   return target instanceof Element && target.closest('input,button') !== null;
 }
 
-/** `3 of 52 takes`. */
-export function countText(shown: number, all: number, chosen: number): string {
+/** `3 of 52 takes` and `, 2 selected`, which is empty for fewer. */
+export function countTexts(shown: number, all: number, chosen: number): readonly [takes: string, selected: string] {
   const takes = shown === all ? plural(all, 'take') : `${shown} of ${plural(all, 'take')}`;
-  return chosen > 1 ? `${takes}, ${chosen} selected` : takes;
+  return [takes, chosen > 1 ? `, ${chosen} selected` : ''];
 }

@@ -15,7 +15,7 @@ import type { Uses } from '../../state/workbench.ts';
 import { compareEntries } from './compare-menu.ts';
 import { chosenTakes, listOfTakes } from './play.ts';
 import { takeRows } from './rows.ts';
-import { countText } from './table.ts';
+import { countTexts } from './table.ts';
 import { takesToCompare, takeToCompare } from './which-takes.ts';
 
 /** Buttons with texts and tooltips. */
@@ -58,12 +58,15 @@ export function takeTools(
     setActionTooltip(wb, made, id, label);
     return made;
   };
-  const counted = element('span', { class: 'take-count', role: 'status' });
+  const counted = element('span');
+  const chosen = element('span');
   const filter = takeFilter(wb);
   const show = () => {
     for (const refresh of refreshing) refresh();
     const count = takeRows(wb.store.document).length;
-    setText(counted, countText(listOfTakes(wb).length, count, chosenTakes(wb).length));
+    const [takes, selected] = countTexts(listOfTakes(wb).length, count, chosenTakes(wb).length);
+    setText(counted, takes);
+    setText(chosen, selected);
     const { comparison, view } = wb.timeline.takes;
     tools.classList.toggle('few', (count <= FEW || comparison.get() !== undefined) && !view.get().filter);
   };
@@ -87,7 +90,7 @@ export function takeTools(
         arrange,
       ),
     ),
-    counted,
+    element('span', { class: 'take-count', role: 'status' }, counted, chosen),
   );
   show();
   return tools;
