@@ -12,10 +12,15 @@ export class MotionDrawing {
   playedRange: readonly [number, number] = [0, 0];
   /** Of clips without frames of their own: for ghosts that are frames apart. */
   framesPerSecond = 30;
-  private readonly trail = new Trail();
+  private readonly trail: Trail;
   private readonly ghosts = new Ghosts();
 
-  constructor(private readonly characters: Pick<ShownCharacters, 'seen' | 'visible'>) {
+  /** @param redraw called when a path that takes longer is there */
+  constructor(
+    private readonly characters: Pick<ShownCharacters, 'seen' | 'visible'>,
+    redraw: () => void,
+  ) {
+    this.trail = new Trail(redraw);
     this.object.add(this.trail.object, this.ghosts.object);
   }
 

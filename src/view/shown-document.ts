@@ -83,7 +83,7 @@ export class ShownDocument {
       (id) => this.createView(id),
       (entry) => this.prepare(entry),
     );
-    this.motion = new MotionDrawing(this.characters);
+    this.motion = new MotionDrawing(this.characters, () => this.events.redraw());
     this.tools.add(this.vertexMarker.object);
     scene.add(this.grid.object, this.skeletons.object, this.motion.object, this.tools);
   }

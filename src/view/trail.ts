@@ -13,28 +13,34 @@ import {
 import { compileSkeleton, worldMatrices } from '../evaluate/kinematics.ts';
 import { NO_TRAVEL, placementMatrix } from '../evaluate/placements.ts';
 import { dofCountOf, poseAt } from '../evaluate/pose.ts';
+import { runToEnd, type Steps } from '../evaluate/steps.ts';
 import { carrierOf, groundTravel } from '../evaluate/travel.ts';
 import { timeBetween } from '../math/time-between.ts';
 import type { Character } from '../model/document.ts';
 import { shownClip } from '../model/document.ts';
+import { runInSlices } from './slices.ts';
 import type { StageTheme } from './theme.ts';
 import { lineMaterial, rawColor, segmentsGeometry } from './thick-lines.ts';
 
 /** Samples per second of the range, and at most. */
 const SAMPLES_PER_SECOND = 60;
 const MAX_SAMPLES = 1500;
+/** Joints that are posed in one go, over all samples: some 20 ms. More are posed between frames. */
+const AT_ONCE = 200_000;
+/** Joints that are posed between two looks at the clock. */
+const PER_STEP = 20_000;
 
 /**
  * Positions of a joint at `count` times from `start` to `end` (seconds of the transport), x y z each, in the
  * character's space. `inPlace` subtracts the root's horizontal motion, as when drawing.
  */
-export function samplePath(
+export function* samplePath(
   character: Character,
   joint: number,
   [start, end]: readonly [number, number],
   count: number,
   inPlace: boolean,
-): Float64Array {
+): Steps<Float64Array> {
   const path = new Float64Array(3 * count);
   if (!character.skeleton) return path;
   const skeleton = compileSkeleton(character.skeleton);
@@ -42,7 +48,13 @@ export function samplePath(
   const world = new Float64Array(16 * skeleton.jointCount);
   const travel = new Float64Array(3);
   const carrier = carrierOf(character);
+  let left = PER_STEP;
   for (let i = 0; i < count; i++) {
+    left -= skeleton.jointCount;
+    if (left <= 0) {
+      yield i / count;
+      left = PER_STEP;
+    }
     poseAt(character, timeBetween(start, end, i / Math.max(1, count - 1)), dofs);
     worldMatrices(skeleton, dofs, world);
     if (inPlace) groundTravel(skeleton, character.space, carrier, dofs, world, travel);
@@ -54,8 +66,11 @@ export function samplePath(
 export class Trail {
   readonly object: InstancedMesh<BufferGeometry, ShaderMaterial>;
   private shown: { character: Character; joint: number; start: number; end: number; inPlace: boolean } | undefined;
+  /** Ends the sampling of a path that isn't wanted any more. */
+  private sampling = new AbortController();
 
-  constructor() {
+  /** @param redraw called when a path that takes longer is there */
+  constructor(private readonly redraw: () => void = () => undefined) {
     const material = lineMaterial({ width: 1.75, opacity: 0.85, lift: 1e-5 });
     this.object = new InstancedMesh(new BufferGeometry(), material, 0);
     this.object.frustumCulled = false;
@@ -78,8 +93,9 @@ export class Trail {
     const clip = character && shownClip(character);
     const [start, end] = range ?? clip?.range ?? [0, 0];
     const has = character?.skeleton && joint !== undefined && joint < character.skeleton.joints.length && end > start;
-    this.object.visible = Boolean(has);
     if (!has) {
+      this.sampling.abort();
+      this.object.visible = false;
       this.shown = undefined;
       return;
     }
@@ -92,8 +108,36 @@ export class Trail {
       shown.inPlace === inPlace;
     if (same) return;
     this.shown = { character, joint, start, end, inPlace };
+    this.sampling.abort();
+    this.sampling = new AbortController();
     const count = Math.min(MAX_SAMPLES, 2 + Math.ceil((end - start) * SAMPLES_PER_SECOND));
-    const path = samplePath(character, joint, [start, end], count, inPlace);
+    const steps = samplePath(character, joint, [start, end], count, inPlace);
+    if (count * character.skeleton.joints.length <= AT_ONCE) {
+      this.draw(character, runToEnd(steps));
+      return;
+    }
+    // Until then the former one, if it is of the same joint.
+    if (shown?.character.id !== character.id || shown.joint !== joint) this.object.visible = false;
+    runInSlices(steps, this.sampling.signal).then(
+      (path) => {
+        if (!path) return;
+        this.draw(character, path);
+        this.redraw();
+      },
+      // Not awaited: errors are reported like those thrown while drawing.
+      (error: unknown) => reportError(error),
+    );
+  }
+
+  dispose(): void {
+    this.sampling.abort();
+    this.object.geometry.dispose();
+    this.object.material.dispose();
+    this.object.dispose();
+  }
+
+  private draw(character: Character, path: Float64Array): void {
+    const count = path.length / 3;
     const segments = new Float64Array(6 * (count - 1));
     for (let i = 0; i + 1 < count; i++) segments.set(path.subarray(3 * i, 3 * i + 6), 6 * i);
     this.object.geometry.dispose();
@@ -101,12 +145,7 @@ export class Trail {
     // It is never culled, and three.js would complain of paths beyond 32-bit floats.
     this.object.geometry.boundingSphere = new Sphere();
     this.place(character);
-  }
-
-  dispose(): void {
-    this.object.geometry.dispose();
-    this.object.material.dispose();
-    this.object.dispose();
+    this.object.visible = true;
   }
 
   private place({ placements, space }: Character): void {
