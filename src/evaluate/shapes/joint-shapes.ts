@@ -29,6 +29,11 @@ export interface JointSizes {
 const SHARE_OF_BONE = 0.22;
 /** Maximum ratio to the radius at the bone's other end. */
 const MAX_BESIDE = 1.4;
+/**
+ * Bones side by side cover at most this many times a square as large as the skeleton. Thousands of long ones, as of a
+ * star, would hide each other, and take a graphics card's time for what no one sees.
+ */
+const MAX_COVER = 20;
 
 export function jointSizes(skeleton: Skeleton): JointSizes {
   const joints = skeleton.joints;
@@ -40,7 +45,11 @@ export function jointSizes(skeleton: Skeleton): JointSizes {
   // Based on the long bones: most joints may be those of fingers, which are reduced below.
   const long = sorted[Math.floor(0.93 * sorted.length)] ?? 0;
   const usual = median > 0 ? Math.min(0.09 * long, 0.014 * extent) : 0.03 * extent;
-  const radii = new Float32Array(joints.length).fill(Math.max(usual, 0.003 * extent));
+  const allLengths = sorted.reduce((sum, length) => sum + length, 0);
+  const thickest = extent * ((MAX_COVER * extent) / (2 * allLengths));
+  const visible = Math.max(usual, 0.003 * extent);
+  // No number for the largest offsets, and without bones.
+  const radii = new Float32Array(joints.length).fill(thickest < visible ? thickest : visible);
   // A short bone (of a finger, or a toe's End Site) has small balls at both ends; a limb that ends in fingers does not.
   const meets = (j: number, length: number) => {
     radii[j] = Math.min(radii[j], Math.max(SHARE_OF_BONE * length, 0.5 * usual));
@@ -88,8 +97,10 @@ function restExtent(skeleton: Skeleton): number {
 }
 
 function largestBox(joints: readonly Joint[]): number {
-  return Math.max(
-    ...joints.map(({ box: { min, max } }) => Math.hypot(max[0] - min[0], max[1] - min[1], max[2] - min[2])),
+  return joints.reduce(
+    (largest, { box: { min, max } }) =>
+      Math.max(largest, Math.hypot(max[0] - min[0], max[1] - min[1], max[2] - min[2])),
+    0,
   );
 }
 

@@ -149,6 +149,27 @@ describe('sizes of joints', () => {
     );
   });
 
+  it('thousands of long bones, side by side, cover their place a few times, and bones of any figure are as thick as ever', () => {
+    const star = (rays: number) => {
+      const ray = (r: number) => joint(0, { offset: [Math.sin(r), 0, Math.cos(r)] });
+      return jointSizes({ name: '', joints: [joint(-1), ...Array.from({ length: rays }, (_, r) => ray(r))] });
+    };
+    const few = star(100).radii;
+    expect(few[0]).toBeCloseTo(star(50).radii[0], 6);
+    const { radii, extent } = star(20_000);
+    const covered = radii.subarray(1).reduce((sum) => sum + 2 * radii[0], 0);
+    expect(covered).toBeLessThan(21 * extent ** 2);
+    expect(radii[0]).toBeGreaterThan(0);
+    expect(radii[0]).toBeLessThan(few[0] / 5);
+  });
+
+  it('offsets as large and as small as numbers go have sizes', () => {
+    for (const length of [1e308, 1e154, 1e-154, 5e-324]) {
+      const { radii } = jointSizes({ name: '', joints: [joint(-1), joint(0, { offset: [0, length, 0] })] });
+      expect([...radii].some(Number.isNaN)).toBe(false);
+    }
+  });
+
   it('sizes of joints come from the box where there is a single joint', () => {
     const sizes = jointSizes({ name: '', joints: [joint(-1, { box: { min: [-2, -2, -2], max: [2, 2, 2] } })] });
     expect(sizes.extent).toBeCloseTo(Math.hypot(4, 4, 4), 9);
