@@ -1,9 +1,8 @@
 /** What a page holds, for tests that open and close things many times. */
-import type { Page } from 'playwright-core';
+import type { CDPSession, Page } from 'playwright-core';
+import { type HeapBytes, heapBytesIn } from './heap-snapshot.ts';
 
-export interface PageResources {
-  /** Of scripts, after a collection of garbage. */
-  readonly heapBytes: number;
+export interface PageResources extends HeapBytes {
   readonly nodes: number;
   readonly listeners: number;
   /** On the GPU, as three.js counts them. */
@@ -77,30 +76,60 @@ export async function resourcesOf(page: Page): Promise<PageResources> {
   const session = await page.context().newCDPSession(page);
   try {
     await session.send('Performance.enable');
-    // What is only held by something that is finalised goes with the second.
-    for (let i = 0; i < 2; i++) await session.send('HeapProfiler.collectGarbage');
+    const heap = heapBytesIn(await heapSnapshot(session));
     const { metrics } = await session.send('Performance.getMetrics');
     const metric = (name: string) => metrics.find((m) => m.name === name)?.value ?? Number.NaN;
     const own = await page.evaluate(() => {
       const { geometries, textures } = window.marrow.stats();
       return { geometries, textures, ...(window.counted ?? { gpuObjects: 0, objectUrls: 0, observers: 0 }) };
     });
-    return {
-      heapBytes: metric('JSHeapUsedSize'),
-      nodes: metric('Nodes'),
-      listeners: metric('JSEventListeners'),
-      ...own,
-    };
+    return { ...heap, nodes: metric('Nodes'), listeners: metric('JSEventListeners'), ...own };
   } finally {
     await session.detach();
   }
 }
 
+/** After a collection of garbage. */
+async function heapSnapshot(session: CDPSession): Promise<string> {
+  const pieces: string[] = [];
+  session.on('HeapProfiler.addHeapSnapshotChunk', ({ chunk }) => void pieces.push(chunk));
+  // What is only held by something that is finalised goes with the second.
+  for (let i = 0; i < 2; i++) await session.send('HeapProfiler.collectGarbage');
+  await session.send('HeapProfiler.takeHeapSnapshot', { reportProgress: false });
+  return pieces.join('');
+}
+
 /** `heap 31.2 → 31.4 MB, nodes 900 → 900 …`, of what differs. */
 export function changeText(before: PageResources, after: PageResources): string {
-  const names = Object.keys(before) as (keyof PageResources)[];
-  const value = (name: keyof PageResources, of: PageResources) =>
-    name === 'heapBytes' ? `${(of[name] / 1e6).toFixed(1)} MB` : String(of[name]);
-  const changed = names.filter((name) => value(name, before) !== value(name, after));
-  return changed.map((name) => `${name} ${value(name, before)} → ${value(name, after)}`).join(', ') || 'all level';
+  const changed = namesOf(before).filter((name) => textOf(name, before[name]) !== textOf(name, after[name]));
+  const text = (name: keyof PageResources) => `${name} ${textOf(name, before[name])} → ${textOf(name, after[name])}`;
+  return changed.map(text).join(', ') || 'all level';
+}
+
+/**
+ * What has grown more than it may, in words.
+ * @param most for each time; what has no limit may grow
+ * @param times how often something was done in between
+ */
+export function grownPast(
+  most: Partial<PageResources>,
+  before: PageResources,
+  after: PageResources,
+  times = 1,
+): readonly string[] {
+  return namesOf(before).flatMap((name) => {
+    const limit = most[name] ?? Infinity;
+    const [was, is] = [before[name], after[name]];
+    if (is - was <= times * limit) return [];
+    const each = times === 1 ? '' : `, ${times} times`;
+    return [`${name} grew from ${was} to ${is}: it may by ${limit}${each}`];
+  });
+}
+
+const namesOf = (resources: PageResources) =>
+  // It has no others.
+  Object.keys(resources) as (keyof PageResources)[];
+
+function textOf(name: keyof PageResources, value: number): string {
+  return name === 'heapBytes' || name === 'codeBytes' ? `${(value / 1e6).toFixed(2)} MB` : String(value);
 }

@@ -1,7 +1,13 @@
 /** Menus, dialogs, panels, tabs, modes and files are opened and closed again and again: what the page holds stays level. */
 import type { Page } from 'playwright-core';
 import { type DroppedFile, dropFiles, withPage } from '../../helpers/page.ts';
-import { changeText, countResources, type PageResources, resourcesOf } from '../../helpers/page-resources.ts';
+import {
+  changeText,
+  countResources,
+  grownPast,
+  type PageResources,
+  resourcesOf,
+} from '../../helpers/page-resources.ts';
 import type { Attack } from '../attack.ts';
 import { DROPS, WALKER_DROP } from './sample-files.ts';
 
@@ -9,9 +15,11 @@ import { DROPS, WALKER_DROP } from './sample-files.ts';
 const WARM_UP = 3;
 /** A dialog's script is fetched when it is first opened. */
 const DIALOG_MS = 4000;
-/** Growth for each cycle that isn't chance. */
+/** A few cycles prove nothing. */
+const MIN_CYCLES = 5;
+/** Growth for each cycle that isn't chance: tables of weak references double once in a while. */
 const MAX_GROWTH: Partial<PageResources> = {
-  heapBytes: 250_000,
+  heapBytes: 30_000,
   nodes: 5,
   listeners: 2,
   gpuObjects: 1,
@@ -41,7 +49,8 @@ export const openClose: Attack = {
         });
         attempt.note(`${dialogs} dialogs, ${Object.keys(DROPS).length} drops in each cycle`);
         attempt.note(changeText(before, after));
-        for (const what of grownBetween(before, after, cycles)) attempt.gaveWay(what);
+        if (cycles < MIN_CYCLES) return;
+        for (const what of grownPast(MAX_GROWTH, before, after, cycles)) attempt.gaveWay(what);
       },
       { size: { width: 1280, height: 800 }, before: countResources },
     );
@@ -74,17 +83,6 @@ export async function openAndClose(page: Page, warmUp: number, goesOn: () => boo
     cycles++;
   } while (goesOn());
   return { dialogs: dialogs.length, before, after: await resourcesOf(page), cycles };
-}
-
-/** What has grown too much for that many cycles, in words; nothing after a few, which prove nothing. */
-function grownBetween(before: PageResources, after: PageResources, cycles: number): readonly string[] {
-  if (cycles < 5) return [];
-  return Object.entries(MAX_GROWTH).flatMap(([name, most]) => {
-    // Names of the record above.
-    const key = name as keyof PageResources;
-    const grown = (after[key] - before[key]) / cycles;
-    return grown > most ? [`${grown.toFixed(1)} ${name} more after each cycle`] : [];
-  });
 }
 
 export async function openWalker(page: Page): Promise<void> {

@@ -12,7 +12,7 @@ const sample = (name: string): DroppedFile => ({ name, bytes: new Uint8Array(rea
 /** Skinned, morphed and textured. */
 export const WALKER_DROP: readonly DroppedFile[] = [
   ...['rig', 'skel', 'skin', 'png'].map((extension) => sample(`walker.${extension}`)),
-  ...['smile.morph', 'blink.morph', 'walk.anim'].map((end) => sample(`walker_${end}`)),
+  ...['smile.morph', 'blink.morph', 'breathe.morph', 'walk.anim'].map((end) => sample(`walker_${end}`)),
 ];
 
 const POST = 'balljoint post { boxmin 0 0 0 boxmax 1 3 1 }';
