@@ -20,6 +20,7 @@ import {
   UNLIMITED,
 } from '../../model/skeleton.ts';
 import { braceTooMany, type GrammarPart, number, numbers, openBrace, skipStrange } from '../grammar.ts';
+import { OPEN_JOINT } from '../open-joint.ts';
 import { ParseError } from '../report.ts';
 import type { Mark, Tokens } from '../tokens.ts';
 import { shortName } from '../words.ts';
@@ -84,7 +85,7 @@ export function* hierarchy(t: Tokens): GrammarPart<readonly Root[]> {
 /** A root and its descendants. The current token is `ROOT`. */
 function* tree(t: Tokens, { joints, stack }: Open): GrammarPart<Root> {
   joints.length = 0;
-  joints.push(OPEN);
+  joints.push(OPEN_JOINT);
   const root = yield* head(t, 'ROOT', 0, -1);
   stack.push(root);
   for (let joint: OpenJoint | undefined = root; joint; joint = stack.at(-1)) {
@@ -99,7 +100,7 @@ function* tree(t: Tokens, { joints, stack }: Open): GrammarPart<Root> {
     switch (t.keyword()) {
       case 'joint':
         stack.push(yield* head(t, 'JOINT', joints.length, joint.index));
-        joints.push(OPEN);
+        joints.push(OPEN_JOINT);
         break;
       case 'offset':
         if (joint.offset) t.error('offset-repeated', `OFFSET appears a second time in ${describe(joint)}.`);
@@ -220,11 +221,6 @@ function close(t: Tokens, joint: OpenJoint): Joint {
 }
 
 const ORIGIN: Vec3 = [0, 0, 0];
-/** In place of a joint that is not closed: filled from the last to the first, an array takes six times as much. */
-const OPEN: Joint = {
-  ...{ name: '', parent: -1, offset: ORIGIN, box: DEFAULT_BOX },
-  ...{ motion: { kind: 'bvh', channels: [], positions: 'replace' }, limits: [], pose: [] },
-};
 const NO_CHANNELS: readonly BvhChannel[] = [];
 
 /** What joints with the same channels share: a joint would take a hundred times its bytes otherwise. */

@@ -24,6 +24,7 @@ import {
   UNLIMITED,
 } from '../../model/skeleton.ts';
 import { braceTooMany, type GrammarPart, number, numberRun, openBrace, skipStrange, stemOfName } from '../grammar.ts';
+import { OPEN_JOINT } from '../open-joint.ts';
 import { WHOLE_FILE } from '../places.ts';
 import { grammarReader, type Reader, type ReadResult, readWhole } from '../reader.ts';
 import type { Mark, Tokens } from '../tokens.ts';
@@ -82,7 +83,7 @@ class OpenTree {
   *open(t: Tokens, type: SkelType): GrammarPart<void> {
     const { joints, stack, couples } = this;
     stack.push(yield* head(t, type, joints.length, stack.at(-1)?.index ?? -1, couples.length));
-    joints.push(OPEN);
+    joints.push(OPEN_JOINT);
   }
 
   /** Its joints, and is empty again. */
@@ -290,12 +291,6 @@ interface Defaults {
 }
 
 const ORIGIN: Vec3 = [0, 0, 0];
-
-/** In place of a joint that is not closed: filled from the last to the first, an array takes six times as much. */
-const OPEN: Joint = {
-  ...{ name: '', parent: -1, offset: ORIGIN, box: DEFAULT_BOX },
-  ...{ motion: { kind: 'fixed' }, limits: [], pose: [] },
-};
 
 const defaultsOf = perObject(
   (dofs: readonly Dof[]): Defaults => ({ limits: dofs.map(() => UNLIMITED), pose: dofs.map(({ rest }) => rest) }),
