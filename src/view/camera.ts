@@ -167,7 +167,8 @@ export class CameraRig {
    * @param smoothly in a short animated move
    */
   frame(boxes: readonly Box3[], coveredTop: number, smoothly: boolean): void {
-    const corners = boxes.flatMap((box) => (this.limitBox(box) ? cornersOf(this.drawable) : []));
+    const { min, max } = this.drawable;
+    const corners = boxes.flatMap((box) => (this.limitBox(box) ? [...min.toArray(), ...max.toArray()] : []));
     if (corners.length === 0) return;
     const to = this.goal();
     const { axes } = this;
@@ -346,7 +347,7 @@ export class CameraRig {
   /** Copies a box to `drawable`, within what can be drawn. False if it is empty or has no numbers. */
   private limitBox(box: Box3): boolean {
     const { drawable } = this;
-    if (box.isEmpty() || !cornersOf(box).every(Number.isFinite)) return false;
+    if (box.isEmpty() || !isFiniteVector(box.min) || !isFiniteVector(box.max)) return false;
     drawable.copy(box);
     drawable.min.clampScalar(-FARTHEST, FARTHEST);
     drawable.max.clampScalar(-FARTHEST, FARTHEST);
@@ -383,4 +384,6 @@ export class CameraRig {
   }
 }
 
-const cornersOf = ({ min, max }: Box3) => [min.x, min.y, min.z, max.x, max.y, max.z];
+function isFiniteVector({ x, y, z }: Vector3): boolean {
+  return Number.isFinite(x) && Number.isFinite(y) && Number.isFinite(z);
+}
