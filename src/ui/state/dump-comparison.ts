@@ -16,8 +16,7 @@
  *
  * All are in the character's own space, before its placement. An error times `frame.size` is a length, where it is one
  * of lengths. It is wrong if it isn't `<= tolerance`: NaN is wrong too. Times of frames and samples are those of the
- * character's clip: `transportTimeOf` (`dump-times.ts`)
- * converts them.
+ * character's clip: `transportTimeOf` (`dump-times.ts`) converts them.
  *
  * Edits of the character start the comparison anew, in the worker. Until then the last result stays, unless its arrays
  * no longer fit.
