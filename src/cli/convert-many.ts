@@ -5,7 +5,7 @@
  * Motion capture is read one file at a time, so that memory is bounded by the largest take; all other files are read
  * together, since a skeleton and its clips are separate files. Broken files are reported and skipped.
  */
-import { existsSync, mkdirSync } from 'node:fs';
+import { existsSync } from 'node:fs';
 import { basename, dirname, join, relative, resolve, sep } from 'node:path';
 import { setImmediate as nextTurn } from 'node:timers/promises';
 import { CommandError } from '../edit/store.ts';
@@ -16,11 +16,9 @@ import { openFiles } from '../project/open/open-files.ts';
 import { formatOf } from '../project/readers.ts';
 import { outputsOf, refusal, sourceFor, type Target, withOwnNames } from '../project/save/conversion.ts';
 import type { ConversionOptions } from '../project/save/copies.ts';
-import type { Output } from '../project/save/output.ts';
 import { loadFound, tellMissing } from './load.ts';
 import { findGiven, type GivenPath, isFolder } from './paths.ts';
-import { reasonOf } from './reason.ts';
-import { type Written, writeOutput } from './write-output.ts';
+import { writeInFolder } from './write-output.ts';
 
 export interface ManyOptions extends ConversionOptions {
   readonly target: Target;
@@ -149,7 +147,7 @@ class Many {
         continue;
       }
       this.done.add(path);
-      const written = writeIntoFolder(path, output);
+      const written = writeInFolder(path, output.pieces());
       this.tell(output.diagnostics());
       if ('failure' in written) {
         const message = `The file could not be written: ${written.failure}.`;
@@ -195,15 +193,6 @@ class Many {
     const given = this.folders.find((f) => own === f || own.startsWith(f + sep));
     return given === undefined ? target : join(target, relative(given, own));
   }
-}
-
-function writeIntoFolder(path: string, output: Output): Written {
-  try {
-    mkdirSync(dirname(path), { recursive: true });
-  } catch (error) {
-    return { failure: `its folder could not be made: ${reasonOf(error)}` };
-  }
-  return writeOutput(path, output.pieces());
 }
 
 /** A clip's name is free text; characters that separate folders are replaced. */

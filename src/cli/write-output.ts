@@ -2,7 +2,7 @@
  * Writes output files atomically: to a temporary file on the same disk, then renamed. A file may replace its own
  * source, and is never half written.
  */
-import { closeSync, openSync, renameSync, rmSync, statSync, writeSync, writevSync } from 'node:fs';
+import { closeSync, mkdirSync, openSync, renameSync, rmSync, statSync, writeSync, writevSync } from 'node:fs';
 import { dirname } from 'node:path';
 import { reasonOf } from './reason.ts';
 import { holdSignals, removeStale, scratchName } from './scratch.ts';
@@ -35,6 +35,16 @@ export function writeOutput(path: string, pieces: Iterable<string | Uint8Array>,
     rmSync(scratch, { force: true });
     return { failure: reasonOf(error) };
   }
+}
+
+/** `writeOutput`, with the folders that the path needs. @param folder as of `writeOutput` */
+export function writeInFolder(path: string, pieces: Iterable<string | Uint8Array>, folder?: string): Written {
+  try {
+    mkdirSync(dirname(path), { recursive: true });
+  } catch (error) {
+    return { failure: `its folder could not be made: ${reasonOf(error)}` };
+  }
+  return writeOutput(path, pieces, folder);
 }
 
 /** Pieces are written together up to this size: a call for each small one takes longer than its bytes. */

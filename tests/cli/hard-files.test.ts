@@ -76,7 +76,7 @@ it.each([
   [['convert', 'takes/t0.bvh', 'takes'], 2, 'The format of "takes" is not known'],
   [['convert', 'takes/t0.bvh', 'folder.bvh'], 3, 'something other than a file has this name'],
   [['convert', 'takes/t0.bvh', 'none/out.bvh'], 3, 'The file could not be written: there is no such file or folder.'],
-  [['kit', 'list.csv'], 3, 'The folder could not be made: a file of this name exists'],
+  [['kit', 'list.csv'], 3, 'could not be written: its folder could not be made: a file of this name exists'],
 ] as const)('with %j the command ends in words', async (args, code, words) => {
   const { code: ended, err } = await held(...args);
   expect([ended, err]).toEqual([code, expect.stringContaining(words)]);

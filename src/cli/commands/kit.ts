@@ -1,12 +1,11 @@
 /** `marrow kit`: small files that tell known mistakes apart, with the right numbers. */
-import { existsSync, mkdirSync } from 'node:fs';
+import { existsSync } from 'node:fs';
 import { join, resolve } from 'node:path';
 import { testKit } from '../../kit/kit.ts';
 import { parseArguments, UsageError } from '../arguments.ts';
 import type { CliCommand } from '../io.ts';
-import { reasonOf } from '../reason.ts';
 import { printJson } from '../report.ts';
-import { writeOutput } from '../write-output.ts';
+import { writeInFolder } from '../write-output.ts';
 
 export const kit: CliCommand = {
   name: 'kit',
@@ -42,13 +41,8 @@ export const kit: CliCommand = {
 
 /** @returns why a file could not be written */
 function writeAll(folder: string, files: ReadonlyMap<string, string>): string | undefined {
-  try {
-    mkdirSync(folder, { recursive: true });
-  } catch (error) {
-    return `The folder could not be made: ${reasonOf(error)}`;
-  }
   for (const [name, text] of files) {
-    const written = writeOutput(join(folder, name), [text]);
+    const written = writeInFolder(join(folder, name), [text]);
     if ('failure' in written) return `${name} could not be written: ${written.failure}`;
   }
   return undefined;

@@ -1,7 +1,7 @@
 /** Exports the takes of one input: what a thread does. */
 import { createHash } from 'node:crypto';
-import { existsSync, mkdirSync, statSync } from 'node:fs';
-import { dirname, join, resolve } from 'node:path';
+import { existsSync, statSync } from 'node:fs';
+import { join, resolve } from 'node:path';
 import { FloatPool } from '../../dataset/float-pool.ts';
 import { takeOf } from '../../dataset/take.ts';
 import { takeArrays } from '../../dataset/take-arrays.ts';
@@ -12,7 +12,7 @@ import { loadFound, openLoaded } from '../load.ts';
 import { isFile } from '../paths.ts';
 import { reasonOf } from '../reason.ts';
 import type { Work } from '../threads.ts';
-import { writeOutput } from '../write-output.ts';
+import { writeInFolder } from '../write-output.ts';
 import { type ExportedFile, FORMATS } from './formats.ts';
 import { metaOf } from './meta.ts';
 import { isMotion, motionFiles } from './motion-files.ts';
@@ -155,15 +155,6 @@ function sentenceOf({ line, message, assumed }: Diagnostic): string {
   return `${line > 0 ? `Line ${line}: ` : ''}${message}${assumed === undefined ? '' : ` (${assumed})`}`;
 }
 
-/** @throws CommandError if it can't be made */
-function makeFolder(folder: string, name: string): void {
-  try {
-    mkdirSync(folder, { recursive: true });
-  } catch (error) {
-    throw new CommandError(`${name} could not be written: its folder could not be made: ${reasonOf(error)}.`);
-  }
-}
-
 /** @throws CommandError if it can't be written */
 function writeTake(
   stem: string,
@@ -178,8 +169,7 @@ function writeTake(
     if (!replaces && existsSync(path)) {
       throw new CommandError(`${name} already exists; --resume goes on with an export, --force replaces it.`);
     }
-    makeFolder(dirname(path), name);
-    const written = writeOutput(path, pieces, scratch);
+    const written = writeInFolder(path, pieces, scratch);
     if ('failure' in written) throw new CommandError(`${name} could not be written: ${written.failure}.`);
     bytes = written.bytes;
   }
