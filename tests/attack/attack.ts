@@ -10,15 +10,19 @@ export interface Attack {
   run(attempt: Attempt): Promise<void>;
 }
 
-/** One run of an attack. */
-export interface Attempt {
-  readonly seed: number;
-  /** What an earlier run kept in tests/repro/, to be done again instead of chance. */
-  readonly replay?: string | undefined;
+/** Chances of one seed. */
+export interface Chance {
   /** The next number of the seed's sequence, from 0 to 1 (excluding). */
   random(): number;
   /** A whole number from 0 up to `count` (excluding). */
   below(count: number): number;
+}
+
+/** One run of an attack. */
+export interface Attempt extends Chance {
+  readonly seed: number;
+  /** What an earlier run kept in tests/repro/, to be done again instead of chance. */
+  readonly replay?: string | undefined;
   /** Whether there is time for another try. True at least once. */
   goesOn(): boolean;
   /** Counts tries: of inputs, events, kills. */
@@ -44,4 +48,10 @@ export function randomFrom(seed: number): () => number {
     t = (t + Math.imul(t ^ (t >>> 7), 61 | t)) ^ t;
     return ((t ^ (t >>> 14)) >>> 0) / 2 ** 32;
   };
+}
+
+/** The same chances for the same seed. */
+export function chanceOf(seed: number): Chance {
+  const random = randomFrom(seed);
+  return { random, below: (count) => Math.floor(random() * count) };
 }

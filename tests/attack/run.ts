@@ -8,11 +8,10 @@
  * Those on the page need the built page. Exits with 1 if anything gave way; what did it is kept in tests/repro/.
  */
 import { createHash } from 'node:crypto';
-import { mkdirSync, readFileSync, writeFileSync } from 'node:fs';
+import { mkdirSync, writeFileSync } from 'node:fs';
 import { fileURLToPath } from 'node:url';
-import { parseArgs } from 'node:util';
-import { type Attack, type Attempt, type Reproducer, randomFrom } from './attack.ts';
-import { ATTACKS } from './attacks.ts';
+import { type Attack, type Attempt, chanceOf, type Reproducer } from './attack.ts';
+import { optionsOf } from './options.ts';
 
 const REPRO = fileURLToPath(new URL('../repro/', import.meta.url));
 /** More of the same say nothing new. */
@@ -29,24 +28,13 @@ interface Row {
 
 /** Runs the attacks that the arguments ask for. Returns the exit code. */
 export async function run(args: readonly string[]): Promise<number> {
-  const { values } = parseArgs({
-    args: [...args],
-    options: {
-      minutes: { type: 'string', default: '10' },
-      only: { type: 'string', multiple: true },
-      seed: { type: 'string' },
-      replay: { type: 'string' },
-    },
-  });
-  const minutes = Number(values.minutes);
-  const seed = values.seed === undefined ? Math.floor(Math.random() * 2 ** 31) : Number(values.seed);
-  const attacks = ATTACKS.filter(({ name }) => values.only?.includes(name) ?? true);
-  if (!(minutes > 0) || !Number.isInteger(seed) || attacks.length === 0) {
-    console.error(`Usage: npm run attack -- [--minutes N] [--only NAME]… [--seed INTEGER] [--replay FILE]
-Names: ${ATTACKS.map(({ name }) => name).join(', ')}`);
-    return 2;
+  const options = optionsOf(args);
+  if ('usage' in options) {
+    const { usage, isWrong } = options;
+    (isWrong ? console.error : console.log)(usage);
+    return isWrong ? 2 : 0;
   }
-  const replay = values.replay === undefined ? undefined : readFileSync(values.replay, 'utf8');
+  const { attacks, minutes, seed, replay } = options;
   const rows: Row[] = [];
   for (const attack of attacks) {
     console.log(`${attack.name}, seed ${seed}: ${attack.shows}`);
@@ -62,7 +50,6 @@ async function runOne(
   budgetMs: number,
 ): Promise<Row> {
   const begun = performance.now();
-  const random = randomFrom(seed);
   const figures: string[] = [];
   let [tries, broken, asked] = [0, 0, 0];
   const gaveWay = (what: string, reproducer?: Reproducer) => {
@@ -75,8 +62,7 @@ async function runOne(
     await run({
       seed,
       replay,
-      random,
-      below: (count) => Math.floor(random() * count),
+      ...chanceOf(seed),
       goesOn: () => asked++ === 0 || performance.now() - begun < budgetMs,
       tried: (count = 1) => {
         tries += count;

@@ -1,6 +1,6 @@
 /** Two of the attacks for a few tries: what is opened is given back when it is closed, and a lost picture comes again. */
 import { describe, expect, it } from 'vitest';
-import { type Attack, randomFrom } from '../attack/attack.ts';
+import { type Attack, chanceOf } from '../attack/attack.ts';
 import { lostContext } from '../attack/page/lost-context.ts';
 import { openAndClose } from '../attack/page/open-close.ts';
 import { withPage } from '../helpers/page.ts';
@@ -9,12 +9,10 @@ import { countResources } from '../helpers/page-resources.ts';
 /** What gave way in so many tries. */
 async function foundBy({ run }: Attack, tries: number): Promise<readonly string[]> {
   const found: string[] = [];
-  const random = randomFrom(1);
   let [asked, tried] = [0, 0];
   await run({
     seed: 1,
-    random,
-    below: (count) => Math.floor(random() * count),
+    ...chanceOf(1),
     goesOn: () => asked++ < tries,
     tried: (count = 1) => {
       tried += count;

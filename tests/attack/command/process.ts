@@ -81,9 +81,11 @@ export function marrow(
   });
 }
 
+/** What is known of how it ended; in this process, less. */
+export type End = Pick<Ended, 'err'> & Partial<Ended>;
+
 /** What is wrong about how it ended; empty if nothing is. */
-export function faultsOf(ended: Pick<Ended, 'err'> & Partial<Ended>): string[] {
-  const { code, err, isHung = false, memoryMb = 0 } = ended;
+export function faultsOf({ code, err, isHung = false, memoryMb = 0 }: End): string[] {
   const faults: string[] = [];
   if (isHung) faults.push(`it took longer than ${LIMIT_MS / 1000} s`);
   if (memoryMb > MAX_MEMORY_MB) faults.push(`it took ${Math.round(memoryMb)} MB`);

@@ -2,8 +2,9 @@
 import { command } from '../../helpers/command.ts';
 import type { Attempt } from '../attack.ts';
 import { randomArguments, SUBCOMMANDS } from './arguments.ts';
-import { faultsOf, marrow } from './process.ts';
+import { marrow } from './process.ts';
 import { makeScene } from './scene.ts';
+import { tell } from './tell.ts';
 import { leftovers } from './whole.ts';
 
 /** None of them has much to do. */
@@ -23,13 +24,8 @@ export async function tryArguments(attempt: Attempt, count: number): Promise<num
       const ended = await (isProcess ? marrow(args, scene.folder) : inProcess(args, scene.folder));
       const ms = performance.now() - begun;
       longest = Math.max(longest, ms);
-      const faults = [...faultsOf(ended), ...leftovers(scene.folder)];
-      if (ms > MAX_MS) faults.push(`it took ${Math.round(ms)} ms`);
-      attempt.tried();
-      if (faults.length > 0) {
-        const content = JSON.stringify({ args, faults, err: ended.err.slice(0, 2000) }, null, 2);
-        attempt.gaveWay(`${faults.join('; ')}: marrow ${args.join(' ').slice(0, 300)}`, { extension: 'json', content });
-      }
+      const late = ms > MAX_MS ? [`it took ${Math.round(ms)} ms`] : [];
+      tell(attempt, args, ended, [...leftovers(scene.folder), ...late]);
     }
   } finally {
     scene.remove();

@@ -3,8 +3,9 @@ import { execFileSync } from 'node:child_process';
 import { chmodSync, mkdirSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import type { Attempt } from '../attack.ts';
-import { faultsOf, marrow } from './process.ts';
+import { marrow } from './process.ts';
 import { bvh, makeHardFiles, makeScene } from './scene.ts';
+import { tell } from './tell.ts';
 import { leftovers } from './whole.ts';
 
 /** How a file is given; `?` is its name. */
@@ -52,7 +53,7 @@ export async function tryFiles(attempt: Attempt, count: number): Promise<number>
       if (prefix.length > 0) chmodSync(scene.folder, attempt.below(2) === 0 ? 0o777 : 0o755);
       const ended = await marrow(args, scene.folder, { prefix });
       most = Math.max(most, ended.memoryMb);
-      tell(attempt, args, [...faultsOf(ended), ...leftovers(scene.folder)], ended.err);
+      tell(attempt, args, ended, leftovers(scene.folder));
     } finally {
       hard.close();
       scene.remove();
@@ -82,7 +83,7 @@ export async function tryFolders(attempt: Attempt): Promise<void> {
         ['convert', folder, '--to', 'bvh', '--out', `${folder}/inside`],
       ]) {
         const ended = await marrow(args, scene.folder);
-        tell(attempt, args, [...faultsOf(ended), ...leftovers(scene.folder)], ended.err);
+        tell(attempt, args, ended, leftovers(scene.folder));
       }
     }
   } finally {
@@ -97,7 +98,7 @@ export async function tryStreams(attempt: Attempt): Promise<void> {
   try {
     const run = async (script: string) => {
       const ended = await marrow([], scene.folder, { prefix: ['bash', '-c', script] });
-      tell(attempt, [script], [...faultsOf(ended), ...leftovers(scene.folder)], ended.err);
+      tell(attempt, [script], ended, leftovers(scene.folder));
     };
     const command = '"$0" "$1" "$2"';
     execFileSync('mkfifo', [join(scene.folder, 'p.bvh')]);
@@ -120,11 +121,4 @@ export async function tryStreams(attempt: Attempt): Promise<void> {
   } finally {
     scene.remove();
   }
-}
-
-function tell(attempt: Attempt, args: readonly string[], faults: readonly string[], err: string): void {
-  attempt.tried();
-  if (faults.length === 0) return;
-  const content = JSON.stringify({ args, faults, err: err.slice(0, 3000) }, null, 2);
-  attempt.gaveWay(`${faults.join('; ')}: marrow ${args.join(' ').slice(0, 300)}`, { extension: 'json', content });
 }

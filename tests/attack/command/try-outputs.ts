@@ -3,8 +3,9 @@ import { execFileSync } from 'node:child_process';
 import { cpSync, mkdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import type { Attempt } from '../attack.ts';
-import { type Ended, faultsOf, marrow } from './process.ts';
+import { marrow } from './process.ts';
 import { bvh, makeScene, type Scene } from './scene.ts';
+import { tell } from './tell.ts';
 import { filesBelow, leftovers, torn } from './whole.ts';
 
 /** Commands that write into `new/`; the last one is killed and goes on. */
@@ -194,15 +195,4 @@ export async function tryTogether(attempt: Attempt): Promise<void> {
   } finally {
     scene.remove();
   }
-}
-
-function tell(attempt: Attempt, args: readonly string[], ended: Ended, faults: readonly string[]): void {
-  attempt.tried();
-  const all = [...faultsOf(ended), ...faults];
-  if (all.length === 0) return;
-  const content = JSON.stringify({ args, faults: all, err: ended.err.slice(0, 3000) }, null, 2);
-  attempt.gaveWay(`${all.slice(0, 4).join('; ')}: marrow ${args.join(' ').slice(0, 300)}`, {
-    extension: 'json',
-    content,
-  });
 }

@@ -6,8 +6,8 @@
  */
 import type { Page } from 'playwright-core';
 import { dropFiles, withPage } from '../../helpers/page.ts';
-import { type Attack, type Attempt, randomFrom } from '../attack.ts';
-import { type Chance, nextAct, type Size } from './walk/choose.ts';
+import { type Attack, type Attempt, chanceOf } from '../attack.ts';
+import { nextAct, type Size } from './walk/choose.ts';
 import { controlsOf } from './walk/controls.ts';
 import { differenceOf, filesOf } from './walk/documents.ts';
 import { Hand, type WalkEvent } from './walk/events.ts';
@@ -90,8 +90,8 @@ interface Walked {
 }
 
 async function walk({ seed, events, done, tried, tell }: Round): Promise<Walked> {
-  const random = randomFrom(seed);
-  const chance: Chance = { random, below: (count) => Math.floor(random() * count) };
+  const chance = chanceOf(seed);
+  const { random } = chance;
   const size = SIZES[chance.below(SIZES.length)];
   const touch = random() < 0.5;
   const colorScheme = random() < 0.5 ? 'light' : 'dark';

@@ -1,14 +1,8 @@
 /** Chance: what a walk does next, among what the page offers and anywhere. */
+import type { Chance } from '../../attack.ts';
 import type { Control } from './controls.ts';
 import { ALT, CTRL, type MouseButton, type Point, SHIFT, type WalkEvent } from './events.ts';
 import { KEYS } from './keys.ts';
-
-export interface Chance {
-  /** From 0 to 1 (excluding). */
-  random(): number;
-  /** A whole number from 0 up to `count` (excluding). */
-  below(count: number): number;
-}
 
 export interface Size {
   readonly width: number;

@@ -1,0 +1,68 @@
+/** What `npm run attack` is asked for. */
+import { readFileSync } from 'node:fs';
+import { parseArgs } from 'node:util';
+import { reasonOf } from '../../src/cli/reason.ts';
+import type { Attack } from './attack.ts';
+import { ATTACKS } from './attacks.ts';
+
+export interface AttackOptions {
+  readonly attacks: readonly Attack[];
+  /** For all of them. */
+  readonly minutes: number;
+  readonly seed: number;
+  /** The text of a reproducer. */
+  readonly replay: string | undefined;
+}
+
+/** Instead of options: what to print. */
+export interface Usage {
+  readonly usage: string;
+  /** What is wrong is its first line; otherwise it was asked for. */
+  readonly isWrong: boolean;
+}
+
+const WIDTH = Math.max(...ATTACKS.map(({ name }) => name.length));
+const USAGE = `Usage: npm run attack -- [--minutes N] [--only NAME]… [--seed INTEGER] [--replay FILE]
+
+${ATTACKS.map(({ name, shows }) => `  ${name.padEnd(WIDTH)}  ${shows}`).join('\n')}`;
+
+/** Whole numbers of 32 bits. */
+const MAX_SEED = 2 ** 31;
+
+/** The usage where it is asked for, or where the arguments are wrong, beneath a sentence that says why. */
+export function optionsOf(args: readonly string[]): AttackOptions | Usage {
+  try {
+    const { values } = parseArgs({
+      args: [...args],
+      options: {
+        minutes: { type: 'string', default: '10' },
+        only: { type: 'string', multiple: true },
+        seed: { type: 'string' },
+        replay: { type: 'string' },
+        help: { type: 'boolean', short: 'h' },
+      },
+    });
+    const { only = [] } = values;
+    if (values.help) return { usage: USAGE, isWrong: false };
+    const names = ATTACKS.map(({ name }) => name);
+    const unknown = only.find((name) => !names.includes(name));
+    if (unknown !== undefined) throw new Error(`There is no attack "${unknown}".`);
+    const minutes = Number(values.minutes);
+    if (!(minutes > 0)) throw new Error(`--minutes must be above 0, found ${values.minutes}.`);
+    const seed = values.seed === undefined ? Math.floor(Math.random() * MAX_SEED) : Number(values.seed);
+    if (!Number.isInteger(seed)) throw new Error(`--seed must be a whole number, found ${values.seed}.`);
+    const attacks = ATTACKS.filter(({ name }) => only.length === 0 || only.includes(name));
+    return { attacks, minutes, seed, replay: values.replay === undefined ? undefined : textOf(values.replay) };
+  } catch (error) {
+    // Those of `parseArgs` are sentences too.
+    return { usage: `${error instanceof Error ? error.message : String(error)}\n${USAGE}`, isWrong: true };
+  }
+}
+
+function textOf(path: string): string {
+  try {
+    return readFileSync(path, 'utf8');
+  } catch (error) {
+    throw new Error(`--replay: ${path} could not be read: ${reasonOf(error)}.`);
+  }
+}
