@@ -116,11 +116,15 @@ export async function takenExactly(read: () => unknown): Promise<{ readonly kept
   const before = alive();
   // A collection of new objects alone leaves garbage among the old, where lists go that were outgrown.
   setFlagsFromString('--gc-global');
-  const { result, peak } = await taken(read);
-  setFlagsFromString('--no-gc-global');
-  collectGarbage();
-  const kept = alive() - before;
-  // Held until here.
-  if (result === alive) throw new Error('never');
-  return { kept, peak: Math.max(kept, peak) };
+  try {
+    const { result, peak } = await taken(read);
+    collectGarbage();
+    const kept = alive() - before;
+    // Held until here.
+    if (result === alive) throw new Error('never');
+    return { kept, peak: Math.max(kept, peak) };
+  } finally {
+    // Of the whole process: other threads are slower with it.
+    setFlagsFromString('--no-gc-global');
+  }
 }
