@@ -6,6 +6,7 @@
 import { hasOwnBox } from './axis-angle.ts';
 import { isOfBvh } from './joint-types.ts';
 import { perObject } from './per-object.ts';
+import { restExtent } from './rest-extent.ts';
 import type { Joint, Skeleton } from './skeleton.ts';
 
 export function hasBox(joint: Joint): boolean {
@@ -32,17 +33,26 @@ const FAR_LARGER = 5;
 /** With fewer joints their boxes are looked at one by one. */
 const MANY_JOINTS = 12;
 
+/** Of as many joints as these boxes may overlap hundreds of times, though they are small. */
+const CROWD = 1000;
+/** Sides of all boxes, beside each other, to a square as large as the skeleton. */
+const MAX_COVER = 50;
+
 /**
  * Whether most boxes are far larger than the bones between the joints, as in exports that give every joint the same
- * box, whatever the unit. They overlap all over the character, and say nothing about it.
+ * box, whatever the unit, or are thousands in one place. They overlap all over the character, and say nothing about it.
  */
-export const areBoxesOversized = perObject(({ joints }: Skeleton): boolean => {
+export const areBoxesOversized = perObject((skeleton: Skeleton): boolean => {
+  const { joints } = skeleton;
   if (joints.length < MANY_JOINTS) return false;
   const boxes = joints
     .filter(hasBox)
     .map(({ box: { min, max } }) => Math.max(...max.map((m, k) => Math.abs(m - min[k]))));
   const bones = joints.flatMap(({ parent, offset }) => (parent >= 0 ? [Math.hypot(...offset)] : []));
-  return boxes.length > 0 && middleOf(boxes) > FAR_LARGER * middleOf(bones.filter((length) => length > 0));
+  if (boxes.length === 0) return false;
+  const side = middleOf(boxes);
+  if (side > FAR_LARGER * middleOf(bones.filter((length) => length > 0))) return true;
+  return boxes.length > CROWD && boxes.length * (side / restExtent(skeleton)) ** 2 > MAX_COVER;
 });
 
 /** The median; infinite of nothing. */

@@ -24,6 +24,8 @@ const JOINT_LINES = 4;
 const BESIDE = 8;
 /** Maximum number of joints considered. */
 const CANDIDATES = 4096;
+/** Maximum number of characters considered besides the selected one: hardly more than a tenth of them have room. */
+const MAX_NAMED = 1000;
 /** Longer names are truncated. */
 const MAX_LETTERS = 40;
 /** Maximum length of the character's name before a joint's. */
@@ -186,7 +188,8 @@ export class Labels {
     const { characterNames: names, selectedCharacter: first } = this;
     if (names.length === 0) return;
     if (first >= 0) this.writeCharacter(first, positions, theme.selectedLabel);
-    for (let c = 0; c < names.length && !this.layout.isFull; c++) {
+    const most = Math.min(names.length, MAX_NAMED);
+    for (let c = 0; c < most && !this.layout.isFull; c++) {
       if (c === first) continue;
       const { tint, characterId } = this.drawn[c];
       const color = characterId === this.hoveredCharacter ? theme.selectedLabel : tint ? theme[tint] : theme.label;

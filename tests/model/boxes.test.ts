@@ -18,6 +18,21 @@ describe('boxes far larger than the bones', () => {
     expect(areBoxesOversized(chain(2))).toBe(false);
   });
 
+  it('boxes of thousands of joints in one place hide the skeleton, and those side by side do not', () => {
+    const star = (rays: number, length: number): Skeleton => ({
+      name: 'star',
+      joints: [
+        joint(-1),
+        ...Array.from({ length: rays }, (_, r) =>
+          joint(0, { offset: [length * Math.sin(r), 0, length * Math.cos(r)] }),
+        ),
+      ],
+    });
+    expect(areBoxesOversized(star(20_000, 1))).toBe(true);
+    expect(areBoxesOversized(star(20_000, 5))).toBe(false);
+    expect(areBoxesOversized(star(900, 1))).toBe(false);
+  });
+
   it('a skeleton without boxes has none that are too large', () => {
     const joints = chain(1).joints.map((one) => ({ ...one, length: 1, box: DEFAULT_BOX }));
     expect(areBoxesOversized({ name: 'bare', joints })).toBe(false);

@@ -11,6 +11,7 @@
  * Only boxes use the joint's whole matrix, including shear and mirroring; the others show where joints are.
  */
 import { boneEnds } from '../../model/bone-ends.ts';
+import { restExtent } from '../../model/rest-extent.ts';
 import type { Box, Joint, Skeleton } from '../../model/skeleton.ts';
 
 /** Sizes that suit a skeleton, from its rest offsets: small enough for finger bones, but always visible. */
@@ -72,28 +73,6 @@ export function jointSizes(skeleton: Skeleton): JointSizes {
   for (let j = 1; j < joints.length; j++) if (lengths[j] > 0) evenOut(j, joints[j].parent);
   const endRadii = Float32Array.from(ends, ({ joint, length }) => Math.min(0.6 * radii[joint], SHARE_OF_BONE * length));
   return { radii, endRadii, axis: Math.min(0.35 * (median || 0.3 * extent), 0.08 * extent), extent };
-}
-
-/** Diagonal of the box around all joints and bone ends in the pose given by offsets alone. */
-function restExtent(skeleton: Skeleton): number {
-  const { joints } = skeleton;
-  const at = new Float64Array(3 * joints.length);
-  const min = [Infinity, Infinity, Infinity];
-  const max = [-Infinity, -Infinity, -Infinity];
-  joints.forEach((joint, j) => {
-    for (let k = 0; k < 3; k++) {
-      at[3 * j + k] = joint.offset[k] + (joint.parent < 0 ? 0 : at[3 * joint.parent + k]);
-      min[k] = Math.min(min[k], at[3 * j + k]);
-      max[k] = Math.max(max[k], at[3 * j + k]);
-    }
-  });
-  for (const end of boneEnds(skeleton)) {
-    for (let k = 0; k < 3; k++) {
-      min[k] = Math.min(min[k], at[3 * end.joint + k] + end.at[k]);
-      max[k] = Math.max(max[k], at[3 * end.joint + k] + end.at[k]);
-    }
-  }
-  return Math.hypot(max[0] - min[0], max[1] - min[1], max[2] - min[2]);
 }
 
 function largestBox(joints: readonly Joint[]): number {
