@@ -14,8 +14,13 @@ const HEADERS = 1024;
 /** What a byte of deflated data can hold at most. */
 const MAX_RATIO = 1032;
 
+/** A zip that is in order, but isn't unpacked; its message says why, to go on after a colon. */
+export class ZipRefusal extends Error {}
+
 /**
- * Throws an `Error` with a sentence if it is no zip, is damaged, or would be too large unpacked.
+ * Throws an `Error` with a sentence if it is no zip or is damaged, a `ZipRefusal` if it is encrypted or would be too
+ * large unpacked.
+ *
  * @param maxBytes of all that is wanted, unpacked
  */
 export function unzip(
@@ -34,10 +39,10 @@ export function unzip(
         passedOver.push(name);
         return false;
       }
-      if (encrypted.has(name)) throw new Error(`${name} is encrypted; unpack the zip with its password first`);
+      if (encrypted.has(name)) throw new ZipRefusal(`${name} is encrypted; unpack the zip with its password first`);
       total += originalSize;
       packed += size;
-      if (total > maxBytes) throw new Error(`it would unpack to more than ${maxBytes} bytes`);
+      if (total > maxBytes) throw new ZipRefusal(`it would unpack to more than ${maxBytes} bytes`);
       // What is unpacked is cut at its stated size, but only after all of it was read.
       if (size > originalSize + HEADERS) throw new Error(`${name} is larger packed than unpacked`);
       if (originalSize > MAX_RATIO * (size + HEADERS)) {

@@ -7,7 +7,7 @@ import { checkMorph } from '../evaluate/binding.ts';
 import { skinFacts } from '../evaluate/bounds.ts';
 import { isWorthDiagnosing } from '../formats/diagnose/diagnose.ts';
 import { foldUnreadable } from '../formats/diagnose/fold.ts';
-import { unzip } from '../formats/unzip.ts';
+import { unzip, ZipRefusal } from '../formats/unzip.ts';
 import { type Diagnostic, withoutPlace } from '../model/diagnostic.ts';
 import { emptyDumpMessage, isEmptyDump } from '../model/dump.ts';
 import { type BrokenFile, folderOf, type ParsedFile, type SourceFile } from '../model/files.ts';
@@ -39,7 +39,7 @@ export async function parse(
   if (given.length > maxFiles) {
     const of = given.length.toLocaleString('en');
     diagnostics.push(
-      withoutPlace('error', 'too-many-files', `Of ${of} files nothing was opened: ${tooMany(maxFiles)}`, ''),
+      withoutPlace('error', 'too-many-files', `Of ${of} files nothing was opened: ${tooMany(maxFiles)}.`, ''),
     );
     return { files, broken, diagnostics, facts: [], keeps: [] };
   }
@@ -150,7 +150,7 @@ async function unpacked(files: readonly GivenBlob[], diagnostics: Diagnostic[], 
       const { entries, passedOver: other } = unzip(new Uint8Array(await file.blob.arrayBuffer()), (name) => {
         const isWanted = isReadable(name);
         // Before any is unpacked.
-        if (isWanted && ++count > maxFiles) throw new TooMany(`It holds too many files: ${tooMany(maxFiles)}`);
+        if (isWanted && ++count > maxFiles) throw new ZipRefusal(`it holds too many files; ${tooMany(maxFiles)}`);
         return isWanted;
       });
       // In a folder named after the archive, since files packed together belong together.
@@ -159,8 +159,8 @@ async function unpacked(files: readonly GivenBlob[], diagnostics: Diagnostic[], 
       else for (const path of other) passedOver.push(sourceOf(`${file.path}/${path}`, 0));
     } catch (error) {
       diagnostics.push(
-        error instanceof TooMany
-          ? withoutPlace('error', 'too-many-files', error.message, source.name)
+        error instanceof ZipRefusal
+          ? withoutPlace('error', 'zip-refused', `The zip was not unpacked: ${error.message}.`, source.name)
           : unreadable(source, error),
       );
     }
@@ -168,11 +168,8 @@ async function unpacked(files: readonly GivenBlob[], diagnostics: Diagnostic[], 
   return { given, passedOver, uncounted };
 }
 
-/** Of a zip. */
-class TooMany extends Error {}
-
 function tooMany(maxFiles: number): string {
-  return `at most ${maxFiles.toLocaleString('en')} are opened at once. Open fewer, such as a folder at a time.`;
+  return `at most ${maxFiles.toLocaleString('en')} are opened at once, such as a folder at a time`;
 }
 
 /** The problems at their places. The file is read again for it, so only if there are any. */

@@ -84,13 +84,25 @@ describe('the parse job', () => {
     const { files, broken, diagnostics } = await parse({ files: [zip, given('one.skel', skel)] }, ignore, 20);
     expect(files.map(({ source }) => source.name)).toEqual(['one.skel']);
     expect(broken).toEqual([]);
-    expect(diagnostics).toMatchObject([{ severity: 'error', code: 'too-many-files', file: 'pack.zip' }]);
+    expect(diagnostics).toMatchObject([{ severity: 'error', code: 'zip-refused', file: 'pack.zip' }]);
     expect(diagnostics[0].message).toBe(
-      'It holds too many files: at most 20 are opened at once. Open fewer, such as a folder at a time.',
+      'The zip was not unpacked: it holds too many files; at most 20 are opened at once, such as a folder at a time.',
     );
     const drop = await parse({ files: named(2001).map((name) => given(name, skel)) }, ignore, 2000);
     expect(drop).toMatchObject({ files: [], broken: [], diagnostics: [{ code: 'too-many-files', file: '' }] });
     expect(drop.diagnostics[0].message).toMatch(/^Of 2,001 files nothing was opened: at most 2,000/);
+  });
+
+  it('says of a zip that is in order why it is not unpacked, and not that it is damaged', async () => {
+    const zip = new Uint8Array(zipSync({ 'a.skel': strToU8(skel) }));
+    const directory = new DataView(zip.buffer).getUint32(zip.length - 6, true);
+    // Marked as encrypted.
+    for (const flags of [6, directory + 8]) zip[flags] |= 1;
+    const { diagnostics } = await parse({ files: [given('pack.zip', zip)] }, ignore);
+    expect(diagnostics).toMatchObject([{ severity: 'error', code: 'zip-refused', file: 'pack.zip' }]);
+    expect(diagnostics[0].message).toBe(
+      'The zip was not unpacked: a.skel is encrypted; unpack the zip with its password first.',
+    );
   });
 
   it('says so when a zip is damaged', async () => {
