@@ -9,7 +9,8 @@
  *
  * A save is one transaction: either all of it is stored or the session is unchanged. Its puts of files, pieces and chunks
  * are chained, each in the success event of the previous one, since the browser copies a value while `put` runs: together
- * they would be one long task. The others don't wait, since each answer takes a while on a busy machine. (A record per array would need no pieces, but a put then takes as long as the array is large.)
+ * they would be one long task. The others don't wait, since each answer takes a while on a busy machine. (A record per
+ * array would need no pieces, but a put then takes as long as the array is large.)
  */
 import { createStore, promisifyRequest, type UseStore } from 'idb-keyval';
 import type { GivenBlob } from '../worker/protocol.ts';
