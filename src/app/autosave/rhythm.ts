@@ -1,15 +1,15 @@
 /**
- * When to save: shortly after the last change, and every second during continuous changes. During a drag, where a
- * delay would be felt, seldom enough that saving takes little of its time: that matters for large documents only.
+ * When to save: shortly after the last change, and every second during continuous changes. During a drag that changes
+ * nearly all of a large document, seldom enough that saving leaves most of the time to the drag.
  */
 
 const QUIET_MS = 500;
 /** With the time that saving takes, on a busy machine too, no more than two seconds of work are lost. */
 const MAX_MS = 1000;
 /** The share of a drag's time that saving may take from it. */
-const SHARE_OF_DRAG = 0.02;
+const SHARE_OF_DRAG = 0.2;
 /** However long saving takes, a drag postpones it no longer. */
-const PATIENCE_MS = 30_000;
+const PATIENCE_MS = 3000;
 
 export class Rhythm {
   private timer: ReturnType<typeof setTimeout> | undefined;

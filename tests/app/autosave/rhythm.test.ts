@@ -54,14 +54,14 @@ function duringDrag(busyMs: number): readonly number[] {
 const longestMs = (saves: readonly number[]) => Math.max(...saves.map((at, i) => at - (saves[i - 1] ?? 0)));
 
 it('saves during a long drag too, so that never more than two seconds are lost, if saving is quick', () => {
-  const saves = duringDrag(8);
+  const saves = duringDrag(200);
   expect(longestMs(saves)).toBeLessThan(1100);
   expect(saves.length).toBeLessThanOrEqual(60);
 });
 
-it('takes little of the time of a drag if saving is slow, and does not wait for a drag that never ends', () => {
-  expect(duringDrag(200).length).toBeLessThanOrEqual(6);
-  expect(longestMs(duringDrag(5000))).toBeLessThan(30_100);
+it('leaves a drag most of its time if saving is slow, and postpones no save by more than three seconds', () => {
+  expect(duringDrag(500).length).toBeLessThanOrEqual(24);
+  expect(longestMs(duringDrag(5000))).toBeLessThan(3100);
 });
 
 it('saves at once at the end of a drag that postponed it', () => {
@@ -69,7 +69,7 @@ it('saves at once at the end of a drag that postponed it', () => {
   rhythm.saveTook(1000);
   rhythm.setPointerDown(true);
   rhythm.changed();
-  vi.advanceTimersByTime(10_000);
+  vi.advanceTimersByTime(2500);
   expect(due).not.toHaveBeenCalled();
   rhythm.setPointerDown(false);
   vi.advanceTimersByTime(1);

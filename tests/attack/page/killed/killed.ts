@@ -3,13 +3,14 @@ import { fileURLToPath } from 'node:url';
 import { serveFolder } from '../../../helpers/server.ts';
 import type { Attack, Attempt } from '../../attack.ts';
 import { AUTOSAVE, DOWNLOAD, SAVE } from './large.ts';
+import { MANY_KEYS } from './many-keys.ts';
 import { Profile } from './profile.ts';
 import { DRAG, EDIT, TABS } from './small.ts';
 import type { Work } from './work.ts';
 
 const DIST = fileURLToPath(new URL('../../../../dist', import.meta.url));
 const MAX_LOST_MS = 2000;
-const WORKS: readonly Work[] = [AUTOSAVE, SAVE, EDIT, DRAG, DOWNLOAD, TABS];
+const WORKS: readonly Work[] = [AUTOSAVE, SAVE, EDIT, DRAG, DOWNLOAD, TABS, MANY_KEYS];
 /** Kills of one profile, each after the work of the one before was restored. */
 const KILLS = 6;
 const EXAMPLE = {
