@@ -7,10 +7,10 @@
  *     [id, 'chunk', n]       a run of the items of a long list
  *     [id, 'head']           everything else, with references to files, pieces and chunks
  *
- * A save is one transaction: either all of it is stored or the session is unchanged. Its puts of files, pieces and chunks
- * are chained, each in the success event of the previous one, since the browser copies a value while `put` runs: together
- * they would be one long task. The others don't wait, since each answer takes a while on a busy machine. (A record per
- * array would need no pieces, but a put then takes as long as the array is large.)
+ * A save is one transaction: either all of it is stored or the session is unchanged. After each quarter of a megabyte of
+ * pieces and chunks it goes on in the success event of the last put, since the browser copies a value while `put` runs:
+ * together they would be one long task. All else doesn't wait, since each answer takes a while on a busy machine. (A
+ * record per array would need no pieces, but a put then takes as long as the array is large.)
  */
 import { createStore, promisifyRequest, type UseStore } from 'idb-keyval';
 import type { GivenBlob } from '../worker/protocol.ts';
@@ -180,6 +180,9 @@ function under(...beginning: readonly string[]): IDBKeyRange {
   return IDBKeyRange.bound([...beginning], [...beginning, []]);
 }
 
+/** Put in one task: a few milliseconds. */
+const MAX_TASK_BYTES = 1 << 18;
+
 function* puts(store: IDBObjectStore, write: SessionWrite): Generator<IDBRequest> {
   const { id } = write.card;
   if (write.follows && !write.atOnce) {
@@ -188,8 +191,21 @@ function* puts(store: IDBObjectStore, write: SessionWrite): Generator<IDBRequest
     if (earlier.result === 0) throw new SessionLostError('The stored session is gone.');
   }
   for (const file of write.files) yield store.put(file, [id, 'file', file.id]);
-  for (const piece of write.pieces) yield store.put(piece.bytes(), [id, 'piece', piece.id]);
-  for (const chunk of write.chunks) yield store.put(chunk.of, [id, 'chunk', chunk.id]);
+  let bytes = 0;
+  const isMuch = ({ size }: { readonly size: number }) => {
+    bytes += size;
+    if (bytes < MAX_TASK_BYTES) return false;
+    bytes = 0;
+    return true;
+  };
+  for (const piece of write.pieces) {
+    const put = store.put(piece.bytes(), [id, 'piece', piece.id]);
+    if (isMuch(piece)) yield put;
+  }
+  for (const chunk of write.chunks) {
+    const put = store.put(chunk.of, [id, 'chunk', chunk.id]);
+    if (isMuch(chunk)) yield put;
+  }
   for (const file of write.goneFiles) store.delete([id, 'file', file]);
   for (const piece of write.gonePieces) store.delete([id, 'piece', piece]);
   for (const chunk of write.goneChunks) store.delete([id, 'chunk', chunk]);
