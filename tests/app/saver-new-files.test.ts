@@ -2,21 +2,9 @@
 import { describe, expect, it } from 'vitest';
 import { createRig } from '../../src/edit/commands/rig.ts';
 import type { Character } from '../../src/model/document.ts';
-import { saveCharacter } from '../../src/project/save/saving.ts';
-import { character, clip, skeleton } from '../helpers/builders.ts';
+import { skeleton } from '../helpers/builders.ts';
 import { pageWith } from './disk.ts';
-
-const SKEL = saveCharacter(character(), 'skel')[0].text;
-const ANIM = saveCharacter(character({ clips: [clip('hero_walk', new Array(9).fill(0.5))] }), 'anim')[0].text;
-const HERO = { 'hero.skel': SKEL, 'hero_walk.anim': ANIM };
-const longer = (c: Character): Character => ({ ...c, clips: c.clips.map((own) => ({ ...own, range: [0, 7] })) });
-const posed = (c: Character): Character => ({ ...c, shownClip: -1, pose: c.pose.map((v, i) => (i === 4 ? 0.25 : v)) });
-const limited = (c: Character): Character => {
-  const own = c.skeleton ?? skeleton();
-  const joints = own.joints.map((j) => ({ ...j, limits: [{ min: -2, max: 3 }, ...j.limits.slice(1)] }));
-  return { ...c, skeleton: { ...own, joints } };
-};
-const said = (page: Awaited<ReturnType<typeof pageWith>>) => page.messages.passing.get();
+import { HERO, limited, longer, posed, SKEL, said } from './hero.ts';
 
 /** Characters of one joint, created one after the other. */
 async function withMadeHere(count: number) {

@@ -2,24 +2,9 @@
 import { describe, expect, it } from 'vitest';
 import { renameClip } from '../../src/edit/commands/clips.ts';
 import { addMarkers, removeMarkers } from '../../src/edit/commands/markers.ts';
-import type { Character } from '../../src/model/document.ts';
-import { saveCharacter } from '../../src/project/save/saving.ts';
-import { character, clip, skeleton, skin } from '../helpers/builders.ts';
+import { clip } from '../helpers/builders.ts';
 import { pageWith } from './disk.ts';
-
-const SKEL = saveCharacter(character(), 'skel')[0].text;
-const ANIM = saveCharacter(character({ clips: [clip('hero_walk', new Array(9).fill(0.5))] }), 'anim')[0].text;
-const SKIN = saveCharacter(character({ skins: [skin()] }), 'skin')[0].text;
-const HERO = { 'hero.skel': SKEL, 'hero_walk.anim': ANIM };
-
-const longer = (c: Character): Character => ({ ...c, clips: c.clips.map((own) => ({ ...own, range: [0, 7] })) });
-const posed = (c: Character): Character => ({ ...c, shownClip: -1, pose: c.pose.map((v, i) => (i === 4 ? 0.25 : v)) });
-const limited = (c: Character): Character => {
-  const own = c.skeleton ?? skeleton();
-  const joints = own.joints.map((j) => ({ ...j, limits: [{ min: -2, max: 3 }, ...j.limits.slice(1)] }));
-  return { ...c, skeleton: { ...own, joints } };
-};
-const said = (page: Awaited<ReturnType<typeof pageWith>>) => page.messages.passing.get();
+import { ANIM, HERO, limited, longer, posed, SKEL, SKIN, said } from './hero.ts';
 
 describe('saving what changed', () => {
   it('saves a changed part in place, and nothing else', async () => {

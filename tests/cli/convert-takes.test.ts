@@ -1,18 +1,13 @@
 /** `marrow convert`, of takes that are cropped, mirrored or retargeted. */
-import { existsSync, mkdirSync, mkdtempSync, readdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
-import { tmpdir } from 'node:os';
+import { existsSync, readdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { afterEach, beforeEach, describe, expect, it } from 'vitest';
 import { command } from '../helpers/command.ts';
-import { TWO, WALK } from './captures.ts';
+import { makeTakes, WALK } from './captures.ts';
 
 let folder = '';
 beforeEach(() => {
-  folder = mkdtempSync(join(tmpdir(), 'marrow-export-'));
-  mkdirSync(join(folder, 'takes', 'b'), { recursive: true });
-  writeFileSync(join(folder, 'takes', 'walk.bvh'), WALK);
-  writeFileSync(join(folder, 'takes', 'b', 'walk.bvh'), WALK);
-  writeFileSync(join(folder, 'takes', 'two.bvh'), TWO);
+  folder = makeTakes();
 });
 afterEach(() => rmSync(folder, { recursive: true, force: true }));
 

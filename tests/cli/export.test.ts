@@ -1,20 +1,15 @@
 /** `marrow export`. Threads and processes are tested with the built command. */
-import { existsSync, mkdirSync, mkdtempSync, readdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
-import { tmpdir } from 'node:os';
+import { existsSync, mkdirSync, readdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { afterEach, beforeEach, describe, expect, it } from 'vitest';
 import { readNpz } from '../dataset/read-npz.ts';
 import { command } from '../helpers/command.ts';
 import { describeShared, sharedPath } from '../helpers/shared.ts';
-import { bvh, TWO, WALK } from './captures.ts';
+import { bvh, makeTakes, WALK } from './captures.ts';
 
 let folder = '';
 beforeEach(() => {
-  folder = mkdtempSync(join(tmpdir(), 'marrow-export-'));
-  mkdirSync(join(folder, 'takes', 'b'), { recursive: true });
-  writeFileSync(join(folder, 'takes', 'walk.bvh'), WALK);
-  writeFileSync(join(folder, 'takes', 'b', 'walk.bvh'), WALK);
-  writeFileSync(join(folder, 'takes', 'two.bvh'), TWO);
+  folder = makeTakes();
 });
 afterEach(() => rmSync(folder, { recursive: true, force: true }));
 
