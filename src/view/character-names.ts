@@ -11,6 +11,10 @@ const GAP = 11;
 const HEAD = 0.05;
 /** Keeps names below the tools at the top of the viewport, in front of the face if necessary. */
 export const MIN_Y = 56;
+/** CSS pixels between a name and the edge of the viewport. */
+const EDGE = 6;
+/** Of the axis widget in the upper right corner: down to here, and from the right edge. */
+const [WIDGET_BOTTOM, WIDGET_WIDTH] = [130, 92];
 /** Joints looked at; of more, every second or third. */
 const MAX_JOINTS = 48;
 
@@ -53,4 +57,14 @@ export function placeName(
   out[2] = top;
   out[3] = bottom;
   return out[0] >= 0 && out[0] <= width && bottom >= 0 && out[1] <= Math.max(bottom, MIN_Y) && top <= height;
+}
+
+/**
+ * Where the first letter of a name is placed: centred on `x`, within the viewport, and beside its axis widget.
+ *
+ * @param y middle of the line
+ */
+export function nameLeft(x: number, y: number, nameWidth: number, viewportWidth: number): number {
+  const free = viewportWidth - (y < WIDGET_BOTTOM ? WIDGET_WIDTH : EDGE);
+  return Math.max(EDGE, Math.min(free - nameWidth, x - nameWidth / 2));
 }

@@ -9,7 +9,7 @@ import { type Camera, Matrix4 } from 'three';
 import { jointName } from '../model/joint-name.ts';
 import type { Display, Selection } from '../model/session.ts';
 import type { Skeleton } from '../model/skeleton.ts';
-import { MIN_Y, placeName } from './character-names.ts';
+import { MIN_Y, nameLeft, placeName } from './character-names.ts';
 import { type DrawnSkeleton, instanceOf, type JointRef, jointAt } from './drawn-skeletons.ts';
 import type { LabelCover } from './label-cover.ts';
 import { type Candidates, LabelChoice, LabelLayout, LINE_HEIGHT } from './label-layout.ts';
@@ -39,8 +39,6 @@ const DOT_RADIUS = 2.5;
 const MIN_LEADER = 6;
 /** Opacity of the names of covered joints. */
 const COVERED = 0.45;
-/** CSS pixels between a name and the edge of the viewport. */
-const EDGE = 6;
 
 export class Labels {
   readonly canvas = document.createElement('canvas');
@@ -202,10 +200,9 @@ export class Labels {
     if (!placeName(this.drawn[c], positions, this.toClip, this.width, this.height, place)) return;
     characterNames[c] ??= this.measure(this.drawn[c].name ?? '');
     const name = characterNames[c];
-    const left = Math.min(this.width - EDGE - name.width, Math.max(EDGE, place[0] - name.width / 2));
     // Above a name that is already there.
     for (let y = place[1]; y > place[1] - NAME_LINES * LINE_HEIGHT && y >= MIN_Y; y -= LINE_HEIGHT) {
-      if (!this.write(name, left, y, color, c)) continue;
+      if (!this.write(name, nameLeft(place[0], y, name.width, this.width), y, color, c)) continue;
       this.pointFrom(y, color);
       return;
     }

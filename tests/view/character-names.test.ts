@@ -1,6 +1,6 @@
 import { Matrix4, OrthographicCamera } from 'three';
 import { describe, expect, it } from 'vitest';
-import { placeName } from '../../src/view/character-names.ts';
+import { nameLeft, placeName } from '../../src/view/character-names.ts';
 import { assignInstances } from '../../src/view/drawn-skeletons.ts';
 import { joint } from '../helpers/builders.ts';
 
@@ -83,4 +83,14 @@ describe('the name of a character', () => {
     ]) ?? [0, -1];
     expect(y).toBeGreaterThan(0);
   });
+});
+
+it('a name is centred on its character, inside the viewport, and beside the axis widget in its upper right corner', () => {
+  expect(nameLeft(500, 300, 80, 1000)).toBe(460);
+  expect(nameLeft(10, 300, 80, 1000)).toBe(6);
+  expect(nameLeft(995, 300, 80, 1000)).toBe(914);
+  expect(nameLeft(995, 60, 80, 1000)).toBe(828);
+  expect(nameLeft(700, 60, 80, 1000)).toBe(660);
+  // Too long for the viewport: its beginning is what can be read.
+  expect(nameLeft(100, 300, 400, 200)).toBe(6);
 });
