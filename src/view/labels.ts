@@ -43,7 +43,7 @@ const COVERED = 0.45;
 export class Labels {
   readonly canvas = document.createElement('canvas');
   private readonly pen: CanvasRenderingContext2D;
-  private readonly sprites = new NameSprites();
+  private readonly sprites: NameSprites;
   /** Of the joints of all characters, one after the other, each measured when it is first written. */
   private names: (Name | undefined)[] = [];
   private drawn: readonly DrawnSkeleton[] = [];
@@ -79,6 +79,7 @@ export class Labels {
     const pen = this.canvas.getContext('2d');
     if (!pen) throw new Error('This browser gives no 2D canvas.');
     this.pen = pen;
+    this.sprites = new NameSprites(pen);
     this.candidates = this.jointCandidates();
     this.canvas.setAttribute('aria-hidden', 'true');
     this.canvas.style.cssText = 'position:absolute;inset:0;width:100%;height:100%;pointer-events:none';
@@ -137,6 +138,7 @@ export class Labels {
     this.writeCharacters(positions, theme);
     for (const instance of this.always) this.writeAlways(instance, positions, theme);
     if (this.showsAll) this.writeJoints(positions, theme, cover);
+    this.sprites.flush();
   }
 
   /** Id of the character whose name is at a point of the viewport, as last drawn. */
@@ -238,7 +240,7 @@ export class Labels {
 
   /** The joints that may be named in a frame. */
   private jointCandidates() {
-    const { screen, layout, instances, pen } = this;
+    const { screen, layout, instances } = this;
     const nameOf = (i: number) => {
       const { skeleton, firstInstance } = this.drawn[this.owners[i]];
       return this.nameAt(this.named[i], skeleton, instances[i] - firstInstance);
@@ -260,9 +262,8 @@ export class Labels {
         return cover?.isCovered(instances[i], positions[o], positions[o + 1], positions[o + 2]) ?? false;
       },
       put: (i: number, isCovered: boolean) => {
-        pen.globalAlpha = isCovered ? COVERED : 1;
-        this.write(nameOf(i), screen[3 * i] + BESIDE, screen[3 * i + 1], candidates.color);
-        pen.globalAlpha = 1;
+        const opacity = isCovered ? COVERED : 1;
+        this.write(nameOf(i), screen[3 * i] + BESIDE, screen[3 * i + 1], candidates.color, -1, opacity);
       },
     };
     return candidates satisfies Candidates;
@@ -297,13 +298,13 @@ export class Labels {
   }
 
   /** Returns whether there was room. @param x of the first letter @param y of the middle of the line */
-  private write(name: Name, x: number, y: number, color: string, owner = -1): boolean {
+  private write(name: Name, x: number, y: number, color: string, owner = -1, opacity = 1): boolean {
     const { layout } = this;
     const left = Math.round(x);
     const middle = Math.round(y);
     if (name.text === '' || !layout.hasRoom(left, middle, name.width)) return false;
     layout.take(left, middle, name.width, owner);
-    this.sprites.draw(this.pen, name, color, left, middle);
+    this.sprites.draw(name, color, left, middle, opacity);
     return true;
   }
 

@@ -1,6 +1,7 @@
 /**
  * Names as sprites. Drawing a text with a halo takes as long as copying ten: so each name is drawn once per colour on
- * an offscreen canvas, and copied from there each frame, pixel for pixel.
+ * an offscreen canvas, and copied from there each frame, pixel for pixel. All are copied at the end of the frame: a
+ * canvas that is drawn to between two copies is itself copied for each.
  */
 import { Shelves } from './shelves.ts';
 
@@ -13,6 +14,9 @@ const HALO_WIDTH = 3;
 /** CSS pixels. Larger than a frame's names, unless they are long; then the oldest are dropped. */
 const PICTURE_WIDTH = 1024;
 const PICTURE_HEIGHT = 512;
+/** Numbers per waiting copy: x, y and width there, x and y here, opacity; and as many as wait at most. */
+const STRIDE = 6;
+const MAX_WAITING = 128;
 
 /** A text, and its sprite per colour. */
 export interface Name {
@@ -40,8 +44,11 @@ export class NameSprites {
   private generation = 0;
   private ratio = 1;
   private halo = '';
+  private readonly waiting = new Float64Array(STRIDE * MAX_WAITING);
+  private waitingCount = 0;
 
-  constructor() {
+  /** @param target in device pixels */
+  constructor(private readonly target: CanvasRenderingContext2D) {
     const pen = this.canvas.getContext('2d');
     if (!pen) throw new Error('This browser gives no 2D canvas.');
     this.pen = pen;
@@ -74,20 +81,48 @@ export class NameSprites {
   }
 
   /**
-   * Copies a name to a canvas whose context is in device pixels.
+   * Draws a name, with the next `flush`.
    *
    * @param left of the first letter, CSS pixels
    * @param middle of the line, CSS pixels
    */
-  draw(pen: CanvasRenderingContext2D, name: Name, color: string, left: number, middle: number): void {
-    const { ratio, shelves } = this;
+  draw(name: Name, color: string, left: number, middle: number, opacity: number): void {
+    const { ratio, waiting } = this;
     const width = this.widthOf(name);
-    const height = shelves.shelfHeight;
     const sprite = this.spriteOf(name, color, width);
+    if (!sprite) return;
+    if (this.waitingCount === MAX_WAITING) this.flush();
+    const o = STRIDE * this.waitingCount++;
+    waiting[o] = sprite.x;
+    waiting[o + 1] = sprite.y;
+    waiting[o + 2] = width;
     // Aligned to device pixels, or it would be blurred.
-    const x = Math.round((left - MARGIN) * ratio);
-    const y = Math.round((middle - STRIP_HEIGHT / 2) * ratio);
-    if (sprite) pen.drawImage(this.canvas, sprite.x, sprite.y, width, height, x, y, width, height);
+    waiting[o + 3] = Math.round((left - MARGIN) * ratio);
+    waiting[o + 4] = Math.round((middle - STRIP_HEIGHT / 2) * ratio);
+    waiting[o + 5] = opacity;
+  }
+
+  /** Call at the end of each frame: copies what was drawn to the target. */
+  flush(): void {
+    const { canvas, target, waiting, shelves } = this;
+    const height = shelves.shelfHeight;
+    for (let o = 0; o < STRIDE * this.waitingCount; o += STRIDE) {
+      const width = waiting[o + 2];
+      target.globalAlpha = waiting[o + 5];
+      target.drawImage(
+        canvas,
+        waiting[o],
+        waiting[o + 1],
+        width,
+        height,
+        waiting[o + 3],
+        waiting[o + 4],
+        width,
+        height,
+      );
+    }
+    target.globalAlpha = 1;
+    this.waitingCount = 0;
   }
 
   private widthOf({ width }: Name): number {
@@ -101,6 +136,7 @@ export class NameSprites {
     if (sprite?.generation === this.generation) return sprite;
     const { corner, shelves } = this;
     if (!shelves.place(width, corner)) {
+      this.flush();
       this.clear();
       if (!shelves.place(width, corner)) return undefined;
     }
