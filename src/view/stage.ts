@@ -19,7 +19,9 @@ import {
   DirectionalLight,
   Group,
   HemisphereLight,
+  type IUniform,
   Line,
+  type Material,
   Mesh,
   NeutralToneMapping,
   PCFShadowMap,
@@ -28,7 +30,9 @@ import {
   Scene,
   ShaderMaterial,
   ShadowMaterial,
+  Skeleton,
   Sphere,
+  Texture,
   Vector3,
   type WebGLRenderer,
 } from 'three';
@@ -157,12 +161,17 @@ export class Stage {
   }
 
   /** Gives back what three.js keeps of everything drawn: it goes on listening for its disposal after a lost context. */
-  forget(): void {
+  forget(renderer: WebGLRenderer): void {
     this.scene.traverse((object) => {
       if (!(object instanceof Mesh || object instanceof Line || object instanceof Points)) return;
       object.geometry.dispose();
-      for (const material of [object.material].flat()) material.dispose();
+      if ('skeleton' in object && object.skeleton instanceof Skeleton) object.skeleton.boneTexture?.dispose();
+      for (const material of [object.material].flat()) {
+        for (const texture of texturesOf(renderer, material)) texture.dispose();
+        material.dispose();
+      }
     });
+    this.key.shadow.dispose();
   }
 
   dispose(): void {
@@ -172,6 +181,13 @@ export class Stage {
     }
     this.key.dispose();
   }
+}
+
+/** The textures of a material's program, with those that three.js itself gives it. */
+function texturesOf({ properties }: WebGLRenderer, material: Material): readonly Texture[] {
+  // Untyped in three.js; without a program there are none.
+  const { uniforms = {} } = properties.get(material) as { readonly uniforms?: Readonly<Record<string, IUniform>> };
+  return Object.values(uniforms).flatMap(({ value }) => (value instanceof Texture ? [value] : []));
 }
 
 /** A gradient behind everything, slightly lighter in the centre, dithered against banding. */

@@ -81,7 +81,7 @@ export class Viewport {
         if (this.shown.document) this.redraw.tryNow(performance.now());
       },
       shaderFailed: drawingFailed,
-      contextLost: () => this.shown.stage.forget(),
+      contextLost: () => this.shown.stage.forget(this.screen.renderer),
       contextRestored: () => {
         // three.js recreates everything; it only has to be drawn again.
         this.redraw.retry();

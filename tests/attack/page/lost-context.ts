@@ -21,8 +21,8 @@ const MAX_LEFT: Partial<PageResources> = {
   observers: 2,
   objectUrls: 2,
 };
-/** What each may leave on average, over as many as tell: three.js keeps what its old caches listened with. */
-const MAX_PER_LOSS: Partial<PageResources> = { heapBytes: 40_000 };
+/** What each may leave on average, over as many as tell. */
+const MAX_PER_LOSS: Partial<PageResources> = { heapBytes: 10_000 };
 const MIN_LOSSES = 20;
 /** Parts of the viewport: beside the character, above messages. */
 const DRAG_FROM = { x: 0.9, y: 0.6 };
