@@ -16,11 +16,15 @@ export function causesList(comparison: Comparison, newest: readonly string[]): H
   }
   list.append(...causes.map((cause) => causeBlock(cause, comparison)));
   if (causes.length === 0 && !agrees) {
-    const text =
-      'No known mistake, nor two together, explains these numbers. Begin with the first joint that is wrong by itself.';
-    list.append(element('p', { class: 'faint' }, text));
+    list.append(element('p', { class: 'faint' }, noCauseText(comparison)));
   }
   return list;
+}
+
+/** Only of joints it is known which are wrong by themselves. */
+export function noCauseText({ own }: Pick<Comparison, 'own'>): string {
+  const first = own.length > 0 ? 'the first joint that is wrong by itself' : 'the first that differs';
+  return `No known mistake, nor two together, explains these numbers. Begin with ${first}.`;
 }
 
 function causeBlock(cause: Cause, comparison: Comparison): HTMLElement {
