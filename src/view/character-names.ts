@@ -63,8 +63,9 @@ export function placeName(
  * Where the first letter of a name is placed: centred on `x`, within the viewport, and beside its axis widget.
  *
  * @param y middle of the line
+ * @param isBeside false: it may be behind the axis widget, partly
  */
-export function nameLeft(x: number, y: number, nameWidth: number, viewportWidth: number): number {
-  const free = viewportWidth - (y < WIDGET_BOTTOM ? WIDGET_WIDTH : EDGE);
+export function nameLeft(x: number, y: number, nameWidth: number, viewportWidth: number, isBeside = true): number {
+  const free = viewportWidth - (isBeside && y < WIDGET_BOTTOM ? WIDGET_WIDTH : EDGE);
   return Math.max(EDGE, Math.min(free - nameWidth, x - nameWidth / 2));
 }

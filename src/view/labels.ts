@@ -202,12 +202,20 @@ export class Labels {
     if (!placeName(this.drawn[c], positions, this.toClip, this.width, this.height, place)) return;
     characterNames[c] ??= this.measure(this.drawn[c].name ?? '');
     const name = characterNames[c];
+    // A name behind the axis widget is better than none.
+    if (!this.writeName(name, c, color, true)) this.writeName(name, c, color, false);
+  }
+
+  /** Returns whether there was room. */
+  private writeName(name: Name, c: number, color: string, isBeside: boolean): boolean {
+    const { place, width } = this;
     // Above a name that is already there.
     for (let y = place[1]; y > place[1] - NAME_LINES * LINE_HEIGHT && y >= MIN_Y; y -= LINE_HEIGHT) {
-      if (!this.write(name, nameLeft(place[0], y, name.width, this.width), y, color, c)) continue;
+      if (!this.write(name, nameLeft(place[0], y, name.width, width, isBeside), y, color, c)) continue;
       this.pointFrom(y, color);
-      return;
+      return true;
     }
+    return false;
   }
 
   /** From a name at the height `y` to its character at `place`, if that is far away or tiny. */

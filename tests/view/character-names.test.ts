@@ -91,6 +91,7 @@ it('a name is centred on its character, inside the viewport, and beside the axis
   expect(nameLeft(995, 300, 80, 1000)).toBe(914);
   expect(nameLeft(995, 60, 80, 1000)).toBe(828);
   expect(nameLeft(700, 60, 80, 1000)).toBe(660);
+  expect(nameLeft(995, 60, 80, 1000, false)).toBe(914);
   // Too long for the viewport: its beginning is what can be read.
   expect(nameLeft(100, 300, 400, 200)).toBe(6);
 });
