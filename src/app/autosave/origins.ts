@@ -35,19 +35,29 @@ export class Origins {
   /** What an opened file can't be read without, such as the buffers of a `.gltf`. */
   private readonly beside = new WeakMap<Given, ReadonlySet<Given>>();
 
+  /** Learned, and not looked through yet. */
+  private readonly learned: { readonly given: readonly Given[]; readonly files: readonly ParsedFile[] }[] = [];
+
   /** @param nextId first id for opened files: above the ids of all that may be adopted */
   constructor(private nextId = 1) {}
 
-  /** Registers opened files. */
+  /** Registers opened files. They are looked through with the next save: of thousands that takes a while. */
   learn(given: readonly GivenBlob[], files: readonly ParsedFile[]): void {
     const opening = this.nextId;
     // The path on disk and the like aren't needed to read the file again.
     const all = given.map(({ path, blob }): Given => ({ id: this.nextId++, opening, given: { path, blob } }));
-    this.adopt(all, files);
+    this.learned.push({ given: all, files });
+  }
+
+  private settle(): void {
+    // Asked for each value that is stored.
+    if (this.learned.length === 0) return;
+    for (const { given, files } of this.learned.splice(0)) this.adopt(given, files);
   }
 
   /** Registers files that were kept and have ids already. */
   adopt(given: readonly Given[], files: readonly ParsedFile[]): void {
+    this.settle();
     for (const file of files) {
       const found = givenOf(file, given);
       if (!found) continue;
@@ -64,6 +74,7 @@ export class Origins {
 
   /** The opened files that this one was read with. */
   besideOf(given: Given): Iterable<Given> {
+    this.settle();
     return this.beside.get(given) ?? [];
   }
 
@@ -75,6 +86,7 @@ export class Origins {
 
   /** Where a value came from: its file, and the path of keys in it. */
   find(value: object): { readonly file: OriginFile; readonly path: readonly PathKey[] } | undefined {
+    this.settle();
     const origin = this.known.get(value);
     if (!origin || this.isUnkeepable(origin.file.given)) return undefined;
     const path: PathKey[] = [];
