@@ -53,8 +53,15 @@ export function unzip(
       return true;
     },
   });
-  const entries = Object.entries(files).map(([path, content]) => ({ path, bytes: new Uint8Array(content) }));
+  const entries = Object.entries(files).map(([path, content]) => ({ path, bytes: withOwnBuffer(content) }));
   return { entries, passedOver };
+}
+
+/** As handed over between threads: with all of its buffer. Copied only if need be, since it may have hundreds of MB. */
+function withOwnBuffer(content: Uint8Array): Uint8Array<ArrayBuffer> {
+  const { buffer } = content;
+  const isWhole = buffer instanceof ArrayBuffer && buffer.byteLength === content.byteLength;
+  return isWhole ? new Uint8Array(buffer) : new Uint8Array(content);
 }
 
 /** Where the central directory begins (APPNOTE 4.3.14 to 4.3.16), in 64 bits too; undefined if there is no end of it. */

@@ -15,6 +15,15 @@ function altered(zip: Uint8Array, set: (view: DataView, inDirectory: number, inE
 }
 
 describe('zips', () => {
+  it.each([0, 6] as const)('each entry has a buffer of its own and nothing else in it, at level %d', (level) => {
+    const texts = { 'a.skel': 'balljoint a { }', 'b.skel': 'balljoint b { }'.repeat(99), 'c.skel': '' };
+    const packed = Object.fromEntries(Object.entries(texts).map(([name, text]) => [name, strToU8(text)]));
+    const { entries } = unzip(zipSync(packed, { level }), all);
+    expect(entries.map(({ path, bytes }) => [path, strFromU8(bytes)])).toEqual(Object.entries(texts));
+    expect(entries.map(({ bytes }) => bytes.buffer.byteLength)).toEqual(entries.map(({ bytes }) => bytes.length));
+    expect(new Set(entries.map(({ bytes }) => bytes.buffer)).size).toBe(3);
+  });
+
   it('an encrypted entry is refused by name, not unpacked to noise', () => {
     const zip = altered(zipSync({ 'a.skel': strToU8('balljoint a { }') }), (view, directory, entry) => {
       view.setUint16(directory + 8, view.getUint16(directory + 8, true) | 1, true);
