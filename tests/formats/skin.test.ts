@@ -1,4 +1,4 @@
-import { describe, expect, it } from 'vitest';
+import { describe, expect, it, vi } from 'vitest';
 import { readSkin } from '../../src/formats/skin/read.ts';
 import { writeSkin } from '../../src/formats/skin/write.ts';
 import { told } from './read-in-pieces.ts';
@@ -88,6 +88,25 @@ describe('reading .skin', () => {
         triangleCount: 1,
       },
     ]);
+  });
+
+  it('thousands of blocks of triangles are put together without copying all for each', () => {
+    let made = 0;
+    class Counted extends Uint32Array {
+      constructor(length: number) {
+        super(length);
+        made++;
+      }
+    }
+    vi.stubGlobal('Uint32Array', Counted);
+    try {
+      const { value } = skin(`${POSITIONS}${'material m { } triangles 1 { 0 1 2 } '.repeat(4000)}`);
+      expect(value?.triangles).toHaveLength(12_000);
+      expect(made).toBeGreaterThan(0);
+      expect(made).toBeLessThan(100);
+    } finally {
+      vi.unstubAllGlobals();
+    }
   });
 
   it('reading .skin gives a lone material to the triangles before it, as course files may have it', () => {

@@ -36,7 +36,11 @@ export class TriangleSink implements NumberSink {
   begin(t: Tokens, expected: number): void {
     this.expected = this.found + Math.max(0, expected);
     this.wrong = wrongVertices(this.vertices);
-    if (this.found > 0) return;
+    if (this.found > 0) {
+      // As many as declared would copy all of them for each of thousands of small blocks.
+      this.expected = Math.max(this.expected, 1.5 * this.found);
+      return;
+    }
     this.indices = new Uint32Array(Math.min(t.numbersAtHand(), Math.max(64, expected)));
   }
 
