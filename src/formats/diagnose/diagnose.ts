@@ -24,6 +24,10 @@ const MOST_ERRORS = 8;
 /** Bytes read again in all, and for files that were loaded. */
 const BUDGET = 256e6;
 const BUDGET_IF_LOADED = 32e6;
+/** Of a file of which every token is a problem, more readings would take seconds. */
+const MOST_READINGS = 32;
+/** Small files may be read more often than that. */
+const ALWAYS = 8e6;
 /** Larger files keep the problems as told. */
 const LARGEST = 128e6;
 const LARGEST_IF_LOADED = 16e6;
@@ -73,7 +77,7 @@ export function diagnose(
   let lines = new TextLines(bytes);
   const other = ofOtherKind(lines, layout.kind, told, isLoaded);
   if (other) return [other];
-  let budget = isLoaded ? BUDGET_IF_LOADED : BUDGET;
+  let budget = Math.min(isLoaded ? BUDGET_IF_LOADED : BUDGET, Math.max(ALWAYS, MOST_READINGS * bytes.length));
   const read = (text: Uint8Array) => {
     budget -= text.length;
     return readWhole(reader(), text).diagnostics;
