@@ -3,6 +3,7 @@ import { computeNormals } from '../evaluate/normals.ts';
 import { inverseTranspose3, isSingular, multiplyAffine, setIdentity } from '../math/mat4.ts';
 import { writeRotation } from '../math/quaternion.ts';
 import { type Channel, type ChannelClip, restChannel } from '../model/clip.ts';
+import { cutText } from '../model/cut-text.ts';
 import type { WholeCharacter } from '../model/files.ts';
 import { carriesCharacter } from '../model/joint-types.ts';
 import type { Morph, MorphRows } from '../model/morph.ts';
@@ -11,6 +12,7 @@ import type { Attachments, Material, Skin, Surface } from '../model/skin.ts';
 import { type Binding, type BoundMesh, bindMeshes, inverted } from './bind.ts';
 import { cleanFileName, cleanName, DistinctNames } from './clean-names.ts';
 import { SpareKeys } from './fit-rotation.ts';
+import { ImportError } from './imported.ts';
 import { type JointMotion, jointMotion } from './joint-motions.ts';
 import type { Scene, SceneMesh, SceneTake } from './scene.ts';
 
@@ -24,10 +26,16 @@ interface Slot {
   readonly inverse: Float64Array | undefined;
 }
 
-/** Undefined if it has neither a mesh nor anything that moves. */
+/**
+ * Undefined if it has neither a mesh nor anything that moves.
+ *
+ * @throws {ImportError} if a node or a vertex is farther away than numbers go
+ */
 export function toCharacter(scene: Scene): WholeCharacter | undefined {
   const { name, nodes, meshes, takes } = scene;
   const worlds = worldsOf(scene);
+  const far = worlds.findIndex((value) => !Number.isFinite(value));
+  if (far >= 0) throw tooFar(`Node "${cutText(nodes[far >> 4].name)}"`);
   const binding = bindMeshes(meshes, worlds);
   const { slots, slotOf, furtherOf } = jointSlots(scene, binding);
   if (slots.length === 0) return undefined;
@@ -151,6 +159,10 @@ function movedBy(m: Float64Array | undefined, values: Float64Array, w: 0 | 1): F
   return out;
 }
 
+function tooFar(what: string): ImportError {
+  return new ImportError('scene-too-large', `${what} is farther away, or larger, than numbers go: 1.8e308 at most.`);
+}
+
 /** Of each joint; one without vertices has its rest. */
 function bindingsOf(slots: readonly Slot[], worlds: Float64Array): Float64Array {
   const out = new Float64Array(16 * slots.length);
@@ -163,7 +175,7 @@ function bindingsOf(slots: readonly Slot[], worlds: Float64Array): Float64Array 
 }
 
 function skinOf(
-  { name, meshes, materials }: Scene,
+  { name, nodes, meshes, materials }: Scene,
   binding: Binding,
   jointsOf: (bound: BoundMesh) => readonly number[],
   bindings: Float64Array,
@@ -186,6 +198,7 @@ function skinOf(
   meshes.forEach((mesh, m) => {
     const { matrix } = binding.meshes[m];
     positions.set(movedBy(matrix, mesh.positions, 1), 3 * first);
+    if (!positions.every(Number.isFinite)) throw tooFar(`A vertex of "${cutText(nodes[mesh.node].name)}"`);
     if (mesh.normals) normals.set(movedBy(matrix, mesh.normals, 0), 3 * first);
     if (mesh.texcoords) texcoords.set(mesh.texcoords, 2 * first);
     for (const { material: index, triangles: own } of mesh.surfaces) {

@@ -1,7 +1,7 @@
 /** Characters of other programs: fetched when a file needs them, since few do. */
 import { fbxReader } from '../exchange/fbx/read.ts';
 import { readGltf } from '../exchange/gltf/read.ts';
-import type { Import, Imported } from '../exchange/imported.ts';
+import { type Import, ImportError, type Imported } from '../exchange/imported.ts';
 import { toCharacter } from '../exchange/to-character.ts';
 import { readWhole } from '../formats/reader.ts';
 import { type Diagnostic, withoutPlace } from '../model/diagnostic.ts';
@@ -29,10 +29,17 @@ const SCENES: { readonly [K in ImportedKind]: (given: Import) => Promise<Importe
 export async function importFile(kind: ImportedKind, given: Import): Promise<ImportedFile> {
   const { scene, diagnostics, beside = [] } = await SCENES[kind](given);
   if (!scene) return { diagnostics, beside };
-  const character = toCharacter(scene);
-  if (character) return { value: { kind: 'character', characters: [character] }, diagnostics, beside };
-  const message = 'Expected a mesh, a skin or an animation, found none.';
-  return { diagnostics: [...diagnostics, withoutPlace('error', 'file-empty', message, given.fileName)], beside };
+  const failed = (code: string, message: string): ImportedFile => {
+    return { diagnostics: [...diagnostics, withoutPlace('error', code, message, given.fileName)], beside };
+  };
+  try {
+    const character = toCharacter(scene);
+    if (character) return { value: { kind: 'character', characters: [character] }, diagnostics, beside };
+  } catch (error) {
+    if (error instanceof ImportError) return failed(error.code, error.message);
+    throw error;
+  }
+  return failed('file-empty', 'Expected a mesh, a skin or an animation, found none.');
 }
 
 /** How a file that names others finds them among those that were given with it. */

@@ -63,6 +63,18 @@ function turning(quaternions: readonly number[], interpolation = 'LINEAR', scale
 const half = Math.SQRT1_2;
 
 describe('rotations', () => {
+  it('a scene that reaches farther than numbers go is refused by the name of the node, or of the mesh', async () => {
+    const still = [0, 0, 0, 1];
+    const { whole, diagnostics } = await read(glbOf(turning(still, 'LINEAR', [1, 1e308, 1])));
+    expect(whole).toBeUndefined();
+    expect(diagnostics.map(({ code, message }) => `${code}: ${message}`)).toEqual([
+      'scene-too-large: Node "{tip}" is farther away, or larger, than numbers go: 1.8e308 at most.',
+    ]);
+    const vertex = await read(glbOf(turning(still, 'LINEAR', [1.7e308, 1, 1])));
+    expect(vertex.diagnostics).toEqual([]);
+    expect(vertex.whole?.skins[0].positions.every(Number.isFinite)).toBe(true);
+  });
+
   it.each([
     ['nearly half a turn between two keys', [0, 0, 0, 1, 0, 0.9999, 0, 0.0141]],
     [
