@@ -84,7 +84,11 @@ export function revealTime(window: TimeWindow, timeSeconds: number): TimeWindow 
  * frame rate, to a whole frame.
  */
 export function snapTime(timeSeconds: number, secondsPerPixel: number, framesPerSecond?: number): number {
-  if (framesPerSecond) return Math.round(timeSeconds * framesPerSecond) / framesPerSecond;
+  if (framesPerSecond) {
+    const frame = Math.round(timeSeconds * framesPerSecond);
+    // So far from 0 that every time is on one.
+    return Number.isFinite(frame) ? frame / framesPerSecond : timeSeconds;
+  }
   const decimals = Math.min(12, Math.max(0, Math.ceil(-Math.log10(secondsPerPixel) - 1e-9)));
   return Number(timeSeconds.toFixed(decimals));
 }

@@ -47,6 +47,7 @@ it('scrubs to short decimals, or to whole frames', () => {
   expect(snapTime(1.23456789, 0.05)).toBe(1.23);
   expect(snapTime(123.456, 3)).toBe(123);
   expect(snapTime(1.02, 0.004, 24)).toBeCloseTo(24 / 24);
+  expect(snapTime(1e307, 1e304, 60)).toBe(1e307);
 });
 
 it('two fingers zoom the window: the times below them stay below them', () => {

@@ -49,7 +49,7 @@ export class TimeInput {
   private listen(): void {
     const { element: target } = this.chart;
     target.addEventListener('pointerdown', (event) => {
-      if (event.button !== 0) return;
+      if (event.button !== 0 || !this.isLaidOut()) return;
       if (event.pointerType === 'touch') this.fingers.set(event.pointerId, this.at(event).x);
       if (this.fingers.size === 2) this.beginPinch();
       if (this.fingers.size < 2) this.beginScrub(event);
@@ -65,7 +65,7 @@ export class TimeInput {
       });
     }
     target.addEventListener('pointerleave', () => this.chart.hoverAt(undefined));
-    target.addEventListener('wheel', (event) => this.onWheel(event), { passive: false });
+    target.addEventListener('wheel', (event) => this.isLaidOut() && this.onWheel(event), { passive: false });
     target.addEventListener('keydown', (event) => {
       if (event.ctrlKey || event.metaKey || event.altKey) return;
       const { window } = this.wb.timeline.view.get();
@@ -76,6 +76,11 @@ export class TimeInput {
       else return;
       event.preventDefault();
     });
+  }
+
+  /** In the frame in which its tab opens a chart has no width, and shows no times. */
+  private isLaidOut(): boolean {
+    return this.chart.timeView().width > 0;
   }
 
   private look(window: TimeWindow): void {
