@@ -101,10 +101,9 @@ it('several joints are selected in the tree and the viewport, and turned, typed 
     const ring = await feelFor(page, 'rx');
     await pressAndGo(page, ring, around(await middle(page), ring, 20));
     await page.mouse.up();
-    const after = await dofs(page);
-    const turned = after[6] - before[6];
-    expect(Math.abs(turned)).toBeGreaterThan(0.1);
-    expect(after[3] - before[3]).toBeCloseTo(turned, 12);
+    const turned = async (dof: number) => (await dofs(page))[dof] - before[dof];
+    await expect.poll(async () => Math.abs(await turned(6))).toBeGreaterThan(0.1);
+    await expect.poll(async () => (await turned(3)) - (await turned(6))).toBeCloseTo(0, 12);
     await expect.poll(() => undo(page)).toBe('Rotate 2 joints');
     await expect.poll(() => selected()).toHaveLength(2);
     await page.keyboard.press('Control+z');
