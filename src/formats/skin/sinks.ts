@@ -11,6 +11,8 @@ import { Stairs } from './stairs.ts';
 
 /** Larger indices can't be stored. */
 const LIMIT = MAX_COUNT - 1;
+/** Rows that there is room for at first at most: thousands of blocks must not each allocate for a whole file. */
+const MAX_AT_FIRST = 1 << 8;
 /** Tolerance of the sum of a vertex's weights. */
 const SUM_TOLERANCE = 0.01;
 
@@ -109,7 +111,7 @@ export class AttachmentSink implements NumberSink {
     t: Tokens,
     private readonly expectedRows: number,
   ) {
-    this.start = new Uint32Array(Math.min(t.numbersAtHand(), Math.max(64, expectedRows)) + 1);
+    this.start = new Uint32Array(Math.min(t.numbersAtHand(), MAX_AT_FIRST, Math.max(64, expectedRows)) + 1);
     this.joints = new Uint32Array(64);
     this.weights = new Float64Array(64);
   }
