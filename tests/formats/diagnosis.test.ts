@@ -1,7 +1,10 @@
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
-import { isWorthDiagnosing } from '../../src/formats/diagnose/diagnose.ts';
+import { diagnose, isWorthDiagnosing } from '../../src/formats/diagnose/diagnose.ts';
 import { foldUnreadable } from '../../src/formats/diagnose/fold.ts';
+import { TEXT_LAYOUTS } from '../../src/formats/diagnose/layouts.ts';
+import { readWhole } from '../../src/formats/reader.ts';
+import { skinReader } from '../../src/formats/skin/read.ts';
 import { describeShared, sharedBytes } from '../helpers/shared.ts';
 import { read, readAsOpened, told } from './read-in-pieces.ts';
 
@@ -20,6 +23,25 @@ const withoutWord = (index: number) => (line: string) => {
 
 const JOINT = (name: string) => `\tballjoint ${name} {\n\t\toffset 0 1 0\n\t\tpose 0 0 0\n\t}\n`;
 const SKEL = `balljoint root {\n\toffset 0 0 0\n${['a', 'b', 'c', 'd'].map(JOINT).join('')}}\n`;
+
+/** How often a `.skin` is read to find where its problems are. */
+function readings(text: string): number {
+  const bytes = new TextEncoder().encode(text);
+  let made = 0;
+  const reader = () => {
+    made++;
+    return skinReader('x.skin');
+  };
+  diagnose(bytes, readWhole(reader(), bytes).diagnostics, TEXT_LAYOUTS.skin, reader);
+  return made;
+}
+
+it('a file of which nearly every word is a problem is read again a few times only', () => {
+  const head = 'positions 3 {\n0 0 0\n1 0 0\n0 1 0\n}\n';
+  expect(readings(`${head}${'}'.repeat(200_000)}`)).toBeLessThan(12);
+  expect(readings(`${head}${'skinweights 1e154 {\n'.repeat(5000)}`)).toBeLessThan(12);
+  expect(readings(`${head.replace('}\n', '')}triangles 1 {\n0 1 2\n}\n`)).toBeGreaterThan(1);
+});
 
 describeShared('values that are not numbers', () => {
   const take = new TextDecoder().decode(sharedBytes('data/bvh/boxing-extra-line.bvh'));

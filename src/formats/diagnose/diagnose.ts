@@ -11,7 +11,7 @@
  * out. If no guess explains anything, the problems stay as they were told.
  */
 import { cutMessage } from '../../model/cut-text.ts';
-import { type Diagnostic, hasErrors } from '../../model/diagnostic.ts';
+import { type Diagnostic, hasErrors, MOST_KEPT } from '../../model/diagnostic.ts';
 import { type Reader, readWhole } from '../reader.ts';
 import { edited } from './edit.ts';
 import { type Guess, guesses } from './guesses.ts';
@@ -24,8 +24,9 @@ const MOST_ERRORS = 8;
 /** Bytes read again in all, and for files that were loaded. */
 const BUDGET = 256e6;
 const BUDGET_IF_LOADED = 32e6;
-/** Of a file of which every token is a problem, more readings would take seconds. */
+/** Readings of the whole file; and where it has more problems than are kept, each of which takes its time again. */
 const MOST_READINGS = 32;
+const MOST_IF_MANY = 8;
 /** Small files may be read more often than that. */
 const ALWAYS = 8e6;
 /** Larger files keep the problems as told. */
@@ -77,7 +78,9 @@ export function diagnose(
   let lines = new TextLines(bytes);
   const other = ofOtherKind(lines, layout.kind, told, isLoaded);
   if (other) return [other];
-  let budget = Math.min(isLoaded ? BUDGET_IF_LOADED : BUDGET, Math.max(ALWAYS, MOST_READINGS * bytes.length));
+  const { length } = bytes;
+  const readings = told.length > MOST_KEPT ? MOST_IF_MANY * length : Math.max(ALWAYS, MOST_READINGS * length);
+  let budget = Math.min(isLoaded ? BUDGET_IF_LOADED : BUDGET, readings);
   const read = (text: Uint8Array) => {
     budget -= text.length;
     return readWhole(reader(), text).diagnostics;

@@ -112,7 +112,7 @@ function* block(t: Tokens, parts: Parts): GrammarPart<void> {
 
 function* skinweights(t: Tokens): GrammarPart<AttachmentSink> {
   const declared = yield* countAndBrace(t, 'skinweights', KEYWORDS);
-  const sink = new AttachmentSink(t, declared.count ?? 0);
+  const sink = new AttachmentSink(declared.count ?? 0);
   yield* t.numbers(sink, 'skinweights', KEYWORDS);
   sink.tell(t);
   if (t.kind !== '}') return sink;

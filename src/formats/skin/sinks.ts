@@ -11,8 +11,9 @@ import { Stairs } from './stairs.ts';
 
 /** Larger indices can't be stored. */
 const LIMIT = MAX_COUNT - 1;
-/** Rows that there is room for at first at most: thousands of blocks must not each allocate for a whole file. */
-const MAX_AT_FIRST = 1 << 8;
+/** Before the first numbers: thousands of blocks may have none. */
+const NO_INDICES = new Uint32Array(0);
+const NO_WEIGHTS = new Float64Array(0);
 /** Tolerance of the sum of a vertex's weights. */
 const SUM_TOLERANCE = 0.01;
 
@@ -92,9 +93,9 @@ export class AttachmentSink implements NumberSink {
   rows = 0;
   /** Numbers still missing in the last row; Infinity if it states more attachments than can be stored. */
   missing = 0;
-  private start: Uint32Array;
-  private joints: Uint32Array;
-  private weights: Float64Array;
+  private start: Uint32Array = NO_INDICES;
+  private joints: Uint32Array = NO_INDICES;
+  private weights: Float64Array = NO_WEIGHTS;
   private attachments = 0;
   private sum = 0;
   /** Whether a joint was read without its weight yet. (A huge `missing` can't tell odd from even.) */
@@ -107,14 +108,7 @@ export class AttachmentSink implements NumberSink {
   private bare = 0;
   private firstBare: { vertex: number; place: Place } | undefined;
 
-  constructor(
-    t: Tokens,
-    private readonly expectedRows: number,
-  ) {
-    this.start = new Uint32Array(Math.min(t.numbersAtHand(), MAX_AT_FIRST, Math.max(64, expectedRows)) + 1);
-    this.joints = new Uint32Array(64);
-    this.weights = new Float64Array(64);
-  }
+  constructor(private readonly expectedRows: number) {}
 
   /** Reserves what a flush may add. */
   private grow(t: Tokens): void {

@@ -15,11 +15,12 @@ import type { Tokens } from '../tokens.ts';
  * kept.
  */
 const SHOWN = 256;
+const NONE = new Float64Array(0);
 
 export class Stairs {
   max = -1;
-  private values: Float64Array = new Float64Array(16);
-  private lines: Float64Array = new Float64Array(16);
+  private values: Float64Array = NONE;
+  private lines: Float64Array = NONE;
   private count = 0;
   private readonly places: Place[] = [];
 
@@ -50,7 +51,7 @@ export class Stairs {
 }
 
 function grown(array: Float64Array): Float64Array {
-  const twice = new Float64Array(2 * array.length);
+  const twice = new Float64Array(Math.max(16, 2 * array.length));
   twice.set(array);
   return twice;
 }
