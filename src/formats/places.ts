@@ -36,7 +36,7 @@ export interface Place {
   readonly column: number;
   /** The line's bytes before it, at most `WINDOW`; absent if there is no line to show. */
   readonly before?: Uint8Array;
-  /** The bytes from it on; grows until the line ends. */
+  /** The bytes from it on; completed when the line ends. */
   after?: Uint8Array;
 }
 
@@ -47,8 +47,9 @@ export const NO_PLACE: Place = { line: 0, column: 0 };
 
 interface Unfinished {
   readonly place: Place;
-  /** Offset in the file of the next byte needed. */
-  wants: number;
+  /** Offset in the file of the next byte needed, and of the first one that isn't even if the line goes on. */
+  readonly wants: number;
+  readonly full: number;
 }
 
 export class Places {
@@ -73,6 +74,10 @@ export class Places {
   private startCharacters = 0;
   private startPendingCrs = 0;
   private unfinished: Unfinished[] = [];
+  /** What follows in their line, kept once for all of them: bytes [tailBase, tailEnd) of the file. */
+  private readonly tail = new Uint8Array(2 * WINDOW);
+  private tailBase = 0;
+  private tailEnd = 0;
   /** Pool for the kept parts of lines: many small arrays would cost more than their content. */
   private pool: Uint8Array = NOTHING;
   private poolAt = 0;
@@ -92,7 +97,7 @@ export class Places {
     this.startPendingCrs = this.pendingCrs;
     this.lineStart = -1;
     this.stretches.length = this.stretch = 0;
-    if (this.unfinished.length) this.unfinished = this.unfinished.filter((u) => !this.extend(u));
+    if (this.unfinished.length) this.continueTail();
   }
 
   /**
@@ -130,7 +135,7 @@ export class Places {
     const limit = Math.min(to, offset + WINDOW);
     const end = lineEnd(bytes, offset, limit);
     const place: Place = { line, column: characters + 1, before, after: this.copy(NOTHING, bytes, offset, end) };
-    if (end === to && to < offset + WINDOW) this.unfinished.push({ place, wants: this.base + to - this.from });
+    if (end === to && to < offset + WINDOW) this.await(place, this.base + offset - this.from);
     return place;
   }
 
@@ -140,17 +145,44 @@ export class Places {
     return this.line + this.pendingCrs;
   }
 
-  /** Extends an excerpt by the current piece; returns whether it is complete. */
-  private extend(u: Unfinished): boolean {
-    const { place, wants } = u;
-    const had = place.after ?? NOTHING;
-    const start = this.from + wants - this.base;
-    if (start >= this.to) return false;
-    const limit = Math.min(this.to, start + WINDOW - had.length);
-    const end = lineEnd(this.bytes, start, limit);
-    place.after = this.copy(had, this.bytes, start, end);
-    u.wants += end - start;
-    return end < this.to || place.after.length >= WINDOW;
+  /** Completes the excerpts whose lines end with the file. */
+  finish(): void {
+    this.complete(true);
+  }
+
+  /** Has an excerpt, of the byte at `offset` of the file, completed by what follows. */
+  private await(place: Place, offset: number): void {
+    const wants = this.base + this.to - this.from;
+    if (!this.unfinished.length) this.tailBase = this.tailEnd = wants;
+    this.unfinished.push({ place, wants, full: offset + WINDOW });
+  }
+
+  /** Adds what the current piece has of the line, rather than to each excerpt: hundreds may wait, for bytes one by one. */
+  private continueTail(): void {
+    const { bytes, to, tail, tailEnd } = this;
+    const start = this.from + tailEnd - this.base;
+    if (start >= to) return;
+    const end = lineEnd(bytes, start, Math.min(to, start + WINDOW));
+    if (tailEnd - this.tailBase + end - start > tail.length) {
+      // Excerpts that wait for bytes before these would be full.
+      tail.copyWithin(0, tailEnd - WINDOW - this.tailBase, tailEnd - this.tailBase);
+      this.tailBase = tailEnd - WINDOW;
+    }
+    tail.set(bytes.subarray(start, end), tailEnd - this.tailBase);
+    this.tailEnd += end - start;
+    this.complete(end < to);
+  }
+
+  /** Gives excerpts what they wait for, if they are full now or the line is over. */
+  private complete(isOver: boolean): void {
+    const { tail, tailBase, tailEnd } = this;
+    if (!isOver && !this.unfinished.some(({ full }) => full <= tailEnd)) return;
+    this.unfinished = this.unfinished.filter(({ place, wants, full }) => {
+      if (!isOver && full > tailEnd) return true;
+      const until = Math.min(full, tailEnd);
+      place.after = this.copy(place.after ?? NOTHING, tail, wants - tailBase, until - tailBase);
+      return false;
+    });
   }
 
   /** The last `WINDOW` bytes of `head` followed by bytes [from, to) of the current piece. */

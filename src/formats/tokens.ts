@@ -108,6 +108,7 @@ export class Tokens {
   finish(resume: () => void): void {
     this.isLastPiece = true;
     this.pieces.finish((bytes, from, to) => this.take(bytes, from, to, resume));
+    this.places.finish();
   }
 
   private take(bytes: Uint8Array, from: number, to: number, resume: () => void): number {

@@ -159,6 +159,16 @@ describe('a file in pieces', () => {
     });
     fc.assert(property, { numRuns: 300 });
   });
+
+  it('a file in pieces of a few bytes has the same excerpts when hundreds of them wait for the rest of their line', () => {
+    const word = fc.constantFrom('{', '}', 'ü', 'x1 ', ' ', '{ü');
+    const property = fc.property(word, word, fc.integer({ min: 1, max: 9 }), fc.nat(3000), (a, b, size, rest) => {
+      const bytes = bytesOf(`balljoint a {\n${(a + b).repeat(1500)}${'z'.repeat(rest)}\n}\n${b.repeat(900)}`);
+      const cuts = Array.from({ length: Math.ceil(bytes.length / size) }, (_, i) => i * size);
+      expect(readInPieces('x.skel', bytes, cuts)).toEqual(read('x.skel', bytes));
+    });
+    fc.assert(property, { numRuns: 60 });
+  });
 });
 
 describe('a hostile file', () => {
