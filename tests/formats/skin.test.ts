@@ -272,6 +272,25 @@ describe('reading .skin', () => {
     expect(errors.slice(0, expected.length)).toEqual(expected);
   });
 
+  it('refuses positions that replace more of them, if triangles name those', () => {
+    const replaced = (named: string, by: string) => {
+      const { value, diagnostics } = readSkin(
+        `positions 3 {\n0 0 0 1 0 0 0 1 0\n}\ntriangles 1 { ${named} }\npositions 1 { ${by} }`,
+        'x.skin',
+      );
+      return { value, errors: diagnostics.filter(({ severity }) => severity === 'error') };
+    };
+    expect(replaced('0 1 2', '0 1 2').value).toBeUndefined();
+    expect(replaced('0 1 2', '0 1 2').errors).toMatchObject([
+      {
+        code: 'index-out-of-range',
+        line: 5,
+        message: 'Expected positions of 3 vertices, which triangles name, found 1; they replace others.',
+      },
+    ]);
+    expect(replaced('0 0 0', '0 1 2').value?.positions).toEqual(Float64Array.of(0, 1, 2));
+  });
+
   it('warns of blocks that come twice, of unknown ones and of a } too many', () => {
     const { value, diagnostics } = skin(`${BLOCKS.join('')}colors 1 {\n1 0 0\n}\n}\n${NORMALS.replaceAll('1', '-1')}`);
     expect(value?.normals?.[2]).toBe(-1);

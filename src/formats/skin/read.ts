@@ -255,7 +255,7 @@ function skinOf(t: Tokens, parts: Parts): Skin {
     );
   }
   const texcoords = fitting(t, parts.texcoords, 2, vertices, 'texcoords');
-  triangles?.tellOutOfRange(t, vertices);
+  triangles?.tellOutOfRange(t, vertices, parts.positions?.place);
   attachments?.tellOutOfRange(t, bindings.length / 16);
   // A truncated row is an error already, so the count of rows is not reliable.
   const misfits = attachments && attachments.missing === 0 && attachments.rows !== vertices && vertices > 0;

@@ -6,7 +6,7 @@ import type { Attachments } from '../../model/skin.ts';
 import { MAX_COUNT, nextLength, WrongIndices } from '../grammar.ts';
 import type { Place } from '../places.ts';
 import { BATCH, NUMBERS } from '../scratch.ts';
-import type { NumberSink, Tokens } from '../tokens.ts';
+import type { Mark, NumberSink, Tokens } from '../tokens.ts';
 import { Stairs } from './stairs.ts';
 
 /** Larger indices can't be stored. */
@@ -70,13 +70,29 @@ export class TriangleSink implements NumberSink {
     this.wrong.tell(t);
   }
 
-  /** Once the number of vertices is known. */
-  tellOutOfRange(t: Tokens, vertices: number): void {
+  /** Once the number of vertices is known. @param positions where they are, which may have replaced earlier ones */
+  tellOutOfRange(t: Tokens, vertices: number, positions: Mark | undefined): void {
     const first = this.stairs?.first(vertices);
-    if (!first) return;
-    const late = wrongVertices(vertices);
-    late.add(first.value, first.place);
-    late.tell(t, countAtLeast(this.indices, this.found, vertices) - 1);
+    if (first) {
+      const late = wrongVertices(vertices);
+      late.add(first.value, first.place);
+      late.tell(t, countAtLeast(this.indices, this.found, vertices) - 1);
+    } else if (positions && this.vertices !== undefined && vertices < this.vertices) {
+      const named = this.namedBelow(this.vertices);
+      if (named <= vertices) return;
+      const message = `Expected positions of ${named} vertices, which triangles name, found ${vertices}; they replace others.`;
+      t.report.error('index-out-of-range', message, t.placeOf(positions, 'error'));
+    }
+  }
+
+  /** One more than the largest index below `bound`. */
+  private namedBelow(bound: number): number {
+    let named = 0;
+    for (let i = 0; i < this.found; i++) {
+      const index = this.indices[i];
+      if (index >= named && index < bound) named = index + 1;
+    }
+    return named;
   }
 
   all(): Uint32Array {

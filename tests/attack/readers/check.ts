@@ -104,7 +104,7 @@ async function checkFormat(input: Input, format: Format, tell: Told): Promise<vo
     input,
     () => read(format, name, bytes, []),
     tell,
-    ({ value }) => (value ? heldBy(value) : openedBy(bytes)),
+    ({ value }) => (value ? heldBy(value, bytes) : openedBy(bytes)),
   );
   checkTold(whole, bytes, tell);
   for (const cuts of cutsOf(bytes)) {

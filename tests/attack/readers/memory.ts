@@ -50,11 +50,15 @@ export function mostBytes(fileBytes: number, { things, rows, numbers = 0 }: Held
 
 /** What a text opened before it was refused: at most a thing for each bracket or keyword. */
 export function openedBy(bytes: Uint8Array): Held {
-  const text = Buffer.from(bytes.buffer, bytes.byteOffset, bytes.length).toString('latin1');
-  return { things: text.match(/[{[]|joint|root/gi)?.length ?? 0, rows: 0 };
+  return { things: textOf(bytes).match(/[{[]|joint|root/gi)?.length ?? 0, rows: 0 };
 }
 
-export function heldBy(content: FileContent): Held {
+function textOf(bytes: Uint8Array): string {
+  return Buffer.from(bytes.buffer, bytes.byteOffset, bytes.length).toString('latin1');
+}
+
+/** @param bytes from which it was read */
+export function heldBy(content: FileContent, bytes: Uint8Array): Held {
   switch (content.kind) {
     case 'skel':
       return { things: sumOf(content.skeletons, thingsOf), rows: 0 };
@@ -64,7 +68,9 @@ export function heldBy(content: FileContent): Held {
       return { things: sumOf(content.poses, ({ joints }) => 1 + joints.length), rows: 0 };
     case 'dump': {
       const { blocks } = content.dump;
-      return { things: 2 * blocks.length, rows: sumOf(blocks, ({ lines }) => lines.length) };
+      // What begins like JSON was tried as JSON first, which opens its brackets.
+      const { things } = /^\s*[[{]/.test(textOf(bytes)) ? openedBy(bytes) : { things: 0 };
+      return { things: things + 2 * blocks.length, rows: sumOf(blocks, ({ lines }) => lines.length) };
     }
     default:
       return { things: 0, rows: 0 };
