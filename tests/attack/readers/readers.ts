@@ -10,9 +10,14 @@ import { type Found, type Orders, SHRINKS } from './protocol.ts';
 import { buildThread, startThread } from './start-thread.ts';
 
 const LOOK_MS = 500;
-/** An input is slow above a second of its own time, which the thread measures; the machine may be busy. */
+/**
+ * An input is slow above a second of the processor's time, which the thread measures. In this one's time, too: the
+ * machine may be busy, or stand still.
+ */
 const HANGS_MS = 20_000;
 const SHRINKS_MS = 60_000;
+/** Of anyone's: what waits for nothing takes no time of the processor. */
+const STALLS_MS = 300_000;
 
 export const readers: Attack = {
   name: 'readers',
@@ -69,7 +74,7 @@ async function runThread(
     attempt.gaveWay(`input ${at[0]}, .${input.subject}: ${what}`, { extension: input.subject, content: input.bytes });
     count(at[0] + 1);
   };
-  let [seen, sinceMs] = [-1, performance.now()];
+  let [seen, sinceMs, since] = [-1, performance.now(), process.cpuUsage()];
   while (attempt.goesOn()) {
     await Promise.race([isOver, new Promise((resolve) => setTimeout(resolve, LOOK_MS))]);
     if (ended !== undefined) {
@@ -77,10 +82,16 @@ async function runThread(
       return counted;
     }
     count(at[0]);
-    if (at[0] !== seen) [seen, sinceMs] = [at[0], performance.now()];
-    else if (performance.now() - sinceMs > (at[1] === SHRINKS ? SHRINKS_MS : HANGS_MS)) {
+    if (at[0] !== seen) {
+      [seen, sinceMs, since] = [at[0], performance.now(), process.cpuUsage()];
+      continue;
+    }
+    const { user, system } = process.cpuUsage(since);
+    const workedMs = (user + system) / 1000;
+    const isStalled = performance.now() - sinceMs > STALLS_MS;
+    if (isStalled || workedMs > (at[1] === SHRINKS ? SHRINKS_MS : HANGS_MS)) {
       await thread.terminate();
-      blame(`hangs for more than ${HANGS_MS / 1000} s`);
+      blame(isStalled ? `waits for more than ${STALLS_MS / 1000} s` : `hangs for more than ${HANGS_MS / 1000} s`);
       return counted;
     }
   }
