@@ -31,7 +31,7 @@ type Point = readonly [x: number, y: number];
 /** Fingers are told apart by their place in the list. */
 async function fingers(page: Page) {
   const cdp = await page.context().newCDPSession(page);
-  return (type: 'touchStart' | 'touchMove' | 'touchEnd', ...points: Point[]) =>
+  return (type: 'touchStart' | 'touchMove' | 'touchEnd' | 'touchCancel', ...points: Point[]) =>
     cdp.send('Input.dispatchTouchEvent', { type, touchPoints: points.map(([x, y], id) => ({ x, y, id })) });
 }
 
@@ -121,6 +121,30 @@ it('a pinch on a character zooms in every mode, a swipe scrolls a menu, and dial
           )
           .toBe(1);
       }
+
+      // A slider that the browser takes a finger from goes back, and the next finger doesn't move it.
+      await run(page, 'take.compare');
+      const dofs = () => page.evaluate(() => [window.marrow.characters()[0].dofs, window.marrow.steps()]);
+      await page.evaluate(() => window.marrow.run('page.inspector'));
+      const slider = page.locator('[data-dof] .lil-slider').filter({ visible: true }).first();
+      await slider.scrollIntoViewIfNeeded();
+      const at = await slider.boundingBox();
+      if (!at) throw new Error('The inspector has no slider.');
+      const [x, y] = [at.x + at.width / 2, at.y + at.height / 2];
+      const before = await dofs();
+      const slide = async () => {
+        await touch('touchStart', [x, y]);
+        for (let i = 1; i <= 5; i++) await touch('touchMove', [x + (i * at.width) / 12, y]);
+      };
+      await slide();
+      await expect.poll(dofs).not.toEqual(before);
+      await touch('touchCancel');
+      await expect.poll(dofs).toEqual(before);
+      await touch('touchStart', [20, y]);
+      for (let i = 1; i <= 5; i++) await touch('touchMove', [20 + 10 * i, y]);
+      await touch('touchEnd');
+      await expect.poll(() => page.locator('.lil-active').count()).toBe(0);
+      await expect.poll(dofs).toEqual(before);
     },
     { size: { width: WIDTH, height: 844 }, touch: true },
   ));

@@ -128,6 +128,12 @@ export class Slider extends NumberController {
       },
       { capture: true },
     );
+    this.domElement.addEventListener('mousedown', endMissedDrag, { capture: true });
+    // lil-gui waits for the finger to be lifted: else the next touch, wherever it is, would move the slider.
+    this.$slider?.addEventListener('touchcancel', () => {
+      this.takenBack?.();
+      window.dispatchEvent(new Event('touchend'));
+    });
   }
 
   /**
@@ -226,6 +232,15 @@ export class Slider extends NumberController {
     };
     this.$slider.append(hatched('left', part(limits[0])), hatched('right', part(low + high - limits[1])));
   }
+}
+
+/** lil-gui waits for the button to be let go, which a page doesn't hear of under a system's dialog. */
+function endMissedDrag(): void {
+  const listening = new AbortController();
+  const { signal } = listening;
+  const move = ({ buttons }: MouseEvent) => buttons === 0 && window.dispatchEvent(new MouseEvent('mouseup'));
+  window.addEventListener('mousemove', move, { capture: true, signal });
+  window.addEventListener('mouseup', () => listening.abort(), { signal });
 }
 
 /** Why a text is refused or clamped; undefined if it is accepted. @param from the value that `+=5` changes */
