@@ -54,7 +54,9 @@ export class PlotInput {
    */
   private down: string | undefined;
   private heldForScaling: string | undefined;
-  private drag: { readonly drag: Drag; readonly from: PointerAt; moved: boolean; waiting?: PointerAt } | undefined;
+  private drag:
+    | { readonly drag: Drag; readonly from: PointerAt; readonly letGo: () => void; moved: boolean; waiting?: PointerAt }
+    | undefined;
   private readonly moveSoon = oncePerFrame(() => this.flushMove());
 
   constructor(private readonly plot: PlotHost) {
@@ -152,11 +154,14 @@ export class PlotInput {
     }
     const drag = this.dragFor(intent, at, hit);
     if (!drag) return;
-    this.drag = { drag, from: at, moved: false };
+    const letGo = followPointer(this.plot.element, event, {
+      move: (now) => this.onDrag(this.at(now)),
+      over: (_, release) => (release ? this.endDrag(this.at(release)) : this.cancelDrag()),
+    });
+    this.drag = { drag, from: at, letGo, moved: false };
     this.hover = hit;
     this.grabbed = this.placeInSelection(hit);
     this.plot.freeze(true);
-    followPointer(this.plot.element, event, { over: (lost) => this.endDrag(this.at(lost)) });
     this.plot.element.style.cursor = drag.cursor(at);
     window.addEventListener('keydown', LOOKING.includes(intent) ? this.onLookingKey : this.onDragKey, true);
     // Scrubbing responds to the press itself.
@@ -181,14 +186,20 @@ export class PlotInput {
   }
 
   private onMove(event: PointerEvent): void {
-    const at = this.at(event);
-    this.pointer = at;
+    // A second finger is nothing to the drag.
+    if (this.drag) return;
+    this.pointer = this.at(event);
+    this.lookUnder(this.pointer);
+    this.plot.drawSoon();
+  }
+
+  private onDrag(at: PointerAt): void {
     const { drag } = this;
-    if (drag) {
-      drag.moved ||= Math.hypot(at.x - drag.from.x, at.y - drag.from.y) >= TREMBLE_PIXELS;
-      drag.waiting = at;
-      this.moveSoon();
-    } else this.lookUnder(at);
+    if (!drag) return;
+    this.pointer = at;
+    drag.moved ||= Math.hypot(at.x - drag.from.x, at.y - drag.from.y) >= TREMBLE_PIXELS;
+    drag.waiting = at;
+    this.moveSoon();
     this.plot.drawSoon();
   }
 
@@ -211,22 +222,28 @@ export class PlotInput {
     this.afterDrag();
   }
 
-  private cancelDrag(event: KeyboardEvent): void {
-    event.preventDefault();
-    event.stopPropagation();
+  private cancelDrag(): void {
     const { drag } = this;
+    if (!drag) return;
     this.drag = undefined;
-    drag?.drag.cancel();
+    drag.letGo();
+    drag.drag.cancel();
     this.afterDrag();
   }
 
+  private onEscape(event: KeyboardEvent): void {
+    event.preventDefault();
+    event.stopPropagation();
+    this.cancelDrag();
+  }
+
   private readonly onLookingKey = (event: KeyboardEvent) => {
-    if (event.key === 'Escape') this.cancelDrag(event);
+    if (event.key === 'Escape') this.onEscape(event);
   };
 
   private readonly onDragKey = (event: KeyboardEvent) => {
     waitOutDrag(event);
-    if (event.key === 'Escape') this.cancelDrag(event);
+    if (event.key === 'Escape') this.onEscape(event);
     // Modifiers change a drag at once, wherever the focus is.
     else this.holdKeys(event);
   };

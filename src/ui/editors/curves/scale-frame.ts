@@ -78,7 +78,7 @@ export class ScaleFrame {
     const { plot, edges } = this;
     const scale = scaler(plot);
     const first = plot.scene();
-    if (event.button !== 0 || !edges || !scale || !first) return;
+    if (this.dragging || event.button !== 0 || !edges || !scale || !first) return;
     event.preventDefault();
     event.stopPropagation();
     const grip = event.currentTarget;
@@ -110,9 +110,12 @@ export class ScaleFrame {
         moveSoon();
       },
       key: waitOutDrag,
-      over: () => {
-        if (last !== event) move();
-        scale.edit.commit();
+      over: (_, release) => {
+        if (!release) scale.edit.cancel();
+        else {
+          if (last !== event) move();
+          scale.edit.commit();
+        }
         this.dragging = false;
         plot.freeze(false);
         plot.say('');

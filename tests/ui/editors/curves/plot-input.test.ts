@@ -14,6 +14,9 @@ class FakeElement extends EventTarget {
   readonly style = { cursor: '' };
   focus(): void {}
   setPointerCapture(): void {}
+  hasPointerCapture(): boolean {
+    return false;
+  }
   getBoundingClientRect() {
     return { left: 0, top: 0 };
   }
@@ -99,6 +102,11 @@ function pointAt(key: number) {
 
 const pointer = (more: object) => ({ button: 0, pointerId: 1, pointerType: 'mouse', ...more });
 
+function release(more: object): void {
+  send('pointerup', pointer(more));
+  send('lostpointercapture', pointer(more));
+}
+
 function beginDrag(): void {
   const from = pointAt(1);
   send('pointerdown', pointer(from));
@@ -116,7 +124,7 @@ describe('the keyboard while keys are dragged', () => {
     expect(press(key, code, more)).toBe(true);
     beginDrag();
     expect(press(key, code, more)).toBe(false);
-    send('lostpointercapture', pointer(pointAt(1)));
+    release(pointAt(1));
     expect(press(key, code, more)).toBe(true);
   });
 
@@ -137,7 +145,7 @@ describe('the keyboard while keys are dragged', () => {
     expect(press('Escape', 'Escape')).toBe(false);
     expect(times()).toEqual([0, 1, 2]);
     send('pointermove', pointer({ clientX: 180, clientY: 100 }));
-    send('lostpointercapture', pointer({ clientX: 180, clientY: 100 }));
+    release({ clientX: 180, clientY: 100 });
     expect(times()).toEqual([0, 1, 2]);
     expect(wb.store.undoLabel).toBeUndefined();
   });
@@ -152,6 +160,40 @@ describe('the keyboard while keys are dragged', () => {
   });
 });
 
+describe('fingers that drag keys', () => {
+  const finger = (pointerId: number, more: object) => pointer({ pointerId, pointerType: 'touch', ...more });
+  const beginByFinger = () => {
+    const from = pointAt(1);
+    send('pointerdown', finger(1, from));
+    send('pointermove', finger(1, { ...from, clientX: from.clientX + 25 }));
+    return from;
+  };
+
+  it('a second finger doesn’t move the keys that the first one drags', () => {
+    const from = beginByFinger();
+    send('pointerdown', finger(2, { clientX: 20, clientY: 180 }));
+    send('pointermove', finger(2, { clientX: 190, clientY: 60 }));
+    send('pointerup', finger(2, { clientX: 190, clientY: 60 }));
+    send('lostpointercapture', finger(2, { clientX: 190, clientY: 60 }));
+    expect(times()[1]).toBeCloseTo(1.25, 9);
+    expect(input.dragging).toBe(true);
+    const to = { ...from, clientX: from.clientX + 30 };
+    send('pointerup', finger(1, to));
+    send('lostpointercapture', finger(1, to));
+    expect(times()[1]).toBeCloseTo(1.3, 9);
+    expect(wb.store.undoLabel).toBe('Move key on tx of hips');
+  });
+
+  it('keys go back if the browser takes the finger away that drags them', () => {
+    beginByFinger();
+    send('lostpointercapture', finger(1, { clientX: 0, clientY: 0 }));
+    expect(times()).toEqual([0, 1, 2]);
+    expect(wb.store.undoLabel).toBeUndefined();
+    expect(input.dragging).toBe(false);
+    expect(press('Delete', 'Delete')).toBe(true);
+  });
+});
+
 describe('scaling', () => {
   /** As the page does when the key is pressed in the plot. */
   const pressScaling = () => {
@@ -162,7 +204,7 @@ describe('scaling', () => {
   const dragFar = () => {
     send('pointerdown', pointer({ clientX: 100, clientY: 40 }));
     send('pointermove', pointer({ clientX: 150, clientY: 40 }));
-    send('lostpointercapture', pointer({ clientX: 150, clientY: 40 }));
+    release({ clientX: 150, clientY: 40 });
   };
 
   it('scaling lasts as long as its key is held, whichever key that is', () => {
