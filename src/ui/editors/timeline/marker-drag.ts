@@ -1,40 +1,44 @@
-/** Drags a marker in the scrubber, or the end of a span: one undo step. */
+/** Drags a marker in the scrubber, or the end of a span: one undo step; Escape restores it. */
 import { changeMarker } from '../../../edit/commands/markers.ts';
-import type { Gesture } from '../../../edit/store.ts';
-import { shownClip } from '../../../model/document.ts';
-import { currentCharacter } from '../../state/action.ts';
+import type { HandEdit } from '../../state/hand-edit.ts';
 import type { Uses } from '../../state/workbench.ts';
+import { currentTake, editOfTake, type Take } from './current-take.ts';
+
+const MOVE = { ...changeMarker, label: () => 'Move marker' };
 
 export class MarkerDrag {
-  private gesture: Gesture | undefined;
+  private readonly take: Take | undefined;
+  private readonly edit: HandEdit | undefined;
 
   /** @param isEnd the end of a span, rather than all of it */
   constructor(
-    private readonly wb: Uses<'store'>,
+    wb: Uses<'store' | 'messages'>,
     private readonly index: number,
     private readonly isEnd: boolean,
-  ) {}
+  ) {
+    this.take = currentTake(wb);
+    this.edit = this.take && editOfTake(wb, this.take);
+  }
 
   /** @param toSeconds of the transport */
   move(toSeconds: number): void {
-    const { store } = this.wb;
-    const character = currentCharacter(this.wb);
-    if (!character) return;
-    this.gesture ??= store.begin('Move marker');
-    const before = this.gesture.base.characters.find(({ id }) => id === character.id) ?? character;
-    const marker = shownClip(before)?.markers?.[this.index];
-    if (!marker) return;
-    const at = toSeconds + before.timeOffsetSeconds;
+    const { take, edit, index } = this;
+    const marker = take?.clip.markers?.[index];
+    if (!take || !edit || !marker) return;
+    const at = toSeconds + take.character.timeOffsetSeconds;
     const { timeSeconds, endSeconds } = marker;
     const next = this.isEnd
       ? { ...marker, endSeconds: Math.max(timeSeconds, at) }
       : { ...marker, timeSeconds: at, ...(endSeconds !== undefined && { endSeconds: endSeconds + at - timeSeconds }) };
-    this.gesture.preview(
-      changeMarker.run(this.gesture.base, { characterId: before.id, index: this.index, marker: next }),
-    );
+    edit.preview(MOVE, { characterId: take.character.id, index, marker: next });
   }
 
   end(): void {
-    this.gesture?.commit();
+    this.edit?.commit();
+  }
+
+  /** Restores the marker. */
+  cancel(): void {
+    this.edit?.cancel();
   }
 }

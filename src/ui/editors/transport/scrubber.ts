@@ -60,7 +60,9 @@ export class Scrubber {
   private height = 0;
   private readonly drawSoon = oncePerFrame(() => this.draw());
 
-  constructor(private readonly wb: Uses<'store' | 'actions' | 'transport' | 'timeline' | 'settings' | 'dialog'>) {
+  constructor(
+    private readonly wb: Uses<'store' | 'actions' | 'transport' | 'timeline' | 'settings' | 'messages' | 'dialog'>,
+  ) {
     this.window = this.whole();
     this.channels = shownKeys(wb.store.document, wb.store.selection);
     this.markers = shownMarkers(wb);
@@ -264,10 +266,14 @@ export class Scrubber {
     });
     followPointer(this.element, event, {
       move,
-      over: () => {
+      over: (_, release) => {
         this.dragging = false;
         isOver = true;
-        drag?.end();
+        if (release) drag?.end();
+        else {
+          drag?.cancel();
+          last = undefined;
+        }
       },
     });
   }
@@ -278,7 +284,7 @@ export class Scrubber {
   }
 
   private onPointerDown(event: PointerEvent): void {
-    if (event.button > 1) return;
+    if (event.button > 1 || this.dragging) return;
     event.preventDefault();
     this.element.focus({ preventScroll: true });
     const grabbed = this.timeAt(event.clientX);
