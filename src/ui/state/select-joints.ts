@@ -4,8 +4,9 @@
  * mode Ctrl+click adds a child, and in IK, where a click pins, Shift+click selects a joint alone.
  */
 
+import { findCharacter } from '../../model/document.ts';
 import { type JointPick, withJointActive, withJointToggled } from '../../model/selected-joints.ts';
-import { NOTHING_SELECTED } from '../../model/session.ts';
+import { NOTHING_SELECTED, type Selection } from '../../model/session.ts';
 import type { Hit } from '../../view/picking.ts';
 import type { Uses } from './workbench.ts';
 
@@ -38,4 +39,12 @@ export function selectHit({ store }: Uses<'store'>, hit: Hit | undefined, adds: 
 /** Before a drag: a joint that is selected becomes active, with the others; another one is selected alone. */
 export function activateJoint({ store }: Uses<'store'>, pick: JointPick): void {
   store.select(withJointActive(store.selection, pick));
+}
+
+/** After a drag that was cancelled: the selection that it has replaced, if that still exists. */
+export function reselect({ store }: Uses<'store'>, before: Selection): void {
+  const { characterId, joint } = before;
+  const skeleton = findCharacter(store.document, characterId)?.skeleton;
+  const isThere = joint === undefined || joint < (skeleton?.joints.length ?? 0);
+  if (characterId === undefined || (findCharacter(store.document, characterId) && isThere)) store.select(before);
 }

@@ -11,7 +11,7 @@ import type { HandleId } from '../../../evaluate/handles/joint-handles.ts';
 import { findCharacter } from '../../../model/document.ts';
 import type { Selection } from '../../../model/session.ts';
 import type { Hit } from '../../../view/picking.ts';
-import { activateJoint, addsToSelection, selectHit } from '../../state/select-joints.ts';
+import { activateJoint, addsToSelection, reselect, selectHit } from '../../state/select-joints.ts';
 import { type ResolvedJoint, resolvedJoint, selectedJoint } from '../../state/selected-joint.ts';
 import type { Workbench } from '../../state/workbench.ts';
 import { activeDof, chooseDof } from '../posing/active-dof.ts';
@@ -160,7 +160,7 @@ class FkTool implements ModeTool {
       },
       make,
       ended: (now, isUnmoved) => {
-        if (!now && before) this.reselect(before);
+        if (!now && before) reselect(this.wb, before);
         if (now && isUnmoved)
           selectHit(this.wb, under === 'nothing' ? undefined : under, addsToSelection(this.wb, now));
       },
@@ -184,13 +184,6 @@ class FkTool implements ModeTool {
     if (!isOther) return undefined;
     store.select({ ...selection, placement });
     return selection;
-  }
-
-  /** Restores a selection, as far as it still exists. */
-  private reselect(before: Selection): void {
-    const { store } = this.wb;
-    const { characterId } = before;
-    if (characterId === undefined || findCharacter(store.document, characterId)) store.select(before);
   }
 
   /**

@@ -6,13 +6,14 @@
 import { addJoint } from '../../../edit/commands/rig.ts';
 import type { Vec3 } from '../../../math/vec3.ts';
 import type { Character } from '../../../model/document.ts';
+import type { Selection } from '../../../model/session.ts';
 import { RigOverlay } from '../../../view/rig/rig-overlay.ts';
 import type { RigPart } from '../../../view/rig/rig-screen.ts';
 import { isTextField } from '../../kit/focus.ts';
 import { currentCharacter } from '../../state/action.ts';
 import { attempt } from '../../state/attempt.ts';
 import { pausePlayback } from '../../state/pause-playback.ts';
-import { activateJoint, addsToSelection, selectHit } from '../../state/select-joints.ts';
+import { activateJoint, addsToSelection, reselect, selectHit } from '../../state/select-joints.ts';
 import { selectedJoint, selectedJoints } from '../../state/selected-joint.ts';
 import type { Workbench } from '../../state/workbench.ts';
 import { type BegunDrag, type CanvasDrag, type CanvasPointer, CLICK_PIXELS } from '../viewport/canvas-tools.ts';
@@ -121,6 +122,8 @@ export function rigTool(wb: Workbench): ModeTool {
   ): CanvasDrag => {
     let drag: BegunDrag | undefined;
     let given = false;
+    /** Once the drag has begun. */
+    let before: Selection | undefined;
     isDragging = true;
     return {
       get hasBegun() {
@@ -131,6 +134,7 @@ export function rigTool(wb: Workbench): ModeTool {
         if (!given) {
           given = true;
           pausePlayback(wb);
+          before = store.selection;
           take();
           drag = start();
         }
@@ -144,6 +148,7 @@ export function rigTool(wb: Workbench): ModeTool {
       cancel() {
         isDragging = false;
         drag?.cancel();
+        if (before) reselect(wb, before);
       },
     };
   };
