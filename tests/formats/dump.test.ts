@@ -286,6 +286,16 @@ describe('a dump of long lines and many', () => {
     expect([block.lines[0], block.lines.at(-1), block.lines.length]).toEqual([1, 201, 201]);
   });
 
+  it('rows of JSON are of the line of their key, in each of several texts too', () => {
+    const lines = (text: string) =>
+      [...(readDump(text, 'x.json').value?.blocks ?? [])].flatMap((block) => [...block.lines]);
+    expect(lines('{\n"time": 1,\n"world":\n[[1, 0, 0]]}')).toEqual([3]);
+    expect(lines('{"world": [[1, 0, 0], [2, 0, 0]]}\n{"world": [[3, 0, 0]]}')).toEqual([1, 1, 2]);
+    expect(lines("{'world': [[1, 0, 0]]}\n{'world': [[3, 0, 0]]}")).toEqual([1, 2]);
+    const keys = Array.from({ length: 40 }, (_, i) => `"world_${i}": [[${i}, 0, 0]]`);
+    expect(lines(`{\n${keys.join(',\n')}}`).slice(0, 16)).toEqual(Array.from({ length: 16 }, (_, i) => i + 2));
+  });
+
   it('of lines of JSON of which one is none, nothing is read as JSON', () => {
     const plain = readDump('[1, 2, 3]\n[4, 5, 6]\nhip: 7 8 9', 'x.txt').value?.blocks ?? [];
     expect(plain.flatMap(({ values }) => [...values])).toEqual([1, 2, 3, 4, 5, 6, 7, 8, 9]);

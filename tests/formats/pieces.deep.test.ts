@@ -3,7 +3,7 @@ import { describe, expect, it } from 'vitest';
 import { FORMAT_KINDS, KINDS } from '../../src/project/kinds.ts';
 import { expectLinearTime } from '../helpers/growth.ts';
 import { describeShared, sharedBytes } from '../helpers/shared.ts';
-import { bytesOf, read, readInPieces } from './read-in-pieces.ts';
+import { bytesOf, read, readAsOpened, readInPieces } from './read-in-pieces.ts';
 import { ALL_FILES } from './shared-files.ts';
 
 /** One file of each kind. */
@@ -218,6 +218,35 @@ describe('a hostile file', () => {
         }
     },
   );
+
+  const REPEATED = [
+    'a { ',
+    'a {\n',
+    '} ',
+    '}\n',
+    'balljoint x { ',
+    'skinweights 1e9 {\n',
+    'channel { keys 0 { ',
+    'a 1 b\n',
+  ];
+
+  it.each(PARSED)('%s: the places of its problems are found in a time that grows with its length', (name) => {
+    for (const each of REPEATED) {
+      const opened = (length: number) => void readAsOpened(name, each.repeat(length / each.length));
+      expectLinearTime(opened, 10_000, `time of 4 n by that of n, for ${JSON.stringify(each)}`);
+    }
+  });
+
+  it.each([
+    ['joints', (n: number) => [`[${Array(n).fill('{"joints": [{"name": "a", "world": [1, 0, 0]}]}').join(', ')}]`]],
+    ['lines of Python', (n: number) => Array<string>(n).fill("{'world': [[1, 0, 0]]}")],
+    [
+      'kinds of keys',
+      (n: number) => [`{${Array.from({ length: n }, (_, i) => `"world_${i}": [[1, 0, 0]]`).join(', ')}}`],
+    ],
+  ])('a dump of many %s is read in a time that grows with their number', (_, lines) => {
+    expectLinearTime((n) => void read('x.json', lines(n).join('\n')), 2000);
+  });
 });
 
 describeShared('the files at hand in pieces', () => {

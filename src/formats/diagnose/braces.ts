@@ -39,7 +39,7 @@ function contradictions(lines: TextLines, tabWidth: number): readonly Edit[] {
     // Rows are indented as their writer liked.
     if (first === 'n' && !hasBrace && count > 1) blocks.pass(line);
     else blocks.line(line);
-    if (blocks.edits.length > MOST) break;
+    if (blocks.areTooMany) break;
   }
   blocks.end();
   return blocks.edits;
@@ -59,6 +59,11 @@ class Blocks {
     private readonly tabWidth: number,
   ) {}
 
+  /** Found so far: more are not worth finding, as each goes through its line. */
+  get areTooMany(): boolean {
+    return this.edits.length > MOST;
+  }
+
   pass(line: number): void {
     this.closed = undefined;
     this.before = line;
@@ -77,14 +82,19 @@ class Blocks {
   end(): void {
     const { lines, open, edits } = this;
     const last = lines.filled.at(-1);
-    if (last !== undefined) for (const block of open.reverse()) edits.push(missing(lines, block, last, 0));
+    if (last === undefined) return;
+    while (!this.areTooMany) {
+      const block = open.pop();
+      if (!block) return;
+      edits.push(missing(lines, block, last, 0));
+    }
   }
 
   /** Blocks that should have been closed before this line. */
   private closeTo(line: number, tokens: readonly TextToken[], indent: number): void {
     const { lines, open, edits, before } = this;
     const isWord = tokens[0].class === 'w' || tokens[0].class === 'n';
-    for (let top = open.at(-1); top && before > 0; top = open.at(-1)) {
+    for (let top = open.at(-1); top && before > 0 && !this.areTooMany; top = open.at(-1)) {
       if (isWord ? indent > top.indent : indent >= top.indent) return;
       // A word that is alone where the brace should be may be in its place.
       if (isWord && tokens.length === 1 && indent === top.indent) edits.push(inPlace(lines, top, line, tokens[0]));

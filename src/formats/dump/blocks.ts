@@ -45,7 +45,9 @@ export class Blocks {
       this.starts = twiceAsLong(this.starts);
       this.lines = twiceAsLong(this.lines);
     }
-    this.values.set(numbers, this.count);
+    // Rows are short: `set` takes longer.
+    const { values, count } = this;
+    for (let i = 0; i < numbers.length; i++) values[count + i] = numbers[i];
     this.lines[this.rows] = line;
     if (label || this.labels.length > 0) {
       while (this.labels.length < this.rows) this.labels.push(null);

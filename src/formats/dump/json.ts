@@ -13,6 +13,9 @@ import { linesOf } from './numbers.ts';
 
 /** Objects within objects that are searched. */
 const MAX_DEPTH = 8;
+/** Of those that name numbers, whose lines are looked for. */
+const MAX_KEYS = 16;
+const LF = 10;
 
 type Json = Readonly<Record<string, unknown>>;
 
@@ -35,7 +38,7 @@ function readLines(text: string, blocks: Blocks): boolean {
       blocks.forget();
       return false;
     }
-    new JsonDump(text, line, blocks).find(one.value, 0);
+    new JsonDump(part, line, blocks).find(one.value, 0);
   }
   return true;
 }
@@ -71,6 +74,10 @@ function kindOfKey(key: string): DumpKind | undefined {
 }
 
 class JsonDump {
+  /** Of keys, from 1. */
+  private readonly lines = new Map<string, number>();
+
+  /** @param line of the text's beginning, from 1 */
   constructor(
     private readonly text: string,
     private readonly line: number,
@@ -160,8 +167,9 @@ class JsonDump {
   }
 
   private row(item: unknown, line: number, label: DumpLabel | null): void {
-    const numbers: number[] = [];
-    const isNested = flatten(item, numbers);
+    const isPlain = isNumbers(item);
+    const numbers = isPlain ? item : [];
+    const isNested = !isPlain && flatten(item, numbers);
     if (numbers.length === 0) return;
     if (numbers.length >= 12 || isNested) this.blocks.say({ nesting: isNested ? 'rows' : 'flat' });
     this.blocks.row(numbers, line, label);
@@ -205,10 +213,15 @@ class JsonDump {
 
   /** Of the first place of a key, from 1. */
   private lineOf(key: string): number {
-    const at = this.text.indexOf(`"${key}"`);
-    let line = 1;
-    for (let i = this.text.indexOf('\n'); i >= 0 && i < at; i = this.text.indexOf('\n', i + 1)) line++;
-    return Math.max(line, this.line);
+    const known = this.lines.get(key);
+    if (known !== undefined) return known;
+    // Looked for from the beginning, in what may be the only line.
+    if (this.lines.size === MAX_KEYS) return this.line;
+    const at = Math.max(this.text.indexOf(`"${key}"`), 0);
+    let line = this.line;
+    for (let i = 0; i < at; i++) if (this.text.charCodeAt(i) === LF) line++;
+    this.lines.set(key, line);
+    return line;
   }
 }
 
@@ -271,6 +284,10 @@ function isObject(value: unknown): value is Json {
 
 function isNumber(value: unknown): value is number {
   return typeof value === 'number';
+}
+
+function isNumbers(value: unknown): value is number[] {
+  return Array.isArray(value) && value.every(isNumber);
 }
 
 /** Programs that have no JSON for NaN print null. */
