@@ -5,7 +5,7 @@
 import { closeSync, mkdirSync, openSync, renameSync, rmSync, statSync, writeSync, writevSync } from 'node:fs';
 import { dirname } from 'node:path';
 import { reasonOf } from './reason.ts';
-import { holdSignals, removeStale, scratchName } from './scratch.ts';
+import { holdSignals, removeStale, unfinishedName } from './unfinished-files.ts';
 
 /** Bytes written; or the reason for a failure, which leaves an existing file unchanged. */
 export type Written = { readonly bytes: number } | { readonly failure: string };
@@ -16,7 +16,7 @@ export type Written = { readonly bytes: number } | { readonly failure: string };
  * @param folder for the temporary file, on the same disk; default: next to the target
  */
 export function writeOutput(path: string, pieces: Iterable<string | Uint8Array>, folder = dirname(path)): Written {
-  const scratch = scratchName(path, folder);
+  const scratch = unfinishedName(path, folder);
   holdSignals();
   try {
     const there = statSync(path, { throwIfNoEntry: false });

@@ -14,9 +14,9 @@ import {
   TANGENT_KINDS,
   type Tangents,
 } from '../../model/clip.ts';
+import { NUMBERS } from '../number-batch.ts';
 import type { Place } from '../places.ts';
 import type { BlockWords } from '../scan.ts';
-import { NUMBERS } from '../scratch.ts';
 import type { NumberSink, Tokens } from '../tokens.ts';
 
 const ascii = (word: string) => Uint8Array.from(word, (c) => c.charCodeAt(0));

@@ -17,9 +17,9 @@ import {
   WrongIndices,
   warnRepeated,
 } from '../grammar.ts';
+import { NUMBERS } from '../number-batch.ts';
 import { type Place, WHOLE_FILE } from '../places.ts';
 import { grammarReader, type Reader, type ReadResult, readWhole } from '../reader.ts';
-import { NUMBERS } from '../scratch.ts';
 import type { NumberSink, Tokens } from '../tokens.ts';
 
 /** A reader for a `.morph`. */

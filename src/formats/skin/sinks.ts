@@ -4,8 +4,8 @@
  */
 import type { Attachments } from '../../model/skin.ts';
 import { MAX_COUNT, nextLength, WrongIndices } from '../grammar.ts';
+import { BATCH, NUMBERS } from '../number-batch.ts';
 import type { Place } from '../places.ts';
-import { BATCH, NUMBERS } from '../scratch.ts';
 import type { Mark, NumberSink, Tokens } from '../tokens.ts';
 import { Stairs } from './stairs.ts';
 

@@ -16,7 +16,7 @@ const STALE = new RegExp(`\\.${MACHINE}-(\\d+)-[0-9a-f]{8}\\.tmp$`);
 const MAX_NAME_BYTES = 200;
 
 /** Absolute; of this process alone. @param path of the finished file */
-export function scratchName(path: string, folder: string): string {
+export function unfinishedName(path: string, folder: string): string {
   const name = Buffer.from(basename(path)).subarray(0, MAX_NAME_BYTES).toString();
   return join(folder, `${name}.${MACHINE}-${process.pid}-${randomBytes(4).toString('hex')}.tmp`);
 }
