@@ -73,7 +73,8 @@ abstract class KeyDrag implements DopeDrag {
     const sheet = this.host.sheet();
     const seconds = sheetTime(sheet, at.x) - sheetTime(sheet, this.from.x);
     const snaps = wb.timeline.view.get().snapsToFrames !== snapTurned;
-    return snaps ? snapSeconds(grabbed, seconds, wb.transport.get().framesPerSecond) : seconds;
+    // Back where it began, a key between frames stays there.
+    return snaps && seconds !== 0 ? snapSeconds(grabbed, seconds, wb.transport.get().framesPerSecond) : seconds;
   }
 }
 

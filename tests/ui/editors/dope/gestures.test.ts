@@ -126,6 +126,19 @@ describe('dragging a diamond', () => {
     expect(keys()).toEqual([{ channel: 3, indices: [2] }]);
   });
 
+  it('a key between frames that is dragged and brought back is where it was, to the last digit', () => {
+    const { wb, drag } = stage();
+    wb.transport.update((p) => ({ ...p, framesPerSecond: 7.3 }));
+    const { document } = wb.store;
+    const gesture = drag(onHips(2));
+    gesture?.move(onHips(2.6));
+    expect(wb.store.document).not.toBe(document);
+    gesture?.move(onHips(2));
+    gesture?.release(onHips(2), true);
+    expect(wb.store.document).toBe(document);
+    expect(wb.store.undoLabel).toBeUndefined();
+  });
+
   it('Ctrl during the drag disables snapping', () => {
     const { dragTo, times } = stage();
     dragTo(onHips(2), onHips(2.34, { ctrl: true }));
