@@ -100,7 +100,7 @@ export type BoxSide = 'min' | 'max';
 /**
  * A box with one face moved. A face stops at the opposite one; in files min may exceed max, and such a box's faces move
  * freely.
- * @param by in the box's space, along the axis
+ * @param by in the box's space, along the axis; 0 changes nothing
  * @param both moves the opposite face the other way
  * @param step that the face's position snaps to
  * @param unitsPerPixel in the box's space: changed numbers are rounded to the precision of a drag
@@ -121,8 +121,7 @@ export function boxWithFace(
   const isCrossed = min[axis] > max[axis];
   const middle = (own + across) / 2;
   const clean = (value: number) => (unitsPerPixel === undefined ? value : snapped(value, dustOf(unitsPerPixel)));
-  let face = by === 0 ? own : clean(own + by);
-  if (step !== undefined) face = snapped(own + by, step);
+  let face = by === 0 ? own : step === undefined ? clean(own + by) : snapped(own + by, step);
   const stop = both ? middle : across;
   if (!isCrossed) face = side === 'min' ? Math.min(face, stop) : Math.max(face, stop);
   const goesAlong = both && face !== own;

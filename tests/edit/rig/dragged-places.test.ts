@@ -139,5 +139,6 @@ describe('a face of a box', () => {
 
   it('snaps to round numbers of its own', () => {
     expect(boxWithFace(box, 0, 'max', 0.13, { step: 0.1 }).max[0]).toBe(1.1);
+    expect(boxWithFace({ ...box, max: [0.97, 1, 1] }, 0, 'max', 0, { step: 0.1 }).max[0]).toBe(0.97);
   });
 });

@@ -66,10 +66,13 @@ function dragJoint(
   return {
     move(now) {
       hand.move(now);
-      const moved = move(hand, now);
-      if (!moved || skeleton === undefined) return;
+      if (skeleton === undefined) return;
+      // Where it began, its numbers are as before, neither rounded nor on the grid.
+      const isBack = hand.x === at.clientX && hand.y === at.clientY;
+      const moved = isBack ? { offset: skeleton.joints[joint].offset } : move(hand, now);
+      if (!moved) return;
       const children = state.children.get();
-      const each = movedTogether(rigged, joints, joint, moved.offset, children);
+      const each = isBack ? [{ joint, ...moved }] : movedTogether(rigged, joints, joint, moved.offset, children);
       const shared = { ...rigging(wb, character), children };
       edit.preview(
         command,
