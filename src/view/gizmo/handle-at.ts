@@ -14,7 +14,7 @@ const REACH = 7;
 const ON_LINE = 3;
 /** Half the size of a handle's head, CSS pixels. */
 const HEAD = 6;
-/** Arrows aren't hit near the pivot, where they all meet. CSS pixels. */
+/** Near the pivot, where all arrows meet, none is hit. CSS pixels. */
 const MIDDLE = 16;
 
 export interface HandleHit {
@@ -24,6 +24,8 @@ export interface HandleHit {
    * beyond the DOF's limits, which is drawn faintly.
    */
   readonly yields: boolean;
+  /** Near the pivot, where a ring passes that is seen from its edge. */
+  readonly isAtPivot: boolean;
 }
 
 /** Distance from a piece in CSS pixels, and the depth of its nearest point. */
@@ -40,7 +42,12 @@ interface Nearest {
  */
 export function handleAt(layout: Layout, x: number, y: number, slack = 0, active?: HandleId): HandleHit | undefined {
   const own = active?.kind === 'dof' && layout.shapes.find(({ id, form }) => form === 'ring' && sameHandle(id, active));
-  if (own && Math.hypot(x - own.points[0], y - own.points[1]) <= REACH + slack) return { id: own.id, yields: false };
+  const [px, py] = layout.pivot;
+  const toPivot = Math.hypot(x - px, y - py);
+  const isAtPivot = toPivot < MIDDLE;
+  if (own && Math.hypot(x - own.points[0], y - own.points[1]) <= REACH + slack) {
+    return { id: own.id, yields: false, isAtPivot };
+  }
   let found: HandleHit | undefined;
   let bestOff = Infinity;
   let bestDepth = -Infinity;
@@ -55,13 +62,13 @@ export function handleAt(layout: Layout, x: number, y: number, slack = 0, active
       if (off > bestOff || (off === bestOff && nearest.depth <= bestDepth)) continue;
       bestOff = off;
       bestDepth = nearest.depth;
-      found = { id: shape.id, yields: off > 0 || shape.id.kind === 'view' || isBeyondLimits(shape, i) };
+      const yields = off > 0 || shape.id.kind === 'view' || isBeyondLimits(shape, i);
+      found = { id: shape.id, yields, isAtPivot };
     }
   }
   if (found) return found;
   const ball = layout.shapes.find(({ form }) => form === 'disc');
-  const [px, py] = layout.pivot;
-  return ball && Math.hypot(x - px, y - py) <= BALL_PART * layout.radius ? { id: ball.id, yields: true } : undefined;
+  return ball && toPivot <= BALL_PART * layout.radius ? { id: ball.id, yields: true, isAtPivot } : undefined;
 }
 
 function isBeyondLimits({ form, range, step }: Shape, i: number): boolean {

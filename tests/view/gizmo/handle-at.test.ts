@@ -29,8 +29,8 @@ describe('a handle of a gizmo under the pointer', () => {
     const layout = laid([facing, crossing]);
     const active = { kind: 'dof', dof: 2 } as const;
     const [x, y] = layout.shapes[1].points;
-    expect(hitAt(layout, x, y - 6, 0, active)).toEqual({ id: active, yields: false });
-    expect(hitAt(layout, x, y - 15, 10, active)).toEqual({ id: active, yields: false });
+    expect(hitAt(layout, x, y - 6, 0, active)).toMatchObject({ id: active, yields: false });
+    expect(hitAt(layout, x, y - 15, 10, active)).toMatchObject({ id: active, yields: false });
     expect(handleAt(layout, x, y - 15, 10)).toEqual({ kind: 'dof', dof: 1 });
     expect(hitAt(layout, x, y - 15, 0, active)?.id).toEqual({ kind: 'dof', dof: 1 });
   });
@@ -96,15 +96,22 @@ describe('a handle of a gizmo under the pointer', () => {
     expect(handleAt(laid([ring, away]), x, 300)).toEqual({ kind: 'dof', dof: 1 });
   });
 
+  it('near the pivot a ring seen from its edge says so, and nothing else does', () => {
+    const layout = laid([facing, onEdge]);
+    expect(hitAt(layout, 400, 302)).toEqual({ id: { kind: 'dof', dof: 2 }, yields: false, isAtPivot: true });
+    expect(hitAt(layout, 400, 330)).toEqual({ id: { kind: 'dof', dof: 2 }, yields: false, isAtPivot: false });
+    expect(hitAt(layout, 490, 300)?.isAtPivot).toBe(false);
+  });
+
   it('free rotation, the margin of a line and the part of a ring beyond limits yield to joints under the pointer', () => {
     const limited = { ...facing, range: { value: 0, min: -1, max: 1 } };
     const layout = laid([limited], true);
     // The ring begins on the right, and turns counterclockwise.
-    expect(hitAt(layout, 490, 300)).toEqual({ id: { kind: 'dof', dof: 1 }, yields: false });
-    expect(hitAt(layout, 310, 300)).toEqual({ id: { kind: 'dof', dof: 1 }, yields: true });
+    expect(hitAt(layout, 490, 300)).toMatchObject({ id: { kind: 'dof', dof: 1 }, yields: false });
+    expect(hitAt(layout, 310, 300)).toMatchObject({ id: { kind: 'dof', dof: 1 }, yields: true });
     expect(hitAt(laid([facing]), 310, 300)?.yields).toBe(false);
-    expect(hitAt(layout, 430, 300)).toEqual({ id: { kind: 'ball' }, yields: true });
-    expect(hitAt(layout, 292, 300)).toEqual({ id: { kind: 'view' }, yields: true });
-    expect(hitAt(layout, 494, 300)).toEqual({ id: { kind: 'dof', dof: 1 }, yields: true });
+    expect(hitAt(layout, 430, 300)).toMatchObject({ id: { kind: 'ball' }, yields: true });
+    expect(hitAt(layout, 292, 300)).toMatchObject({ id: { kind: 'view' }, yields: true });
+    expect(hitAt(layout, 494, 300)).toMatchObject({ id: { kind: 'dof', dof: 1 }, yields: true });
   });
 });

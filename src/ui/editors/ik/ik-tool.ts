@@ -164,7 +164,7 @@ class IkTool implements ModeTool {
     if (ring) {
       this.show(undefined, undefined);
       // "grab" claims the pointer: a ring that yields must leave the viewport looking for joints.
-      return ring.yields ? 'move' : 'grab';
+      return ring.yields || ring.isAtPivot ? 'move' : 'grab';
     }
     this.show(pin, pin || !at ? undefined : this.hoveredPoint);
     if (pin) return 'grab';
@@ -173,13 +173,15 @@ class IkTool implements ModeTool {
   }
 
   /**
-   * The ring that a press would grab: pins come first, and joints where the ring is only near.
+   * The ring that a press would grab: pins come first, and joints where the ring is only near, or passes the pivot seen
+   * from its edge.
    * @param isOnJoint asked only if needed
    */
   private ringUnder(at: CanvasPointer, isOnJoint: () => boolean): HandleHit | undefined {
     if (at.button > 0 || at.altKey) return undefined;
     const ring = this.rings.at(at);
-    return ring && !pinUnder(this.wb, at) && !(ring.yields && isOnJoint()) ? ring : undefined;
+    if (!ring || pinUnder(this.wb, at)) return undefined;
+    return (ring.yields || ring.isAtPivot) && isOnJoint() ? undefined : ring;
   }
 
   private turn(ring: HandleId, selected: ResolvedJoint, at: CanvasPointer): CanvasDrag {

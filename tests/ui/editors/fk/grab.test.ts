@@ -2,9 +2,9 @@ import { expect, it } from 'vitest';
 import { grabOf, type UnderPointer } from '../../../../src/ui/editors/fk/grab.ts';
 import type { HandleHit } from '../../../../src/view/gizmo/handle-at.ts';
 
-const RING: HandleHit = { id: { kind: 'dof', dof: 3 }, yields: false };
+const RING: HandleHit = { id: { kind: 'dof', dof: 3 }, yields: false, isAtPivot: false };
 const FAINT: HandleHit = { ...RING, yields: true };
-const BALL: HandleHit = { id: { kind: 'ball' }, yields: true };
+const BALL: HandleHit = { id: { kind: 'ball' }, yields: true, isAtPivot: false };
 const MOUSE = { shiftKey: false, pointerType: 'mouse' };
 
 const grabs = (handle: HandleHit | undefined, at = MOUSE) =>
