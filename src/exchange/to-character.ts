@@ -197,8 +197,9 @@ function skinOf(
   let triangleStart = 0;
   meshes.forEach((mesh, m) => {
     const { matrix } = binding.meshes[m];
-    positions.set(movedBy(matrix, mesh.positions, 1), 3 * first);
-    if (!positions.every(Number.isFinite)) throw tooFar(`A vertex of "${cutText(nodes[mesh.node].name)}"`);
+    const moved = movedBy(matrix, mesh.positions, 1);
+    if (!moved.every(Number.isFinite)) throw tooFar(`A vertex of "${cutText(nodes[mesh.node].name)}"`);
+    positions.set(moved, 3 * first);
     if (mesh.normals) normals.set(movedBy(matrix, mesh.normals, 0), 3 * first);
     if (mesh.texcoords) texcoords.set(mesh.texcoords, 2 * first);
     for (const { material: index, triangles: own } of mesh.surfaces) {
