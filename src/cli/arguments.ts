@@ -64,7 +64,7 @@ function hint(types: OptionTypes): string {
 }
 
 /** Decimal, as in the files: no hex, no infinity, nothing after the number. */
-const NUMBER = /^[+-]?(\d+\.?\d*|\.\d+)(e[+-]?\d+)?$/i;
+const NUMBER = /^[+-]?(\d+(?:\.\d*)?|\.\d+)(e[+-]?\d+)?$/i;
 
 /** @throws UsageError unless the text is a number that a double can hold */
 export function numberOf(option: string, text: string): number {

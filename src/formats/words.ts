@@ -28,7 +28,7 @@ export function shortName(name: string): string {
 export function whyNoNumber(text: string): { code: string; why: string } {
   const code = 'not-a-number';
   const word = text.slice(0, 400).toLowerCase();
-  if (/^[+-]?(\d+\.?\d*|\.\d+)(e[+-]?\d+)?$/.test(word)) {
+  if (/^[+-]?(\d+(?:\.\d*)?|\.\d+)(e[+-]?\d+)?$/.test(word)) {
     return { code: 'number-too-large', why: ': too large for a number' };
   }
   if (/^[+-]?nan/.test(word)) return { code, why: ', which is not a number' };

@@ -21,7 +21,7 @@ function answersJson(sets: readonly SetAnswers[]): string {
     'Doubles, angles in radians. world and local: 16 numbers by columns, the last four x y z 1 of the position. ' +
     'A frame without a time is the pose of the file.';
   const text = JSON.stringify({ about, tolerance: DEFAULT_TOLERANCE, sets }, null, 1);
-  return `${text.replace(/\[\s+([-+\d.e,\s]+?)\s+\]/g, (_, list: string) => `[${list.replace(/\s+/g, ' ')}]`)}\n`;
+  return `${text.replace(/\[\n([-+\d.e,\s]+?)\n *\]/g, (_, list: string) => `[${list.trim().replace(/\s+/g, ' ')}]`)}\n`;
 }
 
 /** For languages without JSON: `SET TIME KIND INDEX NUMBERS…`, `pose` for the time of the file pose. */

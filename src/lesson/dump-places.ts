@@ -1,5 +1,6 @@
 /** Which joint or vertex each entry of a dump is of: by its index, by its name, or in order. */
 import type { DumpBlock, DumpLabel } from '../model/dump.ts';
+import { lastDigitsIn } from '../model/numbered-names.ts';
 import { type Entry, isCount, Misfit } from './dump-entries.ts';
 
 /** The place of each entry. Throws a `Misfit` where labels name one twice, or none. @param names of the joints */
@@ -52,7 +53,7 @@ function byNames(
   if (places.every((place) => place !== undefined)) return places;
   if (places.every((place) => place === undefined)) {
     // `joint7` of joints with other names.
-    const numbers = labels.map((label) => Number(/(\d+)\D*$/.exec(label?.name ?? '')?.[1] ?? Number.NaN));
+    const numbers = labels.map((label) => Number(lastDigitsIn(label?.name ?? '') ?? Number.NaN));
     return isCount(numbers) ? numbers.map((n) => n - Math.min(...numbers.slice(0, 2), numbers[0])) : undefined;
   }
   const wrong = places.indexOf(undefined);

@@ -1,5 +1,6 @@
 /** Blocks of a dump that are values of channels. */
 import type { DumpBlock } from '../model/dump.ts';
+import { lastDigitsIn } from '../model/numbered-names.ts';
 import { Misfit, widthOf } from './dump-entries.ts';
 import type { FrameTime } from './evaluator.ts';
 
@@ -65,7 +66,7 @@ export function readSamples(
     });
     return;
   }
-  const numbered = columns?.slice(1).map((name) => /(\d+)\D*$/.exec(name)?.[1]);
+  const numbered = columns?.slice(1).map(lastDigitsIn);
   const listed = numbered?.every((n) => n !== undefined) ? numbered.map(Number) : undefined;
   const each = listed ? listed.length + 1 : channels + 1;
   if (values.length % each !== 0 || (rows > 1 && width !== each)) throw misfitOf(block, 0, channels);

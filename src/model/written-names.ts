@@ -7,9 +7,11 @@ export function oneToken(name: string): string {
 
 /** For names that are the rest of a line. Inner blanks are fine; leading and trailing ones would be trimmed. */
 export function restOfLine(name: string): string {
-  return wellFormed(name)
-    .replace(/[\r\n{}]/g, '_')
-    .replace(/^[ \t]+|[ \t]+$/g, (blanks) => '_'.repeat(blanks.length));
+  const written = wellFormed(name).replace(/[\r\n{}]/g, '_');
+  const from = /^[ \t]*/.exec(written)?.[0].length ?? 0;
+  let to = written.length;
+  while (to > from && (written[to - 1] === ' ' || written[to - 1] === '\t')) to--;
+  return '_'.repeat(from) + written.slice(from, to) + '_'.repeat(written.length - to);
 }
 
 /** Lone surrogates can't be encoded as UTF-8. */

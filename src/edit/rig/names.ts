@@ -1,11 +1,16 @@
 /** Names for new joints: the next in a series, and that of the other side. */
 import { readName } from '../../evaluate/retarget/names.ts';
+import { trailingDigitsAt } from '../../model/numbered-names.ts';
 import type { Skeleton } from '../../model/skeleton.ts';
+
+/** More are no number that can be counted on. */
+const MAX_DIGITS = 9;
 
 /** The name itself if unused; else with the next free number: `spine2` after `spine1`. */
 export function freeName(taken: ReadonlySet<string>, name: string, separator = '_'): string {
   if (!taken.has(name)) return name;
-  const [, stem, digits] = /^(.*?)(\d*)$/s.exec(name) ?? [name, name, ''];
+  const at = trailingDigitsAt(name, MAX_DIGITS);
+  const [stem, digits] = [name.slice(0, at), name.slice(at)];
   for (let n = digits ? Number(digits) + 1 : 2; ; n++) {
     const next = digits ? stem + String(n).padStart(digits.length, '0') : `${stem}${separator}${n}`;
     if (!taken.has(next)) return next;

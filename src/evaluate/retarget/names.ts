@@ -85,7 +85,7 @@ const NOT_A_PART = /end$|nub|site|eye|jaw|hair|buttock|twist|tongue|^finger/;
 const FINGER = /thumb|index|mid(?:dle)?|ring|pinky|little/;
 
 export function readName(name: string): NameParts {
-  const own = name.slice(name.lastIndexOf(':') + 1).replace(/#.*$/, '');
+  const own = name.slice(name.lastIndexOf(':') + 1).split('#', 1)[0];
   const tokens = tokensOf(own);
   let side: NameSide = 'middle';
   let number = 0;
@@ -123,7 +123,7 @@ function wordOf(key: string, side: NameSide): Word | undefined {
 function tokensOf(name: string): string[] {
   return name
     .replace(/([a-z\d])([A-Z])/g, '$1 $2')
-    .replace(/([A-Z]+)([A-Z][a-z])/g, '$1 $2')
+    .replace(/(?<=[A-Z])(?=[A-Z][a-z])/g, ' ')
     .replace(/([A-Za-z])(\d)/g, '$1 $2')
     .replace(/(\d)([A-Za-z])/g, '$1 $2')
     .toLowerCase()

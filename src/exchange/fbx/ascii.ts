@@ -201,7 +201,7 @@ function isOfWord(byte: number): boolean {
 /** Integers of more than 53 bits stay exact. */
 function numberOr(word: string): number | bigint | undefined {
   if (/^[+-]?\d{16,20}$/.test(word)) return integer(BigInt(word.replace('+', '')));
-  if (/^[+-]?(\d+\.?\d*|\.\d+)([eE][+-]?\d+)?$/.test(word)) return Number(word);
+  if (/^[+-]?(\d+(?:\.\d*)?|\.\d+)([eE][+-]?\d+)?$/.test(word)) return Number(word);
   // How Windows printed infinities and what is no number.
   return /^[+-]?\d*\.#\w+$|^[+-]?(nan|inf)/i.test(word) ? 0 : undefined;
 }

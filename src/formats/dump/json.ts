@@ -8,6 +8,7 @@
  *     channels    a list per channel with `times` beside it; or items of { time, values }
  */
 import type { DumpKind, DumpLabel } from '../../model/dump.ts';
+import { lastDigitsIn } from '../../model/numbered-names.ts';
 import type { Blocks } from './blocks.ts';
 import { linesOf } from './numbers.ts';
 
@@ -188,7 +189,7 @@ class JsonDump {
         });
     } else if (isObject(list)) {
       Object.entries(list).forEach(([name, item], index) => {
-        const number = /(\d+)\D*$/.exec(name)?.[1];
+        const number = lastDigitsIn(name);
         this.channel(item, times, line, { index: number === undefined ? index : Number(number) });
       });
     }

@@ -1,6 +1,6 @@
 /** Numbers as programs print them: decimals, exponents, a float's f, and all spellings of NaN and infinity. */
 
-const NUMBER = /^[-+\u2212]?(?:\d+\.?\d*|\.\d+)(?:[eEdD][-+]?\d+)?[fFdDlL]?$/;
+const NUMBER = /^[-+\u2212]?(?:\d+(?:\.\d*)?|\.\d+)(?:[eEdD][-+]?\d+)?[fFdDlL]?$/;
 /** Longer words are no numbers; without a bound, the expressions here take time that grows with its square. */
 const MAX_LENGTH = 64;
 /** Headings are shorter. */
@@ -40,7 +40,7 @@ export function numbersIn(text: string): number[] | undefined {
 
 /** The time that a heading or comment states: `time 1.5`, `time = 1.5 s`, `t=1.5`. */
 export function timeIn(text: string): number | undefined {
-  const found = /\b(?:time|t)\s*(?:is|at|[:=(,])?\s*([-+]?(?:\d+\.?\d*|\.\d+)(?:e[-+]?\d+)?)(?!\d)/i.exec(
+  const found = /\b(?:time|t)\s*(?:is|at|[:=(,])?\s*([-+]?(?:\d+(?:\.\d*)?|\.\d+)(?:e[-+]?\d+)?)(?!\d)/i.exec(
     text.slice(0, MAX_HEADING),
   )?.[1];
   return found === undefined ? undefined : Number(found);

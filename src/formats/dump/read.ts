@@ -43,7 +43,7 @@ function decode(fileName: string, bytes: Uint8Array, report: Report): Dump | und
 
 /** `walk@1.5.txt`, `walk@1.5`: 1.5. */
 function timeOfName(fileName: string): number | undefined {
-  const found = /@([-+]?(?:\d+\.?\d*|\.\d+)(?:e[-+]?\d+)?)(?:\.[a-z]\w*)?$/i.exec(fileName)?.[1];
+  const found = /@([-+]?(?:\d+(?:\.\d*)?|\.\d+)(?:e[-+]?\d+)?)(?:\.[a-z]\w*)?$/i.exec(fileName)?.[1];
   return found === undefined ? undefined : Number(found);
 }
 

@@ -308,7 +308,10 @@ function boundaryOf(tokens: readonly Token[]): number {
 
 function labelIn(prefix: readonly Token[]): DumpLabel | null {
   const number = prefix.find(isIndex);
-  const text = prefix.map((token, i) => (i > 0 && token.from > prefix[i - 1].to ? ' ' : '') + token.text).join('');
+  const text = prefix
+    .map((token, i) => (i > 0 && token.from > prefix[i - 1].to ? ' ' : '') + token.text)
+    .join('')
+    .slice(0, MAX_WORDS_LENGTH);
   const inside = /[("'[<]\s*([^()"'[\]<>]*[A-Za-z_\u0080-\uffff][^()"'[\]<>]*?)\s*[)"'\]>]/.exec(text)?.[1];
   const words = prefix.filter(({ kind }) => kind === 'word');
   const own = words.filter(({ text: word }) => !isPlain(word.toLowerCase()));

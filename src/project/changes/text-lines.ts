@@ -32,7 +32,7 @@ export function tokensOf(line: string): readonly string[] {
 
 /** As all formats have them. */
 export const TOKEN = /[^ \t\r\n{}]+|[{}]/g;
-const NUMBER = /^[-+]?(?:\d+\.?\d*|\.\d+)(?:e[-+]?\d+)?$/i;
+const NUMBER = /^[-+]?(?:\d+(?:\.\d*)?|\.\d+)(?:e[-+]?\d+)?$/i;
 
 /** Equal for tokens that mean the same. */
 export function meaningOf(token: string): string {
