@@ -8,12 +8,11 @@ import { roundStep } from '../../../math/round-steps.ts';
 import { transformPoint, type Vec3 } from '../../../math/vec3.ts';
 import type { Axis } from '../../../view/rig/rig-screen.ts';
 import { shown } from '../../kit/number-text.ts';
-import { HandEdit } from '../../state/hand-edit.ts';
 import type { Uses } from '../../state/workbench.ts';
 import type { BegunDrag, CanvasPointer } from '../viewport/canvas-tools.ts';
 import { gridSnap } from './grid-snap.ts';
 import { SNAP_PIXELS } from './joint-drags.ts';
-import type { Rigged } from './rigged.ts';
+import { editOfRig, type Rigged } from './rigged.ts';
 import { rigging } from './rigging-args.ts';
 import { SteadyHand } from './steady-hand.ts';
 
@@ -29,7 +28,7 @@ export function dragFace(
   const { readout } = wb.posing.rig;
   const { box } = skeleton.joints[joint];
   const hand = new SteadyHand(at);
-  const edit = new HandEdit(wb.store, wb.messages);
+  const edit = editOfRig(wb, character);
   const space = parentToScene(placement, world, joint);
   const middle: [number, number, number] = [0, 0, 0];
   for (let k = 0; k < 3; k++) middle[k] = (box.min[k] + box.max[k]) / 2;

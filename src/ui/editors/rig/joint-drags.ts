@@ -23,14 +23,13 @@ import { add, scaled, subtract, transformPoint, transformVector, type Vec3, ZERO
 import { jointName } from '../../../model/joint-name.ts';
 import type { Axis } from '../../../view/rig/rig-screen.ts';
 import { shown } from '../../kit/number-text.ts';
-import { HandEdit } from '../../state/hand-edit.ts';
 import type { RigChildren } from '../../state/rig-hand.ts';
 import { jointsText, selectedJointsOf } from '../../state/selected-joint.ts';
 import type { Uses } from '../../state/workbench.ts';
 import type { BegunDrag, CanvasPointer } from '../viewport/canvas-tools.ts';
 import { gridSnap } from './grid-snap.ts';
 import { outermostJoints } from './outermost.ts';
-import { inSpaceOf, meanScale, type Rigged, scenePivot, spaceOfOffset } from './rigged.ts';
+import { editOfRig, inSpaceOf, meanScale, type Rigged, scenePivot, spaceOfOffset } from './rigged.ts';
 import { rigging } from './rigging-args.ts';
 import { SteadyHand } from './steady-hand.ts';
 
@@ -55,7 +54,7 @@ function dragJoint(
   const { character } = rigged;
   const state = wb.posing.rig;
   const { skeleton } = character;
-  const edit = new HandEdit(wb.store, wb.messages);
+  const edit = editOfRig(wb, character);
   const joints = selectedJointsOf(wb, character.id);
   const command = inTurn(setOffset, `Move ${jointsText(skeleton, joints)}`);
   const letTravel = wb.viewport.freezeRootMotion(character.id);

@@ -1,9 +1,10 @@
 /** The character being rigged, at the picked instance, with the matrices to convert scene positions to its space. */
 import { inverseOf, parentToScene } from '../../../edit/rig/dragged-places.ts';
 import { transformPoint, type Vec3, ZERO } from '../../../math/vec3.ts';
-import type { Character } from '../../../model/document.ts';
+import { type Character, findCharacter } from '../../../model/document.ts';
 import type { Skeleton } from '../../../model/skeleton.ts';
 import { currentCharacter } from '../../state/action.ts';
+import { HandEdit } from '../../state/hand-edit.ts';
 import type { Uses } from '../../state/workbench.ts';
 
 export interface Rigged {
@@ -23,6 +24,11 @@ export function riggedNow(wb: Uses<'store' | 'viewport'>): Rigged | undefined {
   const placement = wb.viewport.placementOf(character.id, wb.viewport.pickedCopy(character))?.slice();
   if (!placement || !world || world.length < 16 * character.skeleton.joints.length) return undefined;
   return { character, skeleton: character.skeleton, world, placement };
+}
+
+/** A drag of a joint, which it knows by its index: ends if anything else changes the document. */
+export function editOfRig({ store, messages }: Uses<'store' | 'messages'>, { id, skeleton }: Character): HandEdit {
+  return new HandEdit(store, messages, () => findCharacter(store.document, id)?.skeleton === skeleton);
 }
 
 /** Scene position of a joint's pivot. */

@@ -1,4 +1,5 @@
 import { afterEach, expect, it, vi } from 'vitest';
+import { removeJoint } from '../../../../src/edit/commands/rig.ts';
 import type { Skeleton } from '../../../../src/model/skeleton.ts';
 import { dragFreely } from '../../../../src/ui/editors/rig/joint-drags.ts';
 import { riggedNow } from '../../../../src/ui/editors/rig/rigged.ts';
@@ -33,4 +34,21 @@ it.each([
   drag?.end(at);
   expect(wb.store.document).toEqual(document);
   expect(wb.store.undoLabel).toBeUndefined();
+});
+
+it('a joint dragged in rig mode while another one is deleted stays where it got, and no other moves in its place', () => {
+  const { wb } = ikPage(documentOf(character({ skeleton: bones })));
+  wb.store.select({ characterId: 'c1', joint: 1 });
+  const rigged = riggedNow(wb);
+  const at = { clientX: -12, clientY: 100, ...HELD };
+  const drag = rigged && dragFreely(wb, rigged, 1, at);
+  drag?.move({ ...at, clientX: 40, clientY: 61 });
+  wb.store.apply(removeJoint, { characterId: 'c1', joint: 1, children: 'too', skin: 'stays', timeSeconds: 0 });
+  const { document } = wb.store;
+  expect(document.characters[0].skeleton?.joints.map(({ name }) => name)).toEqual(['hips', 'leg_r']);
+  drag?.move({ ...at, clientX: 70, clientY: 31 });
+  drag?.end({ ...at, clientX: 70, clientY: 31 });
+  expect(wb.store.document).toBe(document);
+  wb.store.undo();
+  expect(wb.store.undoLabel).toBe('Move leg_l');
 });
