@@ -18,6 +18,7 @@ import { areColumns, isChannelWord, isComponent, isIndexWord, isLabelColumn, isP
 const MAX_NAME_WORDS = 6;
 /** Words and marks of a label at most. */
 const MAX_LABEL_TOKENS = 24;
+const LETTER = /[A-Za-z_\u0080-\uffff]/;
 /** Lines without numbers that are longer are prose. */
 const MAX_WORDS_LENGTH = 400;
 
@@ -312,7 +313,7 @@ function labelIn(prefix: readonly Token[]): DumpLabel | null {
     .map((token, i) => (i > 0 && token.from > prefix[i - 1].to ? ' ' : '') + token.text)
     .join('')
     .slice(0, MAX_WORDS_LENGTH);
-  const inside = /[("'[<]\s*([^()"'[\]<>]*[A-Za-z_\u0080-\uffff][^()"'[\]<>]*?)\s*[)"'\]>]/.exec(text)?.[1];
+  const inside = bracketedName(text);
   const words = prefix.filter(({ kind }) => kind === 'word');
   const own = words.filter(({ text: word }) => !isPlain(word.toLowerCase()));
   if (!number && own.length === 0) return null;
@@ -325,7 +326,14 @@ function labelIn(prefix: readonly Token[]): DumpLabel | null {
     : '';
   const name =
     inside ?? (after || (own.length > 0 ? nameOf(text.replace(/^(joint|bone|node)\s+(?=\D)/i, '')) : nameOf(text)));
-  return labelWith(number?.value, /[A-Za-z_\u0080-\uffff]/.test(name ?? '') ? name : undefined);
+  return labelWith(number?.value, LETTER.test(name ?? '') ? name : undefined);
+}
+
+/** What is between brackets or quotes, if it has a letter. */
+function bracketedName(text: string): string | undefined {
+  for (const [, inside] of text.matchAll(/[("'[<]([^()"'[\]<>]*)(?=[)"'\]>])/g))
+    if (LETTER.test(inside)) return inside.trim();
+  return undefined;
 }
 
 function labelWith(index: number | undefined, name: string | undefined): DumpLabel | null {

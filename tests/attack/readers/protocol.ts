@@ -8,13 +8,9 @@ export interface Orders {
   readonly seed: number;
   /** The first input. */
   readonly from: number;
-  /** Of 2 numbers: the input that is read, and the state of the thread. */
+  /** One number: the input that is read. */
   readonly at: SharedArrayBuffer;
 }
-
-/** Of the thread, in `at[1]`: while it makes an input smaller, it may take longer. */
-export const READS = 0;
-export const SHRINKS = 1;
 
 /** An input that gave way, made smaller. */
 export interface Found {

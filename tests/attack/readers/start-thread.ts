@@ -1,5 +1,6 @@
 /** Threads that read hostile files: built, and with little space for new objects, which `memory.ts` asks for. */
 import { fileURLToPath } from 'node:url';
+import { setFlagsFromString } from 'node:v8';
 import { Worker } from 'node:worker_threads';
 import { build } from 'vite';
 import { draco } from '../../../vite.draco.ts';
@@ -30,6 +31,8 @@ export async function buildThread(name: 'thread' | 'asked-thread'): Promise<stri
 }
 
 export function startThread(script: string, workerData?: unknown): Worker {
+  // A thread that is ended while it measures leaves this on for the whole process.
+  setFlagsFromString('--no-gc-global');
   return new Worker(script, {
     workerData,
     resourceLimits: { maxOldGenerationSizeMb: MAX_HEAP_MB, maxYoungGenerationSizeMb: NEW_SPACE_MB },

@@ -2,7 +2,7 @@
 import { parentPort, workerData } from 'node:worker_threads';
 import { faultsOf } from './check.ts';
 import { Inputs } from './inputs.ts';
-import { type Found, type Orders, READS, SHRINKS } from './protocol.ts';
+import type { Found, Orders } from './protocol.ts';
 import { shrunk } from './shrink.ts';
 
 const SHRINK_MS = 3000;
@@ -23,9 +23,7 @@ for (let index = from; ; index++) {
     const key = `${input.subject} ${fault.kind}`;
     const count = (found.get(key) ?? 0) + 1;
     found.set(key, count);
-    Atomics.store(at, 1, SHRINKS);
     const small = count > MOST_OF_A_KIND ? input : await shrunk(input, fault, SHRINK_MS);
-    Atomics.store(at, 1, READS);
     const message: Found = { index, fault, input: small };
     parentPort?.postMessage(message);
   }
