@@ -39,7 +39,10 @@ export function handDrag(
   threshold: number,
   events: HandDragEvents,
 ): CanvasDrag {
-  const edit = new HandEdit(wb.store, wb.messages);
+  const skeletonNow = () => findCharacter(wb.store.document, characterId)?.skeleton;
+  const skeleton = skeletonNow();
+  // The mover knows DOFs by index, and counts from the press.
+  const edit = new HandEdit(wb.store, wb.messages, () => skeletonNow() === skeleton);
   let mover: Mover | undefined;
   /** While pins hold. */
   let beside: BesideDofs | undefined;
@@ -58,7 +61,7 @@ export function handDrag(
         rest = wb.viewport.freezeRootMotion(characterId);
         mover = events.begin();
       }
-      if (!mover) return;
+      if (!mover || edit.cancelled) return;
       const moved = mover(at);
       beside ??= wb.posing.beside?.(characterId, constrainedDofs(wb, { characterId, joint }, moved));
       const own = [...moved.dofs, ...moved.others];

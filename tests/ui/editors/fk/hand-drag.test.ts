@@ -1,4 +1,5 @@
 import { afterEach, beforeEach, expect, it } from 'vitest';
+import { removeCharacter } from '../../../../src/edit/commands/characters.ts';
 import { type HandDragEvents, handDrag } from '../../../../src/ui/editors/fk/hand-drag.ts';
 import { besidePins } from '../../../../src/ui/editors/ik/pins-beside.ts';
 import type { CanvasPointer } from '../../../../src/ui/editors/viewport/canvas-tools.ts';
@@ -85,6 +86,19 @@ it('a body that is turned and back is as it was, and at Escape at once', () => {
   drag.cancel();
   expect(page.pose()).toEqual(before);
   expect(page.wb.store.undoLabel).toBeUndefined();
+});
+
+it.each([
+  ['undone', () => void page.wb.store.undo()],
+  ['removed', () => page.wb.store.apply(removeCharacter, { characterId: 'c1' })],
+])('a drag of a character that is %s meanwhile ends there, and nothing else changes', (_, act) => {
+  const drag = turning();
+  for (let x = 1; x <= 10; x++) drag.move(at(x));
+  act();
+  const { document } = page.wb.store;
+  for (let x = 11; x <= 30; x++) drag.move(at(x));
+  drag.end(at(30));
+  expect(page.wb.store.document).toBe(document);
 });
 
 it('without pins that hold only the dragged DOF changes', () => {
