@@ -106,6 +106,14 @@ export const BY_HAND: readonly Check[] = [
       await page.mouse.move(bar.x + bar.width / 4, bar.y + bar.height * 0.7);
       await page.mouse.down();
       await page.mouse.move(bar.x + bar.width / 2, bar.y + bar.height * 0.7, { steps: 4 });
+      // As in a window that is made small in mid-drag.
+      const show = (display: string) =>
+        page.locator('canvas.scrubber').evaluate((canvas: HTMLElement, value) => {
+          canvas.style.display = value;
+        }, display);
+      await show('none');
+      await page.mouse.move(bar.x + bar.width / 3, bar.y + bar.height * 0.7, { steps: 2 });
+      await show('');
       await page.mouse.up();
       const there = await dof(page, 3);
       expect(there).toBeGreaterThan(0.3);

@@ -78,7 +78,7 @@ export class TimeInput {
     });
   }
 
-  /** In the frame in which its tab opens a chart has no width, and shows no times. */
+  /** In the frame in which its tab opens, and folded in mid-drag, a chart has no width, and shows no times. */
   private isLaidOut(): boolean {
     return this.chart.timeView().width > 0;
   }
@@ -93,6 +93,7 @@ export class TimeInput {
   }
 
   private scrub(event: MouseEvent): void {
+    if (!this.isLaidOut()) return;
     const timeSeconds = this.chart.scrubbedTime(this.at(event).x, scrubFrames(this.wb, event.shiftKey));
     this.wb.transport.update((p) => ({ ...p, timeSeconds, playing: false }));
   }
@@ -119,6 +120,7 @@ export class TimeInput {
   }
 
   private onPinch({ window, from }: NonNullable<typeof this.pinch>): void {
+    if (!this.isLaidOut()) return;
     const [a, b] = this.fingers.values();
     this.look(pinchWindow(window, this.chart.timeView().width, from, [a, b]));
   }

@@ -213,6 +213,11 @@ export class Scrubber {
     openTimeMenu(this.wb, timeSeconds, { x: Math.min(right, Math.max(left, x)), y: bottom, byKeyboard: true });
   }
 
+  /** A window made small in mid-drag leaves it no width, and no times. */
+  private isLaidOut(): boolean {
+    return this.element.clientWidth > 0;
+  }
+
   private timeAt(clientX: number): number {
     const box = this.element.getBoundingClientRect();
     return this.window.from + ((clientX - box.left) / box.width) * (this.window.to - this.window.from);
@@ -257,6 +262,7 @@ export class Scrubber {
     const grabbedOff = grabbed - this.timeOfMarker(index, isEnd);
     const move = (e: PointerEvent) => {
       last = e;
+      if (!this.isLaidOut()) return;
       drag?.move(snapTime(this.timeAt(e.clientX) - grabbedOff, this.secondsPerPixel, scrubFrames(this.wb, e.shiftKey)));
     };
     void import('../timeline/marker-drag.ts').then(({ MarkerDrag: Made }) => {
@@ -284,7 +290,7 @@ export class Scrubber {
   }
 
   private onPointerDown(event: PointerEvent): void {
-    if (event.button > 1 || this.dragging) return;
+    if (event.button > 1 || this.dragging || !this.isLaidOut()) return;
     event.preventDefault();
     this.element.focus({ preventScroll: true });
     const grabbed = this.timeAt(event.clientX);
@@ -298,6 +304,7 @@ export class Scrubber {
     if (handle !== 'pan') this.drag(handle, grabbed, event.shiftKey);
     followPointer(this.element, event, {
       move: (e) => {
+        if (!this.isLaidOut()) return;
         if (handle === 'pan') this.look(panWindow(this.window, grabbed - this.timeAt(e.clientX)));
         else this.drag(handle, this.timeAt(e.clientX), e.shiftKey);
       },
@@ -319,6 +326,7 @@ export class Scrubber {
 
   private onWheel(event: WheelEvent): void {
     event.preventDefault();
+    if (!this.isLaidOut()) return;
     const lines = event.deltaMode === WheelEvent.DOM_DELTA_LINE ? 16 : 1;
     const sideways = Math.abs(event.deltaX) > Math.abs(event.deltaY) ? event.deltaX : event.shiftKey ? event.deltaY : 0;
     if (sideways) this.look(panWindow(this.window, sideways * lines * this.secondsPerPixel));
