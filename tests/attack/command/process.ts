@@ -85,12 +85,14 @@ export function marrow(
 export type End = Pick<Ended, 'err'> & Partial<Ended>;
 
 /** What is wrong about how it ended; empty if nothing is. */
-export function faultsOf({ code, err, isHung = false, memoryMb = 0 }: End): string[] {
+export function faultsOf({ code, err, out = '', isHung = false, memoryMb = 0 }: End): string[] {
   const faults: string[] = [];
+  // That something differs is a result.
+  const words = code === 1 ? err + out : err;
   if (isHung) faults.push(`it took longer than ${LIMIT_MS / 1000} s`);
   if (memoryMb > MAX_MEMORY_MB) faults.push(`it took ${Math.round(memoryMb)} MB`);
   if (code !== undefined && ![0, 1, 2, 3].includes(code)) faults.push(`it ended with ${code}`);
-  if (code !== undefined && code !== 0 && err.trim() === '') faults.push(`it ended with ${code} without a word`);
+  if (code !== undefined && code !== 0 && words.trim() === '') faults.push(`it ended with ${code} without a word`);
   if (/^\s+at .+:\d+:\d+\)?$/m.test(err) || /node:internal|\bnode:fs\b/.test(err)) faults.push('it told a stack trace');
   if (/\b(E[A-Z]{3,12}|ERR_[A-Z_]+)\b[:,]/.test(err)) faults.push('it told an error code for a sentence');
   if (/\b(TypeError|RangeError|undefined|\[object Object\])\b/.test(err))
