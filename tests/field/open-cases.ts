@@ -14,8 +14,6 @@ export const OPEN_CASES: ReadonlySet<string> = new Set<string>([
   'fbx-decimetre-idle.fbx',
   'fbx-centimetre-tremor.fbx',
   'fbx-centimetre-spike.fbx',
-  'fbx-rotation-not-active.fbx',
-  'fbx-rotation-order-not-active.fbx',
   'same-take-name to bvh',
   'same-take-name to anim',
   'same-take-name to skel',

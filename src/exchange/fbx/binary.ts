@@ -1,7 +1,7 @@
 /**
  * Binary FBX: a header, records, and a footer that is not read.
  *
- *     file   = "Kaydara FBX Binary  \0" 1A 00, version u32, { record }, an empty record
+ *     file   = "Kaydara FBX Binary  \0" 1A, 0 or 1 where numbers are big-endian, version u32, { record }, an empty record
  *     record = end, number of values, bytes of values (u32; from 7.5 on u64), name length u8, name, values,
  *              { record }, an empty record if there were any
  *     value  = type: C Z B Y I F D L of 1 to 8 bytes; S R with u32 length; f d l i b c: arrays of n, packed by zlib or not
@@ -15,6 +15,9 @@ import type { FbxFile, FbxNumbers, FbxRecord, FbxValue } from './record.ts';
 
 const MAGIC = 'Kaydara FBX Binary  \0';
 const HEADER = 27;
+/** Where the header says whether numbers are big-endian, and the version. */
+const ENDIANNESS_AT = 22;
+const VERSION_AT = 23;
 /** Real files have less than ten levels. */
 const MAX_DEPTH = 64;
 const UTF8 = new TextDecoder();
@@ -25,7 +28,12 @@ export function isBinaryFbx(bytes: Uint8Array): boolean {
 
 /** The version in the header of a binary file; 0 if it ends before. */
 export function binaryVersion(bytes: Uint8Array): number {
-  return bytes.length < HEADER ? 0 : new DataView(bytes.buffer, bytes.byteOffset).getUint32(HEADER - 4, true);
+  if (bytes.length < HEADER) return 0;
+  return new DataView(bytes.buffer, bytes.byteOffset).getUint32(VERSION_AT, isLittleEndian(bytes));
+}
+
+function isLittleEndian(bytes: Uint8Array): boolean {
+  return bytes[ENDIANNESS_AT] === 0;
 }
 
 /** The records of a binary file of version 7.0 or later. Fails if it is damaged. */
@@ -41,6 +49,7 @@ interface Cursor {
 class BinaryReader {
   private readonly view: DataView;
   private readonly headerBytes: number;
+  private readonly isLittle: boolean;
 
   constructor(
     private readonly bytes: Uint8Array<ArrayBuffer>,
@@ -49,6 +58,7 @@ class BinaryReader {
   ) {
     this.view = new DataView(bytes.buffer, bytes.byteOffset, bytes.byteLength);
     this.headerBytes = isWide ? 25 : 13;
+    this.isLittle = isLittleEndian(bytes);
   }
 
   file(): FbxRecord[] {
@@ -107,11 +117,12 @@ class BinaryReader {
 
   /** A length or an end in the header of a record. */
   private size(at: number): number {
-    return this.isWide ? Number(this.view.getBigUint64(at, true)) : this.view.getUint32(at, true);
+    const { view, isLittle } = this;
+    return this.isWide ? Number(view.getBigUint64(at, isLittle)) : view.getUint32(at, isLittle);
   }
 
   private value(cursor: Cursor, limit: number): FbxValue {
-    const { view, bytes } = this;
+    const { view, bytes, isLittle } = this;
     const start = cursor.at;
     if (start >= limit) this.report.fail('bad-value', 'Expected a value, found the end of its record.', start);
     const type = String.fromCharCode(bytes[start]);
@@ -128,23 +139,23 @@ class BinaryReader {
         return view.getUint8(at);
       case 'Y':
         take(2);
-        return view.getInt16(at, true);
+        return view.getInt16(at, isLittle);
       case 'I':
         take(4);
-        return view.getInt32(at, true);
+        return view.getInt32(at, isLittle);
       case 'F':
         take(4);
-        return view.getFloat32(at, true);
+        return view.getFloat32(at, isLittle);
       case 'D':
         take(8);
-        return view.getFloat64(at, true);
+        return view.getFloat64(at, isLittle);
       case 'L':
         take(8);
-        return integer(view.getBigInt64(at, true));
+        return integer(view.getBigInt64(at, isLittle));
       case 'S':
       case 'R': {
         take(4);
-        const length = view.getUint32(at, true);
+        const length = view.getUint32(at, isLittle);
         take(4 + length);
         const data = bytes.subarray(at + 4, at + 4 + length);
         return type === 'S' ? UTF8.decode(data) : data;
@@ -156,12 +167,14 @@ class BinaryReader {
       case 'b':
       case 'c': {
         take(12);
-        const count = view.getUint32(at, true);
-        const encoding = view.getUint32(at + 4, true);
-        const length = view.getUint32(at + 8, true);
-        const size = count * elementBytes(type);
+        const count = view.getUint32(at, isLittle);
+        const encoding = view.getUint32(at + 4, isLittle);
+        const length = view.getUint32(at + 8, isLittle);
+        const width = elementBytes(type);
+        const size = count * width;
         take(12 + (encoding === 0 ? size : length));
         const data = this.array(bytes.subarray(at + 12, cursor.at), encoding, size, start);
+        if (!isLittle) reverseEach(data, width);
         return numbers(type, data, count);
       }
       default:
@@ -202,7 +215,13 @@ function elementBytes(type: 'f' | 'd' | 'l' | 'i' | 'b' | 'c'): number {
   return type === 'f' || type === 'i' ? 4 : 1;
 }
 
-/** FBX is little-endian, as is every machine with typed arrays in use. */
+/** Reverses the bytes of each element. */
+function reverseEach(data: Uint8Array, width: number): void {
+  if (width === 1) return;
+  for (let at = 0; at + width <= data.length; at += width) data.subarray(at, at + width).reverse();
+}
+
+/** Of little-endian bytes, as all machines in use have them. */
 function numbers(type: 'f' | 'd' | 'l' | 'i' | 'b' | 'c', data: Uint8Array<ArrayBuffer>, count: number): FbxNumbers {
   switch (type) {
     case 'f':

@@ -27,6 +27,7 @@ export interface FbxDocument {
   readonly file: FbxFile;
   readonly settings: Properties;
   readonly objects: readonly FbxObject[];
+  readonly isOfBlender: boolean;
   /** What an object consists of, in the order of the file; `0` is the scene. */
   partsOf(id: string): readonly Link[];
   /** What an object is part of. */
@@ -89,7 +90,7 @@ export function documentOf(file: FbxFile): FbxDocument {
     const id = idAt(record);
     // Of two objects with one id the first counts: connections can't tell them apart.
     if (id === undefined || id === SCENE_ID || byId.has(id)) continue;
-    const object = objectOf(record, id, templates.get(record.name));
+    const object = objectOf(record, id, templates);
     objects.push(object);
     byId.set(id, object);
   }
@@ -109,7 +110,8 @@ export function documentOf(file: FbxFile): FbxDocument {
   const isNew = (numberAt(childOf(header, 'FBXHeaderVersion')) ?? 0) >= 1004 && definition !== OLD_TIME_DEFINITION;
   return {
     file,
-    settings: new Properties(section('GlobalSettings')),
+    settings: new Properties(section('GlobalSettings'), templates('GlobalSettings', 'GlobalSettings')),
+    isOfBlender: /^blender\b/i.test(textAt(childOf(header, 'Creator')) ?? ''),
     objects,
     partsOf: (id) => parts.get(id) ?? [],
     ownersOf: (id) => owners.get(id) ?? [],
@@ -117,29 +119,42 @@ export function documentOf(file: FbxFile): FbxDocument {
   };
 }
 
-function templatesOf(definitions: FbxRecord | undefined): Map<string, Properties> {
-  const templates = new Map<string, Properties>();
-  for (const type of childrenOf(definitions, 'ObjectType')) {
-    const name = textAt(type);
-    const template = childOf(type, 'PropertyTemplate');
-    if (name !== undefined && template) templates.set(name, new Properties(template));
+/** The template for objects of a kind and a type. */
+type Templates = (kind: string, type: string) => Properties | undefined;
+
+/** That of the type's own class where a kind has several, such as `FbxCamera`; else the kind's first. */
+function templatesOf(definitions: FbxRecord | undefined): Templates {
+  const ofKinds = new Map<string, { readonly first: Properties; readonly byClass: Map<string, Properties> }>();
+  for (const objectType of childrenOf(definitions, 'ObjectType')) {
+    const kind = textAt(objectType) ?? '';
+    for (const record of childrenOf(objectType, 'PropertyTemplate')) {
+      const template = new Properties(record);
+      const own = ofKinds.get(kind) ?? { first: template, byClass: new Map<string, Properties>() };
+      ofKinds.set(kind, own);
+      own.byClass.set(textAt(record) ?? '', template);
+    }
   }
-  return templates;
+  return (kind, type) => {
+    const own = ofKinds.get(kind);
+    return own?.byClass.get(`Fbx${type}`) ?? own?.first;
+  };
 }
 
 /** Binary files say name, 0, 1, class; texts class::name. */
-function objectOf(record: FbxRecord, id: string, template: Properties | undefined): FbxObject {
+function objectOf(record: FbxRecord, id: string, templates: Templates): FbxObject {
+  const kind = record.name;
+  const type = textAt(record, 2) ?? '';
   const full = textAt(record, 1) ?? '';
   const zero = full.indexOf('\0');
   const colons = full.indexOf('::');
   const name = zero >= 0 ? full.slice(0, zero) : colons >= 0 ? full.slice(colons + 2) : full;
   return {
     id,
-    kind: record.name,
+    kind,
     name,
-    type: textAt(record, 2) ?? '',
+    type,
     record,
-    properties: new Properties(record, template),
+    properties: new Properties(record, templates(kind, type)),
   };
 }
 

@@ -79,13 +79,14 @@ export function nodesOf(document: FbxDocument): FbxNode[] {
 function nodeOf(object: FbxObject, parent: number): FbxNode {
   const { properties } = object;
   const inherit = properties.number('InheritType');
+  const hasSpace = hasRotationSpace(properties);
   return {
     object,
     parent,
     translation: properties.vector('Lcl Translation', ZERO),
     angles: inRadians(properties.vector('Lcl Rotation', ZERO)),
     scale: properties.vector('Lcl Scaling', ONE),
-    order: ORDERS[properties.number('RotationOrder') ?? 0] ?? 'xyz',
+    order: (hasSpace && ORDERS[properties.number('RotationOrder') ?? 0]) || 'xyz',
     inherits:
       parent < 0 || inherit === undefined
         ? 'normal'
@@ -94,15 +95,25 @@ function nodeOf(object: FbxObject, parent: number): FbxNode {
           : inherit === 2
             ? 'not of parent'
             : 'normal',
-    pivots: pivotsOf(properties),
+    pivots: pivotsOf(properties, hasSpace),
   };
 }
 
-function pivotsOf(properties: Properties): Pivots {
-  const before = new Float64Array(4);
-  writeQuaternion('xyz', inRadians(properties.vector('PreRotation', ZERO)), before);
-  const after = new Float64Array(4);
-  writeQuaternion('xyz', inRadians(properties.vector('PostRotation', ZERO)), after);
+/** Whether a node turns in its own order, between its pre- and post-rotation; else these don't count. */
+function hasRotationSpace(properties: Properties): boolean {
+  const isActive = properties.number('RotationActive') !== 0;
+  const isForLimitsOnly = (properties.number('RotationSpaceForLimitOnly') ?? 0) !== 0;
+  return isActive && !isForLimitsOnly;
+}
+
+function pivotsOf(properties: Properties, hasSpace: boolean): Pivots {
+  const turnOf = (name: string) => {
+    const turn = new Float64Array(4);
+    writeQuaternion('xyz', inRadians(hasSpace ? properties.vector(name, ZERO) : ZERO), turn);
+    return turn;
+  };
+  const before = turnOf('PreRotation');
+  const after = turnOf('PostRotation');
   for (let k = 0; k < 3; k++) after[k] = -after[k];
   return {
     rotationOffset: properties.vector('RotationOffset', ZERO),

@@ -31,23 +31,40 @@ export function channelsOf(document: FbxDocument, geometry: FbxObject): FbxChann
     .map((object) => {
       const shapes = partsOfKind(document, object, 'Geometry', 'Shape');
       const full = numbersOf(childOf(object.record, 'FullWeights'));
+      const arePointWeights = shapes.length === 1 && isOfPoints(document, shapes[0], full);
       return {
         object,
         name: object.name || shapes[0]?.name || '',
         // Blender has it as a record.
         percent: object.properties.number('DeformPercent') ?? numberAt(childOf(object.record, 'DeformPercent')) ?? 0,
         shapes: shapes
-          .map(({ name, record }, i) => ({
-            name,
-            // Blender has one per point there.
-            full: (full.length === shapes.length && full[i]) || 100,
-            points: numbersOf(childOf(record, 'Indexes')),
-            offsets: numbersOf(childOf(record, 'Vertices')),
-            normals: numbersOf(childOf(record, 'Normals')),
-          }))
+          .map(({ name, record }, i) => {
+            const weighed = (numbers: FbxNumbers) => (arePointWeights ? weighedBy(full, numbers) : numbers);
+            return {
+              name,
+              full: (!arePointWeights && full.length === shapes.length && full[i]) || 100,
+              points: numbersOf(childOf(record, 'Indexes')),
+              offsets: weighed(numbersOf(childOf(record, 'Vertices'))),
+              normals: weighed(numbersOf(childOf(record, 'Normals'))),
+            };
+          })
           .sort((a, b) => a.full - b.full),
       };
     });
+}
+
+/**
+ * Whether the `FullWeights` of a channel are percentages by which the points of its only shape follow it, as Blender
+ * writes those of a vertex group. A single number is one only there: elsewhere it is the percentage of the whole shape.
+ */
+function isOfPoints({ isOfBlender }: FbxDocument, { record }: FbxObject, full: FbxNumbers): boolean {
+  const count = numbersOf(childOf(record, 'Indexes')).length;
+  return full.length === count && (count > 1 || isOfBlender);
+}
+
+/** @param numbers x y z per point */
+function weighedBy(percents: FbxNumbers, numbers: FbxNumbers): FbxNumbers {
+  return Float64Array.from(numbers, (value, i) => (value * percents[Math.floor(i / 3)]) / 100);
 }
 
 /**

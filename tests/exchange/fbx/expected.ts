@@ -19,6 +19,7 @@ export const FBX_FILES = [
   'maya_anim_layers_7500_ascii',
   'blender_279_sausage_7400_binary',
   'maya_blend_shape_cube_7700_binary',
+  'blender440_shape_weight_anim_7400_binary',
   '91_48',
 ];
 

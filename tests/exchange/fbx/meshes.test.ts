@@ -190,6 +190,47 @@ describe('FBX meshes', () => {
     };
     expect([0, 25, 50, 75, 100, 150].map(at)).toEqual([0, 0.5, 1, 3, 5, 9]);
   });
+
+  it('the points of a shape follow it by their own percentages, of which Blender may write a single one', () => {
+    const heights = (creator: string, points: readonly number[], full: readonly number[]) => {
+      const offsets = points.flatMap(() => [0, 0, 8]);
+      const fbx = meshFile([], {
+        before: [rec('FBXHeaderExtension', [], [rec('Creator', [creator])])],
+        objects: [
+          { id: 20, kind: 'Deformer', name: 'b', type: 'BlendShape' },
+          {
+            id: 21,
+            kind: 'Deformer',
+            name: 'smile',
+            type: 'BlendShapeChannel',
+            children: [rec('DeformPercent', [50]), rec('FullWeights', [Float64Array.from(full)])],
+          },
+          {
+            id: 22,
+            kind: 'Geometry',
+            name: 's',
+            type: 'Shape',
+            children: [
+              rec('Indexes', [Int32Array.from(points)]),
+              rec('Vertices', [Float64Array.from(offsets)]),
+              rec('Normals', [Float64Array.from(offsets)]),
+            ],
+          },
+        ],
+        connections: [
+          [20, 11],
+          [21, 20],
+          [22, 21],
+        ],
+      });
+      const all = verticesAt(sceneOf(fbx), undefined, 0)[0];
+      return [2, 5, 8, 11].map((z) => all[z]);
+    };
+    expect(heights('FBX SDK', [0, 2, 3], [100, 25, 0])).toEqual([4, 0, 1, 0]);
+    expect(heights('Blender (stable FBX IO) - 4.4.1', [1], [25])).toEqual([0, 1, 0, 0]);
+    // Half of what it is at 25 %, twice over.
+    expect(heights('FBX SDK', [1], [25])).toEqual([0, 16, 0, 0]);
+  });
 });
 
 describe('FBX axes and units', () => {

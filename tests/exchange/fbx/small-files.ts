@@ -3,7 +3,7 @@ import { expect } from 'vitest';
 import { fbxReader } from '../../../src/exchange/fbx/read.ts';
 import type { Scene } from '../../../src/exchange/scene.ts';
 import { readWhole } from '../../../src/formats/reader.ts';
-import { type Connection, curve, type Fbx, fbxBytes, type Obj, prop, rec, ticks } from './write-fbx.ts';
+import { type Connection, curve, type Fbx, fbxBytes, type Obj, prop, type Rec, rec, ticks } from './write-fbx.ts';
 
 /** A file as it is read, with what is told of it. */
 export function read(bytes: Uint8Array | string) {
@@ -39,6 +39,23 @@ export const bone = (id: number, name: string, ...props: Obj['props'] & object):
   props,
 });
 
+/** Properties that all objects of a kind have that don't state them: for `before`. */
+export const template = (kind: string, className: string, ...props: Obj['props'] & object) =>
+  rec(
+    'Definitions',
+    [],
+    [
+      rec(
+        'ObjectType',
+        [kind],
+        [
+          rec('PropertyTemplate', ['FbxOther'], [rec('Properties70')]),
+          rec('PropertyTemplate', [className], [rec('Properties70', [], props)]),
+        ],
+      ),
+    ],
+  );
+
 /** A model with one mesh: a square in the plane of x and y, unless it says otherwise. */
 export function meshFile(
   layers: readonly ReturnType<typeof rec>[],
@@ -49,6 +66,7 @@ export function meshFile(
     objects?: Obj[];
     connections?: Connection[];
     version?: number;
+    before?: readonly Rec[];
   } = {},
 ): Fbx {
   const {
@@ -58,9 +76,11 @@ export function meshFile(
     objects = [],
     connections = [],
     version = 7400,
+    before = [],
   } = options;
   return {
     version,
+    before,
     objects: [
       { id: 10, kind: 'Model', name: 'square', type: 'Mesh', props },
       {

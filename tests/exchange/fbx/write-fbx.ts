@@ -50,9 +50,10 @@ export interface Fbx {
 
 function recordsOf({ version = 7400, settings = [], objects, connections, before = [] }: Fbx, isText: boolean): Rec[] {
   const called = ({ name, kind }: Obj) => (isText ? `${kind}::${name}` : `${name}\0\x01${kind}`);
+  // The first of a name counts.
   return [
-    rec('FBXHeaderExtension', [], [rec('FBXHeaderVersion', [{ int: 1003 }]), rec('FBXVersion', [{ int: version }])]),
     ...before,
+    rec('FBXHeaderExtension', [], [rec('FBXHeaderVersion', [{ int: 1003 }]), rec('FBXVersion', [{ int: version }])]),
     rec('GlobalSettings', [], [rec('Properties70', [], settings)]),
     rec(
       'Objects',
@@ -102,20 +103,21 @@ function writeText({ name, values, children }: Rec, indent: string, lines: strin
   if (isOpen) lines.push(`${indent}}`);
 }
 
-export function fbxBytes(fbx: Fbx): Uint8Array<ArrayBuffer> {
-  return recordBytes(fbx.version ?? 7400, recordsOf(fbx, false));
+export function fbxBytes(fbx: Fbx, isLittle = true): Uint8Array<ArrayBuffer> {
+  return recordBytes(fbx.version ?? 7400, recordsOf(fbx, false), isLittle);
 }
 
 /** A binary file of any records. */
-export function recordBytes(version: number, records: readonly Rec[]): Uint8Array<ArrayBuffer> {
+export function recordBytes(version: number, records: readonly Rec[], isLittle = true): Uint8Array<ArrayBuffer> {
   const header = Buffer.alloc(27);
-  header.write('Kaydara FBX Binary  \0\x1a\0', 'latin1');
-  header.writeUInt32LE(version, 23);
+  header.write('Kaydara FBX Binary  \0\x1a', 'latin1');
+  header.writeUInt8(isLittle ? 0 : 1, 22);
+  viewOf(header).setUint32(23, version, isLittle);
   const parts: Buffer[] = [header];
   let at = header.length;
   const isWide = version >= 7500;
   for (const record of records) {
-    const bytes = recordPart(record, at, isWide);
+    const bytes = recordPart(record, at, isWide, isLittle);
     parts.push(bytes);
     at += bytes.length;
   }
@@ -123,13 +125,17 @@ export function recordBytes(version: number, records: readonly Rec[]): Uint8Arra
   return new Uint8Array(Buffer.concat(parts));
 }
 
-function recordPart({ name, values, children }: Rec, at: number, isWide: boolean): Buffer {
+function viewOf(bytes: Uint8Array): DataView {
+  return new DataView(bytes.buffer, bytes.byteOffset, bytes.byteLength);
+}
+
+function recordPart({ name, values, children }: Rec, at: number, isWide: boolean, isLittle: boolean): Buffer {
   const headerBytes = isWide ? 25 : 13;
-  const own = Buffer.concat(values.map(valueBytes));
+  const own = Buffer.concat(values.map((value) => valueBytes(value, isLittle)));
   const parts: Buffer[] = [];
   let inside = at + headerBytes + name.length + own.length;
   for (const child of children) {
-    const bytes = recordPart(child, inside, isWide);
+    const bytes = recordPart(child, inside, isWide, isLittle);
     parts.push(bytes);
     inside += bytes.length;
   }
@@ -137,37 +143,39 @@ function recordPart({ name, values, children }: Rec, at: number, isWide: boolean
   const body = Buffer.concat([Buffer.from(name, 'latin1'), own, ...parts]);
   const header = Buffer.alloc(headerBytes);
   for (const [i, size] of [at + headerBytes + body.length, values.length, own.length].entries()) {
-    if (isWide) header.writeBigUInt64LE(BigInt(size), 8 * i);
-    else header.writeUInt32LE(size, 4 * i);
+    if (isWide) viewOf(header).setBigUint64(8 * i, BigInt(size), isLittle);
+    else viewOf(header).setUint32(4 * i, size, isLittle);
   }
   header.writeUInt8(name.length, headerBytes - 1);
   return Buffer.concat([header, body]);
 }
 
-function valueBytes(value: Value): Buffer {
-  const with1 = (type: string, size: number, write: (buffer: Buffer) => void) => {
+function valueBytes(value: Value, isLittle: boolean): Buffer {
+  const with1 = (type: string, size: number, write: (view: DataView) => void) => {
     const buffer = Buffer.alloc(1 + size);
     buffer.write(type, 'latin1');
-    write(buffer);
+    write(viewOf(buffer));
     return buffer;
   };
-  if (typeof value === 'number') return with1('D', 8, (buffer) => buffer.writeDoubleLE(value, 1));
-  if (typeof value === 'bigint') return with1('L', 8, (buffer) => buffer.writeBigInt64LE(value, 1));
+  if (typeof value === 'number') return with1('D', 8, (view) => view.setFloat64(1, value, isLittle));
+  if (typeof value === 'bigint') return with1('L', 8, (view) => view.setBigInt64(1, value, isLittle));
   if (typeof value === 'string' || value instanceof Uint8Array) {
     const bytes = Buffer.from(value);
-    const isText = typeof value === 'string';
-    return Buffer.concat([with1(isText ? 'S' : 'R', 4, (buffer) => buffer.writeUInt32LE(bytes.length, 1)), bytes]);
+    const type = typeof value === 'string' ? 'S' : 'R';
+    return Buffer.concat([with1(type, 4, (view) => view.setUint32(1, bytes.length, isLittle)), bytes]);
   }
-  if ('int' in value) return with1('I', 4, (buffer) => buffer.writeInt32LE(value.int, 1));
+  if ('int' in value) return with1('I', 4, (view) => view.setInt32(1, value.int, isLittle));
   const type =
     value instanceof Float64Array ? 'd' : value instanceof Float32Array ? 'f' : value instanceof Int32Array ? 'i' : 'l';
-  const raw = new Uint8Array(value.buffer, value.byteOffset, value.byteLength);
+  const raw = new Uint8Array(value.buffer, value.byteOffset, value.byteLength).slice();
+  const width = value.BYTES_PER_ELEMENT;
+  if (!isLittle) for (let at = 0; at < raw.length; at += width) raw.subarray(at, at + width).reverse();
   // Long arrays are packed, as exporters do.
   const packed = raw.length > 128 ? zlibSync(raw) : undefined;
-  const header = with1(type, 12, (buffer) => {
-    buffer.writeUInt32LE(value.length, 1);
-    buffer.writeUInt32LE(packed ? 1 : 0, 5);
-    buffer.writeUInt32LE((packed ?? raw).length, 9);
+  const header = with1(type, 12, (view) => {
+    view.setUint32(1, value.length, isLittle);
+    view.setUint32(5, packed ? 1 : 0, isLittle);
+    view.setUint32(9, (packed ?? raw).length, isLittle);
   });
   return Buffer.concat([header, packed ?? raw]);
 }
