@@ -1,6 +1,8 @@
 /** What text formats share beyond tokens: counted blocks, single numbers, names, unknown keywords. */
+import type { Severity } from '../model/diagnostic.ts';
 import type { Place } from './places.ts';
 import type { Keywords, Mark, NumberSink, Tokens } from './tokens.ts';
+import { shortName } from './words.ts';
 
 /** Part of a grammar; suspends when the bytes run out. */
 export type GrammarPart<T> = Generator<void, T, void>;
@@ -94,11 +96,90 @@ export function declaredCount(t: Tokens, what: string, count: number | undefined
   return { count: undefined, place };
 }
 
-/** `N {` */
+/** `N {`; names on its line are skipped. */
 export function* countAndBrace(t: Tokens, what: string, keywords: Keywords): GrammarPart<Declared> {
+  yield* headExtras(t, what, undefined, keywords);
   const declared = declaredCount(t, what, yield* number(t, `the number of ${what}`, keywords));
+  yield* headExtras(t, what, undefined, keywords);
   yield* openBrace(t, `the number of ${what}`);
   return declared;
+}
+
+/**
+ * `[INDEX] "{"` of a block that has neither a count nor a name. Programs number and name their blocks all the same:
+ * blocks count in the order of the file, whatever their numbers.
+ *
+ * @param index among the blocks of this keyword, from 0
+ */
+export function* blockHead(t: Tokens, keyword: string, index: number, keywords: Keywords): GrammarPart<void> {
+  yield* headExtras(t, keyword, index, keywords);
+  yield* openBrace(t, keyword);
+}
+
+/** `[NAME] "{"`, with or without an index before or after the name; '' without a name. */
+export function* namedHead(t: Tokens, keyword: string, index: number, keywords: Keywords): GrammarPart<string> {
+  if ((yield* t.next()) !== 'word') {
+    t.again();
+    yield* openBrace(t, keyword);
+    return '';
+  }
+  let name = t.text();
+  let number = t.value();
+  const place = t.mark();
+  yield* t.next();
+  // A number alone is the name.
+  if (Number.isFinite(number) && isOfHead(t, keywords)) {
+    tellIndex(t, keyword, index, number, place);
+    name = t.text();
+    number = t.value();
+  } else t.again();
+  t.forget(place);
+  yield* headExtras(t, keyword, index, keywords);
+  yield* openBrace(t, `the name ${shortName(name)}`);
+  return name;
+}
+
+/** Whether the current token is a word between the keyword of a block and its brace. */
+function isOfHead(t: Tokens, keywords: Keywords): boolean {
+  return t.kind === 'word' && !t.startsLine && !keywords.has(t.keyword());
+}
+
+/**
+ * What the line of a block's keyword has before the brace though nothing is expected there: an index, and names, which
+ * are skipped with one warning for all such blocks. A second number is what is in the block, and its brace is missing.
+ *
+ * @param index undefined if the block has a count, so that no number is an index
+ */
+function* headExtras(t: Tokens, keyword: string, index: number | undefined, keywords: Keywords): GrammarPart<void> {
+  let isNumbered = index === undefined;
+  for (;;) {
+    yield* t.next();
+    if (!isOfHead(t, keywords)) break;
+    const value = t.value();
+    if (isNumbered && (value - value === 0 || looksNumeric(t))) break;
+    if (index !== undefined && value - value === 0) {
+      isNumbered = true;
+      tellIndex(t, keyword, index, value);
+    } else {
+      const message = () => `Expected "{" after ${keyword}, found ${t.found()}.`;
+      t.warnOnce('name-unexpected', keyword, message, 'skipped');
+    }
+  }
+  t.again();
+}
+
+/** Of a block's number, which is the current token unless it has a mark. */
+function tellIndex(t: Tokens, keyword: string, index: number, found: number, mark?: Mark): void {
+  if (found === index) return;
+  const place = (severity: Severity) => (mark ? t.placeOf(mark, severity) : t.place());
+  if (found % 1 !== 0) {
+    const message = `Expected a whole number or "{" after ${keyword}, found ${found}.`;
+    t.report.error('index-fractional', message, place('error'));
+    return;
+  }
+  if (t.report.foldsInto('index-mismatch', keyword)) return;
+  const message = `Expected ${index} as the number of this ${keyword}, counted from 0; found ${found}.`;
+  t.report.warnFolded('index-mismatch', keyword, message, place('warning'), 'read in the order of the file');
 }
 
 /** A `{`; if missing, continues as if it were there. */

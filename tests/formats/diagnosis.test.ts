@@ -134,7 +134,7 @@ describe('where the error is', () => {
     ['a keyword at the end of a line', 4, (line: string) => `${line} balljoint`, 'error keyword-unexpected 4:16'],
     ['a word in place of a }', 6, () => '\tfoo', 'error keyword-unknown 6:2'],
     ['a missing }', 6, () => '', 'error brace-missing 5:12'],
-    ['a second name', 3, (line: string) => line.replace(' a', ' a b'), 'error brace-missing 3:14'],
+    ['a second name', 3, (line: string) => line.replace(' a', ' a b'), 'warning name-unexpected 3:14'],
   ])('%s is told there, and nothing else', (_, line, change, expected) => {
     expect(problems('x.skel', withLine(SKEL, line, change))).toEqual([expected]);
   });

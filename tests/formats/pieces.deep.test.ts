@@ -41,6 +41,7 @@ const VOCABULARY = [
     'color',
   ],
   ...['animation', 'range', 'numchannels', 'channel', 'extrapolate', 'constant', 'bounce', 'keys', 'flat', 'smooth'],
+  ...['channel 0 {', 'channel 7{', 'channel 1.5', 'matrix 0 {', 'balljoint 1 a {', 'balljoint a 1', 'keys x 2 {'],
   ...[
     'HIERARCHY',
     'ROOT',

@@ -258,7 +258,7 @@ describe('reading .skin', () => {
     [`${POSITIONS}bindings 1 {\nmatrix { 1 0 0 0 1 0 0 0 1 0 0 }\n}`, ['error matrix-size 7:32']],
     [`${POSITIONS}bindings 1 {\nmatrix { 1 0 0 2 0 0 0 0 1 0 0 0 }\n}`, ['error binding-singular 7:1']],
     [`${POSITIONS}bindings 1 {\nmatrix { 0 0 0 0 0 0 0 0 0 0 0 0 }\n}`, ['error binding-singular 7:1']],
-    [`${POSITIONS}bindings 1 {\nmatrix 1 0 0 0 1 0 0 0 1 0 0 0 }\n}`, ['error brace-missing 7:8']],
+    [`${POSITIONS}bindings 1 {\nmatrix 1 0 0 0 1 0 0 0 1 0 0 0 }\n}`, ['error brace-missing 7:10']],
     [`${POSITIONS}material x { texture }`, ['error file-expected 6:22']],
     [`${POSITIONS}material x { color 1 0 }`, ['error number-expected 6:24']],
     [`${POSITIONS}material x { color 1 0 nan }`, ['error not-a-number 6:24']],

@@ -2,7 +2,7 @@
  * `.anim`: channels of keys.
  *
  *     anim    = "animation" "{" { range t0 t1 | numchannels n | channel } "}"
- *     channel = "channel" "{" { extrapolate IN OUT | keys k "{" { time value tan_in tan_out } "}" } "}"
+ *     channel = "channel" [INDEX] "{" { extrapolate IN OUT | keys k "{" { time value tan_in tan_out } "}" } "}"
  */
 import {
   type Channel,
@@ -13,6 +13,7 @@ import {
   restChannel,
 } from '../../model/clip.ts';
 import {
+  blockHead,
   braceTooMany,
   checkCount,
   checkRows,
@@ -21,7 +22,6 @@ import {
   declaredCount,
   type GrammarPart,
   number,
-  openBrace,
   skipStrange,
   stemOfName,
   warnRepeated,
@@ -94,7 +94,7 @@ function* body(t: Tokens, opened: Mark): GrammarPart<Parts> {
   const parts: Parts = { channels: [] };
   const sink = new KeySink();
   let declared: Declared | undefined;
-  yield* openBrace(t, 'animation');
+  yield* blockHead(t, 'animation', 0, KEYWORDS);
   for (;;) {
     const kind = yield* t.next();
     if (kind === '}') break;
@@ -129,9 +129,9 @@ function* range(t: Tokens): GrammarPart<readonly [number, number]> {
   return [last, first];
 }
 
-/** `{ extrapolate IN OUT keys k { … } }` */
+/** `[INDEX] { extrapolate IN OUT keys k { … } }` */
 function* channel(t: Tokens, sink: KeySink, index: number): GrammarPart<Channel> {
-  yield* openBrace(t, 'channel');
+  yield* blockHead(t, 'channel', index, KEYWORDS);
   let extrapolation: readonly [Extrapolation, Extrapolation] | undefined;
   let keys: Keys | undefined;
   for (;;) {

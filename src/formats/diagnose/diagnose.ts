@@ -36,7 +36,7 @@ const LARGEST_IF_LOADED = 16e6;
 /** Problems that name their own place, and that nothing follows from. */
 const PLAIN = new Set([
   ...['weights-sum', 'attachments-missing', 'limits-crossed', 'limits-not-taken', 'keys-unsorted', 'keys-at-one-time'],
-  ...['range-reversed', 'range-missing', 'frame-time', 'index-repeated'],
+  ...['range-reversed', 'range-missing', 'frame-time', 'index-repeated', 'index-mismatch', 'name-unexpected'],
 ]);
 
 /** Problems with what numbers mean: one that is only put in for a missing one may be of any meaning. */

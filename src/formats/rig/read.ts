@@ -10,7 +10,7 @@ import {
   checkCount,
   countAndBrace,
   type GrammarPart,
-  openBrace,
+  namedHead,
   skipStrange,
   stemOfName,
   warnRepeated,
@@ -63,10 +63,7 @@ function* rigFile(t: Tokens): GrammarPart<Rig | undefined> {
 
 function* body(t: Tokens): GrammarPart<Rig> {
   const opened = t.mark();
-  let name = stemOfName(t.fileName);
-  if ((yield* t.next()) === 'word') name = t.text();
-  else t.again();
-  yield* openBrace(t, 'the name of the rig');
+  const name = (yield* namedHead(t, 'rig', 0, KEYWORDS)) || stemOfName(t.fileName);
   const parts: Parts = {};
   for (;;) {
     const kind = yield* t.next();

@@ -23,7 +23,7 @@ import {
   type Skeleton,
   UNLIMITED,
 } from '../../model/skeleton.ts';
-import { braceTooMany, type GrammarPart, number, numberRun, openBrace, skipStrange, stemOfName } from '../grammar.ts';
+import { braceTooMany, type GrammarPart, namedHead, number, numberRun, skipStrange, stemOfName } from '../grammar.ts';
 import { OPEN_JOINT } from '../open-joint.ts';
 import { WHOLE_FILE } from '../places.ts';
 import { grammarReader, type Reader, type ReadResult, readWhole } from '../reader.ts';
@@ -153,10 +153,7 @@ function* head(
   couplesBefore: number,
 ): GrammarPart<OpenJoint> {
   const place = t.mark();
-  let name = '';
-  if ((yield* t.next()) === 'word') name = t.text();
-  else t.again();
-  yield* openBrace(t, name ? `the name ${name}` : type.keyword);
+  const name = yield* namedHead(t, type.keyword, index, KEYWORDS);
   const { min, max } = DEFAULT_BOX;
   return {
     ...{ index, parent, name, type, place, couplesBefore, motion: type.motion },

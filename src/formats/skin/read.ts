@@ -3,7 +3,7 @@
  *
  *     skin = { positions N "{" { x y z } "}"  |  normals N "{" { x y z } "}"  |  texcoords N "{" { u v } "}"
  *            | skinweights N "{" { k j0 w0 … } "}"  |  triangles M "{" { a b c } "}"
- *            | bindings J "{" { matrix "{" a b c d "}" } "}"
+ *            | bindings J "{" { matrix [INDEX] "{" a b c d "}" } "}"
  *            | material [NAME] "{" { texture FILE | color r g b } "}" }    in any order
  *
  * A matrix lists its columns a b c d, three numbers each. What involves several blocks is checked at the end. Several
@@ -13,14 +13,15 @@ import { isSingular } from '../../math/mat4.ts';
 import type { Vec3 } from '../../math/vec3.ts';
 import type { Material, Skin } from '../../model/skin.ts';
 import {
+  blockHead,
   braceTooMany,
   checkCount,
   checkRows,
   countAndBrace,
   type GrammarPart,
   NumberList,
+  namedHead,
   numbers,
-  openBrace,
   rows,
   skipStrange,
   stemOfName,
@@ -65,10 +66,12 @@ interface Parts {
   triangles?: TriangleSink;
   bindings?: Float64Array;
   readonly surfaces: Surfaces;
+  /** So far. */
+  materials: number;
 }
 
 function* skinFile(t: Tokens): GrammarPart<Skin> {
-  const parts: Parts = { surfaces: new Surfaces() };
+  const parts: Parts = { surfaces: new Surfaces(), materials: 0 };
   for (;;) {
     const kind = yield* t.next();
     if (kind === 'end') break;
@@ -103,7 +106,7 @@ function* block(t: Tokens, parts: Parts): GrammarPart<void> {
       return;
     case 'material':
       parts.surfaces.beginMaterial(t);
-      parts.surfaces.endMaterial(yield* material(t));
+      parts.surfaces.endMaterial(yield* material(t, parts.materials++));
       return;
     default:
       yield* skipStrange(t, 'a .skin file', 'positions, normals, skinweights, triangles, bindings or material');
@@ -163,12 +166,12 @@ function* bindings(t: Tokens): GrammarPart<Float64Array> {
   return flat;
 }
 
-/** `{ a b c d }`, the columns, three numbers each. The identity after an error. */
+/** `[INDEX] { a b c d }`, the columns, three numbers each. The identity after an error. */
 function* matrix(t: Tokens, joint: number): GrammarPart<Float64Array> {
   const what = `the binding of joint ${joint}`;
   const place = t.mark();
   const { errorCount } = t.report;
-  yield* openBrace(t, 'matrix');
+  yield* blockHead(t, 'matrix', joint, KEYWORDS);
   const sink = new NumberList(t, 12);
   yield* t.numbers(sink, what, KEYWORDS);
   const m = Float64Array.of(1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1);
@@ -190,12 +193,9 @@ function* matrix(t: Tokens, joint: number): GrammarPart<Float64Array> {
 }
 
 /** `[NAME] { texture FILE  color r g b }`, either or both. */
-function* material(t: Tokens): GrammarPart<Material> {
+function* material(t: Tokens, index: number): GrammarPart<Material> {
   const opened = t.mark();
-  let name = '';
-  if ((yield* t.next()) === 'word') name = t.text();
-  else t.again();
-  yield* openBrace(t, 'the name of the material');
+  const name = yield* namedHead(t, 'material', index, KEYWORDS);
   let texture: string | undefined;
   let color: Vec3 | undefined;
   for (;;) {

@@ -4,6 +4,7 @@ import { RowsBuilder } from './row-lines.ts';
 
 /** `time value tan_in tan_out` */
 const KEY_WIDTH = 4;
+const BLOCKS: ReadonlySet<string> = new Set(['animation', 'channel', 'keys']);
 
 export function animLocator(found: Located): Locator {
   return new AnimLocator(found);
@@ -23,6 +24,8 @@ class AnimLocator implements Locator {
   constructor(private readonly found: Located) {}
 
   word(text: string, line: number): void {
+    // Between the keyword of a block and its brace there may be names.
+    if (BLOCKS.has(this.head) && line === this.headLine) return;
     this.head = text;
     this.headLine = line;
   }

@@ -91,7 +91,7 @@ class SkelLocator implements Locator {
       this.rows.token(line, read);
       return;
     }
-    if (this.skipped > 0 || line === this.skippedLine) return;
+    if (this.skipped > 0 || line === this.skippedLine || this.inHead) return;
     this.to = line;
     this.joints.own(line);
   }

@@ -23,6 +23,9 @@ const MORPH: ReadonlyMap<string, Block> = new Map([
   ['normals', { of: 'vertex', width: 4, isIndexed: true }],
 ]);
 
+/** Blocks without rows of parts. */
+const OTHER_BLOCKS: ReadonlySet<string> = new Set(['bindings', 'matrix', 'material']);
+
 export function skinLocator(found: Located): Locator {
   return new BlockLocator(found, SKIN);
 }
@@ -37,6 +40,8 @@ class BlockLocator implements Locator {
   /** The word that opens a block. */
   private head = '';
   private headLine = 0;
+  /** Between the keyword of a block and its brace, where there may be names. */
+  private inHead = false;
   private current: { readonly block: Block; readonly rows: RowsBuilder; readonly indices: number[] } | undefined;
   private inBindings = false;
   private bindings = 0;
@@ -49,8 +54,10 @@ class BlockLocator implements Locator {
   ) {}
 
   word(text: string, line: number): void {
+    if (this.inHead && line === this.headLine) return;
     this.head = text;
     this.headLine = line;
+    this.inHead = this.blocks.has(text) || OTHER_BLOCKS.has(text);
   }
 
   value(line: number, read: () => number): void {
@@ -59,6 +66,7 @@ class BlockLocator implements Locator {
   }
 
   open(): void {
+    this.inHead = false;
     const block = this.depth === 0 ? this.blocks.get(this.head) : undefined;
     if (this.depth === 0) this.inBindings = this.head === 'bindings';
     this.depth++;

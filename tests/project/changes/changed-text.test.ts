@@ -1,5 +1,5 @@
 import { describe, expect, it } from 'vitest';
-import { moveKeys } from '../../../src/edit/commands/keys.ts';
+import { addKey, moveKeys } from '../../../src/edit/commands/keys.ts';
 import { addJoint, removeJoint } from '../../../src/edit/commands/rig.ts';
 import { Store } from '../../../src/edit/store.ts';
 import { readWhole } from '../../../src/formats/reader.ts';
@@ -112,6 +112,24 @@ describeShared('what the page changed in a real file', () => {
     store.undo();
     store.undo();
     expect(opened.changedIn(store.document).hunks).toEqual([]);
+  });
+
+  it('is the row of a moved key, and the count and row of an added one, where channels are numbered', () => {
+    const path = 'data/field/arm-numbered.anim';
+    const opened = new Opened(path, textOf(path));
+    const store = new Store(opened.document);
+    const [{ id }] = store.document.characters;
+    const target = { kind: 'key', channel: 4, key: 1 } as const;
+    store.apply(moveKeys, { characterId: id, keys: [{ channel: 4, indices: [1] }], seconds: 0, values: [0.5] });
+    expect(opened.changedIn(store.document).hunks).toEqual([opened.hunk(target)]);
+    store.undo();
+    store.apply(addKey, { characterId: id, channel: 4, timeSeconds: 0.123, value: 2 });
+    const { text, hunks } = opened.changedIn(store.document);
+    expect(hunks.map((h) => [h.oldTo - h.oldFrom, h.newTo - h.newFrom])).toEqual([
+      [1, 1],
+      [0, 1],
+    ]);
+    expect(text.match(/channel \d+ \{/g)).toEqual(opened.text.match(/channel \d+ \{/g));
   });
 
   it('of a skeleton is the line of an offset, and only its changed numbers are written anew', () => {
