@@ -30,7 +30,8 @@ export const HERMITE: HermiteBasis = [2, -2, 1, 1, -3, 3, -2, -1, 0, 0, 1, 0, 1,
 type Unfolded = 'run on' | 'hold' | 'run on first' | 'hold first';
 
 export interface CurveRules {
-  readonly smooth: 'across' | 'mean of segments';
+  /** `halved`: the difference of the values over 2, whatever the time between them; `halved ends`: over 1 at the ends. */
+  readonly smooth: 'across' | 'mean of segments' | 'halved' | 'halved ends';
   readonly smoothEnds: 'segment' | 'flat';
   readonly linear: 'own side' | 'other side';
   /** `columns`: the tangents are read in the other's place; `slopes`: the slopes are used in it. */
@@ -42,13 +43,26 @@ export interface CurveRules {
   readonly basis: HermiteBasis;
   /** Where the end value is held instead, whatever the channel says. */
   readonly held: 'nowhere' | 'outside' | 'before' | 'after';
-  readonly cycleOffset: 'times period' | 'none' | 'always added';
+  /** Whether what the channel says of one side is done on the other. */
+  readonly sides: 'own' | 'exchanged';
+  /** How often the change over a period is added; `once` takes it off before the keys, `once added` adds it there, too. */
+  readonly cycleOffset:
+    | 'times period'
+    | 'none'
+    | 'always added'
+    | 'once'
+    | 'once added'
+    | 'subtracted'
+    | 'once more'
+    | 'once further'
+    | 'once less';
   readonly bounce: 'odd periods' | 'none' | 'even periods' | 'odd after only';
   /** How a time before the first key is folded: `hold` and `run on` leave it before the keys. */
   readonly modulo: 'floor' | Unfolded | `${Unfolded}, floor`;
   /** `range only`: times within the range are not folded. */
   readonly period: 'keys' | 'range' | 'range, run on' | 'range only' | 'length of range';
-  readonly linearSlope: 'tangent' | 'segment';
+  /** `other …`: of the tangent that faces the keys, at both ends or at one. */
+  readonly linearSlope: 'tangent' | 'segment' | 'other tangents' | 'other tangent before' | 'other tangent after';
 }
 
 export const RIGHT_CURVES: CurveRules = {
@@ -61,6 +75,7 @@ export const RIGHT_CURVES: CurveRules = {
   between: 'cubic',
   basis: HERMITE,
   held: 'nowhere',
+  sides: 'own',
   cycleOffset: 'times period',
   bounce: 'odd periods',
   modulo: 'floor',
@@ -86,7 +101,7 @@ function keyedValue(keys: KeyedChannel, range: readonly [number, number], time: 
   const isBefore = time < first;
   if (!isBefore && time <= end) return inside(keys, time, rules);
   const at = isBefore ? 0 : last;
-  const kind = isBefore ? keys.extrapolateIn : keys.extrapolateOut;
+  const kind = isBefore === (rules.sides === 'own') ? keys.extrapolateIn : keys.extrapolateOut;
   if (kind === 'constant' || isHeld(isBefore, rules)) return values[at];
   if (kind === 'linear') return values[at] + endSlope(keys, isBefore, rules) * (time - times[at]);
   const length = end - first;
@@ -104,7 +119,29 @@ function keyedValue(keys: KeyedChannel, range: readonly [number, number], time: 
     );
   const value = inside(keys, folded.time, rules, folded.runsOn);
   if (kind === 'cycle' || rules.cycleOffset === 'none') return value;
-  return value + (rules.cycleOffset === 'always added' ? Math.abs(period) : period) * (values[last] - values[0]);
+  return value + timesAdded(period, rules) * (values[last] - values[0]);
+}
+
+/** How often `cycle_offset` adds its offset. @param period 0 is that of the keys */
+function timesAdded(period: number, { cycleOffset }: CurveRules): number {
+  switch (cycleOffset) {
+    case 'always added':
+      return Math.abs(period);
+    case 'once':
+      return Math.sign(period);
+    case 'once added':
+      return Math.abs(Math.sign(period));
+    case 'subtracted':
+      return -period;
+    case 'once more':
+      return period + 1;
+    case 'once further':
+      return period + Math.sign(period);
+    case 'once less':
+      return period - 1;
+    default:
+      return period;
+  }
 }
 
 function isHeld(isBefore: boolean, { held }: CurveRules): boolean {
@@ -192,7 +229,9 @@ function endSlope(keys: Keys, isBefore: boolean, rules: CurveRules): number {
   if (rules.linearSlope === 'segment')
     return isBefore ? secant(keys, 0, Math.min(1, last)) : secant(keys, Math.max(0, last - 1), last);
   const by: CurveRules = rules.swapsInsideOnly ? { ...rules, swapped: 'none' } : rules;
-  return isBefore ? slopeBy(keys, 0, 'in', by) : slopeBy(keys, last, 'out', by);
+  const isOther =
+    rules.linearSlope === 'other tangents' || rules.linearSlope === `other tangent ${isBefore ? 'before' : 'after'}`;
+  return slopeBy(keys, isBefore ? 0 : last, isBefore === isOther ? 'out' : 'in', by);
 }
 
 /** The slope on one side of a key. */
@@ -208,11 +247,15 @@ function slopeOf(keys: Keys, key: number, tangents: Tangents, side: 'in' | 'out'
   const kind = tangents.kinds[key];
   if (kind === FLAT) return 0;
   if (kind === FIXED_TANGENT) return tangents.slopes[key];
-  if (kind === SMOOTH && rules.smoothEnds === 'flat' && (key === 0 || key === last)) return 0;
+  const isEnd = key === 0 || key === last;
+  if (kind === SMOOTH && rules.smoothEnds === 'flat' && isEnd) return 0;
+  if (kind === SMOOTH && rules.smooth === 'halved ends' && isEnd)
+    return keys.values[Math.min(key + 1, last)] - keys.values[Math.max(key - 1, 0)];
   if (key === 0) return secant(keys, 0, Math.min(1, last));
   if (key === last) return secant(keys, last - 1, last);
   if (kind === SMOOTH) {
     if (rules.smooth === 'across') return secant(keys, key - 1, key + 1);
+    if (rules.smooth.startsWith('halved')) return (keys.values[key + 1] - keys.values[key - 1]) / 2;
     return (secant(keys, key - 1, key) + secant(keys, key, key + 1)) / 2;
   }
   const isIn = (side === 'in') === (rules.linear === 'own side');

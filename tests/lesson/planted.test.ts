@@ -70,12 +70,40 @@ describe('a planted mistake', () => {
   });
 });
 
+const byCode = (code: string) => {
+  const found = CATALOGUE.find((mistake) => mistake.code === code);
+  if (!found) throw new Error(`There is no mistake ${code}.`);
+  return found.variants;
+};
+
+describe('mistakes in how a channel goes on outside its keys', () => {
+  const KEYS = 'keys 4 { -0.3 -0.7 -1 0.6 0.5 -0.8 smooth smooth 1 0.9 smooth smooth 1.6 -0.2 -1.9 1.1 }';
+  const character = characterFrom(
+    'mine.anim',
+    `animation { range 0 4 numchannels 3 ${['cycle_offset cycle_offset', 'linear linear', 'constant cycle_offset'].map((each) => `channel { extrapolate ${each} ${KEYS} }`).join(' ')} }`,
+  );
+
+  it.each(
+    [
+      'cycle-offset-missing',
+      'cycle-offset-before',
+      'cycle-offset-once',
+      'cycle-offset-sign',
+      'cycle-offset-count',
+      'extrapolation-exchanged',
+      'linear-extrapolation-slope',
+      'linear-extrapolation-tangent',
+      'tangent-smooth-halved',
+    ].flatMap((code) => byCode(code).map((variant) => [code, variant] as const)),
+  )('are told from each other: %s, %o', (code, variant) => {
+    const found = compared(character, numbersBy(character, variant.apply(RIGHT_PROGRAM), 'channels'));
+    // The ends of smooth tangents have slopes of their own here.
+    const detail = code === 'tangent-smooth-halved' ? '' : variant.detail;
+    expect(found.causes).toMatchObject([{ code, detail, explains: 3, of: 3 }]);
+  });
+});
+
 describe('mistakes that make the same numbers', () => {
-  const byCode = (code: string) => {
-    const found = CATALOGUE.find((mistake) => mistake.code === code);
-    if (!found) throw new Error(`There is no mistake ${code}.`);
-    return found.variants;
-  };
   const withKeys = (...extrapolations: readonly string[]) =>
     characterFrom(
       'mine.anim',

@@ -3,6 +3,7 @@ import { HERMITE, type HermiteBasis } from '../curve-rules.ts';
 import { finer, inCurves, type Mistake, type Variant } from './mistake.ts';
 
 const SMOOTH_FORMULA = 'm = (v[i+1] − v[i−1]) / (t[i+1] − t[i−1]); at the ends the slope of the segment';
+const OFFSET_FORMULA = 'p(t) = p(t − n·P) + n·(v_last − v_first)';
 const HERMITE_FORMULA = 'p(u) = a·u³ + b·u² + c·u + d; c = (t₁ − t₀)·m₀';
 
 /** What a program does with a negative remainder. */
@@ -36,6 +37,17 @@ export const CHANNELS: readonly Mistake[] = [
       "Smooth tangents are the mean of the two segments' slopes; take the slope from the key before to the key after.",
     formula: SMOOTH_FORMULA,
     variants: [inCurves('', { smooth: 'mean of segments' })],
+  },
+  {
+    code: 'tangent-smooth-halved',
+    subject: 'channels',
+    sentence: () =>
+      'Your smooth tangents are half the difference of the values before and after. It should be divided by the time between those two keys instead of 2.',
+    formula: SMOOTH_FORMULA,
+    variants: [
+      inCurves('', { smooth: 'halved' }),
+      finer(inCurves('at the ends the difference of the two values', { smooth: 'halved ends' })),
+    ],
   },
   {
     code: 'tangent-smooth-flat-ends',
@@ -97,11 +109,50 @@ export const CHANNELS: readonly Mistake[] = [
     ],
   },
   {
+    code: 'extrapolation-exchanged',
+    subject: 'channels',
+    sentence: () =>
+      'Your extrapolations before and after the keys are exchanged. The first word should be for the time before the keys, the second for the time after.',
+    formula: 'extrapolate IN OUT: IN before the first key, OUT after the last',
+    variants: [inCurves('', { sides: 'exchanged' })],
+  },
+  {
     code: 'cycle-offset-missing',
     subject: 'channels',
     sentence: () => 'cycle_offset repeats without its offset; add the change over a period for each period.',
-    formula: 'p(t) = p(t − n·P) + n·(v_last − v_first)',
+    formula: OFFSET_FORMULA,
     variants: [inCurves('', { cycleOffset: 'none' })],
+  },
+  {
+    code: 'cycle-offset-once',
+    subject: 'channels',
+    sentence: () =>
+      'Your cycle_offset adds its offset once, however far the time is. It should add it for each period, n times.',
+    formula: OFFSET_FORMULA,
+    variants: [
+      inCurves('', { cycleOffset: 'once' }),
+      finer(inCurves('before the first key, too', { cycleOffset: 'once added' })),
+    ],
+  },
+  {
+    code: 'cycle-offset-sign',
+    subject: 'channels',
+    sentence: () =>
+      'Your cycle_offset subtracts its offset where it should add it. It should have the opposite sign: n times the last value minus the first, n negative before the keys.',
+    formula: OFFSET_FORMULA,
+    variants: [inCurves('', { cycleOffset: 'subtracted' })],
+  },
+  {
+    code: 'cycle-offset-count',
+    subject: 'channels',
+    sentence: (detail) =>
+      `Your cycle_offset counts its periods off by one, and adds its offset ${detail} times. It should add it n times, with n = 0 between the keys.`,
+    formula: OFFSET_FORMULA,
+    variants: [
+      inCurves('n + 1', { cycleOffset: 'once more' }),
+      inCurves('n + 1 after the keys and n − 1 before them', { cycleOffset: 'once further' }),
+      inCurves('n − 1', { cycleOffset: 'once less' }),
+    ],
   },
   {
     code: 'cycle-offset-before',
@@ -157,6 +208,20 @@ export const CHANNELS: readonly Mistake[] = [
     sentence: () => 'Linear extrapolation continues the end segment; its slope is that of the tangent.',
     formula: 'tan_in of the first key, tan_out of the last',
     variants: [inCurves('', { linearSlope: 'segment' })],
+  },
+  {
+    code: 'linear-extrapolation-tangent',
+    subject: 'channels',
+    sentence: (detail) =>
+      `Your linear extrapolation continues by the wrong tangent: ${detail}. It should go by tan_in before the first key and by tan_out after the last.`,
+    formula: 'tan_in of the first key, tan_out of the last',
+    variants: [
+      inCurves('the outgoing one before the first key, the incoming one after the last', {
+        linearSlope: 'other tangents',
+      }),
+      finer(inCurves('the incoming one after the last key', { linearSlope: 'other tangent after' })),
+      finer(inCurves('the outgoing one before the first key', { linearSlope: 'other tangent before' })),
+    ],
   },
   {
     code: 'hermite-basis',
