@@ -6,8 +6,9 @@
 import type { Character } from '../model/document.ts';
 import type { DumpKind } from '../model/dump.ts';
 import { larger, matrixError, pointError } from './errors.ts';
-import type { FrameNumbers } from './evaluator.ts';
-import { ownValues } from './own-values.ts';
+import type { Evaluator, FrameNumbers, FrameTime } from './evaluator.ts';
+import { valuesNearest } from './own-values.ts';
+import type { Program } from './program.ts';
 import { type ChannelTarget, FRAME_KINDS, type FrameKind, type FrameTarget, type Targets } from './targets.ts';
 
 export const CELL_GROUPS = ['joints', 'vertices', 'channels'] as const;
@@ -71,7 +72,8 @@ function cellOf(numbers: ComparedNumbers, dump: number, group: CellGroup): Cell 
   const { origins, frames, channels } = targets;
   if (group === 'channels') {
     const target = samplesOf(channels, (i) => (origins?.samples[i] ?? 0) === dump);
-    const error = ownValues(character, target).reduce((most, value, i) => larger(most, value - target.values[i]), 0);
+    const own = valuesNearest(character, target, tolerance);
+    const error = own.reduce((most, value, i) => larger(most, value - target.values[i]), 0);
     const kinds = target.channels.length > 0 ? (['channels'] as const) : [];
     return { dump, group, kinds, isWrong: !(error <= tolerance), pieces: [], channels: target };
   }
@@ -90,6 +92,36 @@ function cellOf(numbers: ComparedNumbers, dump: number, group: CellGroup): Cell 
     pieces.push({ frame: f, target: { time: frame.time, ...lists } });
   });
   return { dump, group, kinds: [...kinds], isWrong, pieces, channels: samplesOf(channels, () => false) };
+}
+
+/**
+ * A program's numbers of a frame; where a DOF jumps at its time, those of the side that is nearest theirs.
+ *
+ * @param targets theirs of that frame
+ */
+export function frameNearest(
+  evaluator: Evaluator,
+  program: Program,
+  time: FrameTime,
+  targets: readonly FrameTarget[],
+  size: number,
+): FrameNumbers {
+  const has = (kind: FrameKind) => targets.some((target) => target[kind] !== undefined);
+  const wanted = { local: has('local'), vertices: has('vertices'), normals: has('normals') };
+  const [own, ...others] = evaluator.sidesAt(program.curves, time);
+  let nearest = own;
+  let numbers = evaluator.frame(program, own, wanted);
+  if (others.length === 0) return numbers;
+  let least = Number.POSITIVE_INFINITY;
+  for (const side of [own, ...others]) {
+    numbers = evaluator.frame(program, side, wanted);
+    const errors = targets.flatMap((target) =>
+      FRAME_KINDS.map((kind) => (target[kind] ? errorOf(target, kind, numbers, size) : 0)),
+    );
+    const error = Math.max(...errors);
+    if (error < least) [least, nearest] = [error, side];
+  }
+  return evaluator.frame(program, nearest, wanted);
 }
 
 /** The largest error of a kind. */

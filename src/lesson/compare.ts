@@ -4,11 +4,12 @@
  */
 import { runToEnd, type Steps, within } from '../evaluate/steps.ts';
 import type { Character } from '../model/document.ts';
+import { frameNearest } from './cells.ts';
 import { nameOfChannel } from './channel-name.ts';
 import { DEFAULT_TOLERANCE, diagonalOf, matrixError, pointError } from './errors.ts';
 import { Evaluator, type FrameNumbers, type FrameTime } from './evaluator.ts';
 import type { Cause, CauseSubject, FoundCauses } from './found-causes.ts';
-import { ownValues } from './own-values.ts';
+import { valuesNearest } from './own-values.ts';
 import { RIGHT_PROGRAM } from './program.ts';
 import { relativeMatrices } from './relative.ts';
 import { findCauses } from './search.ts';
@@ -86,8 +87,8 @@ export interface Comparison {
 export function* compare(character: Character, targets: Targets, tolerance = DEFAULT_TOLERANCE): Steps<Comparison> {
   const { frames: asked, channels, layout } = targets;
   const evaluator = new Evaluator(character);
-  const own = asked.map((target) => copyOf(evaluator.frame(RIGHT_PROGRAM, target.time, wantedOf(target))));
-  const sizes = asked.map((target, f) => sizeOf(target, own[f]));
+  const sizes = asked.map((target) => sizeOf(target, evaluator.frame(RIGHT_PROGRAM, target.time, wantedOf(target))));
+  const own = asked.map((target, f) => copyOf(frameNearest(evaluator, RIGHT_PROGRAM, target.time, [target], sizes[f])));
   yield 0;
   const frames = asked.map((target, f) => compareFrame(character, target, own[f], sizes[f], tolerance));
   const ofChannels = compareChannels(character, targets, tolerance);
@@ -243,7 +244,7 @@ function largestWithin(errors: Float64Array, tolerance: number): boolean {
 }
 
 function compareChannels(character: Character, { channels: target }: Targets, tolerance: number) {
-  const own = ownValues(character, target);
+  const own = valuesNearest(character, target, tolerance);
   let worst = 0;
   let first: FirstWrong | undefined;
   let largest: FirstWrong | undefined;

@@ -14,6 +14,7 @@ import { restPose, rootDofCount } from '../model/dofs.ts';
 import { dofsOf, replacesOffset } from '../model/joint-types.ts';
 import { type CurveRules, channelValue, RIGHT_CURVES } from './curve-rules.ts';
 import { inFilePose } from './file-pose.ts';
+import { sidesOf } from './jumps.ts';
 import type { Breadth, JointRules, Program, Wanted, WorldMap } from './program.ts';
 import { hasThreeAngles, isFor, ProgramSkeletons, turns } from './skeleton-rules.ts';
 import { SkinRun } from './skin-run.ts';
@@ -32,6 +33,8 @@ export interface FrameNumbers {
 }
 
 const NONE = new Float64Array(0);
+/** Of a DOF within a millionth of a second; what moves as fast is as good as a jump. */
+const JUMP = 1e-4;
 const IDENTITY_SCRATCH = new Float64Array(16);
 
 export class Evaluator {
@@ -44,6 +47,7 @@ export class Evaluator {
   private readonly local: Float64Array;
   private readonly mapped: Float64Array;
   private readonly known = new Map<CurveRules, Map<FrameTime, Float64Array>>();
+  private readonly sides = new Map<CurveRules, Map<FrameTime, readonly FrameTime[]>>();
   /** Joints in breadth-first order. */
   private readonly breadthFirst: Int32Array;
   /** The sign rule of each DOF: 0 to 3, −1 for none. */
@@ -92,6 +96,29 @@ export class Evaluator {
     }
     if (wanted.local && maps.length > 0) this.mapAll(this.local, maps, this.local);
     return { world, local: this.local, vertices, normals };
+  }
+
+  /** The time, and those on either side of it where a DOF jumps there; cached. */
+  sidesAt(curves: CurveRules, time: FrameTime): readonly FrameTime[] {
+    let byTime = this.sides.get(curves);
+    if (!byTime) {
+      byTime = new Map();
+      this.sides.set(curves, byTime);
+    }
+    let sides = byTime.get(time);
+    if (!sides) {
+      sides = time === undefined ? [time] : [time, ...this.jumpsAt(curves, time)];
+      byTime.set(time, sides);
+    }
+    return sides;
+  }
+
+  private jumpsAt(curves: CurveRules, time: number): readonly number[] {
+    const own = this.dofsAt(curves, time);
+    return sidesOf(time).filter((side) => {
+      const dofs = this.makeDofs(curves, side);
+      return own.some((value, d) => Math.abs(value - dofs[d]) > JUMP);
+    });
   }
 
   /** All DOFs before limits. */

@@ -6,7 +6,7 @@ import type { Morph, MorphRows } from '../model/morph.ts';
 import { oneSurface, type Skin } from '../model/skin.ts';
 import type { Cell, CellPiece } from './cells.ts';
 import { pointError } from './errors.ts';
-import { ownValues } from './own-values.ts';
+import { valuesNearest } from './own-values.ts';
 import type { ChannelTarget, FrameTarget } from './targets.ts';
 
 /** Vertices that are kept, and samples per channel. */
@@ -26,6 +26,7 @@ export function fewOf(
   frames: readonly FrameTarget[],
   cells: readonly Cell[],
   own: OwnPoints,
+  tolerance: number,
 ): { readonly character: Character; readonly cells: readonly Cell[] } {
   const skin = shownSkin(character);
   const few = skin ? chosen(skin, worstVertices(frames, own)) : [];
@@ -39,7 +40,7 @@ export function fewOf(
         const [vertices, normals] = [pick(target.vertices), pick(target.normals)];
         return { frame, target: { ...target, ...(vertices && { vertices }), ...(normals && { normals }) } };
       });
-      return { ...cell, pieces, channels: fewSamples(character, cell.channels) };
+      return { ...cell, pieces, channels: fewSamples(character, cell.channels, tolerance) };
     }),
   };
 }
@@ -118,9 +119,9 @@ function morphOf(morph: Morph, few: readonly number[]): Morph {
 }
 
 /** Of each channel those that differ most, and the first ones. */
-function fewSamples(character: Character, target: ChannelTarget): ChannelTarget {
+function fewSamples(character: Character, target: ChannelTarget, tolerance: number): ChannelTarget {
   const { channels, times, values } = target;
-  const own = ownValues(character, target);
+  const own = valuesNearest(character, target, tolerance);
   const kept: number[] = [];
   for (let from = 0; from < channels.length; ) {
     let to = from;

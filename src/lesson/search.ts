@@ -20,7 +20,7 @@ export function* findCauses(numbers: ComparedNumbers): Steps<FoundCauses> {
   const { frames } = targets;
   const cells = cellsOf(numbers);
   const all = new Trial(character, frames, cells, sizes, tolerance);
-  const few = fewOf(character, frames, cells, own);
+  const few = fewOf(character, frames, cells, own, tolerance);
   const small = new Trial(few.character, frames, few.cells, sizes, tolerance);
   const finder = new Finder(cells, tolerance);
   const candidates = CATALOGUE.flatMap((mistake) => mistake.variants.map((variant) => candidateOf(mistake, variant)));

@@ -4,12 +4,13 @@
  * worth trying with all.
  */
 import { type Character, shownClip } from '../model/document.ts';
-import type { Cell } from './cells.ts';
+import { type Cell, frameNearest } from './cells.ts';
 import { channelValue, RIGHT_CURVES } from './curve-rules.ts';
 import { larger, matrixError, pointError } from './errors.ts';
 import { Evaluator, type FrameNumbers } from './evaluator.ts';
-import { ownValues } from './own-values.ts';
-import { type Program, RIGHT_PROGRAM, type Wanted } from './program.ts';
+import { nearestSide } from './jumps.ts';
+import { valuesNearest } from './own-values.ts';
+import { type Program, RIGHT_PROGRAM } from './program.ts';
 import type { ChannelTarget, FrameTarget } from './targets.ts';
 
 /** What a program does to our numbers of a cell, and how near they come to theirs. */
@@ -41,7 +42,8 @@ export class Trial {
   private readonly ownChannels: readonly Float64Array[];
   /** For each wrong cell it, and the right ones of its dump. */
   private readonly beside: readonly (readonly number[])[];
-  private readonly wanted: readonly Wanted[];
+  /** Of their pieces, per frame. */
+  private readonly targets: readonly (readonly FrameTarget[])[];
   /** Per frame. */
   private readonly pieces: readonly (readonly { readonly cell: number; readonly target: FrameTarget }[])[];
 
@@ -50,17 +52,18 @@ export class Trial {
     private readonly character: Character,
     private readonly frames: readonly FrameTarget[],
     private readonly cells: readonly Cell[],
-    sizes: readonly number[],
+    private readonly sizes: readonly number[],
     private readonly tolerance: number,
   ) {
     this.evaluator = new Evaluator(character);
-    this.wanted = frames.map(({ local, vertices, normals }) => ({
-      local: local !== undefined,
-      vertices: vertices !== undefined,
-      normals: normals !== undefined,
-    }));
-    this.own = frames.map((frame, f): Own => {
-      const numbers = this.evaluator.frame(RIGHT_PROGRAM, frame.time, this.wanted[f]);
+    this.pieces = frames.map((_, f) =>
+      cells.flatMap(({ pieces }, cell) =>
+        pieces.flatMap(({ frame, target }) => (frame === f ? [{ cell, target }] : [])),
+      ),
+    );
+    this.targets = this.pieces.map((pieces) => pieces.map(({ target }) => target));
+    this.own = frames.map((_, f): Own => {
+      const numbers = this.frame(RIGHT_PROGRAM, f);
       return {
         size: sizes[f],
         world: numbers.world.slice(),
@@ -69,16 +72,11 @@ export class Trial {
         normals: numbers.normals.slice(),
       };
     });
-    this.ownChannels = cells.map(({ channels }) => ownValues(character, channels));
+    this.ownChannels = cells.map(({ channels }) => valuesNearest(character, channels, tolerance));
     this.beside = cells.flatMap(({ isWrong, dump }, c) => {
       const right = cells.flatMap((cell, r) => (cell.dump === dump && !cell.isWrong ? [r] : []));
       return isWrong ? [[c, ...right]] : [];
     });
-    this.pieces = frames.map((_, f) =>
-      cells.flatMap(({ pieces }, cell) =>
-        pieces.flatMap(({ frame, target }) => (frame === f ? [{ cell, target }] : [])),
-      ),
-    );
   }
 
   /**
@@ -96,7 +94,7 @@ export class Trial {
       else countChannels(channels, this.ownChannels[c], states[c]);
     });
     for (let f = 0; f < this.frames.length && !isHopeless(); f++) {
-      const numbers = this.evaluator.frame(program, this.frames[f].time, this.wanted[f]);
+      const numbers = this.frame(program, f);
       for (const { cell, target } of this.pieces[f]) {
         if (!states[cell].isHopeless) this.tryFrame(numbers, this.own[f], target, states[cell]);
       }
@@ -110,8 +108,8 @@ export class Trial {
     const add = (values: Float64Array) => {
       for (let i = 0; i < values.length; i++) sum += Math.cos(i) * values[i];
     };
-    this.frames.forEach((frame, f) => {
-      const { world, local, vertices, normals } = this.evaluator.frame(program, frame.time, this.wanted[f]);
+    this.frames.forEach((_, f) => {
+      const { world, local, vertices, normals } = this.frame(program, f);
       for (const values of [world, local, vertices, normals]) add(values);
     });
     const clip = shownClip(this.character);
@@ -123,6 +121,10 @@ export class Trial {
       });
     }
     return sum.toPrecision(12);
+  }
+
+  private frame(program: Program, f: number): FrameNumbers {
+    return frameNearest(this.evaluator, program, this.frames[f].time, this.targets[f], this.sizes[f]);
   }
 
   private tryFrame(now: FrameNumbers, own: Own, target: FrameTarget, state: State): void {
@@ -177,7 +179,11 @@ export class Trial {
       let i = from;
       for (; i < channels.length && channels[i] === c; i++) {
         const now =
-          channel.kind === 'keys' ? channelValue(channel, clip.range, times[i], program.curves) : ownValues[i];
+          channel.kind === 'keys'
+            ? nearestSide(times[i], values[i], this.tolerance, (time) =>
+                channelValue(channel, clip.range, time, program.curves),
+              )
+            : ownValues[i];
         const own = larger(0, now - ownValues[i]);
         if (own > this.tolerance) changed++;
         change = Math.max(change, own);
