@@ -14,7 +14,7 @@ import { type TakeOptions, takeOf } from './take.ts';
 export function withEditedTakes(source: Character, options: Omit<TakeOptions, 'fps' | 'isRaw'>): Character {
   const edited = source.clips.map((_, i) => editedTake({ ...source, shownClip: i }, options));
   const [first] = edited;
-  if (!first) return source;
+  if (!first) return options.target ? editedTake(source, options) : source;
   const { id, sources, parts } = source;
   const clips = edited.flatMap((character) => shownClip(character) ?? []);
   const whose = withoutDriver({ ...first, id, sources, clips, shownClip: source.shownClip });
@@ -31,12 +31,14 @@ function editedTake(source: Character, options: TakeOptions): Character {
   return { ...played, clips: [cropped(clip, first, count, frames)], shownClip: 0 };
 }
 
+/** With the baked take alone: the target's own only told its reference pose. */
 function baked(character: Character, name: string): Character {
   const { characters } = bakeRetarget.run(
     { ...EMPTY_DOCUMENT, characters: [character] },
-    { characterId: character.id, name },
+    { characterId: character.id },
   );
-  return characters[0];
+  const clip = shownClip(characters[0]);
+  return { ...characters[0], clips: clip ? [{ ...clip, name }] : [], shownClip: 0 };
 }
 
 /** Of samples the frames alone, from second 0; of keys the range. */

@@ -1,18 +1,15 @@
 /** A take ready to be made numbers of: what is sampled, in which space, at which frames. */
-import { driverSource } from '../edit/drivers.ts';
+import { retargetedTo } from '../edit/commands/retarget.ts';
 import { frameRateOf } from '../edit/frame-rate.ts';
 import { mirroringTake } from '../edit/samples/take-mirror.ts';
 import { CommandError } from '../edit/store.ts';
 import { type Frames, framesOf, MAX_FRAMES, ownFrames, playedClip } from '../evaluate/bake.ts';
 import { keyFrames } from '../evaluate/key-frames.ts';
-import { automaticPairs } from '../evaluate/retarget/match.ts';
 import { runToEnd } from '../evaluate/steps.ts';
 import type { Character } from '../model/document.ts';
-import { DEFAULT_RETARGET } from '../model/retarget.ts';
 import type { Skeleton } from '../model/skeleton.ts';
 import type { Space } from '../model/space.ts';
 import { type JointMap, pairsOf } from './joint-map.ts';
-import '../evaluate/retarget/driving.ts';
 
 /** Seconds of the take; absent: its start or end. */
 export interface Crop {
@@ -97,23 +94,15 @@ function mirrored(character: Character): Character {
 
 /** @throws CommandError */
 function retargeted(from: Character, { character, map }: RetargetTarget): Character {
-  const source = driverSource(from);
-  if (!character.skeleton) throw new CommandError(`${character.name} has no skeleton to retarget to.`);
-  if (!source) throw new CommandError(`${from.name} has no motion to retarget.`);
-  const pairs = map
-    ? pairsOf(map, character.skeleton, source.skeleton)
-    : automaticPairs(source.skeleton, character.skeleton, source.space, character.space).map((pair) => ({
-        target: pair.target,
-        source: pair.source,
-      }));
-  if (pairs.length === 0) {
+  const { skeleton } = from;
+  const pairs = map && skeleton && character.skeleton && pairsOf(map, character.skeleton, skeleton);
+  const moved = retargetedTo(character, from, pairs);
+  if (moved.driver?.pairs.length === 0) {
     throw new CommandError(
       `No joint of ${from.name} matches one of ${character.name}. Name the pairs in a map (--map).`,
     );
   }
-  const driver = { sourceId: from.id, source, pairs, options: DEFAULT_RETARGET };
-  // The file pose is where joints without a pair stay; its own take would move them.
-  return { ...character, clips: [], shownClip: -1, driver };
+  return moved;
 }
 
 function sampledAt(character: Character, asked: number | undefined): { readonly frames: Frames; readonly fps: number } {

@@ -49,28 +49,43 @@ export const setRetarget: Command<SetRetarget> = {
   run: (document, { characterId, sourceId, pairs, options }) => {
     const from = requireCharacter(document, text(sourceId, '"sourceId"'));
     return changeCharacter(document, characterId, (c) => {
-      const skeleton = requireSkeleton(c);
       if (from === c) throw new CommandError(`${c.name} can’t be retargeted from itself.`);
-      if (from.driver)
-        throw new CommandError(`${from.name} is itself retargeted from ${from.driver.source.name}. Bake that first.`);
-      const source = driverSource(from);
-      if (!source) throw new CommandError(`${from.name} needs a skeleton and a take to retarget from.`);
-      const matched = pairs
-        ? checkedPairs(pairs, skeleton, source.skeleton)
-        : automaticPairs(source.skeleton, skeleton, source.space, c.space).map(({ target, source }) => ({
-            target,
-            source,
-          }));
-      const driver: Driver = {
-        sourceId,
-        source,
-        pairs: matched,
-        options: checkedOptions({ ...DEFAULT_RETARGET, ...options }),
-      };
-      return withDriver(withoutUnkeyed(c), driver);
+      return retargetedTo(c, from, pairs, options);
     });
   },
 };
+
+/**
+ * The character, with another's shown take retargeted to it: for the page and the command alike. It keeps its own takes:
+ * one of them may tell how its joints are meant to be rotated (`evaluate/retarget/reference.ts`).
+ * @param pairs default: matched by name and shape
+ * @throws CommandError
+ */
+export function retargetedTo(
+  target: Character,
+  from: Character,
+  pairs?: readonly JointPair[],
+  options?: Partial<RetargetOptions>,
+): Character {
+  const skeleton = requireSkeleton(target);
+  if (from.driver)
+    throw new CommandError(`${from.name} is itself retargeted from ${from.driver.source.name}. Bake that first.`);
+  const source = driverSource(from);
+  if (!source) throw new CommandError(`${from.name} needs a skeleton and a take to retarget from.`);
+  const matched = pairs
+    ? checkedPairs(pairs, skeleton, source.skeleton)
+    : automaticPairs(source.skeleton, skeleton, source.space, target.space).map(({ target, source }) => ({
+        target,
+        source,
+      }));
+  const driver: Driver = {
+    sourceId: from.id,
+    source,
+    pairs: matched,
+    options: checkedOptions({ ...DEFAULT_RETARGET, ...options }),
+  };
+  return withDriver(withoutUnkeyed(target), driver);
+}
 
 export interface ChangeRetarget extends OfDriven {
   readonly pairs?: readonly JointPair[] | undefined;
