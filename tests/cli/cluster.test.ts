@@ -1,4 +1,4 @@
-/** The recipes of `docs/cluster.md`, run with programs that stand for those of a cluster. */
+/** The recipes of `docs/guide/datasets.md`, run with programs that stand for those of a cluster. */
 import { execFileSync } from 'node:child_process';
 import { chmodSync, mkdirSync, mkdtempSync, readdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
@@ -7,7 +7,7 @@ import { fileURLToPath } from 'node:url';
 import { expect, it } from 'vitest';
 import { command } from '../helpers/command.ts';
 
-const RECIPES = readFileSync(fileURLToPath(new URL('../../docs/cluster.md', import.meta.url)), 'utf8');
+const RECIPES = readFileSync(fileURLToPath(new URL('../../docs/guide/datasets.md', import.meta.url)), 'utf8');
 const TAKE = `HIERARCHY ROOT Hips { OFFSET 0 0 0 CHANNELS 3 Xposition Yposition Zposition } MOTION
 Frames: 2
 Frame Time: 0.1
@@ -18,7 +18,7 @@ Frame Time: 0.1
 /** The script that begins with this line. */
 function script(firstLine: string): string {
   const found = RECIPES.split('```').find((block) => block.replace(/^\w+\n/, '').startsWith(firstLine));
-  if (!found) throw new Error(`docs/cluster.md has no script that begins with ${firstLine}`);
+  if (!found) throw new Error(`docs/guide/datasets.md has no script that begins with ${firstLine}`);
   return found.slice(found.indexOf('\n') + 1);
 }
 

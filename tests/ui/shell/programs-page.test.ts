@@ -1,14 +1,14 @@
-/** What *Help > Other programs* says is what README.md says, and of the versions that the tests use. */
+/** What *Help > Other programs* says is what the manual says, and of the versions that the tests use. */
 import { readFileSync } from 'node:fs';
 import { expect, it } from 'vitest';
 import { READ_FROM, SAVED_FOR } from '../../../src/ui/shell/programs-page.ts';
 
 const read = (name: string) => readFileSync(new URL(`../../../${name}`, import.meta.url), 'utf8');
 
-it('the README has the table of other programs that the page has', () => {
-  const readme = read('README.md').split('\n');
+it('the manual has the table of other programs that the page has', () => {
+  const manual = read('docs/guide/other-programs.md').split('\n');
   for (const { file, program, seen } of [...SAVED_FOR, ...READ_FROM]) {
-    expect(readme).toContain(`| ${file} | ${program} | ${seen} |`);
+    expect(manual).toContain(`| ${file} | ${program} | ${seen} |`);
   }
 });
 

@@ -1,0 +1,123 @@
+/**
+ * The reference pages that are made from the code: shortcuts, the command, and what scripts can run. A test fails if one
+ * is out of date; `npm run docs` writes them.
+ */
+import { expect, it } from 'vitest';
+import { commandList } from '../../src/edit/commands/all.ts';
+import { MOUSE_GESTURES } from '../../src/ui/shell/mouse-gestures.ts';
+import { actionLabel, actionsOf } from '../../src/ui/state/action.ts';
+import { GROUPS } from '../../src/ui/state/menus.ts';
+import { shortcutText } from '../../src/ui/state/shortcuts.ts';
+import type { Action } from '../../src/ui/state/workbench.ts';
+import { command } from '../helpers/command.ts';
+import { workbench } from '../ui/builders.ts';
+
+const MADE = '<!-- Made from the code by `npm run docs`. -->';
+const page = (name: string) => `../../docs/reference/${name}.md`;
+
+it('the page of shortcuts has every action with a key, and every gesture of the mouse', async () => {
+  await expect(shortcuts()).toMatchFileSnapshot(page('shortcuts'));
+});
+
+it('the page of the command has what its help says', async () => {
+  await expect(await commandPage()).toMatchFileSnapshot(page('command'));
+});
+
+it('the page of script commands has the arguments of each', async () => {
+  await expect(scriptCommands()).toMatchFileSnapshot(page('script-commands'));
+});
+
+/** Text in a cell of a table. */
+const cell = (text: string) => text.replaceAll('|', '\\|');
+const table = (head: readonly string[], rows: readonly (readonly string[])[]) =>
+  [head, head.map(() => '---'), ...rows].map((row) => `| ${row.map(cell).join(' | ')} |`).join('\n');
+
+function shortcuts(): string {
+  const { wb } = workbench();
+  const actions = actionsOf(wb).filter((action) => action.shortcuts?.length);
+  const keysOf = ({ shortcuts = [] }: Action) => shortcuts.map((key) => `\`${shortcutText(key, false)}\``).join(' ');
+  const labelOf = (action: Action) => action.name ?? actionLabel(wb, action);
+  const sections = GROUPS.flatMap((group) => {
+    const own = actions.filter((action) => action.group === group);
+    const places = [...new Set([undefined, ...own.map(({ panel }) => panel)])];
+    const tables = places.flatMap((panel) => {
+      const held = own.filter((action) => action.panel === panel);
+      const head = panel === undefined ? [group, 'keys'] : [`${group}, with the focus in the ${panel}`, 'keys'];
+      return held.length > 0
+        ? [
+            table(
+              head,
+              held.map((action) => [labelOf(action), keysOf(action)]),
+            ),
+          ]
+        : [];
+    });
+    return tables.length > 0 ? [`## ${group}\n\n${tables.join('\n\n')}`] : [];
+  });
+  const mouse = MOUSE_GESTURES.map(({ where, lines }) => `### ${where}\n\n${table(['to', 'do'], lines)}`);
+  return `${MADE}
+
+# Shortcuts
+
+\`?\` shows this page in Marrow, where single keys can be changed or switched off. On a Mac, Ctrl is ⌘ and Alt is ⌥.
+
+${sections.join('\n\n')}
+
+## Mouse and touch
+
+${mouse.join('\n\n')}
+`;
+}
+
+async function commandPage(): Promise<string> {
+  const { out: help } = await command(['--help']);
+  const names = [...help.matchAll(/^ {2}marrow (\w+) /gm)].map(([, name = '']) => name);
+  const parts = await Promise.all(
+    names.map(async (name) => `## ${name}\n\n\`\`\`text\n${(await command([name, '--help'])).out.trimEnd()}\n\`\`\``),
+  );
+  return `${MADE}
+
+# The \`marrow\` command
+
+What the page does with files, without a page: for scripts, tests and folders of takes. After \`npm run build\` it is
+\`build/marrow.js\`, which needs nothing but Node; \`npm run -s marrow -- info wasp.skel\` runs it from a checkout.
+
+With \`--json\` it prints JSON: angles in radians, times in seconds, matrices column-major, everything in double precision.
+Files are named by their paths everywhere. Outputs are written whole or not at all, also on a full disk or after a kill.
+Instead of a file a pipe will do, of up to 256 MB: \`marrow compare wasp.skel <(./mine)\`.
+
+\`\`\`sh
+marrow info wasp.skel wasp.skin
+marrow pose wasp.skel wasp.skin wasp_walk.anim --time 1.5 --vertices --json
+marrow channels wasp_walk.anim --times -1,0,0.5 --json
+marrow compare wasp.skel wasp_walk.anim mine.txt --time 1.5
+marrow convert wasp.skel wasp.skin wasp_walk.anim wasp.glb
+marrow convert take.bvh --retarget other.bvh --crop 2,10 out.bvh
+marrow review takes/ --out list.csv
+marrow export takes/ --only list.csv --to npz --out dataset/
+\`\`\`
+
+${parts.join('\n\n')}
+
+FILE may be a folder: all files in it. Options are written \`--x v\` or \`--x=v\`; values may begin with a minus. Exit code 3
+of any command: the standard output could not be written.
+`;
+}
+
+function scriptCommands(): string {
+  const lines = commandList().map(({ id, arguments: given }) => {
+    // How long a text may be says nothing to a reader.
+    const all = Object.entries(given).map(
+      ([name, what]) => `\`${name}\`: ${what.replaceAll(/text of up to [\d,]+ characters/g, 'text')}`,
+    );
+    return [`\`${id}\``, all.join('; ')] as const;
+  });
+  return `${MADE}
+
+# Script commands
+
+What \`marrow.run(id, arguments)\` runs in the [console](scripting.md), each one undo step. \`marrow.commands()\` prints the same.
+
+${table(['id', 'arguments'], lines)}
+`;
+}
