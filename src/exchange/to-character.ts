@@ -7,7 +7,7 @@ import { cutText } from '../model/cut-text.ts';
 import type { WholeCharacter } from '../model/files.ts';
 import { carriesCharacter } from '../model/joint-types.ts';
 import type { Morph, MorphRows } from '../model/morph.ts';
-import { DEFAULT_BOX, type Joint, type Skeleton, UNLIMITED } from '../model/skeleton.ts';
+import { type Joint, NO_BOX, type Skeleton, UNLIMITED } from '../model/skeleton.ts';
 import type { Attachments, Material, Skin, Surface } from '../model/skin.ts';
 import { type Binding, type BoundMesh, bindMeshes, inverted } from './bind.ts';
 import { cleanFileName, cleanName, DistinctNames } from './clean-names.ts';
@@ -54,7 +54,7 @@ export function toCharacter(scene: Scene): WholeCharacter | undefined {
       name: slot.name,
       parent: slot.parent,
       offset: [offset[0] + 0, offset[1] + 0, offset[2] + 0],
-      box: DEFAULT_BOX,
+      box: NO_BOX,
       motion,
       limits: pose.map(() => UNLIMITED),
       pose: pose.map((value) => value + 0),

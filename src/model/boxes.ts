@@ -1,17 +1,24 @@
 /**
- * Which joints have boxes. Skeleton formats give every joint one. BVH and the axis-angle form have no boxes, so their
- * joints carry a default box: they are drawn as bones, and the box is not used to measure size. A joint with a bone of
- * its own has a box only if someone set one.
+ * Which joints have boxes. Skeleton formats give every joint one, whose default suits the course's units. Other files
+ * have none: joints of glTF and FBX carry a box without size, those of BVH and of the axis-angle form a default one that
+ * doesn't count. They are drawn as bones, sized by the skeleton, and the box is not used to measure size. A joint with a
+ * bone of its own has a box only if someone set one.
  */
 import { hasOwnBox } from './axis-angle.ts';
 import { isOfBvh } from './joint-types.ts';
 import { perObject } from './per-object.ts';
 import { restExtent } from './rest-extent.ts';
-import type { Joint, Skeleton } from './skeleton.ts';
+import type { Box, Joint, Skeleton } from './skeleton.ts';
 
 export function hasBox(joint: Joint): boolean {
   if (joint.length !== undefined && !hasOwnBox(joint)) return false;
-  return !isOfBvh(joint.motion);
+  return !isOfBvh(joint.motion) && !isNoBox(joint.box);
+}
+
+/** Called every frame, so it allocates nothing. */
+export function isNoBox({ min, max }: Box): boolean {
+  for (let k = 0; k < 3; k++) if (min[k] !== 0 || max[k] !== 0) return false;
+  return true;
 }
 
 /** Whether every joint has a box; a joint without one is drawn only as a bone. */

@@ -137,6 +137,8 @@ export interface Dof {
 }
 
 export const DEFAULT_BOX: Box = { min: [-0.1, -0.1, -0.1], max: [0.1, 0.1, 0.1] };
+/** That of a joint without a box: it is drawn as a bone. */
+export const NO_BOX: Box = { min: [0, 0, 0], max: [0, 0, 0] };
 export const DEFAULT_MOTION: Motion = { kind: 'ball', order: 'xyz' };
 /** How the course's files write "no limit"; shown as unlimited. */
 export const UNLIMITED: Limit = { min: -100000, max: 100000 };

@@ -1,5 +1,6 @@
 /** Small humanoids as VRM 0.x, VRM 1.0 and VRM animations, whose joints have names that mean nothing. */
 import { describe, expect, it } from 'vitest';
+import { hasBox } from '../../src/model/boxes.ts';
 import { type Character, EMPTY_DOCUMENT } from '../../src/model/document.ts';
 import { openFiles } from '../../src/project/open/open-files.ts';
 import { saveCharacter } from '../../src/project/save/saving.ts';
@@ -108,6 +109,12 @@ const rolesIn = ({ skeleton }: Character) => skeleton?.joints.flatMap(({ role })
 const BONE_NAMES = PARTS.map(boneOf);
 
 describe.each(Object.keys(EXTENSIONS) as Kind[])('the humanoid map of a %s', (kind) => {
+  it('comes without boxes, and .skel keeps it so', async () => {
+    const character = await vrm(kind);
+    const again = await opened('again.skel', saveCharacter(character, 'skel')[0].text);
+    expect([character, again].map(({ skeleton }) => skeleton?.joints.some(hasBox))).toEqual([false, false]);
+  });
+
   it('names the joints, and is kept in .skel', async () => {
     const character = await vrm(kind);
     expect(rolesIn(character)).toEqual(BONE_NAMES);

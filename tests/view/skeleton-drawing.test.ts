@@ -3,7 +3,7 @@ import { describe, expect, it } from 'vitest';
 import { compileSkeleton, worldMatrices } from '../../src/evaluate/kinematics.ts';
 import { filePose } from '../../src/model/dofs.ts';
 import { DEFAULT_DISPLAY, type Display } from '../../src/model/session.ts';
-import type { Skeleton } from '../../src/model/skeleton.ts';
+import { NO_BOX, type Skeleton } from '../../src/model/skeleton.ts';
 import { Bones } from '../../src/view/bones.ts';
 import type { PosedSkeleton } from '../../src/view/drawn-skeletons.ts';
 import { SkeletonDrawing } from '../../src/view/skeleton-drawing.ts';
@@ -60,6 +60,14 @@ describe('a skeleton without boxes', () => {
     expect(seen(balls)).toHaveLength(9);
     // One for each joint but the root, one for each End Site.
     expect(seen(bones)).toEqual([1, 2, 3, 4, 5, 6, 7, 8]);
+  });
+
+  it('joints of a file without boxes are drawn as those of a capture, as is a box without size', () => {
+    const bare: Skeleton = { name: 'bare', joints: [-1, 0, 1].map((parent) => joint(parent, { box: NO_BOX })) };
+    const [balls, bones, ...others] = calls(drawn([bare]));
+    expect(others).toEqual([]);
+    expect(seen(balls)).toEqual([0, 1, 2]);
+    expect(seen(bones)).toEqual([1, 2]);
   });
 
   it('costs two draw calls for fifty characters of seventy joints', () => {

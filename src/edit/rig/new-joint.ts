@@ -1,6 +1,7 @@
 /** Creates joints in the style of their skeleton: position and motion. */
 import type { Vec3 } from '../../math/vec3.ts';
 import { tipOf } from '../../model/bone-ends.ts';
+import { isNoBox } from '../../model/boxes.ts';
 import { type Character, isBvh, shownSkin } from '../../model/document.ts';
 import { bvhChannelsOf, dofsOf, jointTypeOf, positionsOf } from '../../model/joint-types.ts';
 import {
@@ -9,6 +10,7 @@ import {
   DEFAULT_MOTION,
   type Joint,
   type Motion,
+  NO_BOX,
   type Skeleton,
   UNLIMITED,
 } from '../../model/skeleton.ts';
@@ -31,7 +33,7 @@ export function newRoot(name: string): Joint {
 export function newChild(character: Character, skeleton: Skeleton, parent: number, name: string, offset?: Vec3): Joint {
   const above = skeleton.joints[parent];
   const at = offset ?? nextPlace(character, skeleton, parent);
-  const plain = { name, parent, offset: at, box: DEFAULT_BOX };
+  const plain = { name, parent, offset: at, box: isNoBox(above.box) ? NO_BOX : DEFAULT_BOX };
   if (isBvh(character)) {
     const end: Vec3 = at.some((v) => v !== 0) ? at : [0, typicalLength(character, skeleton), 0];
     return { ...withMotion(plain, rotationsLike(above.motion)), endSites: [end] };

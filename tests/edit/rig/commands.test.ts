@@ -9,7 +9,7 @@ import { readSkin } from '../../../src/formats/skin/read.ts';
 import { RADIANS_PER_DEGREE } from '../../../src/math/degrees.ts';
 import { followingSamples, keysOf, restChannel, SAMPLED } from '../../../src/model/clip.ts';
 import { type Character, isBvh } from '../../../src/model/document.ts';
-import { type Motion, type Skeleton, UNLIMITED } from '../../../src/model/skeleton.ts';
+import { DEFAULT_BOX, type Motion, NO_BOX, type Skeleton, UNLIMITED } from '../../../src/model/skeleton.ts';
 import { saveCharacter } from '../../../src/project/save/saving.ts';
 import { character, clip, documentOf, skeleton, skin } from '../../helpers/builders.ts';
 import { describeShared, sharedBytes } from '../../helpers/shared.ts';
@@ -52,6 +52,14 @@ describe('rig.create', () => {
 });
 
 describe('rig.addJoint', () => {
+  it('a child of a joint without a box has none, of one with a box it has the default one', () => {
+    const boxes = [NO_BOX, DEFAULT_BOX, { min: [0, 0, 0], max: [1, 2, 3] } as const].map((box) => {
+      const alone = documentOf(character({ skeleton: { name: 'hero', joints: [{ ...named(-1, 'hip'), box }] } }));
+      return jointsOf(done(addJoint, alone, { characterId: 'c1', parent: 0 }))[1].box;
+    });
+    expect(boxes).toEqual([NO_BOX, DEFAULT_BOX, DEFAULT_BOX]);
+  });
+
   it('adds a child behind the others, continuing the bone, selected', () => {
     const store = new Store(body());
     store.apply(addJoint, { characterId: 'c1', parent: 1 });
