@@ -38,6 +38,8 @@ const MARGIN = 1.08;
 /** At least this part of the height is assumed to be free of overlays. */
 const MIN_FREE = 0.6;
 
+const UP = new Vector3(0, 1, 0);
+
 /** Camera target, direction and distance as plain data; see above. */
 export interface CameraView {
   readonly target: Vec3;
@@ -203,10 +205,16 @@ export class CameraRig {
     this.go(to, true);
   }
 
-  /** Orbits about the target, at once; radians, positive moves the camera to the right. */
-  turn(azimuth: number): void {
+  /**
+   * Orbits, at once; radians, positive moves the camera to the right and down.
+   *
+   * @param about the vertical axis through this point keeps its place in the picture; default the target
+   */
+  turn(azimuth: number, polar = 0, about?: Vector3): void {
     const to = this.goal();
     to.azimuth += azimuth;
+    to.polar = Math.min(Math.PI, Math.max(0, to.polar + polar));
+    if (about) to.target.sub(about).applyAxisAngle(UP, azimuth).add(about);
     this.go(to, false);
   }
 

@@ -198,9 +198,20 @@ export class Viewport {
     this.rig.lookFrom(side);
   }
 
-  /** Orbits about the target; radians, positive moves the camera to the right. */
-  turnView(azimuth: number): void {
-    this.rig.turn(azimuth);
+  /** Orbits about the target; radians, positive moves the camera to the right and down. */
+  turnView(azimuth: number, polar = 0): void {
+    this.rig.turn(azimuth, polar);
+  }
+
+  /**
+   * Orbits so that a visible character seems to turn where it is; of another, as `turnView` does.
+   *
+   * @param angle radians, positive turns its near side to the right
+   */
+  turnCharacter(characterId: string, angle: number): void {
+    const box = this.shown.characters.seen(characterId)?.view.bounds(this.box);
+    const about = box && !box.isEmpty() ? box.getCenter(this.point) : undefined;
+    this.rig.turn(-angle, 0, about);
   }
 
   /** The current view, or the one being moved to. */

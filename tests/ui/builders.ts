@@ -86,6 +86,8 @@ export function workbench(document: Document = EMPTY_DOCUMENT, playback: Partial
     frameSelection: () => {},
     reveal: (id: string) => void revealed.push(id),
     lookFrom: () => {},
+    turnView: () => {},
+    turnCharacter: () => {},
     setTheme: () => {},
     character: () => undefined,
     freezeRootMotion: () => () => {},

@@ -40,6 +40,22 @@ describe.each([false, true])('a camera that is orthographic: %s', (orthographic)
     expect(rig.view).toEqual(before);
   });
 
+  it('turning about a point leaves it where it is in the picture, and turning back restores the view', () => {
+    const point = new Vector3(0.9, 0.3, 0.1);
+    const seen = () => {
+      rig.camera.updateMatrixWorld();
+      return point.clone().project(rig.camera).toArray();
+    };
+    const before = { at: seen(), view: rig.view };
+    rig.turn(0.7, 0, point);
+    for (const [axis, value] of seen().entries()) expect(value).toBeCloseTo(before.at[axis], 9);
+    expect(rig.view.azimuth).toBeCloseTo(before.view.azimuth + 0.7, 9);
+    rig.turn(-0.7, 0, point);
+    for (const [axis, value] of rig.view.target.entries()) expect(value).toBeCloseTo(before.view.target[axis], 9);
+    for (let i = 0; i < 40; i++) rig.turn(0, 0.2);
+    expect(rig.view.polar).toBeCloseTo(Math.PI, 3);
+  });
+
   it('the camera keeps its projection while panels leave the viewport no room', () => {
     const before = [...rig.camera.projectionMatrix.elements];
     rig.resize(400, 0);

@@ -47,7 +47,7 @@ const TOGGLES = ['bones', 'axes', 'names', 'normals', 'ghosts', 'grid', 'shadow'
 /** For screen readers. */
 const VIEWPORT_KEYS =
   'Up and down arrows select the parent or child joint, with Shift left and right the previous or next sibling; left ' +
-  'and right orbit the view when paused. V chooses a DOF of the joint, plus and minus change it. F frames the ' +
+  'and right step frames, or turn a character without a take; with Control all four orbit the view. V chooses a DOF of the joint, plus and minus change it. F frames the ' +
   'selection. Shift F10 opens a menu. F6 moves to the next panel, question mark lists all keys.';
 
 export function viewportPane(wb: Workbench, signal: AbortSignal): HTMLElement {

@@ -53,6 +53,7 @@ export type WorkbenchStage = Pick<
   | 'freezeRootMotion'
   | 'vertexAt'
   | 'turnView'
+  | 'turnCharacter'
   | 'eye'
   | 'gridStep'
   | 'heatSkin'

@@ -1,6 +1,4 @@
 /** Actions of the posing modes, and keys that only the viewport has. */
-
-import { stepFrames } from '../../../edit/playback.ts';
 import { NOTHING_SELECTED } from '../../../model/session.ts';
 import { needs } from '../../state/needs.ts';
 import type { PosingMode } from '../../state/posing.ts';
@@ -8,8 +6,6 @@ import { GIZMO_SCALES } from '../../state/settings.ts';
 import type { Action, Uses, Workbench } from '../../state/workbench.ts';
 import { activeDof, chooseNextDof, nudgeDof } from './active-dof.ts';
 
-/** Radians that an arrow key orbits the view. */
-const TURN = Math.PI / 36;
 /** Factor of the gizmo's size for one key press: three double it. */
 const GIZMO_STEP = 2 ** (1 / 3);
 const NO_GIZMO = 'Only FK and IK modes have a gizmo.';
@@ -60,8 +56,6 @@ export const POSING_ACTIONS: readonly Action[] = [
   dofKey('posing.less', 'Decrease active DOF by a step', ['-'], (wb) => nudgeDof(wb, -1)),
   gizmoSize('larger', 'Larger gizmo', ']', GIZMO_STEP),
   gizmoSize('smaller', 'Smaller gizmo', '[', 1 / GIZMO_STEP),
-  turn('posing.turnLeft', 'Orbit left, or step back while playing', 'Left', -1),
-  turn('posing.turnRight', 'Orbit right, or step forward while playing', 'Right', 1),
 ];
 
 /** Of several joints the active one stays, once. */
@@ -119,21 +113,5 @@ function gizmoSize(what: 'larger' | 'smaller', label: string, key: string, facto
     enabled: (wb) => hasGizmo(wb) && next(wb.settings.get().gizmoScale) !== wb.settings.get().gizmoScale,
     whyNot: (wb) => (hasGizmo(wb) ? `The gizmo is as ${what === 'larger' ? 'large' : 'small'} as it gets.` : NO_GIZMO),
     run: (wb) => wb.settings.update((s) => ({ ...s, gizmoScale: next(s.gizmoScale) })),
-  };
-}
-
-/** While playing, arrow keys step frames, wherever the focus is. */
-function turn(id: string, label: string, key: string, way: 1 | -1): Action {
-  return {
-    id,
-    label,
-    group: 'Camera',
-    shortcuts: [key],
-    panel: 'viewport',
-    repeats: true,
-    run(wb) {
-      if (wb.transport.get().playing) wb.transport.update((now) => stepFrames(now, way));
-      else wb.viewport.turnView(way * TURN);
-    },
   };
 }

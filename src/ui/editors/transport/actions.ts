@@ -11,6 +11,7 @@ import { stopsOnFrame } from '../../state/pause-playback.ts';
 import type { Action, Uses } from '../../state/workbench.ts';
 import { switchKinematics } from '../posing/actions.ts';
 import { shownMarkers } from '../timeline/shown-markers.ts';
+import { TURN } from '../viewport/actions.ts';
 import { sayRange } from './range-edits.ts';
 
 export const LOOP_LABELS: Readonly<Record<LoopMode, string>> = {
@@ -40,7 +41,7 @@ export const PLAY_ACTIONS: readonly Action[] = [
     id: 'play.toggle',
     name: 'Play or pause',
     label(wb) {
-      if (switchesInstead(wb)) return wb.posing.mode.get() === 'fk' ? 'Switch to IK' : 'Switch to FK';
+      if (hasNothingToPlay(wb)) return wb.posing.mode.get() === 'fk' ? 'Switch to IK' : 'Switch to FK';
       return wb.transport.get().playing ? 'Pause' : 'Play';
     },
     group: 'Play',
@@ -49,12 +50,12 @@ export const PLAY_ACTIONS: readonly Action[] = [
     also: 'play or pause start stop playback',
     icon: 'play',
     run(wb, how) {
-      if (how !== 'button' && switchesInstead(wb)) return switchKinematics(wb);
+      if (how !== 'button' && hasNothingToPlay(wb)) return switchKinematics(wb);
       wb.transport.update((p) => (p.playing ? pause(p, stopsOnFrame(wb)) : play(p)));
     },
   },
-  at('play.stepBack', 'Step back one frame', ['Left'], 1, 'back', (p) => stepFrames(p, -1)),
-  at('play.stepForward', 'Step forward one frame', ['Right'], 1, 'forward', (p) => stepFrames(p, 1)),
+  step('play.stepBack', 'back', 'Left', -1),
+  step('play.stepForward', 'forward', 'Right', 1),
   {
     id: 'play.previousKey',
     unchanged: 'There is no key before the current time.',
@@ -177,10 +178,33 @@ export const PLAY_ACTIONS: readonly Action[] = [
   ),
 ];
 
-/** With nothing to play, Space switches between FK and IK. The transport's own button still plays: time passes. */
-function switchesInstead(wb: Uses<'store' | 'transport'>): boolean {
+/**
+ * With nothing to play, Space switches between FK and IK, and the arrow keys turn the character, as programs that pose
+ * have it. The transport's own buttons still play and step: time passes.
+ */
+function hasNothingToPlay(wb: Uses<'store' | 'transport' | 'timeline'>): boolean {
   const { document } = wb.store;
-  return !wb.transport.get().playing && document.characters.length > 0 && playingCharacters(document).length === 0;
+  const isPlaying = wb.transport.get().playing || wb.timeline.review.shown.get() !== undefined;
+  return !isPlaying && document.characters.length > 0 && playingCharacters(document).length === 0;
+}
+
+function step(id: string, icon: 'back' | 'forward', key: 'Left' | 'Right', way: 1 | -1): Action {
+  return {
+    id,
+    name: `Step ${icon} one frame; without a take, turn the character ${key.toLowerCase()}`,
+    label: (wb) => (hasNothingToPlay(wb) ? `Turn character ${key.toLowerCase()}` : `Step ${icon} one frame`),
+    group: 'Play',
+    menu: 'Play',
+    section: 1,
+    shortcuts: [key],
+    icon,
+    repeats: true,
+    run(wb, how) {
+      const character = how === 'button' || !hasNothingToPlay(wb) ? undefined : currentCharacter(wb);
+      if (character) wb.viewport.turnCharacter(character.id, way * TURN);
+      else wb.transport.update((p) => stepFrames(p, way));
+    },
+  };
 }
 
 /** `−½×`. */
@@ -199,7 +223,6 @@ function at(
   change: (playback: Playback) => Playback,
 ): Action {
   const run = (wb: Uses<'transport'>) => wb.transport.update(change);
-  const repeats = id.startsWith('play.step');
   return {
     id,
     label,
@@ -207,7 +230,6 @@ function at(
     menu: 'Play',
     section,
     shortcuts,
-    repeats,
     run,
     ...(icon && { icon }),
   };

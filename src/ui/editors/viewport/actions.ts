@@ -22,6 +22,9 @@ export const BOX_STYLES: readonly (readonly [BoxStyle, string])[] = [
   ['hidden', 'Hidden'],
 ];
 
+/** Radians that a key turns the view, or a character in it. */
+export const TURN = Math.PI / 36;
+
 type Switch = { [K in keyof Display]: Display[K] extends boolean ? K : never }[keyof Display];
 
 export function setDisplay(wb: Uses<'settings'>, change: Partial<Display>): void {
@@ -81,6 +84,10 @@ export const VIEW_ACTIONS: readonly Action[] = [
     group: 'Camera',
     also: 'root motion treadmill',
   },
+  orbit('Left', -1, 0),
+  orbit('Right', 1, 0),
+  orbit('Up', 0, -1),
+  orbit('Down', 0, 1),
   ...SKIN_STYLES.map(
     ([skin, label]): Action => ({
       id: `draw.skin.${skin}`,
@@ -145,6 +152,19 @@ function look(from: 'front' | 'back' | 'left' | 'right' | 'top' | 'bottom', labe
     menu: 'View/Camera',
     shortcuts: [key],
     run: (wb) => wb.viewport.lookFrom(from),
+  };
+}
+
+function orbit(way: 'Left' | 'Right' | 'Up' | 'Down', azimuth: number, polar: number): Action {
+  return {
+    id: `view.orbit${way}`,
+    label: `Orbit ${way.toLowerCase()}`,
+    group: 'Camera',
+    menu: 'View/Camera',
+    section: 3,
+    shortcuts: [`Ctrl+${way}`],
+    repeats: true,
+    run: (wb) => wb.viewport.turnView(azimuth * TURN, polar * TURN),
   };
 }
 

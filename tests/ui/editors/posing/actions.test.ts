@@ -9,8 +9,11 @@ const armature = skeleton(['hips', -1], ['leg', 0], ['foot', 1]);
 
 function posing(more: Parameters<typeof character>[0] = {}) {
   const made = workbench(documentOf(character({ skeleton: armature, ...more })));
-  const turns: number[] = [];
-  Object.assign(made.wb.viewport, { turnView: (by: number) => void turns.push(by) });
+  const turns: (readonly [what: string, ...by: number[]])[] = [];
+  Object.assign(made.wb.viewport, {
+    turnView: (azimuth: number, polar: number) => void turns.push(['view', Math.sign(azimuth), Math.sign(polar)]),
+    turnCharacter: (id: string, angle: number) => void turns.push([id, angle]),
+  });
   const press = (key: string, panel?: string) => {
     const { wb } = made;
     const action = actionFor([key], actionsOf(wb), panel, wb.settings.get());
@@ -104,21 +107,54 @@ describe('the keys of posing', () => {
     expect([moving.wb.posing.mode.get(), moving.wb.transport.get().playing]).toEqual(['fk', true]);
   });
 
-  it('arrow keys orbit the view while paused, and step frames while playing', () => {
+  it.each(['viewport', undefined])('left and right step frames with a take, playing or not (%s)', (panel) => {
+    const { wb, turns, press } = posing({ clips: [clip([0, 1], channel(0, 1))] });
+    const frame = () => wb.transport.get().timeSeconds * wb.transport.get().framesPerSecond;
+    press('Right', panel);
+    press('Right', panel);
+    press('Left', panel);
+    expect(frame()).toBeCloseTo(1, 9);
+    wb.transport.update((now) => ({ ...now, playing: true }));
+    press('Right', panel);
+    expect([frame(), wb.transport.get().playing]).toEqual([2, false]);
+    expect(turns).toEqual([]);
+  });
+
+  it('left and right turn the character where it is without a take, and the transport’s buttons step', () => {
     const { wb, turns, press } = posing();
     press('Right', 'viewport');
     press('Left', 'viewport');
-    expect(turns).toHaveLength(2);
-    expect(turns[0]).toBeGreaterThan(0);
-    expect(turns[1]).toBe(-turns[0]);
-    expect(wb.transport.get().timeSeconds).toBe(0);
-    press('Right');
+    const [[who, by], back] = turns;
+    expect([who, Math.sign(by)]).toEqual(['c1', 1]);
+    expect(back).toEqual(['c1', -by]);
+    const { document } = wb.store;
+    void runAction(wb, 'play.stepForward', 'button');
     expect(wb.transport.get().timeSeconds).toBeGreaterThan(0);
     wb.transport.update((now) => ({ ...now, playing: true }));
-    const { timeSeconds } = wb.transport.get();
     press('Right', 'viewport');
-    expect(wb.transport.get().timeSeconds).toBeGreaterThan(timeSeconds);
     expect(turns).toHaveLength(2);
+    expect([wb.store.document, wb.store.undoLabel]).toEqual([document, undefined]);
+  });
+
+  it('left and right step frames of a take that is only reviewed', () => {
+    const { wb, turns, press } = posing();
+    wb.timeline.review.shown.set({} as NonNullable<ReturnType<typeof wb.timeline.review.shown.get>>);
+    press('Right', 'viewport');
+    expect([turns.length, wb.transport.get().timeSeconds > 0]).toEqual([0, true]);
+  });
+
+  it('the arrow keys orbit the view with Ctrl, wherever the focus is but in the timeline', () => {
+    const { turns, press } = posing({ clips: [clip([0, 1], channel(0, 1))] });
+    for (const key of ['Left', 'Right', 'Up', 'Down']) press(`Ctrl+${key}`, 'viewport');
+    press('Ctrl+Left');
+    press('Ctrl+Left', 'timeline');
+    expect(turns).toEqual([
+      ['view', -1, 0],
+      ['view', 1, 0],
+      ['view', 0, -1],
+      ['view', 0, 1],
+      ['view', -1, 0],
+    ]);
   });
 });
 
