@@ -19,13 +19,21 @@ export const PAGE_ACTIONS: readonly Action[] = [
     group: 'Page',
     menu: 'View',
     section: 3,
-    shortcuts: ['T'],
+    shortcuts: ['Shift+T'],
     icon: 'outliner',
     checked: (wb) => isPanelOpen(wb.settings.get(), 'outliner'),
-    run(wb, how) {
-      const open = !isPanelOpen(wb.settings.get(), 'outliner');
-      openPanel(wb, 'outliner', open);
-      if (open && how === 'key') enterRegion('outliner');
+    run: (wb) => openPanel(wb, 'outliner', !isPanelOpen(wb.settings.get(), 'outliner')),
+  },
+  {
+    // Pressed twice, or with the first letters of a name behind it, it hides nothing and runs nothing else.
+    id: 'page.toOutliner',
+    label: 'Go to outliner, to type a name; Esc goes back',
+    group: 'Page',
+    shortcuts: ['T'],
+    quiet: true,
+    run(wb) {
+      openPanel(wb, 'outliner', true);
+      enterRegion('outliner');
     },
   },
   {

@@ -18,6 +18,7 @@ import {
 import { withBoxSelect } from '../editors/viewport/box-select.ts';
 import { type CanvasPointer, listenToCanvas } from '../editors/viewport/canvas-tools.ts';
 import { button, element, keepsFocusElsewhere, setAttribute, setText, uniqueId } from '../kit/dom.ts';
+import { HAS_KEYS } from '../kit/focus.ts';
 import { icon } from '../kit/icons.ts';
 import { asksForMenu, menuButton } from '../kit/menu.ts';
 import { toolbar } from '../kit/roving.ts';
@@ -53,6 +54,7 @@ const VIEWPORT_KEYS =
 export function viewportPane(wb: Workbench, signal: AbortSignal): HTMLElement {
   const { viewport, viewportElement } = wb;
   viewport.canvas.tabIndex = 0;
+  viewport.canvas.setAttribute(HAS_KEYS, '');
   const keys = element('p', { class: 'off-screen', id: uniqueId('viewport-keys') }, VIEWPORT_KEYS);
   // It has keys of its own, so that screen readers pass them on.
   setAttribute(viewport.canvas, 'role', 'application');

@@ -1,10 +1,11 @@
 /**
  * The panel that the keyboard acts in: the one with the focus, unless the mouse has moved into another since. Whoever has
  * edited a curve and points at the viewport means the viewport; Delete would delete keys there that nobody looks at.
- * Moving the focus by keyboard overrides where the mouse rests. The panel is marked with `data-active`.
+ * Moving the focus by keyboard overrides where the mouse rests. With the focus nowhere it is the panel under the mouse,
+ * as in Maya and Blender. The panel is marked with `data-active`.
  */
 
-/** Panels with keys of their own that change something. */
+/** Panels with keys of their own that change something; those in them too. */
 const POINTED = '[data-panel=viewport],[data-panel=outliner],[data-panel=timeline]';
 
 /** Entered by the mouse, or pressed with anything, since the focus moved last. */
@@ -15,11 +16,18 @@ export function panelOf(target: Element | null): HTMLElement | undefined {
   return target?.closest<HTMLElement>('[data-panel]') ?? undefined;
 }
 
-/** The panel whose keys apply while `target` has the focus; undefined if it is in none, wherever the mouse is. */
+/** Whether keys pressed there were meant for no element: nothing has the focus. */
+export function isNowhere(target: Element | null): boolean {
+  return target === null || target === document.body || target === document.documentElement;
+}
+
+/** The panel whose keys apply while `target` has the focus; undefined for the page's own. */
 export function activePanel(target: Element | null): HTMLElement | undefined {
+  // The innermost is the last.
+  if (isNowhere(target)) return [...document.querySelectorAll<HTMLElement>('[data-panel]:hover')].at(-1);
   const focused = panelOf(target);
-  if (!focused || !pointed?.isConnected) return focused;
-  const isSame = pointed.contains(focused) || focused.contains(pointed);
+  if (!pointed?.isConnected) return focused;
+  const isSame = focused !== undefined && (pointed.contains(focused) || focused.contains(pointed));
   return isSame ? focused : pointed;
 }
 
@@ -43,9 +51,12 @@ export function watchActivePanel(signal: AbortSignal): void {
   // The element that gets the focus isn't known yet.
   window.addEventListener('focusout', () => queueMicrotask(mark), options);
   const point = (target: EventTarget | null) => {
-    pointed = target instanceof Element ? (target.closest<HTMLElement>(POINTED) ?? undefined) : undefined;
+    const panel = target instanceof Element ? panelOf(target) : undefined;
+    pointed = panel?.closest(POINTED) ? panel : undefined;
     mark();
   };
+  // What is under a resting mouse may have been opened or closed.
+  window.addEventListener('keydown', mark, options);
   // A finger or a pen takes over from a mouse that rests elsewhere, also where the focus is already.
   window.addEventListener('pointerdown', ({ target }) => point(target), options);
   window.addEventListener(

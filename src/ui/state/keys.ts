@@ -1,13 +1,22 @@
 /** Keyboard listener of the page; `shortcuts.ts` decides what keys mean. */
-import { isTextField, isTypedIn, letGoOfClicked, watchTyping } from '../kit/focus.ts';
+import {
+  continuesTyping,
+  elementWithKeys,
+  isTextField,
+  isTypedIn,
+  letGoOfClicked,
+  rescueFocus,
+  watchTyping,
+} from '../kit/focus.ts';
 import { isMac } from '../kit/keyboard.ts';
 import { actionLabel, actionsOf, isEnabled, tryAction } from './action.ts';
-import { activePanel, panelOf, watchActivePanel } from './active-panel.ts';
+import { activePanel, isNowhere, panelOf, watchActivePanel } from './active-panel.ts';
 import { actionFor, type FocusKind, shortcutsOf, swallows } from './shortcuts.ts';
 import type { Action, Uses } from './workbench.ts';
 
 /** Listens until aborted. */
 export function listenToKeys(wb: Uses<'actions' | 'settings' | 'dialog'>, signal: AbortSignal): void {
+  rescueFocus(signal);
   watchTyping(signal);
   watchActivePanel(signal);
   letGoOfClicked(signal);
@@ -19,7 +28,13 @@ export function handleKey(wb: Uses<'actions' | 'settings' | 'dialog'>, event: Ke
   if (event.defaultPrevented || event.isComposing || wb.dialog.get() !== undefined) return;
   const target = event.target instanceof Element ? event.target : document.body;
   if (target.closest('[role=menu],dialog')) return;
+  if (isNowhere(target) && isUsedUnderPointer(event)) return;
   if (swallows(focusKind(target), event, isMac)) return;
+  // The rest of a word isn't a row of shortcuts.
+  if (continuesTyping(event)) {
+    event.preventDefault();
+    return;
+  }
   const focused = panelOf(target)?.dataset.panel;
   const panel = activePanel(target)?.dataset.panel;
   const pressed = shortcutsOf(event, isMac);
@@ -40,6 +55,18 @@ export function handleKey(wb: Uses<'actions' | 'settings' | 'dialog'>, event: Ke
   event.preventDefault();
   if (event.repeat && !action.repeats) return;
   tryAction(wb, action, 'key');
+}
+
+/** With the focus nowhere, a key is given to the panel under the pointer as if that had the focus. */
+function isUsedUnderPointer(event: KeyboardEvent): boolean {
+  const panel = activePanel(null);
+  const element = panel && elementWithKeys(panel);
+  // A text field without the focus gets no text by events.
+  const isText: boolean = isTextField(element ?? null);
+  if (!element || isText) return false;
+  // It bubbles, and comes back as a key of that element.
+  if (!element.dispatchEvent(new KeyboardEvent(event.type, event))) event.preventDefault();
+  return true;
 }
 
 /** A key of the panel that was left with the mouse does nothing there unseen. */

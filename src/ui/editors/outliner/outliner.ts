@@ -4,10 +4,8 @@ import { jointsIn } from '../../../model/selected-joints.ts';
 import type { Selection } from '../../../model/session.ts';
 import { element } from '../../kit/dom.ts';
 import { icon } from '../../kit/icons.ts';
-import { isMac } from '../../kit/keyboard.ts';
-import { actionsOf, currentCharacter, tryById } from '../../state/action.ts';
+import { currentCharacter, tryById } from '../../state/action.ts';
 import { attempt } from '../../state/attempt.ts';
-import { actionFor, shortcutsOf } from '../../state/shortcuts.ts';
 import { onShown } from '../../state/shown-comparison.ts';
 import { splitter } from '../../state/splitter.ts';
 import type { Workbench } from '../../state/workbench.ts';
@@ -42,9 +40,6 @@ export function outliner(wb: Workbench): HTMLElement {
     activate: (row) => activate(wb, row),
     doubleClick: (row) => (row.kind === 'character' ? startRename(row) : activate(wb, row)),
     menu: (row, at) => rowMenu(wb, row, at, startRename),
-    // The key that opens the panel also closes it.
-    isShortcut: (event) =>
-      actionFor(shortcutsOf(event, isMac), actionsOf(wb), 'outliner', wb.settings.get())?.id === 'page.outliner',
     draw: (row) => (row.key === renaming ? [renameField(row)] : drawRow(wb, row, rowMarks(row, marks, jointsOf(row)))),
   });
   tree.element.dataset.panel = 'outliner';

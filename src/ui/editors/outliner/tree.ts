@@ -1,6 +1,6 @@
 /** The outliner's tree, a windowed list: mouse and keys, and what all rows share. */
 import { element, setAttribute } from '../../kit/dom.ts';
-import { HAS_KEYS } from '../../kit/focus.ts';
+import { continuesTyping, HAS_KEYS, isCharacter, noteTyped } from '../../kit/focus.ts';
 import { icon } from '../../kit/icons.ts';
 import type { MenuPlace } from '../../kit/menu.ts';
 import { setTooltip } from '../../kit/tooltip.ts';
@@ -19,8 +19,6 @@ export interface TreeEvents {
   activate(row: OutlineRow): void;
   doubleClick(row: OutlineRow): void;
   menu(row: OutlineRow, at: MenuPlace): void;
-  /** Whether a letter that begins no name yet is left to the page. */
-  isShortcut(event: KeyboardEvent): boolean;
   /** Fills in the row's icon and label; the tree does the rest. */
   draw(row: OutlineRow): Node[];
 }
@@ -30,9 +28,6 @@ const MEANT = 'Nothing is selected; channels and keys are those of this characte
 const INDENT_PIXELS = 12;
 /** Width of a row beyond its indentation: deep levels are scrolled to, never squeezed. */
 const NAME_PIXELS = 84;
-/** Letters typed within this time of each other belong together. */
-const TYPING_MS = 1000;
-
 /** Indentation of a row in pixels. */
 export function indentOf(depth: number): number {
   return INDENT_PIXELS * depth;
@@ -77,7 +72,8 @@ export class Tree {
   /** Letters go to rows while the focus came by keyboard; after a click they are the page's shortcuts. */
   private takesLetters = false;
   private isPressed = false;
-  private typed = { text: '', at: 0 };
+  /** So far of a name. */
+  private typed = '';
 
   constructor(
     label: string,
@@ -105,6 +101,8 @@ export class Tree {
     }
     // A drag and a right press end without a click. A menu gives the focus back.
     this.element.addEventListener('blur', ({ relatedTarget }) => {
+      this.typed = '';
+      this.takesLetters = false;
       if (!(relatedTarget instanceof Element && relatedTarget.closest('[role=menu]'))) this.isPressed = false;
     });
     this.list = new WindowedList({
@@ -285,16 +283,16 @@ export class Tree {
     if (!shows) scroller.scrollLeft = left + NAME_PIXELS - scroller.clientWidth;
   }
 
-  private isTyping(now: number): boolean {
-    return this.typed.text !== '' && now - this.typed.at <= TYPING_MS;
-  }
-
-  /** Goes to a row by its name. */
-  private type(letter: string, index: number, now: number): void {
-    const text = this.isTyping(now) ? this.typed.text + letter : letter;
-    this.typed = { text, at: now };
-    const to = rowTyped(this.rows, index, text);
+  /** Goes to a row by its name, which begins with a letter; what else is in names types on. */
+  private type(event: KeyboardEvent, index: number): boolean {
+    if (!this.takesLetters || !isCharacter(event)) return false;
+    const isMore = this.typed !== '' && continuesTyping(event);
+    if (!isMore && !/^[\p{L}\p{N}_]$/u.test(event.key)) return false;
+    noteTyped(event);
+    this.typed = isMore ? this.typed + event.key : event.key;
+    const to = rowTyped(this.rows, index, this.typed);
     if (to >= 0) this.moveTo(this.rows[to]);
+    return true;
   }
 
   private onKey(event: KeyboardEvent): void {
@@ -316,9 +314,7 @@ export class Tree {
       event.preventDefault();
       return;
     }
-    if (this.takesLetters && /^[\p{L}\p{N}_]$/u.test(event.key)) {
-      if (!this.isTyping(event.timeStamp) && this.events.isShortcut(event)) return;
-      this.type(event.key, index, event.timeStamp);
+    if (this.type(event, index)) {
       event.preventDefault();
       return;
     }

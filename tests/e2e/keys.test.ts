@@ -1,0 +1,184 @@
+/** Which part of the page a key is for: by the focus, else by the mouse; and what becomes of a focus that vanishes. */
+import type { Page } from 'playwright-core';
+import { expect, it } from 'vitest';
+import { withPage } from '../helpers/page.ts';
+
+const ARM = { joint: 'upper_arm_l', rz: 38 } as const;
+const FRAME = 1 / 30;
+
+const keys = (page: Page) => page.evaluate((channel) => window.marrow.keys(channel), ARM.rz);
+const time = (page: Page) =>
+  page.evaluate(() => Number(document.querySelector('.scrubber')?.getAttribute('aria-valuenow')));
+const turnOfView = (page: Page) => page.evaluate(() => window.marrow.pointOnPage([1, 0, 0])?.x ?? Number.NaN);
+/** Name of the selected joint, without what else its row tells. */
+const selected = async (page: Page) =>
+  (await page.locator('.tree [aria-selected=true]').first().textContent())?.replace(/\d*$/, '');
+/** What single keys switch: buttons that are pressed, panels that are open, and the current time. */
+const switched = (page: Page) =>
+  page.evaluate(() => {
+    const pressed = [...document.querySelectorAll('button[aria-pressed=true],[role=radio][aria-checked=true]')];
+    const open = [...document.querySelectorAll('[data-region]:not([inert],[hidden])')];
+    const now = document.querySelector('.scrubber')?.getAttribute('aria-valuenow');
+    return [...pressed.map((one) => one.ariaLabel ?? one.textContent), ...open.map((one) => one.className), now];
+  });
+/** The part of the page that has the focus, and the element. */
+const focused = (page: Page) =>
+  page.evaluate(() => {
+    const { activeElement } = document;
+    const region = activeElement?.closest('[data-region]')?.getAttribute('data-region');
+    return `${region ?? 'page'} ${activeElement?.getAttribute('role') ?? activeElement?.localName}`;
+  });
+const leave = (page: Page) =>
+  page.evaluate(() => document.activeElement instanceof HTMLElement && document.activeElement.blur());
+
+async function openWalker(page: Page): Promise<void> {
+  await page.waitForFunction(() => window.marrow.characters()[0]?.dofs.length === 93);
+  await page.evaluate(() => window.marrow.seek(0));
+  await page.getByRole('treeitem', { name: new RegExp(`^${ARM.joint}`) }).click();
+  await page.getByRole('textbox', { name: /^rx\b/ }).first().waitFor();
+}
+
+async function point(page: Page, selector: string, x = 0.5, y = 0.5): Promise<void> {
+  const box = await page.locator(selector).boundingBox();
+  if (!box) throw new Error(`${selector} has no place.`);
+  await page.mouse.move(box.x + x * box.width, box.y + y * box.height);
+}
+
+it('arrow keys step frames after a click in the viewport, and orbit with Ctrl', () =>
+  withPage(
+    async ({ page }) => {
+      await openWalker(page);
+      await point(page, '.stage', 0.9, 0.8);
+      await page.mouse.down();
+      await page.mouse.up();
+      const view = await turnOfView(page);
+      for (const key of ['ArrowRight', 'ArrowRight', 'ArrowLeft']) await page.keyboard.press(key);
+      await expect.poll(() => time(page)).toBeCloseTo(FRAME, 9);
+      await expect.poll(() => turnOfView(page)).toBeCloseTo(view, 3);
+      await page.keyboard.press('Control+ArrowRight');
+      await expect.poll(() => turnOfView(page)).not.toBeCloseTo(view, 0);
+      await page.keyboard.press('Control+ArrowLeft');
+      await expect.poll(() => turnOfView(page)).toBeCloseTo(view, 3);
+      await expect.poll(() => time(page)).toBeCloseTo(FRAME, 9);
+    },
+    { walking: true },
+  ));
+
+it('with the focus nowhere, keys are for the panel under the mouse, which is marked', () =>
+  withPage(
+    async ({ page }) => {
+      await openWalker(page);
+      const plot = page.locator('.curve-plot');
+      await plot.focus();
+      await page.keyboard.press('Control+a');
+      const before = await keys(page);
+      const arm = await selected(page);
+
+      // Over the viewport they aren't the timeline's.
+      await point(page, '.stage', 0.9, 0.8);
+      await leave(page);
+      await expect.poll(() => focused(page)).toBe('page body');
+      await expect.poll(() => page.locator('.stage').getAttribute('data-active')).toBe('');
+      const view = await turnOfView(page);
+      await page.keyboard.press('f');
+      await expect.poll(() => turnOfView(page)).not.toBeCloseTo(view, 0);
+      await page.keyboard.press('Delete');
+      await expect.poll(() => keys(page)).toEqual(before);
+
+      // In the tree, arrows go from row to row.
+      await point(page, '.tree');
+      await expect.poll(() => page.locator('.tree').getAttribute('data-active')).toBe('');
+      await page.keyboard.press('ArrowDown');
+      await expect.poll(() => selected(page)).not.toBe(arm);
+      await page.keyboard.press('ArrowUp');
+      await expect.poll(() => selected(page)).toBe(arm);
+      await expect.poll(() => focused(page)).toBe('page body');
+
+      // In the curves they are those of keys, and no others.
+      await plot.focus();
+      await page.keyboard.press('Control+a');
+      await leave(page);
+      await point(page, '.curve-plot', 0.6, 0.3);
+      await expect.poll(() => page.locator('.timeline').getAttribute('data-active')).toBe('');
+      await page.keyboard.press('ArrowRight');
+      await expect.poll(async () => (await keys(page))[1].time).toBeCloseTo(before[1].time + FRAME, 6);
+      await expect.poll(() => time(page)).toBe(0);
+      await page.keyboard.press('Control+z');
+      await expect.poll(() => keys(page)).toEqual(before);
+      await page.keyboard.press('Delete');
+      await expect.poll(() => keys(page)).toEqual([]);
+      await page.keyboard.press('Control+z');
+      await expect.poll(() => keys(page)).toEqual(before);
+    },
+    { walking: true },
+  ));
+
+it('T goes to the outliner, where a name is typed and Escape leads back, and hides nothing', () =>
+  withPage(
+    async ({ page }) => {
+      await openWalker(page);
+      const outliner = page.locator('.outliner-button');
+      await leave(page);
+      const before = await switched(page);
+      await page.keyboard.press('t');
+      await expect.poll(() => focused(page)).toBe('outliner tree');
+      await page.keyboard.type('foot_r');
+      await expect.poll(() => selected(page)).toBe('foot_r');
+      // Pressed after a pause, T is a letter there.
+      await page.keyboard.press('Home');
+      await page.keyboard.type('thigh_r');
+      await expect.poll(() => selected(page)).toBe('thigh_r');
+      await expect.poll(() => switched(page)).toEqual(before);
+      await page.keyboard.press('Escape');
+      await expect.poll(() => focused(page)).toBe('stage application');
+      await expect.poll(() => selected(page)).toBe('thigh_r');
+
+      // After a click on a row, letters are shortcuts; T makes them letters there, too.
+      await page.getByRole('treeitem', { name: new RegExp(`^${ARM.joint}`) }).click();
+      await page.keyboard.press('t');
+      await page.keyboard.type('head');
+      await expect.poll(() => selected(page)).toBe('head');
+
+      // Hidden with the focus in it, it gives the focus back.
+      await page.keyboard.press('Escape');
+      await page.keyboard.press('Shift+T');
+      await expect.poll(() => outliner.getAttribute('aria-pressed')).toBe('false');
+      await page.keyboard.press('t');
+      await expect.poll(() => outliner.getAttribute('aria-pressed')).toBe('true');
+      await expect.poll(() => focused(page)).toBe('outliner tree');
+    },
+    { walking: true },
+  ));
+
+it('what has the focus and vanishes hands it to its panel or the viewport, and the rest of a word runs nothing', () =>
+  withPage(
+    async ({ page }) => {
+      await openWalker(page);
+      // The timeline is closed by its key.
+      await page.locator('.curve-plot').focus();
+      await page.keyboard.press('c');
+      await expect.poll(() => focused(page)).toBe('stage application');
+      await page.keyboard.press('c');
+
+      // The inspector, by the key of a button in it.
+      const rx = page.getByRole('textbox', { name: /^rx\b/ }).first();
+      await rx.focus();
+      await page.keyboard.press('Enter');
+      await expect.poll(() => focused(page)).toBe('inspector section');
+      await page.keyboard.press('p');
+      await expect.poll(() => focused(page)).toBe('stage application');
+      await page.keyboard.press('p');
+
+      // A field that is removed in the middle of a word.
+      const before = await switched(page);
+      const name = page.getByRole('searchbox', { name: /^Search joints/ });
+      await name.focus();
+      await page.keyboard.type('sh');
+      await name.evaluate((field) => field.remove());
+      await page.keyboard.type('in bxgd');
+      await expect.poll(() => focused(page)).not.toContain('body');
+      await expect.poll(() => switched(page)).toEqual(before);
+      await expect.poll(() => page.evaluate(() => window.marrow.steps().undo)).toBeUndefined();
+    },
+    { walking: true },
+  ));
