@@ -1,9 +1,10 @@
 /** Small documents and a workbench without a page, for the tests of `ui`. */
 import { DEFAULT_PLAYBACK, type Playback } from '../../src/edit/playback.ts';
 import { Store } from '../../src/edit/store.ts';
-import type { Channel, ChannelClip, KeyedChannel } from '../../src/model/clip.ts';
+import { type Channel, type ChannelClip, type KeyedChannel, SAMPLED } from '../../src/model/clip.ts';
 import { type Character, DEFAULT_PLACEMENT, type Document, EMPTY_DOCUMENT } from '../../src/model/document.ts';
 import { filePose } from '../../src/model/dofs.ts';
+import type { Samples } from '../../src/model/samples.ts';
 import { DEFAULT_BOX, DEFAULT_MOTION, type Joint, type Skeleton, UNLIMITED } from '../../src/model/skeleton.ts';
 import { observable } from '../../src/ui/kit/observable.ts';
 import { pageActions } from '../../src/ui/shell/actions.ts';
@@ -48,6 +49,28 @@ export function channel(...times: number[]): KeyedChannel {
 
 export function clip(range: readonly [number, number], ...channels: Channel[]): ChannelClip {
   return { name: 'walk', range, channels };
+}
+
+/** A take of samples: in channel `c` of frame `f` the value is `value(f, c)`, by default 0. */
+export function capture(
+  channels: number,
+  frameSeconds: number,
+  frameCount: number,
+  value: (frame: number, channel: number) => number = () => 0,
+): ChannelClip {
+  const samples: Samples = {
+    frameCount,
+    frameSeconds,
+    startSeconds: 0,
+    firstChannel: 0,
+    values: Float64Array.from({ length: frameCount * channels }, (_, i) =>
+      value(Math.floor(i / channels), i % channels),
+    ),
+    scales: new Float64Array(channels).fill(1),
+    interpolation: 'linear',
+  };
+  const range = [0, (frameCount - 1) * frameSeconds] as const;
+  return { name: 'take', range, channels: Array.from({ length: channels }, () => SAMPLED), samples };
 }
 
 export function character(change: Partial<Character> = {}): Character {

@@ -152,13 +152,10 @@ function inRig({ joint, isAdding }: MousePlace, isHandle: boolean): readonly Mou
 }
 
 /** The scrubber and the rulers. */
-function inTime({ snapsToFrames }: MousePlace): readonly MouseHint[] {
-  return [
-    ['Change the current time', 'drag'],
-    [snapsToFrames ? 'Without snapping to frames' : 'Snapping to frames', 'Shift+drag'],
-    ['Zoom', 'wheel'],
-    ['Fit', 'double-click'],
-  ];
+function inTime({ cursor, snapsToFrames }: MousePlace): readonly MouseHint[] {
+  const snapping: MouseHint = [snapsToFrames ? 'Without snapping to frames' : 'Snapping to frames', 'Shift+drag'];
+  if (cursor === 'ew-resize') return [['Move this end of the range, or this marker', 'drag'], snapping];
+  return [['Change the current time', 'drag'], snapping, ['Zoom', 'wheel'], ['Fit', 'double-click']];
 }
 
 function inCurves(place: MousePlace): readonly MouseHint[] {
@@ -184,7 +181,7 @@ function inCurves(place: MousePlace): readonly MouseHint[] {
     ['Box select', 'drag'],
     ['Pan', 'middle drag or Alt+drag'],
     ['Zoom', 'wheel'],
-    ['Zoom time only', 'Shift+wheel'],
+    ['Zoom time only', 'Ctrl+wheel'],
     ['Menu', 'right click'],
   ];
 }
@@ -209,7 +206,8 @@ function inDope(place: MousePlace): readonly MouseHint[] {
   return [
     ['Box select', 'drag'],
     ['Pan', 'middle drag'],
-    ['Zoom time', 'Ctrl+wheel'],
+    ['Zoom', 'wheel'],
+    ['Scroll', 'Alt+wheel'],
     ['Menu', 'right click'],
   ];
 }

@@ -3,7 +3,7 @@ import { ACTIONS } from '../../../src/ui/shell/actions.ts';
 import { findActions, searchActions } from '../../../src/ui/shell/command-search.ts';
 import { actionsOf, findAction, isEnabled, reasonNot, runAction } from '../../../src/ui/state/action.ts';
 import { GROUPS, MENUS } from '../../../src/ui/state/menus.ts';
-import { channel, character, clip, documentOf, skeleton, workbench } from '../builders.ts';
+import { capture, channel, character, clip, documentOf, skeleton, workbench } from '../builders.ts';
 
 describe('the list of actions', () => {
   it('the list of actions has no id twice', () => {
@@ -114,11 +114,12 @@ describe('runAction', () => {
     expect(wb.transport.get().timeSeconds).toBe(0.5);
   });
 
-  it('pauses on a frame if time is in frames that are snapped to, else at the time that is shown', () => {
+  it('pauses on a frame if times snap to frames, whatever they are shown in, else at the time that is shown', () => {
     const { wb } = walker();
     for (const [timeDisplay, snapsToFrames, pausedAt] of [
-      ['seconds', true, 0.71],
+      ['seconds', true, 21 / 30],
       ['frames', true, 21 / 30],
+      ['seconds', false, 0.71],
       ['frames', false, 0.71],
     ] as const) {
       wb.timeline.change({ snapsToFrames });
@@ -127,6 +128,16 @@ describe('runAction', () => {
       runAction(wb, 'play.toggle');
       expect(wb.transport.get()).toMatchObject({ playing: false, timeSeconds: pausedAt });
     }
+  });
+
+  it('pauses on a frame of a capture, whether or not times snap to frames', () => {
+    const { wb } = workbench(
+      documentOf(character({ skeleton: skeleton(['hips', -1]), clips: [capture(6, 0.1, 101)] })),
+    );
+    wb.timeline.change({ snapsToFrames: false });
+    wb.transport.update((p) => ({ ...p, framesPerSecond: 10, timeSeconds: 0.71, range: [0, 10], playing: true }));
+    runAction(wb, 'play.toggle', 'key');
+    expect(wb.transport.get()).toMatchObject({ playing: false, timeSeconds: 0.7 });
   });
 
   it('removes the message of a step when undone', () => {

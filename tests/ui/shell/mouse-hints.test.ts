@@ -45,3 +45,14 @@ it('the scrubber and the rulers say what Shift does to snapping now', () => {
     expect(whats({ ...place, mode: 'fk', snapsToFrames: false })).toContain('Snapping to frames');
   }
 });
+
+it('over a handle of the scrubber a drag moves it, and beside it the time', () => {
+  expect(whats({ area: 'scrubber', cursor: 'ew-resize', mode: 'fk' })[0]).toContain('end of the range');
+  expect(whats({ area: 'scrubber', cursor: '', mode: 'fk' })[0]).toBe('Change the current time');
+});
+
+it('the wheel is said to do the same over curves and the dope sheet', () => {
+  const wheel = (area: MouseArea) => mouseHints({ area, cursor: '', mode: 'fk' }).filter(([, how]) => how === 'wheel');
+  expect(wheel('curves')).toEqual([['Zoom', 'wheel']]);
+  for (const area of ['dope', 'scrubber'] as const) expect(wheel(area)).toEqual(wheel('curves'));
+});

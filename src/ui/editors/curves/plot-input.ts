@@ -5,6 +5,7 @@ import { oncePerFrame } from '../../kit/frame.ts';
 import { buttonMeant, isMac, waitOutDrag } from '../../kit/keyboard.ts';
 import { asksForMenu } from '../../kit/menu.ts';
 import { snapTime } from '../../kit/time-window.ts';
+import { wheelTurn } from '../../kit/wheel.ts';
 import { scrubFrames } from '../timeline/scrub-frames.ts';
 import { openTimeMenu } from '../timeline/time-menu.ts';
 import { openPlotMenu } from './context-menu.ts';
@@ -15,7 +16,7 @@ import { PLOT_TOP, pan, pixelsPerSecond, timeAt, zoom } from './scene/space.ts';
 import { boxDrag } from './tools/box.ts';
 import { cursorOf, type Intent, intentOf } from './tools/intent.ts';
 import { keysDrag } from './tools/move-keys.ts';
-import { panDrag, wheelMeans, zoomDrag } from './tools/navigate.ts';
+import { panDrag, zoomDrag } from './tools/navigate.ts';
 import { scaleDrag } from './tools/scale.ts';
 import { scrubDrag } from './tools/scrub.ts';
 import { slopeDrag } from './tools/slope.ts';
@@ -277,9 +278,13 @@ export class PlotInput {
     if (!scene) return;
     event.preventDefault();
     const at = this.at(event);
-    const meant = wheelMeans(event);
+    const turn = wheelTurn(event);
     const { space } = scene;
-    this.plot.look('panX' in meant ? pan(space, meant.panX, 0) : zoom(space, at.x, at.y, meant.time, meant.value));
+    if (turn.what === 'pan') this.plot.look(pan(space, -turn.pixels, 0));
+    else {
+      const { axes, factor } = turn;
+      this.plot.look(zoom(space, at.x, at.y, axes === 'other' ? 1 : factor, axes === 'time' ? 1 : factor));
+    }
   }
 
   private onDoubleClick(event: MouseEvent): void {

@@ -4,6 +4,7 @@ import { oncePerFrame } from '../../kit/frame.ts';
 import { isMac } from '../../kit/keyboard.ts';
 import { asksForMenu, type MenuPlace } from '../../kit/menu.ts';
 import { panWindow, snapTime, type TimeWindow, zoomWindow } from '../../kit/time-window.ts';
+import { wheelTurn } from '../../kit/wheel.ts';
 import { scrubFrames } from '../timeline/scrub-frames.ts';
 import type { DopeDrag, DopeHost, Pointer } from './gesture.ts';
 import { cursorFor, gestureAt } from './gestures.ts';
@@ -21,10 +22,6 @@ export interface SheetPointerHost extends DopeHost {
 
 /** A press that moves no further than this is a click. */
 const CLICK_PIXELS = 3;
-const ZOOM_STEP = 1.15;
-/** A typical wheel notch in pixels: one zoom step. */
-const STEP_PIXELS = 60;
-const LINE_PIXELS = 16;
 
 export class SheetPointer {
   private gesture: DopeDrag | undefined;
@@ -206,20 +203,12 @@ export class SheetPointer {
 
   private onWheel(event: WheelEvent): void {
     event.preventDefault();
-    const unit = event.deltaMode === WheelEvent.DOM_DELTA_LINE ? LINE_PIXELS : 1;
-    const dx = event.deltaX * unit;
-    const dy = event.deltaY * unit;
     const { host } = this;
     const sheet = host.sheet();
-    const at = this.placeOf(event);
-    if (event.ctrlKey || event.metaKey || this.hitAt(at).kind === 'ruler') {
-      host.look(zoomWindow(sheet.window, sheetTime(sheet, at.x), ZOOM_STEP ** (dy / STEP_PIXELS)));
-      return;
-    }
-    // With Shift, some systems already scroll horizontally.
-    const sideways = Math.abs(dx) > Math.abs(dy) ? dx : event.shiftKey ? dy : 0;
-    if (sideways) host.look(panWindow(sheet.window, sideways * secondsPerPixel(sheet)));
-    else host.scrollBy(dy);
+    const turn = wheelTurn(event);
+    if (turn.what === 'pan') host.look(panWindow(sheet.window, turn.pixels * secondsPerPixel(sheet)));
+    else if (turn.axes === 'other') host.scrollBy(turn.pixels);
+    else host.look(zoomWindow(sheet.window, sheetTime(sheet, this.placeOf(event).x), turn.factor));
   }
 
   private onDoubleClick(event: MouseEvent): void {

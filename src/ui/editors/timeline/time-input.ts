@@ -1,15 +1,16 @@
 /**
  * Pointer and keys over a chart of values over time: a drag scrubs, the wheel and two fingers zoom in time, the wheel
- * with Shift pans; A and F fit, + and − zoom about the playhead. Charts share the timeline's time window.
+ * with Shift pans (`wheel.ts`); A and F fit, + and − zoom about the playhead. Charts share the timeline's time window.
  */
 import { followPointer } from '../../kit/drag.ts';
 import { panWindow, pinchWindow, type TimeWindow, zoomWindow } from '../../kit/time-window.ts';
+import { wheelTurn } from '../../kit/wheel.ts';
 import type { Uses } from '../../state/workbench.ts';
 import { scrubFrames } from './scrub-frames.ts';
 import type { TimeView } from './time-ruler.ts';
 
-const ZOOM_PER_NOTCH = 1.2;
-const PIXELS_PER_NOTCH = 100;
+/** Of one key press. */
+const ZOOM_STEP = 1.2;
 
 /** CSS pixels from the top left corner. */
 export interface ChartPoint {
@@ -71,8 +72,8 @@ export class TimeInput {
       const { window } = this.wb.timeline.view.get();
       const { timeSeconds } = this.wb.transport.get();
       if (event.key === 'a' || event.key === 'A' || event.key === 'f' || event.key === 'F') this.chart.fitAll();
-      else if (event.key === '+' || event.key === '=') this.look(zoomWindow(window, timeSeconds, 1 / ZOOM_PER_NOTCH));
-      else if (event.key === '-') this.look(zoomWindow(window, timeSeconds, ZOOM_PER_NOTCH));
+      else if (event.key === '+' || event.key === '=') this.look(zoomWindow(window, timeSeconds, 1 / ZOOM_STEP));
+      else if (event.key === '-') this.look(zoomWindow(window, timeSeconds, ZOOM_STEP));
       else return;
       event.preventDefault();
     });
@@ -128,13 +129,8 @@ export class TimeInput {
   private onWheel(event: WheelEvent): void {
     event.preventDefault();
     const view = this.chart.timeView();
-    const lines = event.deltaMode === WheelEvent.DOM_DELTA_LINE ? 33 : 1;
-    const across = (event.shiftKey && !event.deltaX ? event.deltaY : event.deltaX) * lines;
-    if (Math.abs(across) > 0 && (event.shiftKey || Math.abs(across) > Math.abs(event.deltaY * lines))) {
-      this.look(panWindow(view.window, (across / view.width) * (view.window.to - view.window.from)));
-      return;
-    }
-    const factor = ZOOM_PER_NOTCH ** ((event.deltaY * lines) / PIXELS_PER_NOTCH);
-    this.look(zoomWindow(view.window, timeAt(view, this.at(event).x), factor));
+    const turn = wheelTurn(event);
+    if (turn.what === 'zoom') this.look(zoomWindow(view.window, timeAt(view, this.at(event).x), turn.factor));
+    else this.look(panWindow(view.window, (turn.pixels / view.width) * (view.window.to - view.window.from)));
   }
 }

@@ -35,6 +35,8 @@ export interface ScrubberPicture {
 
 /** Heights in CSS pixels. */
 export const RULER_HEIGHT = 20;
+/** CSS pixels that a handle of the range is wide, from the range outwards. */
+export const HANDLE_WIDTH = 8;
 const LABEL_SPACING = 64;
 /** Half a diamond; keys closer than this are merged. */
 const DIAMOND = 4;
@@ -97,6 +99,17 @@ function drawRange(
   if (to > from) g.fillRect(from, 0, to - from, height);
   g.fillStyle = colours.edge;
   for (const edge of [left, right]) if (edge >= -1 && edge <= width) g.fillRect(Math.round(edge) - 1, 0, 2, height);
+  for (const outer of [Math.round(left) - HANDLE_WIDTH, Math.round(right)]) drawHandle(g, outer, height, colours);
+}
+
+/** Two lines on a tab, below the ruler. */
+function drawHandle(g: CanvasRenderingContext2D, left: number, height: number, colours: ScrubberColours): void {
+  const middle = RULER_HEIGHT + (height - RULER_HEIGHT) / 2;
+  g.fillStyle = colours.edge;
+  g.globalAlpha = 0.4;
+  g.fillRect(left, RULER_HEIGHT + 1, HANDLE_WIDTH, height - RULER_HEIGHT - 1);
+  g.globalAlpha = 1;
+  for (const x of [2, 5]) g.fillRect(left + x, middle - 5, 1, 10);
 }
 
 function drawRuler(

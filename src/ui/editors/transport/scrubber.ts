@@ -1,7 +1,7 @@
 /**
- * The scrubber. Drag to change the time, drag the ends of the shaded range to change it, both in whole frames as
- * `scrub-frames.ts` says; the wheel zooms, with Shift (or horizontally, or with the middle button) it pans, a double
- * click fits. As a slider it takes arrow keys.
+ * The scrubber. Drag to change the time, drag the handles at the ends of the shaded range to change it
+ * (`scrubber-handles.ts`), both in whole frames as `scrub-frames.ts` says; the wheel zooms and pans (`wheel.ts`), the
+ * middle button pans, a double click fits. As a slider it takes arrow keys.
  */
 import { stepFrames } from '../../../edit/playback.ts';
 import { type ShownChannel, shownKeys } from '../../../evaluate/plot/shown-keys.ts';
@@ -14,11 +14,13 @@ import { MARKER_HEIGHT, type ShownMarker } from '../../kit/markers-picture.ts';
 import { asksForMenu } from '../../kit/menu.ts';
 import { aligned, shown } from '../../kit/number-text.ts';
 import { fitWindow, panWindow, revealTime, snapTime, type TimeWindow, zoomWindow } from '../../kit/time-window.ts';
+import { wheelTurn } from '../../kit/wheel.ts';
 import type { Uses } from '../../state/workbench.ts';
 import type { MarkerDrag } from '../timeline/marker-drag.ts';
 import { scrubFrames } from '../timeline/scrub-frames.ts';
 import { shownMarkers } from '../timeline/shown-markers.ts';
 import { openTimeMenu } from '../timeline/time-menu.ts';
+import { type RangeEnd, rangeHandleAt } from './scrubber-handles.ts';
 import {
   drawScrubberPlayhead,
   RULER_HEIGHT,
@@ -27,11 +29,12 @@ import {
   type ScrubberPicture,
 } from './scrubber-picture.ts';
 
-/** Hit tolerance of the range's ends. */
+/** Hit tolerance of markers. */
 const GRAB_PIXELS = 6;
+/** Of one key press. */
 const ZOOM_STEP = 1.15;
 
-type Handle = 'time' | 'in' | 'out' | 'pan';
+type Handle = RangeEnd | 'time' | 'pan';
 
 interface MarkerHit {
   readonly index: number;
@@ -229,14 +232,10 @@ export class Scrubber {
 
   private handleAt(event: PointerEvent): Handle {
     if (event.button === 1) return 'pan';
-    const { range, timeSeconds } = this.wb.transport.get();
-    const at = this.timeAt(event.clientX);
-    const near = (time: number) => Math.abs(time - at) / this.secondsPerPixel;
-    // The playhead takes precedence, as it is at the range's ends at rest; those are grabbed in the ruler.
-    const y = event.clientY - this.element.getBoundingClientRect().top;
-    if (y > this.element.clientHeight / 2 && near(timeSeconds) <= GRAB_PIXELS) return 'time';
-    if (near(range[1]) <= GRAB_PIXELS && near(range[1]) <= near(range[0])) return 'out';
-    return near(range[0]) <= GRAB_PIXELS ? 'in' : 'time';
+    const { left, top } = this.element.getBoundingClientRect();
+    const [first, last] = this.wb.transport.get().range;
+    const x = (time: number) => (time - this.window.from) / this.secondsPerPixel;
+    return rangeHandleAt(event.clientX - left, event.clientY - top, [x(first), x(last)]) ?? 'time';
   }
 
   /** The marker whose flag, or the end of whose span, is under the pointer. */
@@ -315,7 +314,7 @@ export class Scrubber {
     });
   }
 
-  private drag(handle: 'time' | 'in' | 'out', at: number, shift: boolean): void {
+  private drag(handle: RangeEnd | 'time', at: number, shift: boolean): void {
     const time = snapTime(at, this.secondsPerPixel, scrubFrames(this.wb, shift));
     this.wb.transport.update((p) => {
       if (handle === 'in') return { ...p, range: [Math.min(time, p.range[1]), p.range[1]] };
@@ -327,10 +326,9 @@ export class Scrubber {
   private onWheel(event: WheelEvent): void {
     event.preventDefault();
     if (!this.isLaidOut()) return;
-    const lines = event.deltaMode === WheelEvent.DOM_DELTA_LINE ? 16 : 1;
-    const sideways = Math.abs(event.deltaX) > Math.abs(event.deltaY) ? event.deltaX : event.shiftKey ? event.deltaY : 0;
-    if (sideways) this.look(panWindow(this.window, sideways * lines * this.secondsPerPixel));
-    else this.look(zoomWindow(this.window, this.timeAt(event.clientX), ZOOM_STEP ** ((event.deltaY * lines) / 60)));
+    const turn = wheelTurn(event);
+    if (turn.what === 'pan') this.look(panWindow(this.window, turn.pixels * this.secondsPerPixel));
+    else this.look(zoomWindow(this.window, this.timeAt(event.clientX), turn.factor));
   }
 
   private onKey(event: KeyboardEvent): void {

@@ -3,7 +3,7 @@ import { keysOf } from '../../../../src/model/clip.ts';
 import { shownClip } from '../../../../src/model/document.ts';
 import { type PlotHost, PlotInput } from '../../../../src/ui/editors/curves/plot-input.ts';
 import { PlotScene } from '../../../../src/ui/editors/curves/plot-scene.ts';
-import { xOf, yOf } from '../../../../src/ui/editors/curves/scene/space.ts';
+import { type CurveSpace, xOf, yOf } from '../../../../src/ui/editors/curves/scene/space.ts';
 import { selectKeys } from '../../../../src/ui/editors/timeline/current-take.ts';
 import { runAction } from '../../../../src/ui/state/action.ts';
 import type { Workbench } from '../../../../src/ui/state/workbench.ts';
@@ -34,6 +34,7 @@ let scene: PlotScene;
 let page: EventTarget;
 let element: FakeElement;
 let input: PlotInput;
+let looks: CurveSpace[];
 
 const times = () => [...(keysOf(shownClip(wb.store.document.characters[0])?.channels[0]).times ?? [])];
 
@@ -43,7 +44,7 @@ function host(): PlotHost {
     // The other members of an element aren't used.
     element: element as unknown as HTMLElement,
     scene: () => scene.scene,
-    look: () => {},
+    look: (space) => void looks.push(space),
     showBox: () => {},
     say: () => {},
     freeze: () => {},
@@ -53,6 +54,7 @@ function host(): PlotHost {
 }
 
 beforeEach(() => {
+  looks = [];
   page = new FakeWindow();
   vi.stubGlobal('window', page);
   vi.stubGlobal('document', { activeElement: null });
@@ -260,4 +262,17 @@ describe('Ctrl with a click', () => {
     send('pointerdown', pointer({ ...onEmptyGround, ctrlKey: false, metaKey: true }));
     expect(onMac.dragging).toBe(true);
   });
+});
+
+it('the wheel zooms both axes, with Ctrl time only, with Alt values only, and pans in time with Shift', () => {
+  const axesOf = ({ axes }: CurveSpace) => Object.values(axes);
+  const { space } = scene.scene;
+  for (const held of [{}, { ctrlKey: true }, { altKey: true }, { shiftKey: true }]) {
+    send('wheel', { clientX: 100, clientY: 120, deltaX: 0, deltaY: 60, deltaMode: 0, ...held });
+  }
+  const lengths = looks.map(({ window }) => (window.to - window.from) / (space.window.to - space.window.from));
+  for (const [i, expected] of [1.15, 1.15, 1, 1].entries()) expect(lengths[i]).toBeCloseTo(expected, 9);
+  const isSame = looks.map((look) => JSON.stringify(axesOf(look)) === JSON.stringify(axesOf(space)));
+  expect(isSame).toEqual([false, true, false, true]);
+  expect(looks[3].window.from).toBeGreaterThan(space.window.from);
 });

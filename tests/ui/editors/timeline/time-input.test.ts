@@ -1,5 +1,6 @@
 import { afterEach, expect, it, vi } from 'vitest';
 import { DEFAULT_PLAYBACK } from '../../../../src/edit/playback.ts';
+import { SheetPointer, type SheetPointerHost } from '../../../../src/ui/editors/dope/pointer.ts';
 import { TimeInput } from '../../../../src/ui/editors/timeline/time-input.ts';
 import { observable } from '../../../../src/ui/kit/observable.ts';
 import { Timeline } from '../../../../src/ui/state/timeline.ts';
@@ -38,9 +39,36 @@ it('a press or a wheel before the chart has its width changes neither time nor w
 
 it('a wheel zooms about the time below it', () => {
   const { timeline, send } = chartOf(500);
-  vi.stubGlobal('WheelEvent', { DOM_DELTA_LINE: 1 });
-  send('wheel', { clientX: 100, clientY: 0, deltaX: 0, deltaY: 100, deltaMode: 0 });
+  send('wheel', { clientX: 100, clientY: 0, deltaX: 0, deltaY: 60, deltaMode: 0 });
   const { from, to } = timeline.view.get().window;
-  expect(to - from).toBeCloseTo(12, 9);
+  expect(to - from).toBeCloseTo(11.5, 9);
   expect(from + (to - from) / 5).toBeCloseTo(2, 9);
+});
+
+it('a wheel with and without Ctrl, Shift and Alt looks at the same times in charts and in the dope sheet', () => {
+  const window = { from: 0, to: 10 };
+  const target = Object.assign(new EventTarget(), { getBoundingClientRect: () => ({ left: 0, top: 0 }) });
+  let seen = window;
+  let scrolled = 0;
+  const host = {
+    sheet: () => ({ window: seen, width: 500, height: 200, rowHeight: 20, rowCount: 3, scrollTop: 0 }),
+    look(next: typeof window) {
+      seen = next;
+    },
+    scrollBy(pixels: number) {
+      scrolled += pixels;
+    },
+  };
+  // Of an element and of the sheet, only what a wheel uses.
+  new SheetPointer(target as unknown as HTMLElement, host as unknown as SheetPointerHost);
+  const chart = chartOf(500);
+  const wheel = { clientX: 100, clientY: 50, deltaX: 0, deltaY: 60, deltaMode: 0 };
+  for (const held of [{}, { ctrlKey: true }, { shiftKey: true }, { deltaX: 90 }]) {
+    chart.send('wheel', { ...wheel, ...held });
+    target.dispatchEvent(Object.assign(new Event('wheel'), wheel, held));
+    expect(seen).toEqual(chart.timeline.view.get().window);
+  }
+  expect([seen.to - seen.from > 12, scrolled]).toEqual([true, 0]);
+  target.dispatchEvent(Object.assign(new Event('wheel'), wheel, { altKey: true }));
+  expect([seen, scrolled]).toEqual([chart.timeline.view.get().window, 60]);
 });

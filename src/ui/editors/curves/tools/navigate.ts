@@ -1,4 +1,4 @@
-/** Navigation: panning, zooming by drag, and the wheel. It doesn't change the document, so there is nothing to undo. */
+/** Navigation: panning and zooming by drag. It doesn't change the document, so there is nothing to undo. */
 import { pan, zoom } from '../scene/space.ts';
 import { type Drag, NOTHING_TO_UNDO, type PlotAccess, type PointerAt } from './tool.ts';
 
@@ -36,26 +36,4 @@ export function zoomDrag(plot: PlotAccess, from: PointerAt): Drag {
     end: NOTHING_TO_UNDO,
     cancel: NOTHING_TO_UNDO,
   };
-}
-
-const ZOOM_STEP = 1.15;
-/** Pixels per line, for wheels that count in lines. */
-const LINE_PIXELS = 16;
-/** A typical wheel notch in pixels: one zoom step. */
-const STEP_PIXELS = 60;
-
-export interface Wheel
-  extends Pick<WheelEvent, 'deltaX' | 'deltaY' | 'deltaMode' | 'shiftKey' | 'ctrlKey' | 'altKey'> {}
-
-/** What a wheel event does: a pan in pixels, or factors above 1 that zoom out. */
-export function wheelMeans(
-  wheel: Wheel,
-): { readonly panX: number } | { readonly time: number; readonly value: number } {
-  const unit = wheel.deltaMode === 1 ? LINE_PIXELS : 1;
-  const sideways = Math.abs(wheel.deltaX) > Math.abs(wheel.deltaY);
-  if (sideways && !wheel.shiftKey) return { panX: -wheel.deltaX * unit };
-  // With Shift, some systems already scroll horizontally.
-  const factor = ZOOM_STEP ** (((sideways ? wheel.deltaX : wheel.deltaY) * unit) / STEP_PIXELS);
-  const valuesOnly = !wheel.shiftKey && (wheel.ctrlKey || wheel.altKey);
-  return { time: valuesOnly ? 1 : factor, value: wheel.shiftKey ? 1 : factor };
 }

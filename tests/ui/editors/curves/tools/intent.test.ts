@@ -2,7 +2,6 @@ import { describe, expect, it } from 'vitest';
 import { isolatedAfter } from '../../../../../src/ui/editors/curves/isolating.ts';
 import type { CurveHit } from '../../../../../src/ui/editors/curves/scene/scene.ts';
 import { cursorOf, intentOf, type Press } from '../../../../../src/ui/editors/curves/tools/intent.ts';
-import { wheelMeans } from '../../../../../src/ui/editors/curves/tools/navigate.ts';
 import { movesBoth, sameSlope } from '../../../../../src/ui/editors/curves/tools/slope.ts';
 import { buttonMeant } from '../../../../../src/ui/kit/keyboard.ts';
 
@@ -51,28 +50,6 @@ describe('a press in the plot', () => {
     expect(cursorOf('keys', press({ shift: true }), true)).toBe('move');
     expect(cursorOf('insert', press(), false)).toBe('crosshair');
     expect(cursorOf('box', press(), false)).toBe('default');
-  });
-});
-
-describe('the wheel', () => {
-  const turn = { deltaX: 0, deltaY: 60, deltaMode: 0, shiftKey: false, ctrlKey: false, altKey: false };
-
-  it('zooms both ways, time alone with Shift, values alone with Ctrl or Alt', () => {
-    expect(wheelMeans(turn)).toEqual({ time: 1.15, value: 1.15 });
-    expect(wheelMeans({ ...turn, shiftKey: true })).toEqual({ time: 1.15, value: 1 });
-    expect(wheelMeans({ ...turn, ctrlKey: true })).toEqual({ time: 1, value: 1.15 });
-    expect(wheelMeans({ ...turn, altKey: true })).toEqual({ time: 1, value: 1.15 });
-  });
-
-  it('zooms if Shift makes it horizontal, and else pans horizontally', () => {
-    expect(wheelMeans({ ...turn, deltaX: 60, deltaY: 0, shiftKey: true })).toEqual({ time: 1.15, value: 1 });
-    expect(wheelMeans({ ...turn, deltaX: 30, deltaY: 0 })).toEqual({ panX: -30 });
-  });
-
-  it('zooms back exactly as far', () => {
-    const there = wheelMeans(turn);
-    const back = wheelMeans({ ...turn, deltaY: -60 });
-    expect('time' in there && 'time' in back && there.time * back.time).toBeCloseTo(1, 12);
   });
 });
 
