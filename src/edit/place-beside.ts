@@ -100,19 +100,25 @@ export class Placing {
   }
 }
 
-/** Which captured figure is the first of each file, by its index in a list. */
+/** Which figure with a space of its own is the first of each file, by its index in a list. */
 class FirstFigures {
   private readonly firsts = new Map<SourceFile, number>();
 
-  add({ space, sources }: Character, index: number): void {
-    for (const source of space ? sources : []) if (!this.firsts.has(source)) this.firsts.set(source, index);
+  add(character: Character, index: number): void {
+    const file = fileOf(character);
+    if (file && !this.firsts.has(file)) this.firsts.set(file, index);
   }
 
-  /** Undefined if none is from a file of this character, or it is not captured. */
-  find({ space, sources }: Character): number | undefined {
-    const source = space && sources.find((each) => this.firsts.has(each));
-    return source && this.firsts.get(source);
+  /** Undefined if none is from the file of this character, or it has no space. */
+  find(character: Character): number | undefined {
+    const file = fileOf(character);
+    return file && this.firsts.get(file);
   }
+}
+
+/** Of the skeleton: textures and buffers may be those of many. */
+function fileOf({ space, parts }: Character): SourceFile | undefined {
+  return space && parts?.skeleton?.file?.source;
 }
 
 /** Maps a captured figure to the first of `others` from the same file, and everything else to itself. */

@@ -6,7 +6,7 @@ import type { ChannelClip } from '../model/clip.ts';
 import type { CapturedFigure } from '../model/files.ts';
 import { perSkeleton } from '../model/per-skeleton.ts';
 import type { Skeleton } from '../model/skeleton.ts';
-import { DEFAULT_SPACE, type GuessedSpace, type Space } from '../model/space.ts';
+import { DEFAULT_SPACE, type FileSpace, type Space } from '../model/space.ts';
 import { type FrameShape, frameShapes, percentile } from './frame-shapes.ts';
 import { METRES, metresPerUnit } from './metres.ts';
 import { LIMB_SIDES, partsOf } from './retarget/roles.ts';
@@ -40,7 +40,7 @@ export function guessSpace(skeleton: Skeleton, clip: ChannelClip | undefined): S
 const MAX_MEASURED = 256;
 
 /** For figures in one file, which share a space: that of the tallest, of the first 256. */
-export function guessSharedSpace(figures: readonly CapturedFigure[]): GuessedSpace {
+export function guessSharedSpace(figures: readonly CapturedFigure[]): FileSpace {
   const all = figures.slice(0, MAX_MEASURED).map(({ skeleton, clip }) => guessed(skeleton, clip));
   const none = { space: DEFAULT_SPACE, standing: 0, height: 0 };
   const { space, standing } = all.reduce((a, b) => (b.height > a.height ? b : a), all[0] ?? none);
@@ -55,19 +55,20 @@ export function metresForPerson(skeleton: Skeleton, clip: ChannelClip | undefine
   return height > 0 && Number.isFinite(height) ? Number((PERSON / height).toPrecision(3)) : 1;
 }
 
-function guessed(skeleton: Skeleton, clip: ChannelClip | undefined): GuessedSpace & { readonly height: number } {
+function guessed(skeleton: Skeleton, clip: ChannelClip | undefined): FileSpace & { readonly height: number } {
   const body = bodyOf(skeleton);
   const frames = frameShapes(skeleton, clip);
   const { up, standing } = upOf(skeleton, body, frames, clip !== undefined);
   const axis = up === 'z' ? 2 : 1;
   const height = heightOf(body, frames, clip !== undefined, axis);
-  if (!(height > 0) || !Number.isFinite(height)) return { space: { ...DEFAULT_SPACE, up }, standing: 0, height: 0 };
+  if (!(height > 0) || !Number.isFinite(height))
+    return { space: { ...DEFAULT_SPACE, up, known: 'guessed' }, standing: 0, height: 0 };
   const sized = unitFor(height);
   const metres = metresPerUnit({ ...sized, up, lift: 0 });
   const lows = frames.map(({ min }) => min[axis]);
   const low = metres * percentile(lows, GROUND_PERCENTILE);
   const lift = Math.abs(low) < BELIEVED * metres * height ? 0 : -Number(low.toFixed(3));
-  return { space: { up, ...sized, lift: lift || 0 }, standing, height };
+  return { space: { up, ...sized, lift: lift || 0, known: 'guessed' }, standing, height };
 }
 
 /** Joints of a person. */

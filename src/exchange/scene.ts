@@ -18,6 +18,8 @@ import type { Attachments } from '../model/skin.ts';
 export interface Scene {
   /** Of the character: the file's name without its extension. */
   readonly name: string;
+  /** Metres per unit of length, as the file or its format states; greater than 0. */
+  readonly metres: number;
   /** In depth-first pre-order; there may be several roots. Those that a character doesn't need are left out later. */
   readonly nodes: readonly SceneNode[];
   /** In the order in which their vertices are listed. */

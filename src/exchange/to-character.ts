@@ -1,4 +1,5 @@
 /** Makes a character of a scene: joints, one skin, morphs and clips. */
+import { statedSpace } from '../evaluate/metres.ts';
 import { computeNormals } from '../evaluate/normals.ts';
 import { inverseTranspose3, isSingular, multiplyAffine, setIdentity } from '../math/mat4.ts';
 import { writeRotation } from '../math/quaternion.ts';
@@ -32,7 +33,7 @@ interface Slot {
  * @throws {ImportError} if a node or a vertex is farther away than numbers go
  */
 export function toCharacter(scene: Scene): WholeCharacter | undefined {
-  const { name, nodes, meshes, takes } = scene;
+  const { name, metres, nodes, meshes, takes } = scene;
   const worlds = worldsOf(scene);
   const far = worlds.findIndex((value) => !Number.isFinite(value));
   if (far >= 0) throw tooFar(`Node "${cutText(nodes[far >> 4].name)}"`);
@@ -73,7 +74,7 @@ export function toCharacter(scene: Scene): WholeCharacter | undefined {
       channels: [...jointChannels(joints, slots, motions, take), ...weightsOf(take)],
     }),
   );
-  return { skeleton, skins, morphs, clips, textures: scene.textures };
+  return { skeleton, skins, morphs, clips, textures: scene.textures, space: statedSpace(metres) };
 }
 
 const FIXED: Pick<JointMotion, 'motion' | 'offset' | 'pose'> = {

@@ -9,7 +9,7 @@ import type { Positions } from './position-channels.ts';
 import type { Rig } from './rig.ts';
 import type { Skeleton } from './skeleton.ts';
 import type { Skin } from './skin.ts';
-import type { GuessedSpace } from './space.ts';
+import type { FileSpace } from './space.ts';
 
 /** A file as provided: dropped, picked, fetched or read from disk. */
 export interface SourceFile {
@@ -70,7 +70,7 @@ export type PartKind = { [K in FileKind]: Contents[K] extends { readonly part: u
 export type PartContents = { readonly [K in PartKind]: Contents[K]['part'] };
 
 /** What a motion capture file doesn't state, the same for all of its figures. */
-export interface GuessedCapture extends GuessedSpace {
+export interface GuessedCapture extends FileSpace {
   /** The meaning of position channels; the figures still have that of the format. */
   readonly positions: Positions;
 }
@@ -90,8 +90,8 @@ export interface WholeCharacter {
   /** Takes: the first is shown. */
   readonly clips: readonly ChannelClip[];
   readonly textures: readonly Texture[];
-  /** Of motion capture. */
-  readonly space?: GuessedSpace;
+  /** Absent of text formats, whose units are anyone's. */
+  readonly space?: FileSpace;
 }
 
 /** A file that was read without an error. */

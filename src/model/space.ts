@@ -8,6 +8,8 @@ export interface Space {
   readonly metres?: number;
   /** Offset that lifts the character onto the ground; in metres, or in file units for `asIs`. */
   readonly lift: number;
+  /** Whether the file states unit and up axis, or they were guessed; absent: set by the user. */
+  readonly known?: 'stated' | 'guessed';
 }
 
 /**
@@ -28,9 +30,12 @@ export type LengthUnit = (typeof LENGTH_UNITS)[number];
 
 export const DEFAULT_SPACE: Space = { up: 'y', unit: 'asIs', lift: 0 };
 
-/** The space of figures whose file states none, as guessed from their posture. */
-export interface GuessedSpace {
+/** The space that comes with a file: stated by it, or guessed from the posture of its figures. */
+export interface FileSpace {
   readonly space: Space;
-  /** Fraction of the frames in which the figure stands: takes of one skeleton share the space of the surest. */
+  /**
+   * Fraction of the frames in which the figure stands: takes of one skeleton share the guess for the surest. 0 of a
+   * stated space.
+   */
   readonly standing: number;
 }

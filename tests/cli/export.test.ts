@@ -63,7 +63,7 @@ describe('marrow export', () => {
     expect(end_positions.values.slice(0, 3)).toEqual([0, 105, 0]);
     expect(velocities.values.slice(0, 3)).toEqual([100, 0, 0]);
     expect([fps.values, times.values.slice(0, 3)]).toEqual([[10], [0, 0.1, 0.2]]);
-    expect(meta('out/takes/walk.npz')).toMatchObject({ raw: true, unit: 'as in the file' });
+    expect(meta('out/takes/walk.npz')).toMatchObject({ raw: true, unit: null, up: null });
   });
 
   it('a second export with --resume does nothing and says so, and does again what changed', async () => {

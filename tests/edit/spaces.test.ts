@@ -28,7 +28,7 @@ function bvh(name: string, ...roots: readonly (readonly [number, number, number]
 describe('a figure of motion capture that is opened', () => {
   it('a figure of motion capture that is opened is upright, in metres, on the ground', () => {
     const { document } = openFiles(EMPTY_DOCUMENT, [bvh('walk', [0, 185, 0])]);
-    expect(document.characters[0].space).toEqual({ up: 'y', unit: 'centimetres', lift: -1 });
+    expect(document.characters[0].space).toEqual({ up: 'y', unit: 'centimetres', lift: -1, known: 'guessed' });
   });
 
   it('a figure of motion capture that is opened keeps the space that it was given when its file is opened again', () => {
@@ -89,7 +89,8 @@ describe('takes of one skeleton', () => {
     const files = [session('lies', 30, true), session('walks', 87, false), session('falls', 200, true)];
     const { characters } = openFiles(EMPTY_DOCUMENT, files).document;
     expect(characters.map((c) => c.name)).toEqual(['lies', 'walks', 'falls']);
-    for (const { space } of characters) expect(space).toEqual({ up: 'y', unit: 'centimetres', lift: 0 });
+    for (const { space } of characters)
+      expect(space).toEqual({ up: 'y', unit: 'centimetres', lift: 0, known: 'guessed' });
   });
 
   it('takes of one skeleton that are opened later have the space that was set by hand', () => {

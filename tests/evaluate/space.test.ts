@@ -100,7 +100,7 @@ describe('the ground under a figure', () => {
   });
 
   it('the ground under a figure is below an empty skeleton nowhere, and nothing breaks', () => {
-    expect(guessSpace({ name: 'none', joints: [] }, undefined)).toEqual({ up: 'y', unit: 'asIs', lift: 0 });
+    expect(guessSpace({ name: 'none', joints: [] }, undefined)).toMatchObject({ up: 'y', unit: 'asIs', lift: 0 });
   });
 });
 

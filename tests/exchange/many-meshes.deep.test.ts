@@ -7,6 +7,7 @@ import { expectLinearTime } from '../helpers/growth.ts';
 function crowd(count: number): Scene {
   return {
     name: 'crowd',
+    metres: 1,
     nodes: Array.from({ length: count }, (_, i) => ({
       name: `n${i}`,
       parent: -1,

@@ -35,7 +35,7 @@ export const convert: CliCommand = {
   details: `what is done to takes before they are written
   --retarget FILE        onto the skeleton in FILE
   --map FILE             joint pairs for it, lines "target,source"; default: matched by name and shape
-  --space FILE           takes of the skeleton in FILE have its unit, up axis and ground; default: each its own guess
+  --space FILE           takes of the skeleton in FILE have its unit, up axis and ground; default: each its own
   --mirror               left and right exchanged, before --retarget
   --crop FROM,TO         seconds of the take; either may be left out
   --fps N                frames per second of .bvh; default: the take's own, or 30 for keys at uneven times

@@ -20,8 +20,9 @@ what is exported
                          rest in the file's metadata, or in a .json beside it; json: all arrays as text
   --out DIR              made if it is not there
   --float64              numbers in double precision; default: single
-  --raw                  the file's own unit, axes and origin; default: metres, y up, on the ground, as guessed
-  --space FILE           takes of the skeleton in FILE have its unit, up axis and ground; default: each its own guess
+  --raw                  the file's own unit, axes and origin; default: metres, y up, on the ground, as the file states
+                         or as guessed
+  --space FILE           takes of the skeleton in FILE have its unit, up axis and ground; default: each its own
 
 what is done before
   --retarget FILE        onto the skeleton in FILE

@@ -28,11 +28,14 @@ export function metaOf(
     ...(input.skeleton && { skeleton: input.skeleton.path }),
     take: source.clips[source.shownClip]?.name ?? source.name,
     character: skeleton.name,
-    unit: space ? 'metre' : 'as in the file',
-    up: space ? 'y' : 'as in the file',
+    // Null: those of the file.
+    unit: space ? 'metre' : null,
+    up: space ? 'y' : null,
     quaternions: 'x y z w',
     // How numbers of the file became those of the arrays, or how they would have.
-    ...(read && { file: { up: read.up, metresPerUnit: metresPerUnit(read), lift: read.lift } }),
+    ...(read && {
+      file: { up: read.up, metresPerUnit: metresPerUnit(read), lift: read.lift, known: read.known },
+    }),
     raw: isRaw ?? false,
     mirror: isMirrored ?? false,
     ...(fps !== undefined && { fps }),

@@ -37,7 +37,9 @@ export async function loadTarget({ retarget, map, space }: TargetFiles, folder: 
     if (skeleton && own) spaces.set(skeletonKey(skeleton), own);
   }
   if (space !== undefined && spaces.size === 0) {
-    throw new UsageError(`--space takes motion capture, whose unit, up axis and ground are guessed; found ${space}.`);
+    throw new UsageError(
+      `--space takes a file whose unit is stated or guessed: FBX, glTF or motion capture; found ${space}.`,
+    );
   }
   if (retarget === undefined) return { spaces };
   const characters = (await charactersIn(retarget, folder, '--retarget')).map((c) => inSpaceOf(c, spaces));

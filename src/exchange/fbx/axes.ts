@@ -38,10 +38,11 @@ export function axesOf(settings: Properties): FbxAxes | undefined {
   };
 }
 
-/** The file's unit of length for users: `1 cm`, `1 m`, `2.54 cm`. */
-export function unitOf(settings: Properties): string {
-  const centimetres = settings.number('UnitScaleFactor') ?? 1;
-  if (!(centimetres > 0)) return '1 cm';
-  const metres = centimetres / 100;
-  return metres >= 1 ? `${Number(metres.toPrecision(6))} m` : `${Number(centimetres.toPrecision(6))} cm`;
+/** Lengths of real units are between an ångström and a light second. */
+const UNITS = [1e-10, 3e8] as const;
+
+/** Metres per unit of length: the format's centimetre, unless the settings state another; undefined if that is none. */
+export function metresOf(settings: Properties): number | undefined {
+  const metres = (settings.number('UnitScaleFactor') ?? 1) / 100;
+  return metres >= UNITS[0] && metres <= UNITS[1] ? metres : undefined;
 }

@@ -6,7 +6,7 @@ import type { Budget } from '../budget.ts';
 import { writeQuaternion } from '../rotations.ts';
 import type { Scene, SceneNode, SceneTake, SceneWeight } from '../scene.ts';
 import { type FbxTake, takesOf } from './animation.ts';
-import { axesOf, type FbxAxes, unitOf } from './axes.ts';
+import { axesOf, type FbxAxes, metresOf } from './axes.ts';
 import { channelOf } from './channels.ts';
 import { documentOf } from './document.ts';
 import type { FbxReport } from './failure.ts';
@@ -56,15 +56,17 @@ export function sceneOf(file: FbxFile, name: string, report: FbxReport): Scene |
   const tolerances = tolerancesOf(rest.worlds, meshes);
   const spare = MOST_SPARE + report.budget.bytes / 2;
   const fitting: Fitting = { nodes: new Set(), keysBefore: 0, keysAfter: 0, spare };
+  const metres = metresOf(document.settings) ?? centimetre(report);
   const scene = {
     name,
+    metres,
     nodes: sceneNodes(joints, orders, axes),
     meshes: meshes.map(({ mesh }) => mesh),
     materials: materials.materials,
     textures: materials.textures,
     takes: takes.map((take) => takeOf(take, joints, orders, meshes, tolerances, fitting, report.budget)),
   };
-  tellSpace(axes, unitOf(document.settings), report);
+  tellSpace(axes, metres, report);
   tellFitting(fitting, report);
   for (const what of [...materials.lost, ...lostOf(document, nodes)]) lost.add(what);
   if (lost.size > 0) report.info('content-left-out', `Not read: ${[...lost].join(', ')}.`);
@@ -75,6 +77,11 @@ function upright(report: FbxReport): FbxAxes {
   report.warn('bad-axes', 'The settings name an axis twice.', 0, 'y up, right-handed');
   const matrix = Float64Array.from({ length: 16 }, (_, i) => (i % 5 === 0 ? 1 : 0));
   return { matrix, isIdentity: true, up: 'y', isLeftHanded: false };
+}
+
+function centimetre(report: FbxReport): number {
+  report.warn('bad-unit', 'The settings state a unit (UnitScaleFactor) that is no length.', 0, '1 cm');
+  return 0.01;
 }
 
 function sceneNodes(joints: readonly FbxJoint[], orders: readonly EulerOrder[], axes: FbxAxes): SceneNode[] {
@@ -193,10 +200,11 @@ function weightOf(
   return [{ mesh, target, curve: list.channel(1, 0, 'constant', 'constant') }];
 }
 
-function tellSpace({ isIdentity, up, isLeftHanded }: FbxAxes, unit: string, report: FbxReport): void {
+function tellSpace({ isIdentity, up, isLeftHanded }: FbxAxes, metres: number, report: FbxReport): void {
+  const unit = metres >= 1 ? `${Number(metres.toPrecision(6))} m` : `${Number((100 * metres).toPrecision(6))} cm`;
   const turned = isIdentity ? 'y is up in the file, too' : `${up} is up in the file: it was turned so that y is`;
   const mirrored = isLeftHanded ? ', and mirrored, since its axes are left-handed' : '';
-  report.info('fbx-space', `One unit of length is ${unit}, the file’s own; ${turned}${mirrored}.`);
+  report.info('fbx-space', `One unit of length is ${unit}, as the file states; ${turned}${mirrored}.`);
 }
 
 function tellFitting({ nodes, keysBefore, keysAfter, spare }: Fitting, report: FbxReport): void {

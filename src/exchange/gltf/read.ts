@@ -13,6 +13,9 @@ import { meshoptDecoder } from './meshopt.ts';
 import { readNodes } from './nodes.ts';
 import { readTakes } from './takes.ts';
 
+/** By the specification, of VRM too. */
+const METRES = 1;
+
 /** Never throws for anything that the file holds. */
 export async function readGltf(given: Import): Promise<Imported> {
   const remarks = new Remarks(given.fileName);
@@ -38,7 +41,7 @@ async function read(given: Import, remarks: Remarks) {
   const takes = readTakes(document, accessors, buffers.budget, nodes.indexOf, meshes, remarks);
   const name = stemOf({ name: given.fileName, path: given.fileName, bytes: 0 });
   return {
-    scene: { name, nodes: nodes.nodes, meshes, materials, textures, takes },
+    scene: { name, metres: METRES, nodes: nodes.nodes, meshes, materials, textures, takes },
     beside: [...buffers.sources, ...sources],
   };
 }

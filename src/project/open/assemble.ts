@@ -113,10 +113,7 @@ export function withTextures(character: Character, given: readonly ParsedFile[])
   return next;
 }
 
-/**
- * Uses a character of a file: its skeleton with all that comes with it. The first skin and clip are shown.
- * @param space of motion capture
- */
+/** Uses a character of a file: its skeleton with all that comes with it. The first skin and clip are shown. */
 export function withWhole(
   character: Character,
   whole: WholeCharacter,

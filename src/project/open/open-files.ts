@@ -27,7 +27,7 @@ import {
   type WholeCharacter,
 } from '../../model/files.ts';
 import { skeletonKey } from '../../model/skeleton-key.ts';
-import type { GuessedSpace, Space } from '../../model/space.ts';
+import type { FileSpace, Space } from '../../model/space.ts';
 import { openingOf, type PartOpening } from '../kinds.ts';
 import { checkParts, withSource, withTextures, withWhole } from './assemble.ts';
 import { type FileGroup, groupFiles, isBroken, isRead, type LooseRole, namesFile, prefixFit } from './grouping.ts';
@@ -98,8 +98,8 @@ class Opening {
   private readonly used = new Set<ParsedFile>();
   private readonly unused: UnusedFile[] = [];
   private readonly dumps: DumpFile[] = [];
-  /** Of all captured figures in these files, by skeleton. */
-  private readonly surest = new Map<string, GuessedSpace>();
+  /** Of the figures in these files whose space was guessed, by skeleton. */
+  private readonly surest = new Map<string, FileSpace>();
 
   constructor(
     private readonly document: Document,
@@ -131,7 +131,8 @@ class Opening {
     for (const file of files) {
       for (const { skeleton, space } of charactersIn(file)) {
         const key = skeletonKey(skeleton);
-        if (space && !(space.standing <= (this.surest.get(key)?.standing ?? -1))) this.surest.set(key, space);
+        if (space?.space.known === 'guessed' && !(space.standing <= (this.surest.get(key)?.standing ?? -1)))
+          this.surest.set(key, space);
       }
     }
     for (const group of grouping.groups) yield* this.openGroup(group);
@@ -229,13 +230,16 @@ class Opening {
   }
 
   /**
-   * Motion capture does not say how its space is oriented, scaled and grounded. Takes of one skeleton share what was
-   * set or guessed for one that is open already, or else the guess for the one that stands most.
+   * Motion capture does not say how its space is oriented, scaled and grounded. Takes of one skeleton share what is
+   * known of one that is open already, or else the guess for the one that stands most. What a file states counts, unless
+   * the user has set another space for that skeleton.
    */
   private spaceOf({ skeleton, space }: WholeCharacter): Space | undefined {
     if (!space) return undefined;
     const key = skeletonKey(skeleton);
-    return this.spaces.get(key) ?? (this.surest.get(key) ?? space).space;
+    const open = this.spaces.get(key);
+    if (space.space.known === 'stated') return open && open.known === undefined ? open : space.space;
+    return open ?? (this.surest.get(key) ?? space).space;
   }
 
   /** A skin, morph or anim without a skeleton among the files. */

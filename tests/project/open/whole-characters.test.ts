@@ -2,9 +2,11 @@
 import { describe, expect, it } from 'vitest';
 import { Unsaved } from '../../../src/app/unsaved.ts';
 import { renameClip } from '../../../src/edit/commands/clips.ts';
+import { setSpace } from '../../../src/edit/commands/spaces.ts';
 import { Store } from '../../../src/edit/store.ts';
 import { type Document, EMPTY_DOCUMENT } from '../../../src/model/document.ts';
 import type { ParsedFile, WholeCharacter } from '../../../src/model/files.ts';
+import type { LengthUnit, Space } from '../../../src/model/space.ts';
 import { openFiles } from '../../../src/project/open/open-files.ts';
 import { saveCharacter } from '../../../src/project/save/saving.ts';
 import { clip, file, morph, morphFile, paintedSkin, skeleton, skelFile, skin } from '../../helpers/builders.ts';
@@ -74,5 +76,37 @@ describe('a file with whole characters', () => {
       saveCharacter(character, kind).map(({ name }) => name),
     );
     expect(names).toEqual(['fox.skel', 'fur.skin', 'winter.skin', 'smile.morph', 'run.anim', 'sit.anim', 'fox.rig']);
+  });
+});
+
+describe('the unit of a character', () => {
+  const stated = (unit: LengthUnit): WholeCharacter => ({
+    ...fox,
+    space: { space: { up: 'y', unit, lift: 0, known: 'stated' }, standing: 0 },
+  });
+  const unitsIn = ({ characters }: Document) => characters.map(({ space }) => space?.unit);
+
+  it('the unit of a character is the one that its own file states, whatever another of the same joints states', () => {
+    const { document } = open([whole([stated('metres')], 'a.glb'), whole([stated('centimetres')], 'b.fbx')]);
+    expect(unitsIn(document)).toEqual(['metres', 'centimetres']);
+    expect(unitsIn(open([whole([stated('inches')], 'c.fbx')], document).document)).toEqual([
+      'metres',
+      'centimetres',
+      'inches',
+    ]);
+  });
+
+  it('the unit of a character is the one that was set for its joints, of files that are opened later too', () => {
+    const store = new Store(open([whole([stated('metres')])]).document);
+    const space: Space = { up: 'y', unit: 'centimetres', lift: 0 };
+    store.apply(setSpace, { characterId: store.document.characters[0].id, space });
+    expect(store.document.characters[0].space).toEqual(space);
+    expect(unitsIn(open([whole([stated('metres')], 'b.glb')], store.document).document)).toEqual([
+      'centimetres',
+      'centimetres',
+    ]);
+    expect(unitsIn(open([whole([stated('metres')])], store.document).document)).toEqual(['centimetres']);
+    store.undo();
+    expect(store.document.characters[0].space).toMatchObject({ unit: 'metres', known: 'stated' });
   });
 });
