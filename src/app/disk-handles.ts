@@ -37,9 +37,12 @@ export class DiskHandles {
     this.files.set(path, file);
   }
 
-  /** Every file that a character was read from or saved to, each once; a zip for what it contains. */
-  ofCharacter(character: Character): readonly DiskFile[] {
-    return [...new Set(character.sources.flatMap(({ path }) => this.at(path) ?? []))];
+  /**
+   * Every file that a character was read from or saved to, and those of it that had errors, each once; a zip for what
+   * it contains.
+   */
+  ofCharacter({ sources, unread = [] }: Character): readonly DiskFile[] {
+    return [...new Set([...sources, ...unread].flatMap(({ path }) => this.at(path) ?? []))];
   }
 
   /** The file of a path, or the zip that contains it. */

@@ -131,11 +131,13 @@ export class Opener {
       const earlier = this.earlierIn(output.files).filter(({ path }) => !files.some((file) => file.path === path));
       const given = [...files, ...earlier];
       if (isChange) for (const listener of this.listeners) listener({ given, files: output.files });
-      // Clears the messages of files that are all right now.
+      // Clears the messages of files that are all right now, and of those that waited for them.
+      const taken = before.unused.filter(({ file }) => !result.document.unused.some((unused) => unused.file === file));
       messages.report(
         diagnostics,
-        sourcesOf(output.files).map(({ name }) => name),
+        [...sourcesOf(output.files), ...sourcesOf(taken.map(({ file }) => file))].map(({ name }) => name),
         (name, found) => {
+          if (found.some(({ code }) => code === 'opened-without')) return 'not opened; its character is, without it';
           if (hasErrors(found)) return wasOpen.has(name) ? 'not opened; the previous version is kept' : 'not opened';
           return found.some(({ code }) => LEFT_ASIDE.has(code)) ? undefined : 'opened';
         },

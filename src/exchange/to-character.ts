@@ -5,13 +5,14 @@ import { inverseTranspose3, isSingular, multiplyAffine, setIdentity } from '../m
 import { writeRotation } from '../math/quaternion.ts';
 import { type Channel, type ChannelClip, restChannel } from '../model/clip.ts';
 import { cutText } from '../model/cut-text.ts';
+import { DistinctNames } from '../model/distinct-names.ts';
 import type { WholeCharacter } from '../model/files.ts';
 import { carriesCharacter } from '../model/joint-types.ts';
 import type { Morph, MorphRows } from '../model/morph.ts';
 import { type Joint, NO_BOX, type Skeleton, UNLIMITED } from '../model/skeleton.ts';
 import type { Attachments, Material, Skin, Surface } from '../model/skin.ts';
 import { type Binding, type BoundMesh, bindMeshes, inverted } from './bind.ts';
-import { cleanFileName, cleanName, DistinctNames } from './clean-names.ts';
+import { cleanFileName, cleanName } from './clean-names.ts';
 import { SpareKeys } from './fit-rotation.ts';
 import { ImportError } from './imported.ts';
 import { type JointMotion, jointMotion } from './joint-motions.ts';

@@ -67,6 +67,8 @@ export interface Character {
   readonly poses?: readonly NamedPose[];
   /** The files it was read from. */
   readonly sources: readonly SourceFile[];
+  /** Files of it that had errors: read later, they are its own. Absent rather than empty. */
+  readonly unread?: readonly SourceFile[];
   /** Identities of the parts (`part.ts`). Commands leave these alone; the store keeps them in step with the parts. */
   readonly parts?: PartMarks;
 }
@@ -116,6 +118,8 @@ export interface Placement {
 export interface UnusedFile {
   readonly file: ParsedFile;
   readonly why: string;
+  /** The file with errors that it depends on; absent if it belongs to none that was given. */
+  readonly waitsFor?: SourceFile;
 }
 
 export const EMPTY_DOCUMENT: Document = {

@@ -9,7 +9,7 @@
  *
  * Where position channels replace the offset, the offset becomes 0 on their axes.
  */
-import { type ChannelClip, restChannel } from './clip.ts';
+import { type Channel, type ChannelClip, restChannel } from './clip.ts';
 import { firstDofs, jointDofCount, rootDofCount, rootDofs } from './dofs.ts';
 import { dofsOf, isOfBvh, jointTypeOf, offsetBesideDofs } from './joint-types.ts';
 import { columnOf, type Samples } from './samples.ts';
@@ -61,12 +61,8 @@ export function skelSkeleton(skeleton: Skeleton): Skeleton {
  * @param pose values of the DOFs that the clip has no channels for
  */
 export function skelChannels(clip: ChannelClip, skeleton: Skeleton, pose: readonly number[]): ChannelClip {
-  const first = firstDofs(skeleton);
   const own = rootDofCount(skeleton);
-  const order = rootDofs(skelSkeleton(skeleton)).map((_, c) => (c < own ? c : -1));
-  skeleton.joints.forEach(({ motion }, j) => {
-    order.push(...skelMotionOf(motion).dofMap.map((d) => first[j] + d));
-  });
+  const order = channelOrder(skeleton);
   if (order.every((c, i) => c === i)) return clip;
   const { samples, channels, ...rest } = clip;
   // A clip may have fewer channels than DOFs, and more: those of morphs.
@@ -79,6 +75,34 @@ export function skelChannels(clip: ChannelClip, skeleton: Skeleton, pose: readon
     channels: from.map((c) => channels[c] ?? restChannel(pose[c])),
     ...(samples && { samples: reordered(samples, from) }),
   };
+}
+
+/**
+ * The reverse for keys: channels that are in the order of the skeleton's `skelSkeleton`, as in an `.anim`, in that of
+ * its own DOFs. The same object if nothing changes.
+ */
+export function ownChannels(clip: ChannelClip, skeleton: Skeleton, pose: readonly number[]): ChannelClip {
+  const order = channelOrder(skeleton);
+  if (order.every((c, i) => c === i)) return clip;
+  const channels: Channel[] = [];
+  const given = order.slice(0, clip.channels.length);
+  const count = given.reduce((most, c) => Math.max(most, c + 1), 0);
+  for (let c = 0; c < count; c++) channels.push(restChannel(pose[c]));
+  given.forEach((c, i) => {
+    if (c >= 0) channels[c] = clip.channels[i];
+  });
+  return { ...clip, channels: [...channels, ...clip.channels.slice(order.length)] };
+}
+
+/** For each channel of a clip of its `skelSkeleton`, the skeleton's own; -1 for none. */
+function channelOrder(skeleton: Skeleton): readonly number[] {
+  const first = firstDofs(skeleton);
+  const own = rootDofCount(skeleton);
+  const order = rootDofs(skelSkeleton(skeleton)).map((_, c) => (c < own ? c : -1));
+  skeleton.joints.forEach(({ motion }, j) => {
+    order.push(...skelMotionOf(motion).dofMap.map((d) => first[j] + d));
+  });
+  return order;
 }
 
 /** @param from the channel whose samples each channel gets; -1 for none */

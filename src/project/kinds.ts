@@ -15,6 +15,7 @@ import type { ContentOf, FileContent, FileKind, WholeCharacter } from '../model/
 import { MARKERS_EXTENSION } from '../model/markers.ts';
 import { withPositions } from '../model/position-channels.ts';
 import { rangeOfSamples } from '../model/samples.ts';
+import { ownChannels } from '../model/skel-motion.ts';
 import type { Skeleton } from '../model/skeleton.ts';
 import { bindingCount, type Skin, textureNames, vertexCount } from '../model/skin.ts';
 import { type PartOrigin, withClip, withMorph, withSkin } from './open/assemble.ts';
@@ -216,6 +217,8 @@ export interface PartOpening<C> {
   add(character: Character, content: C, from: PartOrigin): Character;
   /** Only for a character with a skin; the name of the skin tells which. */
   readonly onSkin?: true;
+  /** It belongs to a character that takes no other parts, too, if there is no other. */
+  readonly onAny?: true;
   /** Why it is not used without a character, as a sentence; absent: it is one by itself and waits for a skeleton. */
   readonly unused?: string;
 }
@@ -244,7 +247,15 @@ const OPENINGS: { readonly [K in FileKind]: Opening<ContentOf<K>> } = {
     onSkin: true,
     unused: 'No open character has a skin for it.',
   },
-  anim: { as: 'part', add: (character, { clip }, from) => withClip(withoutUnkeyed(character), clip, from) },
+  anim: {
+    as: 'part',
+    onAny: true,
+    add(character, { clip }, from) {
+      const { skeleton, pose } = character;
+      const own = skeleton ? ownChannels(clip, skeleton, pose) : clip;
+      return withClip(withoutUnkeyed(character), own, from);
+    },
+  },
   rig: { as: 'rig' },
   // Motion capture is complete in itself; skins are not made for it.
   bvh: {

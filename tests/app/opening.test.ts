@@ -9,7 +9,7 @@ import { observable } from '../../src/ui/kit/observable.ts';
 import { Messages } from '../../src/ui/state/messages.ts';
 import type { Loading } from '../../src/ui/state/workbench.ts';
 import { GltfMaker } from '../exchange/make-gltf.ts';
-import { character, clip, skeleton } from '../helpers/builders.ts';
+import { character, clip, skeleton, skin } from '../helpers/builders.ts';
 import { InThisThread } from './in-this-thread.ts';
 
 function openerOf(
@@ -79,6 +79,33 @@ it.each([false, true])('a new take starts to play unless motion is to be reduced
   await opener.open(() => [...sample(), { path: 'walker_walk.anim', blob: new Blob([walk]) }]);
   expect(transport.get().playing).toBe(!reducesMotion);
   expect(transport.get().timeSeconds).toBe(transport.get().range[0]);
+});
+
+describe('a file with errors', () => {
+  const file = (path: string, text: string) => ({ path, blob: new Blob([text]) });
+  const parts = (['skel', 'skin', 'anim'] as const).map((kind) => {
+    const hero = character({ skins: [skin()], clips: [clip('hero_walk', new Array(9).fill(0))], shownClip: 0 });
+    const [{ name, text }] = saveCharacter(hero, kind);
+    return { whole: file(name, text), broken: file(name, text.replace(/ [0-9.]+/, ' 1x')) };
+  });
+  const textsOf = (messages: Messages) => messages.list.get().map(({ text }) => text);
+
+  it.each(['skel', 'skin', 'anim'])(
+    'a .%s with errors takes them away when it is mended, and is open',
+    async (kind) => {
+      const [store, messages] = [new Store(), new Messages()];
+      const opener = openerOf(store, { messages });
+      const lost = parts.filter(({ whole: { path } }) => path.endsWith(kind));
+      await opener.open(() => parts.map((part) => (lost.includes(part) ? part.broken : part.whole)));
+      const open = () => store.document.characters.map(({ skins, clips }) => [skins.length, clips.length]);
+      expect(open()).toEqual({ skel: [], skin: [[0, 1]], anim: [[1, 0]] }[kind]);
+      const fate = kind === 'skel' ? /not opened\. / : /not opened; its character is, without it/;
+      expect(textsOf(messages).at(-1)).toMatch(fate);
+      await opener.open(() => lost.map(({ whole }) => whole));
+      expect(open()).toEqual([[1, 1]]);
+      expect(textsOf(messages)).toEqual([]);
+    },
+  );
 });
 
 describe('the opener, of a .gltf and its buffers', () => {

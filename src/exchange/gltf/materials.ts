@@ -1,8 +1,9 @@
 /** Materials and textures: of each material the base colour and its image, the only ones that a skin can have. */
 import { textureMime, tooManyPixels } from '../../formats/texture/read.ts';
 import type { Vec3 } from '../../math/vec3.ts';
+import { DistinctNames } from '../../model/distinct-names.ts';
 import { baseName, type SourceFile, type Texture } from '../../model/files.ts';
-import { cleanName, DistinctNames } from '../clean-names.ts';
+import { cleanName } from '../clean-names.ts';
 import { counted, type Import, ImportError, type Remarks } from '../imported.ts';
 import type { SceneMaterial } from '../scene.ts';
 import { type Buffers, optional } from './buffers.ts';

@@ -20,7 +20,9 @@ import {
   type WholeCharacter,
 } from '../../model/files.ts';
 import type { Morph } from '../../model/morph.ts';
+import { firstTake } from '../../model/moving.ts';
 import { NO_MARKS, type PartFile, type PartMark, type PartMarks, readAs, UNMARKED } from '../../model/part.ts';
+import { ownChannels } from '../../model/skel-motion.ts';
 import { type Skin, textureNames } from '../../model/skin.ts';
 import type { Space } from '../../model/space.ts';
 
@@ -36,7 +38,15 @@ export interface PartOrigin extends Omit<PartFile, 'holds'> {
 /** Lists a file among the character's sources, replacing one of the same name that it had before. */
 export function withSource(character: Character, source: SourceFile, before: Character | undefined): Character {
   const replaced = (s: SourceFile) => sameName(s.name, source.name) && (before?.sources.includes(s) ?? false);
-  return { ...character, sources: [...character.sources.filter((s) => !replaced(s)), source] };
+  const next = { ...character, sources: [...character.sources.filter((s) => !replaced(s)), source] };
+  return withUnread(next, next.unread?.filter(({ name }) => !sameName(name, source.name)) ?? []);
+}
+
+/** The character with these as the files that could not be read. */
+export function withUnread(character: Character, unread: readonly SourceFile[]): Character {
+  if (unread.length === (character.unread?.length ?? 0)) return character;
+  const { unread: _before, ...rest } = character;
+  return unread.length > 0 ? { ...rest, unread } : rest;
 }
 
 /** Adds a skin, or replaces the one of that name, and shows it. */
@@ -59,12 +69,23 @@ export function withMorph(character: Character, morph: Morph, from: PartOrigin):
 /** Adds a clip, or replaces the one of that name, and shows it. */
 export function withClip(character: Character, clip: ChannelClip, from: PartOrigin): Character {
   const { clips } = character;
-  const at = replacedIndex(clips, from.before?.clips, clip.name);
+  const at = takeReadBefore(character, clip, from);
   const parts = withMark(character, 'clips', at, clip.name, from);
   // Its own file holds no markers: reading it again doesn't remove them.
   const kept = clip.markers ? undefined : clips[at]?.markers;
   const marked = kept ? withMarkers(clip, kept) : clip;
-  return { ...character, parts, clips: put(clips, at, marked), shownClip: at < 0 ? clips.length : at };
+  // A take among others of its file may have been given another name.
+  const named = at < 0 || from.kind !== 'character' ? marked : { ...marked, name: clips[at].name };
+  return { ...character, parts, clips: put(clips, at, named), shownClip: at < 0 ? clips.length : at };
+}
+
+/** Index of the take that is read again; -1 if it is new. */
+function takeReadBefore(character: Character, { name }: ChannelClip, { kind, source, before }: PartOrigin): number {
+  const { clips, parts = NO_MARKS } = character;
+  const isSame = ({ file }: PartMark) =>
+    file?.kind === 'character' && file.holds === name && sameName(file.source.name, source.name);
+  const known = kind === 'character' ? parts.clips.findIndex(isSame) : -1;
+  return before?.clips.includes(clips[known]) ? known : replacedIndex(clips, before?.clips, name);
 }
 
 /** The marks with that of a part from a file, replacing the one at `at`, or appended if `at` is -1. */
@@ -113,7 +134,10 @@ export function withTextures(character: Character, given: readonly ParsedFile[])
   return next;
 }
 
-/** Uses a character of a file: its skeleton with all that comes with it. The first skin and clip are shown. */
+/**
+ * Uses a character of a file: its skeleton with all that comes with it. Its first skin is shown, and its first take that
+ * moves.
+ */
 export function withWhole(
   character: Character,
   whole: WholeCharacter,
@@ -124,8 +148,10 @@ export function withWhole(
   const { parts = NO_MARKS } = character;
   const { kind, source } = from;
   const mark = readAs(parts.skeleton, { kind, source, holds: skeleton.name });
+  // Takes that waited for a skeleton have the order of channels that files have.
+  const waiting = character.skeleton ? character.clips : character.clips.map((clip) => ownChannels(clip, skeleton, []));
   let next: Character = {
-    ...withSkeleton(character, skeleton),
+    ...withSkeleton({ ...character, clips: waiting }, skeleton),
     parts: { ...parts, skeleton: mark },
     ...(space && { space }),
   };
@@ -133,10 +159,26 @@ export function withWhole(
   for (const morph of morphs) next = withMorph(next, morph, from);
   for (const clip of clips) next = withClip(next, clip, from);
   for (const texture of textures) next = withTexture(next, texture);
+  const shown = clips[firstTake(clips)];
   return {
     ...next,
     ...(skins.length && { shownSkin: next.skins.indexOf(skins[0]) }),
-    ...(clips.length && { shownClip: next.clips.findIndex(({ name }) => name === clips[0].name) }),
+    ...(shown && { shownClip: takeReadBefore(next, shown, { ...from, before: next }) }),
+  };
+}
+
+/** The character with the takes of another one, which has nothing else. */
+export function withTakesOf(character: Character, { clips, parts = NO_MARKS, sources }: Character): Character {
+  const { skeleton, pose, parts: own = NO_MARKS } = character;
+  const taken = skeleton ? clips.map((clip) => ownChannels(clip, skeleton, pose)) : clips;
+  const marks = character.clips.map((_, i) => own.clips[i] ?? UNMARKED);
+  const all = [...character.clips, ...taken];
+  return {
+    ...character,
+    clips: all,
+    parts: { ...own, clips: [...marks, ...clips.map((_, i) => parts.clips[i] ?? UNMARKED)] },
+    sources: [...character.sources, ...sources],
+    shownClip: firstTake(all),
   };
 }
 

@@ -3,10 +3,10 @@
  *
  * 1. a `.rig` binds the files that it names, looked up by base name (its own folder first);
  * 2. any other skin, morph or anim belongs to the skeleton in the same folder whose stem is the longest prefix of its
- * own (`wasp_walk.anim` → `wasp.skel`), or to the only skeleton;
+ * own (`wasp_walk.anim` → `wasp.skel`), or to the only skeleton; an anim to the only character of another kind, too;
  * 3. the rest has no skeleton here; `open-files.ts` assigns it to characters of the document.
  *
- * Files with errors take part, so that no character is assembled with a part missing.
+ * Files with errors take part, so that what depends on them is known.
  */
 import { type Diagnostic, withoutPlace } from '../../model/diagnostic.ts';
 import {
@@ -141,30 +141,71 @@ function takesParts({ kind }: ReadFile): boolean {
   return opening.as === 'characters' && opening.takesParts;
 }
 
-/** Finds the group of a part. Skeletons are looked up by folder and stem: both may be thousands. */
-function skeletonsFor<G extends FileGroup>(groups: readonly G[]): (part: ReadFile) => G | undefined {
-  const skeletons = groups.filter((g) => g.skeleton && takesParts(g.skeleton));
-  const folders = new Map<string, { readonly all: G[]; readonly byStem: Map<string, G> }>();
-  for (const group of skeletons) {
-    if (!group.skeleton) continue;
-    const { source } = group.skeleton;
-    const folder = folders.get(folderOf(source)) ?? { all: [], byStem: new Map<string, G>() };
-    folders.set(folderOf(source), folder);
-    folder.all.push(group);
+/** Skeletons of a folder, or all, by their stems: there may be thousands, of as many parts. */
+export class ByStem<T> {
+  private readonly items = new Map<string, T>();
+  private first: T | undefined;
+  private count = 0;
+
+  /** @param source its file */
+  add(item: T, source: SourceFile): void {
     const stem = stemOf(source).toLowerCase();
-    if (!folder.byStem.has(stem)) folder.byStem.set(stem, group);
+    this.first ??= item;
+    this.count++;
+    if (!this.items.has(stem)) this.items.set(stem, item);
   }
-  return ({ source }) => {
-    const there = folders.get(folderOf(source));
-    // None in its own folder: use the only skeleton given.
-    if (!there) return skeletons.length === 1 ? skeletons[0] : undefined;
+
+  /** The one with the longest stem that begins the file's. */
+  named(source: SourceFile): T | undefined {
     const stem = stemOf(source).toLowerCase();
     for (let length = stem.length; length > 0; length--) {
-      const group = there.byStem.get(stem.slice(0, length));
+      const item = this.items.get(stem.slice(0, length));
+      if (item) return item;
+    }
+    return undefined;
+  }
+
+  get only(): T | undefined {
+    return this.count === 1 ? this.first : undefined;
+  }
+}
+
+/** Finds the group of a part. */
+function skeletonsFor<G extends FileGroup>(groups: readonly G[]): (part: ReadFile) => G | undefined {
+  const [made, any] = [new InFolders<G>(), new InFolders<G>()];
+  for (const group of groups) {
+    if (!group.skeleton) continue;
+    any.add(group, group.skeleton.source);
+    if (takesParts(group.skeleton)) made.add(group, group.skeleton.source);
+  }
+  return ({ kind, source }) => {
+    const opening = openingOf(kind);
+    const places = opening.as === 'part' && opening.onAny ? [made, any] : [made];
+    const near = places.flatMap((all) => all.in(source) ?? []);
+    // None in its own folder: the only one given.
+    const list = near.length > 0 ? near : places.map(({ everywhere }) => everywhere);
+    for (const skeletons of list) {
+      const group = (near.length > 0 ? skeletons.named(source) : undefined) ?? skeletons.only;
       if (group) return group;
     }
-    return there.all.length === 1 ? there.all[0] : undefined;
+    return undefined;
   };
+}
+
+class InFolders<T> {
+  readonly everywhere = new ByStem<T>();
+  private readonly folders = new Map<string, ByStem<T>>();
+
+  add(item: T, source: SourceFile): void {
+    const there = this.in(source) ?? new ByStem<T>();
+    this.folders.set(folderOf(source), there);
+    for (const place of [there, this.everywhere]) place.add(item, source);
+  }
+
+  /** Those in the folder of a file; undefined if it has none. */
+  in(source: SourceFile): ByStem<T> | undefined {
+    return this.folders.get(folderOf(source));
+  }
 }
 
 type FilesByName = ReadonlyMap<string, readonly ReadFile[]>;

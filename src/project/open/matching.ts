@@ -35,11 +35,14 @@ export function takeCalled(
   return undefined;
 }
 
-/** Whether the character has a file of that name from the same folder; a file without a folder matches any. */
-export function hasSource(character: Character, source: SourceFile): boolean {
-  return character.sources.some((own) => {
-    if (!sameName(own.name, source.name)) return false;
-    const [a, b] = [folderOf(own), folderOf(source)];
-    return a === b || a === '' || b === '';
-  });
+/** Whether the character has a file of that name from the same folder, read or not. */
+export function hasSource({ sources, unread = [] }: Character, source: SourceFile): boolean {
+  return [...sources, ...unread].some((own) => isSameFile(own, source));
+}
+
+/** Whether the files are of one name and folder; one without a folder matches any. */
+export function isSameFile(one: SourceFile, other: SourceFile): boolean {
+  if (!sameName(one.name, other.name)) return false;
+  const [a, b] = [folderOf(one), folderOf(other)];
+  return a === b || a === '' || b === '';
 }

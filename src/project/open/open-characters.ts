@@ -72,8 +72,8 @@ export class OpenCharacters {
     }
   }
 
-  private indexFiles({ id, sources }: Character): void {
-    for (const { name } of sources) {
+  private indexFiles({ id, sources, unread = [] }: Character): void {
+    for (const { name } of [...sources, ...unread]) {
       const key = name.toLowerCase();
       const ids = this.byFile.get(key);
       if (ids) ids.add(id);

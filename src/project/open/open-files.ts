@@ -2,8 +2,9 @@
  * Opening files: turns files that were read into new characters or parts of existing ones. Used by both page and
  * command, so `marrow info` reports what dropping the same files would.
  *
- * All or nothing for each character: if one of the files that belong together has an error or does not fit, none of
- * them is opened and the character is unchanged. Other characters in the same drop are not affected.
+ * A file that has errors or does not fit holds back only what depends on it: a skeleton its skins, morphs and takes, a
+ * skin its morphs. These wait for it; the rest of the character is opened without them. A skeleton that does not fit
+ * what its character had before leaves that as it was.
  */
 
 import { cutName } from '../../edit/cut-name.ts';
@@ -11,12 +12,14 @@ import { withMarkers } from '../../edit/markers.ts';
 import { newCharacter } from '../../edit/new-character.ts';
 import { sameJoints } from '../../edit/pose/same-joints.ts';
 import { withSourcePairs } from '../../edit/rig/by-joint.ts';
+import { checkSkin } from '../../evaluate/binding.ts';
 import { runToEnd, type Steps } from '../../evaluate/steps.ts';
 import { type Diagnostic, hasErrors, withoutPlace } from '../../model/diagnostic.ts';
 import { type Character, type Document, EMPTY_DOCUMENT, findCharacter, type UnusedFile } from '../../model/document.ts';
 import {
   type BrokenFile,
   byFileName,
+  byPath,
   type ContentOf,
   type FileContent,
   type FileKind,
@@ -26,14 +29,26 @@ import {
   stemOf,
   type WholeCharacter,
 } from '../../model/files.ts';
+import { firstTake } from '../../model/moving.ts';
 import { skeletonKey } from '../../model/skeleton-key.ts';
 import type { FileSpace, Space } from '../../model/space.ts';
+import { tellingNames } from '../../model/telling-names.ts';
 import { openingOf, type PartOpening } from '../kinds.ts';
-import { checkParts, withSource, withTextures, withWhole } from './assemble.ts';
-import { type FileGroup, groupFiles, isBroken, isRead, type LooseRole, namesFile, prefixFit } from './grouping.ts';
-import { bySkinName, takeCalled } from './matching.ts';
+import { checkParts, withSource, withTakesOf, withTextures, withUnread, withWhole } from './assemble.ts';
+import {
+  ByStem,
+  type FileGroup,
+  groupFiles,
+  isBroken,
+  isRead,
+  type LooseRole,
+  namesFile,
+  prefixFit,
+} from './grouping.ts';
+import { bySkinName, isSameFile, takeCalled } from './matching.ts';
 import { OpenCharacters } from './open-characters.ts';
 import { fittingCharacter, givePoses, type PoseFile } from './poses.ts';
+import { nameTakesApart } from './take-names.ts';
 
 /** A file with numbers of another program. */
 export type DumpFile = Extract<ParsedFile, { readonly kind: 'dump' }>;
@@ -125,7 +140,7 @@ class Opening {
 
   *steps(): Steps<OpenResult> {
     const { files, broken, called } = this;
-    const wanted = this.waiting.map((w) => w.file).filter((file) => this.isCalledFor(file));
+    const wanted = this.waiting.filter((waiting) => this.isCalledFor(waiting)).map(({ file }) => file);
     const grouping = groupFiles([...files, ...broken.map((b) => ({ ...b, broken: true as const })), ...wanted], called);
     this.diagnostics.push(...grouping.diagnostics);
     for (const file of files) {
@@ -136,11 +151,14 @@ class Opening {
       }
     }
     for (const group of grouping.groups) yield* this.openGroup(group);
+    this.adoptTakes();
     const openLoose: { readonly [R in LooseRole]: (loose: readonly ParsedFile[]) => void } = {
       part: (loose) => {
         // Morphs last: the skin they modify may be among the files and come later.
         for (const file of loose) if (!needsCharacter(file)) this.openLoose(file);
         for (const file of loose) if (needsCharacter(file)) this.openLoose(file);
+        // Markers are matched by the names of takes.
+        this.nameApart();
       },
       // After all characters, each of which they can apply to.
       poses: (loose) => {
@@ -169,11 +187,12 @@ class Opening {
     const { document, files, opened, used, characters } = this;
     const unused = sameFiles(this.unused, document.unused) ? document.unused : this.unused;
     const given = new Set(files);
-    for (const { file, why } of unused) {
+    for (const { file, why, waitsFor } of unused) {
       if (!given.has(file)) continue;
-      this.diagnostics.push(
-        withoutPlace('info', 'file-unused', `Not used: ${why}`, this.called(file.source), 'kept for a matching file'),
-      );
+      const [code, message, assumed] = waitsFor
+        ? ['held-back', `Not opened. ${why}`, 'kept until that is mended']
+        : ['file-unused', `Not used: ${why}`, 'kept for a matching file'];
+      this.diagnostics.push(withoutPlace('info', code, message, this.called(file.source), assumed));
     }
     const changed = files.filter((f) => used.has(f) || f.kind === 'texture');
     const rest = {
@@ -190,43 +209,129 @@ class Opening {
     return { ...rest, document: { ...this.base, ...next } };
   }
 
-  /** Whether one of the files names this waiting one, or is named by it. */
-  private isCalledFor(file: ParsedFile): boolean {
-    return this.files.some((f) => namesFile(f, file.source) || namesFile(file, f.source));
+  /** Whether one of the files names this waiting one, is named by it, or is the one that it waits for. */
+  private isCalledFor({ file, waitsFor }: UnusedFile): boolean {
+    return this.files.some(
+      (f) =>
+        namesFile(f, file.source) ||
+        namesFile(file, f.source) ||
+        (waitsFor !== undefined && isSameFile(waitsFor, f.source)),
+    );
   }
 
   private *openGroup(group: FileGroup): Steps<void> {
-    const members = [...group.rigs, ...(group.skeleton ? [group.skeleton] : []), ...group.parts];
-    const parts = members.filter(isRead);
-    const hole = members.find(isBroken);
-    if (hole) {
-      this.holdBack(parts, `it belongs with ${this.called(hole.source)}, which has errors`);
+    const { skeleton, rigs, parts } = group;
+    const broken = parts.filter(isBroken);
+    const rest = [...rigs, ...parts].filter(isRead);
+    const skeletonFile = skeleton && isRead(skeleton) ? skeleton : undefined;
+    // The skeleton, or all that a rig names.
+    const missing = skeletonFile ? undefined : (skeleton ?? (rest.length === rigs.length ? broken[0] : undefined));
+    if (missing) {
+      for (const file of rest) this.wait(file, missing.source);
       return;
     }
-    const skeletonFile = parts.find((p) => p === group.skeleton);
-    const wholes = skeletonFile ? charactersIn(skeletonFile) : [];
+    const files = [...rigs, ...(skeleton ? [skeleton] : []), ...parts].filter(isRead);
+    const wholes = skeletonFile ? charactersIn(skeletonFile) : [undefined];
     const earlier = skeletonFile ? this.characters.withFile(skeletonFile.source) : [];
-    for (const [root, whole] of (skeletonFile ? wholes : [undefined]).entries()) {
-      const before = earlier[root] ?? (skeletonFile && root === 0 ? this.withoutSkeletonFor(group) : undefined);
+    for (const [root, whole] of wholes.entries()) {
+      const before = earlier[root] ?? (whole && root === 0 ? this.withoutSkeletonFor(group, whole) : undefined);
+      const name = group.name ?? whole?.skeleton.name ?? stemOf(files[0].source);
+      const own = skeletonFile && whole ? { file: skeletonFile, whole } : undefined;
       // Several roots become several characters; the other files of the group belong to the first.
-      const own = root === 0 ? parts : parts.filter((p) => p === skeletonFile);
-      let next = before ?? this.make(group.name ?? whole?.skeleton.name ?? stemOf(parts[0].source));
-      if (whole && skeletonFile) {
-        // A character without a skeleton was named after its clip or skin.
-        const name = next.skeleton ? next.name : (group.name ?? whole.skeleton.name);
-        next = withWhole({ ...next, name }, whole, { ...skeletonFile, before }, before?.space ?? this.spaceOf(whole));
-      }
-      for (const part of own) {
-        next = withFile(next, part, before);
-        yield Math.min(1, this.used.size / this.files.length);
-      }
-      // Of several new alternatives, show the first.
-      if (!before) next = { ...next, shownSkin: 0, shownClip: next.clips.length ? 0 : -1 };
-      this.settle(before, next, own);
+      if (root === 0) yield* this.assemble({ name, own, files, broken }, before);
+      else yield* this.assemble({ name, own, files: skeletonFile ? [skeletonFile] : [], broken: [] }, before);
     }
     // The file has fewer roots than before.
     const gone = new Set(earlier.slice(wholes.length));
     if (gone.size) this.characters.replaceAll(this.characters.all.filter((c) => !gone.has(c)));
+  }
+
+  /** Opens a character with those of its files that fit. */
+  private *assemble({ name, own, files, broken }: CharacterFiles, before: Character | undefined): Steps<void> {
+    const start = before ?? this.make(name);
+    const unread: BrokenFile[] = [...broken];
+    let left = files;
+    for (;;) {
+      const skin = unread.find(({ kind }) => kind === 'skin');
+      const skins = [before, own?.whole].flatMap((from) => from?.skins ?? []);
+      if (skin && skins.length === 0 && !left.some(({ kind }) => kind === 'skin')) {
+        const waiting = left.filter((file) => partOpening(file)?.onSkin);
+        for (const file of waiting) this.wait(file, skin.source);
+        unread.push(...waiting);
+        left = left.filter((file) => !waiting.includes(file));
+      }
+      // One that waited for a skeleton was named after its take or skin.
+      const called = start.skeleton ? start : { ...start, name };
+      const next = yield* this.assembled(called, left, own, before);
+      const misfits = this.settle(
+        before,
+        withUnread(
+          next,
+          unread.map(({ source }) => source),
+        ),
+        left,
+      );
+      if (misfits.length === 0) break;
+      unread.push(...misfits);
+      left = left.filter((file) => !misfits.includes(file));
+    }
+    for (const { source } of this.opened.has(start.id) ? broken : []) {
+      this.told('info', 'opened-without', `"${start.skeleton ? start.name : name}" is opened without it.`, source);
+    }
+  }
+
+  private *assembled(
+    start: Character,
+    files: readonly ParsedFile[],
+    own: CharacterFiles['own'],
+    before: Character | undefined,
+  ): Steps<Character> {
+    let next = start;
+    if (own) {
+      const { file, whole } = own;
+      next = withWhole(next, whole, { ...file, before }, before?.space ?? this.spaceOf(whole));
+    }
+    for (const file of files) {
+      next = withFile(next, file, before);
+      yield Math.min(1, this.used.size / this.files.length);
+    }
+    // Of several new alternatives, show the first.
+    return before ? next : { ...next, shownSkin: 0, shownClip: firstTake(next.clips) };
+  }
+
+  /** Takes that were opened without a skeleton go to the one that they are named after, or to the only one. */
+  private adoptTakes(): void {
+    const waiting = this.bare.filter(({ id, skins, clips }) => !this.opened.has(id) && !skins.length && clips.length);
+    if (waiting.length === 0) return;
+    const fresh = new ByStem<Character>();
+    for (const character of this.characters.all) {
+      const file = character.parts?.skeleton?.file;
+      if (file && this.opened.has(character.id)) fresh.add(character, file.source);
+    }
+    const isOnly = this.characters.all.filter(({ skeleton }) => skeleton).length === 1;
+    const adopted = new Set<string>();
+    for (const take of waiting) {
+      const found = take.sources.flatMap((source) => fresh.named(source) ?? [])[0] ?? (isOnly ? fresh.only : undefined);
+      const target = found && this.characters.current(found);
+      if (!target) continue;
+      this.characters.replace(withTakesOf(target, take));
+      adopted.add(take.id);
+    }
+    if (adopted.size) this.characters.replaceAll(this.characters.all.filter(({ id }) => !adopted.has(id)));
+  }
+
+  /** Tells new characters, and takes of whole characters, from others of the same name. */
+  private nameApart(): void {
+    const { characters, base, opened } = this;
+    const fresh = characters.all.filter((c) => opened.has(c.id) && !findCharacter(base, c.id) && c.sources.length > 0);
+    const names = tellingNames(
+      fresh.map(({ name, sources: [input] }) => ({ name, input, isOnly: true })),
+      base.characters.map(({ name }) => name),
+    );
+    for (const [i, character] of fresh.entries()) {
+      if (names[i] !== character.name) characters.replace({ ...character, name: names[i] });
+    }
+    nameTakesApart(characters, base, opened);
   }
 
   /**
@@ -332,16 +437,30 @@ class Opening {
     }
   }
 
-  /** Adds the finished character, unless a part does not fit. */
-  private settle(before: Character | undefined, after: Character, parts: readonly ParsedFile[]): void {
+  /**
+   * Adds the finished character, unless a part does not fit.
+   *
+   * @returns the files that don't fit, without which it may be tried again; empty if it was added, or can't be
+   */
+  private settle(before: Character | undefined, after: Character, files: readonly ParsedFile[]): readonly ParsedFile[] {
     const dressed = withTextures(after, this.textures);
-    const problems = checkParts(before, dressed, this.called);
-    this.diagnostics.push(...problems);
-    const error = problems.find((p) => p.severity === 'error');
-    if (error) {
-      const others = parts.filter((p) => this.called(p.source) !== error.file);
-      this.holdBack(others, `it belongs with ${error.file}, which does not fit`);
-      return;
+    const found = checkParts(before, dressed, byPath);
+    const named = new Map(dressed.sources.map((source) => [source.path, this.called(source)]));
+    const errors = new Set(found.filter(({ severity }) => severity === 'error').map(({ file }) => file));
+    const misfits = files.filter((file) => partOpening(file) && errors.has(file.source.path));
+    const isWithout = misfits.length > 0 && misfits.length < files.length;
+    const problems = isWithout ? found.filter(({ file }) => misfits.some(({ source }) => source.path === file)) : found;
+    this.diagnostics.push(
+      ...problems.map((problem) => ({ ...problem, file: named.get(problem.file) ?? problem.file })),
+    );
+    if (isWithout) return misfits;
+    const [error] = errors;
+    if (error !== undefined) {
+      const why = `It belongs with ${named.get(error) ?? error}, which does not fit.`;
+      for (const { source } of files) {
+        if (source.path !== error) this.told('info', 'held-back', `Not opened. ${why}`, source);
+      }
+      return [];
     }
     if (before) this.characters.replace(dressed);
     else this.characters.add(dressed);
@@ -350,13 +469,18 @@ class Opening {
       this.characters.replaceAll(withSourcePairs(this.characters.all, dressed.id, before.skeleton, to));
     }
     this.opened.add(dressed.id);
-    for (const part of parts) this.used.add(part);
+    for (const file of files) this.used.add(file);
+    return [];
   }
 
-  private holdBack(files: readonly ParsedFile[], because: string): void {
-    for (const { source } of files) {
-      this.diagnostics.push(withoutPlace('info', 'held-back', `Not opened, because ${because}.`, this.called(source)));
-    }
+  /** @param missing has errors, or does not fit */
+  private wait(file: ParsedFile, missing: SourceFile): void {
+    const why = `It belongs with ${this.called(missing)}, which has errors.`;
+    this.unused.push({ file, why, waitsFor: missing });
+  }
+
+  private told(severity: Diagnostic['severity'], code: string, message: string, source: SourceFile): void {
+    this.diagnostics.push(withoutPlace(severity, code, message, this.called(source)));
   }
 
   /** Ids are never reused, so that a selection or a view can't confuse two characters. */
@@ -365,13 +489,28 @@ class Opening {
   }
 
   /** A character without a skeleton that this group completes: matched by name, or the only one waiting. */
-  private withoutSkeletonFor(group: FileGroup): Character | undefined {
-    const waiting = this.bare.flatMap((c) => (this.opened.has(c.id) ? [] : (this.characters.current(c) ?? [])));
+  private withoutSkeletonFor(group: FileGroup, { skeleton }: WholeCharacter): Character | undefined {
+    const fits = ({ skins }: Character) => skins.every((skin) => !hasErrors(checkSkin(skin, skeleton, '')));
+    const waiting = this.bare
+      .flatMap((c) => (this.opened.has(c.id) ? [] : (this.characters.current(c) ?? [])))
+      .filter(fits);
     const stem = group.skeleton ? stemOf(group.skeleton.source) : '';
     const byName = waiting.find((c) => c.sources.some((s) => prefixFit(stem, stemOf(s)) > 0));
     // A group with its own skin or animation is complete and takes no other character's.
     return byName ?? (waiting.length === 1 && group.parts.length === 0 ? waiting[0] : undefined);
   }
+}
+
+/** What a character is opened from. */
+interface CharacterFiles {
+  /** Of a new one. */
+  readonly name: string;
+  /** Its skeleton; absent for a skin that a rig names without one. */
+  readonly own: { readonly file: ParsedFile; readonly whole: WholeCharacter } | undefined;
+  /** Rigs, skeleton and parts. */
+  readonly files: readonly ParsedFile[];
+  /** Parts with errors. */
+  readonly broken: readonly BrokenFile[];
 }
 
 /** Whether the files are poses or dumps only, which show nothing by themselves. */

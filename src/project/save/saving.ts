@@ -7,7 +7,7 @@
 
 import { fitOneBvh } from '../../formats/bvh/write.ts';
 import { partsOf } from '../../model/character-parts.ts';
-import { type Character, isBvh } from '../../model/document.ts';
+import type { Character } from '../../model/document.ts';
 import type { FileContent } from '../../model/files.ts';
 import { newFileName, type Part } from '../../model/part.ts';
 import { skelChannels } from '../../model/skel-motion.ts';
@@ -84,8 +84,8 @@ function contentOf(part: Exclude<Part, { readonly kind: 'bvh' }>, owned: readonl
     case 'anim': {
       const [{ character }] = owned;
       const { skeleton, pose } = character;
-      // The joints of motion capture that are left in a .skel have their DOFs in its order there.
-      if (!skeleton || isBvh(character)) return { kind: 'anim', clip: part.content };
+      if (!skeleton) return { kind: 'anim', clip: part.content };
+      // The joints of motion capture have their DOFs in another order there.
       return { kind: 'anim', clip: skelChannels(part.content, skeleton, pose) };
     }
     case 'pose':

@@ -169,7 +169,8 @@ export class Messages {
       all.flatMap((m) => {
         if (m.diagnostics.length === 0) return [m];
         const diagnostics = m.diagnostics.filter(({ file }) => !files.has(file));
-        return diagnostics.length ? [{ ...m, diagnostics }] : [];
+        if (diagnostics.length === m.diagnostics.length) return [m];
+        return diagnostics.length ? [{ ...m, ...messageAbout(diagnostics, m.severity, m.fate) }] : [];
       }),
     );
   }
@@ -212,6 +213,14 @@ function foldedMessage(all: readonly FileProblems[], severity: Severity): Omit<M
   const first = summary(file, found, undefined);
   const text = `${all.length} files${isSame && fate ? `: ${fate}` : ''}. First, ${first}`;
   return { text, severity, diagnostics: all.flatMap((one) => one.found), ...shared };
+}
+
+/** Of what is left of several files' problems. */
+function messageAbout(diagnostics: readonly Diagnostic[], severity: Severity, fate: string | undefined) {
+  const all = [...groupByFile(diagnostics)].map(([file, found]) => ({ file, found, fate }));
+  return all.length > 1
+    ? foldedMessage(all, severity)
+    : { text: summary(all[0].file, all[0].found, fate), severity, diagnostics };
 }
 
 export function groupByFile(diagnostics: readonly Diagnostic[]): Map<string, Diagnostic[]> {

@@ -1,9 +1,13 @@
+import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
 import { removeCharacter } from '../../../src/edit/commands/characters.ts';
-import { type Character, type Document, EMPTY_DOCUMENT } from '../../../src/model/document.ts';
+import { type ChannelClip, keysOf } from '../../../src/model/clip.ts';
+import { type Character, type Document, EMPTY_DOCUMENT, shownClip } from '../../../src/model/document.ts';
 import type { BrokenFile, ParsedFile } from '../../../src/model/files.ts';
 import { NO_MARKS } from '../../../src/model/part.ts';
 import { openFiles } from '../../../src/project/open/open-files.ts';
+import { saveCharacter } from '../../../src/project/save/saving.ts';
+import { read } from '../../formats/read-in-pieces.ts';
 import {
   animFile,
   character,
@@ -18,6 +22,7 @@ import {
   skin,
   skinFile,
 } from '../../helpers/builders.ts';
+import { bvhFigure, bvhJoint } from '../../helpers/bvh.ts';
 
 const open = (files: ParsedFile[], document: Document = EMPTY_DOCUMENT, selected?: string) =>
   openFiles(document, files, [], selected);
@@ -180,16 +185,31 @@ describe('files opened together', () => {
 });
 
 describe('a file that does not fit', () => {
-  it('a file that does not fit keeps its character from being opened, and no other', () => {
+  it('a file that does not fit is left out, and the rest of its character opens', () => {
     const { document, diagnostics } = open([
       skelFile('hero.skel', skeleton(2)),
       skinFile('hero.skin', skin('hero', 7)),
-      skelFile('other.skel', skeleton(1, 'other')),
+      morphFile('hero_smile.morph', morph('hero_smile')),
+      animFile('hero_walk.anim', walk),
     ]);
-    expect(only(document).name).toBe('other');
+    expect(only(document)).toMatchObject({ name: 'hero', skins: [], morphs: [], clips: [walk] });
     expect(diagnostics).toMatchObject([
       { severity: 'error', code: 'joint-missing', file: 'hero.skin' },
-      { severity: 'info', code: 'held-back', file: 'hero.skel' },
+      { severity: 'info', code: 'held-back', file: 'hero_smile.morph' },
+    ]);
+  });
+
+  it('a skeleton that does not fit what its character had leaves that as it was', () => {
+    const before = open([skelFile('hero.skel', skeleton(2)), skinFile('hero.skin', skin('hero', 1))]).document;
+    const result = open(
+      [skelFile('hero.skel', skeleton(1)), animFile('hero_jump.anim', clip('hero_jump', new Array(6).fill(0)))],
+      before,
+    );
+    expect(result.document).toBe(before);
+    expect(result.diagnostics.map(({ severity, file }) => [severity, file])).toEqual([
+      ['error', 'hero.skin'],
+      ['info', 'hero.skel'],
+      ['info', 'hero_jump.anim'],
     ]);
   });
 
@@ -198,12 +218,6 @@ describe('a file that does not fit', () => {
     const result = open([skinFile('hero.skin', skin('hero', 7))], before);
     expect(result.document).toBe(before);
     expect(result.opened).toEqual([]);
-  });
-
-  it('holds back what belongs with it when it could not be read, and says so', () => {
-    const result = openFiles(EMPTY_DOCUMENT, [skinFile('hero.skin', skin())], [broken('hero.skel', 'skel')]);
-    expect(result.document).toBe(EMPTY_DOCUMENT);
-    expect(result.diagnostics).toMatchObject([{ severity: 'info', code: 'held-back', file: 'hero.skin' }]);
   });
 
   it('a file that does not fit is listed as unused, and used when what it needs is opened', () => {
@@ -222,6 +236,249 @@ describe('a file that does not fit', () => {
     ]);
     expect(only(document).clips).toHaveLength(1);
     expect(diagnostics).toMatchObject([{ severity: 'warning', file: 'hero.anim' }]);
+  });
+});
+
+describe('a file with errors', () => {
+  const parts = {
+    skel: skelFile('hero.skel', skeleton()),
+    skin: skinFile('hero.skin', skin()),
+    morph: morphFile('hero_smile.morph', morph('hero_smile')),
+    anim: animFile('hero_walk.anim', walk),
+  };
+  type PartName = keyof typeof parts;
+  const names = Object.keys(parts) as PartName[];
+  const without = (...lost: readonly PartName[]) =>
+    openFiles(
+      EMPTY_DOCUMENT,
+      names.filter((name) => !lost.includes(name)).map((name) => parts[name]),
+      lost.map((name) => broken(parts[name].source.path, parts[name].kind)),
+    );
+  const held = ({ characters }: Document) =>
+    characters.map(({ skeleton: own, skins, morphs, clips }) => [
+      own ? 1 : 0,
+      skins.length,
+      morphs.length,
+      clips.length,
+    ]);
+
+  it.each([
+    ['skel', [], ['hero.skin', 'hero_smile.morph', 'hero_walk.anim']],
+    ['skin', [[1, 0, 0, 1]], ['hero_smile.morph']],
+    ['morph', [[1, 1, 0, 1]], []],
+    ['anim', [[1, 1, 1, 0]], []],
+  ] as const)('a %s with errors holds back only what depends on it, and says so', (lost, opened, waiting) => {
+    const { document, diagnostics } = without(lost);
+    expect(held(document)).toEqual(opened);
+    expect(document.unused.map(({ file }) => file.source.name)).toEqual(waiting);
+    const said = (code: string) => diagnostics.filter((d) => d.code === code).map((d) => d.file);
+    expect(said('held-back')).toEqual(waiting);
+    expect(said('opened-without')).toEqual(opened.length > 0 ? [parts[lost].source.name] : []);
+  });
+
+  it('any files with errors, mended later in any order, become the character that they would have been', () => {
+    const whole = held(without().document);
+    fc.assert(
+      fc.property(fc.subarray(names, { minLength: 1 }), fc.boolean(), (lost, isTogether) => {
+        const first = without(...lost).document;
+        // A lone take would go to the other character while its own isn't open.
+        const others = lost.includes('skel') ? [] : [skelFile('other.skel', skeleton(3, 'other'))];
+        const drops = isTogether
+          ? [lost]
+          : fc.sample(fc.shuffledSubarray(lost, { minLength: lost.length }), 1)[0].map((name) => [name]);
+        let document = open(others, first).document;
+        for (const drop of drops)
+          document = open(
+            drop.map((name) => parts[name]),
+            document,
+            'c9',
+          ).document;
+        expect(held(document).filter(([, skins, , clips]) => skins + clips > 0)).toEqual(whole);
+        expect(document.unused).toEqual([]);
+        expect(document.characters.every(({ unread }) => unread === undefined)).toBe(true);
+      }),
+      { numRuns: 60 },
+    );
+  });
+
+  it('a rig with a part that has errors opens with the others, and waits with them for its skeleton', () => {
+    const rig = { name: 'Hero', skeleton: 'bones.skel', skin: 'body.skin', morphs: [], animation: 'walk.anim' };
+    const bound = file('x.rig', { kind: 'rig', rig });
+    const bones = skelFile('bones.skel', skeleton(2, 'bones'));
+    const body = skinFile('body.skin', skin());
+    const first = openFiles(EMPTY_DOCUMENT, [bound, bones, body], [broken('walk.anim', 'anim')]);
+    expect(held(first.document)).toEqual([[1, 1, 0, 0]]);
+    const second = openFiles(EMPTY_DOCUMENT, [bound, body], [broken('bones.skel', 'skel')]);
+    expect(held(second.document)).toEqual([]);
+    expect(only(open([bones], second.document).document)).toMatchObject({
+      name: 'Hero',
+      skins: [body.kind === 'skin' && body.skin],
+    });
+  });
+
+  it('a file with errors goes to the character that lacks it, whichever is selected', () => {
+    const lacking = without('anim').document;
+    const two = open([skelFile('other.skel', skeleton(3, 'other'))], lacking).document;
+    const { document } = open([parts.anim], two, two.characters[1].id);
+    expect(document.characters.map(({ clips }) => clips.length)).toEqual([1, 0]);
+  });
+});
+
+describe('a take goes to the only character', () => {
+  const wave = animFile('wave.anim', clip('wave', [0, 0, 0, 1, 0, 0, 0, 0, 0]));
+  const fox = (path: string) =>
+    file(path, {
+      kind: 'character',
+      characters: [{ skeleton: skeleton(2, 'fox'), skins: [], morphs: [], clips: [], textures: [] }],
+    });
+  const figure = bvhFigure({ name: 'cap', joints: [bvhJoint(-1, ['tx', 'ty', 'tz', 'rz', 'rx', 'ry'])] }, [
+    [0, 0, 0, 0, 0, 0],
+  ]);
+  const capture = file('cap.bvh', { kind: 'bvh', figures: [figure] });
+  const turn = animFile('turn.anim', clip('turn', [1, 2, 3, 0.1, 0.2, 0.3]));
+
+  it.each([
+    ['a whole character', [fox('fox.glb'), wave]],
+    ['the same, after it', [wave, fox('fox.glb')]],
+    ['one in another folder', [fox('a/fox.glb'), wave]],
+    ['motion capture', [capture, turn]],
+  ] as const)('a take goes to the only character there: %s', (_, files) => {
+    const together = only(open([...files]).document);
+    expect(together.clips.map(({ name }) => name)).toContain(files.includes(wave) ? 'wave' : 'turn');
+    const one = open([files[0]]).document;
+    const later = only(open([files[1]], one).document);
+    expect(later.clips.map(({ name }) => name).toSorted()).toEqual(together.clips.map(({ name }) => name).toSorted());
+  });
+
+  it('takes that were opened before their skeleton go to it, several too', () => {
+    const takes = open([wave, animFile('run.anim', clip('run', [0, 0, 0, 2, 0, 0, 0, 0, 0]))]).document;
+    expect(takes.characters).toHaveLength(2);
+    const { document } = open([fox('fox.glb')], takes);
+    expect(
+      only(document)
+        .clips.map(({ name }) => name)
+        .toSorted(),
+    ).toEqual(['run', 'wave']);
+    expect(only(document).parts?.clips.every(({ file: from }) => from?.kind === 'anim')).toBe(true);
+  });
+
+  it('a take of a .skel drives motion capture by the names of its DOFs, and is saved as it was', () => {
+    const character = only(open([capture, turn]).document);
+    const at = character.clips.findIndex(({ name }) => name === 'turn');
+    const values = character.clips[at].channels.map((channel) => keysOf(channel).values[0]);
+    // In the file x y z before rx ry rz; in the capture rz rx ry.
+    expect(values).toEqual([1, 2, 3, 0.3, 0.1, 0.2]);
+    const saved = saveCharacter(character, 'anim').find(({ name }) => name === 'turn.anim');
+    const again = read('turn.anim', saved?.text ?? '').value;
+    expect(again?.kind === 'anim' && again.clip.channels.map((c) => keysOf(c).values[0])).toEqual([
+      1, 2, 3, 0.1, 0.2, 0.3,
+    ]);
+  });
+
+  it('of several, a skeleton that is made for takes has it, or the one that it is named after', () => {
+    const clipsOf = (...files: ParsedFile[]) =>
+      open(files).document.characters.map(({ name, clips }) => [name, clips.length]);
+    expect(clipsOf(fox('fox.glb'), skelFile('hero.skel', skeleton()), wave)).toEqual([
+      ['fox', 0],
+      ['hero', 1],
+    ]);
+    const named = animFile('b_wave.anim', clip('b_wave', [0, 0, 0, 1, 0, 0, 0, 0, 0]));
+    const other = { ...fox('b.glb') };
+    expect(clipsOf(fox('a.glb'), other, named)).toEqual([
+      ['a', 0],
+      ['b', 1],
+    ]);
+  });
+});
+
+describe('names of what was opened', () => {
+  const whole = (path: string, ...takes: readonly string[]) =>
+    file(path, {
+      kind: 'character',
+      characters: [
+        {
+          skeleton: skeleton(1, path.slice(path.lastIndexOf('/') + 1, path.lastIndexOf('.'))),
+          skins: [],
+          morphs: [],
+          clips: takes.map((name) => clip(name, [0, 0, 0, 0, 0, 0])),
+          textures: [],
+        },
+      ],
+    });
+  const takesOf = ({ characters }: Document) => characters.map(({ clips }) => clips.map(({ name }) => name));
+
+  it('characters of one name are named by their files, with as many folders as tell them apart', () => {
+    const rigs = ['a', 'b'].flatMap((stem) => [
+      skelFile(`${stem}.skel`, skeleton(2, stem)),
+      file(`${stem}.rig`, { kind: 'rig', rig: { name: 'walker', skeleton: `${stem}.skel`, morphs: [] } }),
+    ]);
+    expect(open(rigs).document.characters.map(({ name }) => name)).toEqual(['a', 'b']);
+    const folders = ['class/ada', 'class/bob'].map((folder) => skelFile(`${folder}/test.skel`, skeleton(2, 'test')));
+    expect(open(folders).document.characters.map(({ name }) => name)).toEqual(['ada_test', 'bob_test']);
+  });
+
+  it('takes of one name in several files are named by them; others keep their names', () => {
+    const files = [whole('wave.fbx', 'mixamo.com'), whole('all.fbx', 'Mixamo.com', 'Run')];
+    const { document } = open(files);
+    expect(takesOf(document)).toEqual([['wave'], ['all_Mixamo.com', 'Run']]);
+    expect(takesOf(open([files[0]]).document)).toEqual([['mixamo.com']]);
+    // Opened again, it is the same take.
+    const again = open([whole('wave.fbx', 'mixamo.com')], document).document;
+    expect(takesOf(again)).toEqual(takesOf(document));
+    expect(takesOf(open([whole('nod.fbx', 'mixamo.com')], open([files[0]]).document).document)).toEqual([
+      ['mixamo.com'],
+      ['nod'],
+    ]);
+  });
+
+  it('no two characters, and no two takes of files, have the same name', () => {
+    const paths = fc.uniqueArray(
+      fc.constantFrom('a/x.glb', 'b/x.glb', 'A/y.glb', 'x.glb', 'a/b/x.glb', 'b_x.glb', 'y.fbx'),
+      { minLength: 1 },
+    );
+    const takes = fc.uniqueArray(fc.constantFrom('mixamo.com', 'x', 'a_x', 'Take 001'), { minLength: 1 });
+    fc.assert(
+      fc.property(paths, fc.array(takes, { minLength: 7, maxLength: 7 }), (files, names) => {
+        const { document } = open(files.map((path, i) => whole(path, ...names[i])));
+        for (const all of [document.characters.map(({ name }) => name), takesOf(document).flat()]) {
+          expect(new Set(all.map((name) => name.toLowerCase())).size).toBe(all.length);
+        }
+      }),
+    );
+  });
+});
+
+describe('the take that is shown first', () => {
+  const still = clip('T-Pose', [0, 0, 0, 1, 0, 0]);
+  const { channels } = still;
+  const moving: ChannelClip = {
+    ...still,
+    name: 'walk',
+    channels: channels.map((channel, c) => {
+      if (c !== 3 || channel.kind !== 'keys') return channel;
+      const flat = { kinds: Uint8Array.of(0, 0), slopes: Float64Array.of(0, 0) };
+      return {
+        ...channel,
+        times: Float64Array.of(0, 1),
+        values: Float64Array.of(0, 1),
+        tangentsIn: flat,
+        tangentsOut: flat,
+      };
+    }),
+  };
+  const scene = (...clips: ChannelClip[]) =>
+    file('fox.glb', {
+      kind: 'character',
+      characters: [{ skeleton: skeleton(1), skins: [], morphs: [], clips, textures: [] }],
+    });
+  const shown = (...files: ParsedFile[]) => shownClip(only(open(files).document))?.name;
+
+  it('the first take that moves is shown, of a scene or of several files', () => {
+    const empty = { ...still, name: 'Take 001', channels: [] };
+    expect(shown(scene(empty, still, moving))).toBe('walk');
+    expect(shown(scene(still, empty))).toBe('T-Pose');
+    const hero = skelFile('hero.skel', skeleton(1));
+    expect(shown(hero, animFile('hero_a.anim', still), animFile('hero_b.anim', moving))).toBe('walk');
   });
 });
 

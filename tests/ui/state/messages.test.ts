@@ -50,6 +50,24 @@ describe('Messages', () => {
     expect(messages.list.get()).toEqual([]);
   });
 
+  it('the message about many files names one that is still wrong when the first has been mended', () => {
+    const messages = new Messages();
+    const files = Array.from({ length: 30 }, (_, i) => `${i}.skel`);
+    messages.report(
+      files.map((file) => diagnostic({ file })),
+      [],
+      () => 'not opened',
+    );
+    messages.report([], ['0.skel']);
+    expect(messages.list.get().map(({ text }) => text)).toEqual([
+      '29 files: not opened. First, 1.skel:3: Expected a number, found "x".',
+    ]);
+    messages.report([], files.slice(0, 29));
+    expect(messages.list.get().map(({ text }) => text)).toEqual([
+      '29.skel:3: not opened. Expected a number, found "x".',
+    ]);
+  });
+
   it('lists mere notes without a line of their own', () => {
     const messages = new Messages();
     messages.report([diagnostic({ severity: 'info' })]);

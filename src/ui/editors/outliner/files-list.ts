@@ -15,12 +15,15 @@ export interface ListedFile {
 
 /** Each file once, even if several characters came from it. */
 export function listedFiles({ characters, unused }: Document): readonly ListedFile[] {
-  const sources = new Map<string, SourceFile>();
-  for (const character of characters) for (const source of character.sources) sources.set(source.path, source);
-  return [
-    ...Array.from(sources.values(), (source) => ({ source, why: '' })),
-    ...unused.map(({ file, why }) => ({ source: file.source, why })),
-  ];
+  const files = new Map<string, ListedFile>();
+  const list = (why: string, sources: readonly SourceFile[] = []) => {
+    for (const source of sources) files.set(source.path, { source, why });
+  };
+  for (const { unread } of characters) list('It has errors.', unread);
+  for (const { sources } of characters) list('', sources);
+  for (const { file, why } of unused) list(why, [file.source]);
+  // Those that are used come first.
+  return [...files.values()].sort((a, b) => Number(a.why !== '') - Number(b.why !== ''));
 }
 
 /** Rows that are added at a time. */
@@ -79,7 +82,9 @@ function sameSources(a: Document, b: Document): boolean {
   return (
     a.isOpeningSample === b.isOpeningSample &&
     a.characters.length === b.characters.length &&
-    a.characters.every((c, i) => c.sources === b.characters[i].sources)
+    a.characters.every(
+      ({ sources, unread }, i) => sources === b.characters[i].sources && unread === b.characters[i].unread,
+    )
   );
 }
 
