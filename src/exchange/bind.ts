@@ -9,6 +9,7 @@
  * that disagree get a further joint below them, which doesn't move and has the other binding.
  */
 import { invertAffine, isSingular, multiplyAffine, setIdentity } from '../math/mat4.ts';
+import { NOISE } from './noise.ts';
 import type { SceneMesh } from './scene.ts';
 
 export interface Binding {
@@ -31,9 +32,6 @@ export interface BoundMesh {
   /** For each joint of its skin, or for its node: a node, or −1 − the index of a further joint. */
   readonly joints: readonly number[];
 }
-
-/** Of coordinates: noise of inverse bind matrices in single precision. */
-const NOISE = 2e-6;
 
 /** @param worlds of nodes at rest, 16 numbers each */
 export function bindMeshes(meshes: readonly SceneMesh[], worlds: Float64Array): Binding {

@@ -20,6 +20,7 @@ import {
   rotationWithin,
   type SpareKeys,
 } from './fit-rotation.ts';
+import { NOISE } from './noise.ts';
 import { lockedness } from './rotations.ts';
 import type { AxisCurves, QuaternionCurve, SceneMove, SceneNode } from './scene.ts';
 
@@ -31,28 +32,27 @@ export interface JointMotion {
   channels(move: SceneMove | undefined): readonly Channel[];
 }
 
-/** Part of the size, or a factor, or radians: what moves less is at rest. */
-const AT_REST = 1e-6;
 /** Middle angles up to 80° are clear of gimbal lock. */
 const CLEAR = Math.sin((80 * Math.PI) / 180);
 /** From 88° on, a rotation is better kept as a quaternion. */
 const LOCKED = Math.sin((88 * Math.PI) / 180);
 
 /**
- * @param size of the character
+ * @param size of the character, in the space of the node's parent
  * @param spare for rotations that need many keys
  */
 export function jointMotion(node: SceneNode, moves: readonly SceneMove[], size: number, spare: SpareKeys): JointMotion {
-  const { translation, scale, euler, role } = node;
+  const { translation, euler, role } = node;
+  const scale = withoutNoise(node.scale);
   const rest = Float64Array.from(node.rotation);
+  const [lengthNoise, scaleNoise] = [size, Math.max(...scale.map(Math.abs))].map((value) => NOISE * value);
   const movesBy = (curves: AxisCurves | undefined, values: Vec3, tolerance: number) =>
     curves?.some((curve, axis) => curve !== undefined && departs(curve, values[axis], tolerance)) ?? false;
-  const isTranslated = role === 'hips' || moves.some((move) => movesBy(move.translation, translation, AT_REST * size));
-  const isScaled =
-    scale.some((s) => Math.abs(s - 1) > 1e-12) || moves.some((move) => movesBy(move.scale, scale, AT_REST));
+  const isTranslated = role === 'hips' || moves.some((move) => movesBy(move.translation, translation, lengthNoise));
+  const isScaled = scale.some((s) => s !== 1) || moves.some((move) => movesBy(move.scale, scale, scaleNoise));
   const isTurning = moves.some(({ rotation }) => {
     if (!rotation) return false;
-    if (rotation.kind === 'euler') return movesBy(rotation.angles, euler?.angles ?? [0, 0, 0], AT_REST);
+    if (rotation.kind === 'euler') return movesBy(rotation.angles, euler?.angles ?? [0, 0, 0], NOISE);
     return turns(rotation.curve, rest);
   });
   const isTurned =
@@ -67,14 +67,14 @@ export function jointMotion(node: SceneNode, moves: readonly SceneMove[], size: 
   const dofs: RotationDofs = isQuaternion ? QUATERNION_ROTATION : eulerRotation(clearest);
   const angles = restDofs(node, rest, dofs);
 
-  const translated = (move: SceneMove | undefined) => axisChannels(move?.translation, translation);
+  const translated = (move: SceneMove | undefined) => axisChannels(move?.translation, translation, lengthNoise);
   const turnedBy = (move: SceneMove | undefined): readonly Channel[] => {
     const rotation = move?.rotation;
     if (!rotation) return [...angles].map((value) => restChannel(value));
-    if (rotation.kind === 'euler') return axisChannels(rotation.angles, euler?.angles ?? [0, 0, 0]);
+    if (rotation.kind === 'euler') return axisChannels(rotation.angles, euler?.angles ?? [0, 0, 0], NOISE);
     return fitRotation(rotation.curve, dofs, angles, spare);
   };
-  const scaledBy = (move: SceneMove | undefined) => axisChannels(move?.scale, scale);
+  const scaledBy = (move: SceneMove | undefined) => axisChannels(move?.scale, scale, scaleNoise);
 
   if (isScaled) {
     const factors: CompoundDof[] = [];
@@ -120,13 +120,18 @@ function restDofs({ euler }: SceneNode, rest: Float64Array, dofs: RotationDofs):
   return out;
 }
 
-/** The curves of three axes; those without one rest at their value. */
-function axisChannels(curves: AxisCurves | undefined, values: Vec3): readonly Channel[] {
+function withoutNoise(scale: Vec3): Vec3 {
+  const [x, y, z] = scale.map((s) => (Math.abs(s - 1) <= NOISE ? 1 : s));
+  return [x, y, z];
+}
+
+/** The curves of three axes; those without one rest at their value, as do those that only tremble by noise. */
+function axisChannels(curves: AxisCurves | undefined, values: Vec3, noise: number): readonly Channel[] {
   return values.map((value, axis) => {
     const curve = curves?.[axis];
-    if (!curve) return restChannel(value);
+    if (!curve || !departs(curve, value, noise)) return restChannel(value);
     const keys = keysOf(curve);
-    const isConstant = keys.times.length > 0 && !departs(curve, keys.values[0], 0);
+    const isConstant = keys.times.length > 0 && !departs(curve, keys.values[0], noise);
     return isConstant ? restChannel(keys.values[0]) : curve;
   });
 }
@@ -148,7 +153,7 @@ function departs(channel: Channel, value: number, tolerance: number): boolean {
 function turns(curve: QuaternionCurve, rest: Float64Array): boolean {
   return visited([curve]).some((q) => {
     const sign = q[0] * rest[0] + q[1] * rest[1] + q[2] * rest[2] + q[3] * rest[3] < 0 ? -1 : 1;
-    return 2 * Math.hypot(...q.map((c, k) => c - sign * rest[k])) > AT_REST;
+    return 2 * Math.hypot(...q.map((c, k) => c - sign * rest[k])) > NOISE;
   });
 }
 

@@ -47,7 +47,7 @@ export function toCharacter(scene: Scene): WholeCharacter | undefined {
   const motions = slots.map(({ node }): JointMotion | undefined => {
     if (node < 0) return undefined;
     const moves = movesOf.flatMap((own) => own.get(node) ?? []);
-    return jointMotion(nodes[node], moves, size, spare);
+    return jointMotion(nodes[node], moves, size / stretchOf(worlds, nodes[node].parent), spare);
   });
   const joints = slots.map((slot, j): Joint => {
     const { motion, offset, pose } = motions[j] ?? FIXED;
@@ -96,6 +96,13 @@ function worldsOf({ nodes }: Scene): Float64Array {
     else multiplyAffine(worlds, 16 * parent, local, 0, worlds, 16 * n);
   });
   return worlds;
+}
+
+/** By how much a node makes lengths below it larger, at most; 1 for none, and for one that flattens all. */
+function stretchOf(worlds: Float64Array, node: number): number {
+  if (node < 0) return 1;
+  const [x, y, z] = [0, 4, 8].map((c) => 16 * node + c).map((o) => Math.hypot(...worlds.subarray(o, o + 3)));
+  return Math.max(x, y, z) || 1;
 }
 
 /** The joints in depth-first order: nodes that a character needs, with those above them. */

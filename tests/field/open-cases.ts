@@ -9,7 +9,6 @@ export const OPEN_CASES: ReadonlySet<string> = new Set<string>([
   'same-take-name to skel',
   'fbx-24-fps.fbx',
   'fbx-centimetre-idle.fbx rate',
-  'gltf-scale-noise.gltf',
   'gltf-emissive-only.gltf',
   'gltf-default-morph-weight.gltf',
   'gltf-24-fps.gltf',

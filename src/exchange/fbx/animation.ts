@@ -3,7 +3,8 @@
  * curve for each axis that moves.
  */
 
-import { curveOf, evaluateCurve, type FbxCurve } from './curve.ts';
+import { NOISE } from '../noise.ts';
+import { curveOf, evaluateCurve, type FbxCurve, staysAt } from './curve.ts';
 import { type FbxDocument, type FbxObject, partsOfKind } from './document.ts';
 import type { FbxReport } from './failure.ts';
 
@@ -53,7 +54,8 @@ function layerOf(document: FbxDocument, object: FbxObject, report: FbxReport): F
   for (const node of partsOfKind(document, object, 'AnimationCurveNode')) {
     const value = drivenBy(document, node, report);
     for (const { object: owner, property } of document.ownersOf(node.id)) {
-      if (property !== undefined) driven.set(drivenKey(owner.id, property), value);
+      if (property === undefined) continue;
+      driven.set(drivenKey(owner.id, property), property === 'Lcl Scaling' ? withoutNoise(value) : value);
     }
   }
   const { properties } = object;
@@ -66,6 +68,16 @@ function layerOf(document: FbxDocument, object: FbxObject, report: FbxReport): F
     composesRotation: (properties.number('RotationAccumulationMode') ?? 0) === 0,
     composesScale: (properties.number('ScaleAccumulationMode') ?? 0) === 0,
     driven,
+  };
+}
+
+/** Of a scale: curves that only tremble by noise are constant. What inherits that scale then keeps its own curves. */
+function withoutNoise({ curves, values }: Driven): Driven {
+  const isSteady = (curve: FbxCurve) => staysAt(curve, curve.values[0], NOISE * Math.abs(curve.values[0]));
+  const steady = curves.map((curve) => curve !== undefined && isSteady(curve));
+  return {
+    curves: curves.map((curve, k) => (steady[k] ? undefined : curve)),
+    values: values.map((value, k) => (steady[k] ? (curves[k]?.values[0] ?? value) : value)),
   };
 }
 

@@ -254,6 +254,21 @@ export function evaluateCurve(curve: FbxCurve, time: number): number {
   return inside(curve, time);
 }
 
+/** Whether a curve is never further from a value than the tolerance. */
+export function staysAt(curve: FbxCurve, value: number, tolerance: number): boolean {
+  const { times, values, spans, slopesIn, slopesOut, before, after } = curve;
+  const last = times.length - 1;
+  if (before.mode === 'slope' && slopesOut[0] !== 0) return false;
+  if (after.mode === 'slope' && slopesIn[last] !== 0) return false;
+  const isFlat = (slope: number, seconds: number) => Math.abs(slope * seconds) <= tolerance;
+  return times.every((time, key) => {
+    if (!(Math.abs(values[key] - value) <= tolerance)) return false;
+    if (key === last || spans[key] !== CUBIC) return true;
+    const seconds = times[key + 1] - time;
+    return isFlat(slopesOut[key], seconds) && isFlat(slopesIn[key + 1], seconds);
+  });
+}
+
 function inside(curve: FbxCurve, time: number): number {
   const { times, values, spans } = curve;
   const key = lastNotAbove(times, 0, times.length, time);

@@ -19,7 +19,7 @@ import {
   writeQuaternion,
 } from '../rotations.ts';
 import type { Driven, FbxTake } from './animation.ts';
-import { CUBIC, type FbxCurve } from './curve.ts';
+import { staysAt } from './curve.ts';
 import { driversOf } from './motion.ts';
 import type { FbxNode } from './nodes.ts';
 
@@ -97,21 +97,9 @@ function onlyAxis(node: FbxNode, takes: readonly FbxTake[]): number | undefined 
 
 /** Whether an angle never leaves a value. */
 function rests({ curves, values }: Driven, k: number, angle: number): boolean {
+  const [degrees, tolerance] = [angle / RADIANS_PER_DEGREE, SAME / RADIANS_PER_DEGREE];
   const curve = curves[k];
-  const isThere = (degrees: number) => Math.abs(degrees * RADIANS_PER_DEGREE - angle) <= SAME;
-  return curve ? curve.values.every(isThere) && isFlat(curve) : isThere(values[k]);
-}
-
-function isFlat({ times, spans, slopesIn, slopesOut, before, after }: FbxCurve): boolean {
-  const last = times.length - 1;
-  const flat = (slope: number, seconds: number) => Math.abs(slope * seconds * RADIANS_PER_DEGREE) <= SAME;
-  if (before.mode === 'slope' && slopesOut[0] !== 0) return false;
-  if (after.mode === 'slope' && slopesIn[last] !== 0) return false;
-  return times.every((time, key) => {
-    if (key === last || spans[key] !== CUBIC) return true;
-    const seconds = times[key + 1] - time;
-    return flat(slopesOut[key], seconds) && flat(slopesIn[key + 1], seconds);
-  });
+  return curve ? staysAt(curve, degrees, tolerance) : Math.abs(values[k] - degrees) <= tolerance;
 }
 
 /** A quaternion's angle about an axis; undefined if it turns about another. */

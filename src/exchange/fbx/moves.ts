@@ -8,6 +8,7 @@ import type { Channel } from '../../model/clip.ts';
 import type { EulerOrder } from '../../model/skeleton.ts';
 import { EULER_ORDERS } from '../../model/skeleton.ts';
 import type { Budget } from '../budget.ts';
+import { NOISE } from '../noise.ts';
 import { axesOfOrder, writeAnglesNear } from '../rotations.ts';
 import type { AxisCurves, SceneMove } from '../scene.ts';
 import type { Driven, FbxTake } from './animation.ts';
@@ -199,16 +200,16 @@ export class Mover {
   private scale(joint: FbxJoint, drivers: Drivers): AxisCurves | undefined {
     const { node, source, unscale } = joint;
     const divisor = unscale < 0 ? joint.divisor : -1;
-    const moving = [source, divisor].flatMap((index) => this.stretchCurves(index));
+    const isInherited = this.isStretched(source) || this.isStretched(divisor);
     const motion = new NodeMotion(node, this.take);
     const factors = restFactors(this.restStretches, source, divisor);
     const rest = node.scale.map((own, k) => own * factors[k]);
-    if (!isDriven(drivers) && moving.length === 0) return undefined;
+    if (!isDriven(drivers) && !isInherited) return undefined;
     const only = onlyDriver(drivers);
-    if (only && moving.length === 0) {
+    if (only && !isInherited) {
       return direct(only, (k) => ({ tolerance: this.tolerances.factor, factor: factors[k], offset: 0, rest: rest[k] }));
     }
-    const curves = [...curvesOf(drivers, this.take), ...moving];
+    const curves = [...curvesOf(drivers, this.take), ...this.stretchCurves(source), ...this.stretchCurves(divisor)];
     return this.fitted(joint, curves, rest, this.tolerances.factor, (time, _, out) => {
       motion.at(time);
       const [from, by] = [this.stretches.of(source, time), this.stretches.of(divisor, time)];
@@ -218,13 +219,25 @@ export class Mover {
 
   /** The scale of the node above a joint that takes back its parent's stretch. */
   private undoing(joint: FbxJoint): AxisCurves | undefined {
+    if (!this.isStretched(joint.divisor)) return undefined;
     const curves = this.stretchCurves(joint.divisor);
-    if (curves.length === 0) return undefined;
     const rest = restFactors(this.restStretches, -1, joint.divisor);
     return this.fitted(joint, curves, rest, this.tolerances.factor, (time, _, out) => {
       const by = this.stretches.of(joint.divisor, time);
       for (let k = 0; k < 3; k++) out[k] = quotient(1, by[k]);
     });
+  }
+
+  /** Whether the take gives a node another stretch than it rests with, at any time. */
+  private isStretched(index: number): boolean {
+    if (index < 0) return false;
+    const { node, source } = this.joints[index];
+    const isScaled = driversOf(this.take, node.object.id, 'Lcl Scaling').some(
+      (driver, layer) =>
+        driver !== undefined &&
+        (layer > 0 || driver.curves.some(Boolean) || driver.values.some((value, k) => !isNear(value, node.scale[k]))),
+    );
+    return isScaled || this.isStretched(source);
   }
 
   /** All curves that a node's stretch depends on. */
@@ -265,6 +278,10 @@ export class Mover {
 export function restFactors(stretches: Stretches, source: number, divisor: number): Vec3 {
   const [from, by] = [stretches.of(source, 0), stretches.of(divisor, 0)];
   return [quotient(from[0], by[0]), quotient(from[1], by[1]), quotient(from[2], by[2])];
+}
+
+function isNear(a: number, b: number): boolean {
+  return Math.abs(a - b) <= NOISE * Math.abs(b);
 }
 
 /** A stretch of 0 can't be undone: what is flat stays so. */
