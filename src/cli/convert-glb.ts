@@ -4,8 +4,8 @@ import type { GlbOptions } from '../exchange/glb/options.ts';
 import { diagnosticsOf } from '../exchange/glb/report.ts';
 import { TakeError } from '../exchange/glb/take-motion.ts';
 import type { Diagnostic } from '../model/diagnostic.ts';
-import { type Character, EMPTY_DOCUMENT } from '../model/document.ts';
-import type { ParsedFile } from '../model/files.ts';
+import { type Character, type Document, EMPTY_DOCUMENT } from '../model/document.ts';
+import { byPath, type ParsedFile } from '../model/files.ts';
 import { openFiles } from '../project/open/open-files.ts';
 import { refusal } from '../project/save/conversion.ts';
 import { type Arguments, numberOf, UsageError } from './arguments.ts';
@@ -41,12 +41,15 @@ export async function convertToGlb(
   const options = readOptions(given, common);
   const name = out.slice(Math.max(out.lastIndexOf('/'), out.lastIndexOf('\\')) + 1);
   const failed = (code: string, message: string) => ({ bytes: 0, diagnostics: [refusal(code, message, name)] });
-  const { characters } = openFiles(EMPTY_DOCUMENT, files).document;
+  const { document, diagnostics } = openFiles(EMPTY_DOCUMENT, files, [], undefined, byPath);
+  const { characters } = document;
   const whole = characters.filter(({ skeleton, skins }) => skeleton || skins.length > 0);
   if (whole.length === 0) {
     const held = files.map(({ source }) => source.path).join(', ') || 'nothing';
     return failed('part-missing', `Expected a skeleton or a skin for ${name}, found ${held}.`);
   }
+  const left = leftOut(document, whole);
+  if (left.length > 0) return { bytes: 0, diagnostics: [...diagnostics, ...left] };
   if (whole.length > 1) {
     const names = whole.map((character) => character.name).join(', ');
     return failed(
@@ -55,11 +58,24 @@ export async function convertToGlb(
     );
   }
   try {
-    return await write(whole[0], options, name, resolve(folder, out));
+    const written = await write(whole[0], options, name, resolve(folder, out));
+    return { ...written, diagnostics: [...diagnostics, ...written.diagnostics] };
   } catch (error) {
     if (!(error instanceof TakeError)) throw error;
     return failed('conversion-refused', error.message);
   }
+}
+
+/** Parts that would not be in the file although they were given. */
+function leftOut({ characters, unused }: Document, whole: readonly Character[]): readonly Diagnostic[] {
+  const takes = characters.filter((character) => !whole.includes(character)).flatMap(({ sources }) => sources);
+  const parts = unused.filter(({ file }) => file.kind === 'skin' || file.kind === 'morph' || file.kind === 'anim');
+  return [
+    ...takes.map(({ path }) =>
+      refusal('part-unused', `It belongs to none of ${whole.length} characters. Name it after one.`, path),
+    ),
+    ...parts.map(({ file, why }) => refusal('part-unused', why, file.source.path)),
+  ];
 }
 
 async function write(character: Character, options: GlbOptions, name: string, path: string): Promise<WrittenGlb> {

@@ -10,14 +10,14 @@ import { basename, dirname, join, relative, resolve, sep } from 'node:path';
 import { setImmediate as nextTurn } from 'node:timers/promises';
 import { CommandError } from '../edit/store.ts';
 import { type Diagnostic, hasErrors, withoutPlace } from '../model/diagnostic.ts';
+import { DistinctNames } from '../model/distinct-names.ts';
 import { type Character, EMPTY_DOCUMENT } from '../model/document.ts';
-import { openingOf } from '../project/kinds.ts';
 import { openFiles } from '../project/open/open-files.ts';
-import { formatOf } from '../project/readers.ts';
-import { outputsOf, refusal, sourceFor, type Target, withOwnNames } from '../project/save/conversion.ts';
+import { outputsOf, refusal, renamedTo, sourceFor, type Target, withOwnNames } from '../project/save/conversion.ts';
 import type { ConversionOptions } from '../project/save/copies.ts';
-import { loadFound, tellMissing } from './load.ts';
-import { findGiven, type GivenPath, isFolder } from './paths.ts';
+import { findFiles, loadFound } from './load.ts';
+import { type GivenPath, isFolder } from './paths.ts';
+import { openedTogether } from './together.ts';
 import { writeInFolder } from './write-output.ts';
 
 export interface ManyOptions extends ConversionOptions {
@@ -52,13 +52,10 @@ export async function convertMany(
   options: ManyOptions,
   progress: ConversionProgress,
 ): Promise<boolean> {
-  const { files, missing } = findGiven(args, folder);
+  const { files, problems } = findFiles(args, folder);
   const many = new Many(args, folder, options, progress);
-  // Folders also hold readmes and pictures, which are left out.
-  const whole = files.filter((file) => openingOfFile(file) === 'whole');
-  const others = files.filter((file) => openingOfFile(file) === 'with others');
-  const groups = [...whole.map((file) => [file]), others].filter((group) => group.length > 0);
-  if (missing.length) many.tell(tellMissing(missing));
+  const groups = openedTogether(files);
+  if (problems.length) many.tell(problems);
   many.isOfMany = groups.length > 1;
   for (const group of groups) {
     await many.convert(group);
@@ -66,18 +63,10 @@ export async function convertMany(
     await nextTurn();
   }
   many.tellKept();
-  if (groups.length === 0 && missing.length === 0) {
+  if (groups.length === 0 && problems.length === 0) {
     many.tell([refusal('nothing-to-convert', 'There is no file here to convert.', args.join(' '))]);
   }
   return !many.hasFailed;
-}
-
-/** Files that are complete, as motion capture is, are opened one by one; skeletons and their parts together. */
-export function openingOfFile({ absolute }: GivenPath): 'whole' | 'with others' | undefined {
-  const format = formatOf(absolute);
-  const opening = format && openingOf(format.kind);
-  if (!opening || opening.as === 'texture' || opening.as === 'dump') return undefined;
-  return opening.as === 'characters' && !opening.takesParts ? 'whole' : 'with others';
 }
 
 class Many {
@@ -88,6 +77,8 @@ class Many {
   private readonly kept: string[] = [];
   /** Paths written in this run: two sources of one name don't overwrite each other's output. */
   private readonly done = new Set<string>();
+  /** Names of characters by the folder that their files are written to. */
+  private readonly named = new Map<string, DistinctNames>();
   private readonly folders: readonly string[];
 
   constructor(
@@ -131,10 +122,10 @@ class Many {
 
   private async write(characters: readonly Character[]): Promise<void> {
     const { options, folder } = this;
-    const named = options.target === 'rig' && this.isOfMany ? characters.map(withOwnNames) : characters;
+    const named = characters.map((character) => this.withNames(character));
     for (const output of outputsOf(named, options.target, options)) {
       const stem = output.name.slice(0, output.name.lastIndexOf('.'));
-      const source = sourceFor(characters[0], stem);
+      const source = sourceFor(named[0], stem);
       const read = source ? resolve(folder, source.path) : folder;
       const path = join(this.folderFor(read), fileSystemName(output.name));
       if (path === read && !options.replaces && !this.changesSources) {
@@ -146,7 +137,7 @@ class Many {
         this.tell([refusal('file-exists', obstacle, relative(folder, path))]);
         continue;
       }
-      this.done.add(path);
+      this.done.add(key(path));
       const written = writeInFolder(path, output.pieces());
       this.tell(output.diagnostics());
       if ('failure' in written) {
@@ -158,6 +149,18 @@ class Many {
         await this.progress.written({ path: shown, bytes: written.bytes, from: [...new Set(from)] });
       }
     }
+  }
+
+  /** As its files are named: apart from others in their folder, and its takes and parts after it. */
+  private withNames(character: Character): Character {
+    const { sources, skeleton } = character;
+    const [source] = sources;
+    const out = this.folderFor(source ? resolve(this.folder, source.path) : this.folder);
+    const names = this.named.get(out) ?? new DistinctNames();
+    this.named.set(out, names);
+    const name = names.add(skeleton?.name ?? character.name);
+    const apart = skeleton && name !== skeleton.name ? renamedTo(character, skeleton, name) : character;
+    return this.isOfMany ? withOwnNames(apart, this.options.target) : apart;
   }
 
   /** Without --out, files that are of the target's kind already stay as they are, which is said in one line. */
@@ -178,7 +181,7 @@ class Many {
   }
 
   private obstacle(path: string, read: string): string | undefined {
-    if (this.done.has(path)) return 'Another file of this name was just written; left as it is.';
+    if (this.done.has(key(path))) return 'Another file of this name was just written; left as it is.';
     if (this.options.replaces || !existsSync(path)) return undefined;
     if (path === read) return 'This file would be replaced; --out FOLDER writes another one, --force replaces it.';
     return 'A file of this name already exists; --force replaces it.';
@@ -187,12 +190,19 @@ class Many {
   /** Next to the source, or at the same path below the output folder. */
   private folderFor(read: string): string {
     const { out } = this.options;
-    const own = dirname(read);
+    let own = dirname(read);
+    // Of a file in a zip: that of the zip.
+    while (!isFolder(own) && dirname(own) !== own) own = dirname(own);
     if (out === undefined) return own;
     const target = resolve(this.folder, out);
     const given = this.folders.find((f) => own === f || own.startsWith(f + sep));
     return given === undefined ? target : join(target, relative(given, own));
   }
+}
+
+/** For file systems that ignore case. */
+function key(path: string): string {
+  return path.toLowerCase();
 }
 
 /** A clip's name is free text; characters that separate folders are replaced. */

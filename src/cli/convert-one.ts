@@ -61,8 +61,11 @@ function pick(files: readonly ParsedFile[], format: Format, out: string, options
   const [only] = fitting;
   // Another frame rate means resampling: the frames can't be copied as they are.
   if (only && !options.edit && (kind !== 'bvh' || options.framesPerSecond === undefined)) {
-    if (only.kind === 'skel') return skelInForm(only.skeletons, only.source.name, out);
-    return { output: outputOf({ name: out, content: () => only }) };
+    const picked: Picked =
+      only.kind === 'skel'
+        ? skelInForm(only.skeletons, only.source.name, out)
+        : { output: outputOf({ name: out, content: () => only }) };
+    return saying(picked, unneeded(files, only, out));
   }
   if (kind === 'rig') return rigOf(files, out);
   const target = TARGETS.find((t) => t === kind);
@@ -73,6 +76,20 @@ function pick(files: readonly ParsedFile[], format: Format, out: string, options
   const held = files.map((file) => file.source.path).join(', ') || 'nothing';
   const message = `Expected ${format.label} input for ${out}, found ${held}.`;
   return { refusal: refusal('part-missing', message, out) };
+}
+
+/** What is written from one file alone. */
+function unneeded(files: readonly ParsedFile[], only: ParsedFile, out: string): readonly Diagnostic[] {
+  const others = files.filter((file) => file !== only).map(({ source }) => source.path);
+  if (others.length === 0) return [];
+  const message = `It is written from ${only.source.path} alone; ${others.join(', ')} ${others.length === 1 ? 'is' : 'are'} not needed.`;
+  return [withoutPlace('info', 'input-unneeded', message, out)];
+}
+
+function saying(picked: Picked, told: readonly Diagnostic[]): Picked {
+  if (!('output' in picked) || told.length === 0) return picked;
+  const { output } = picked;
+  return { output: { ...output, diagnostics: () => [...output.diagnostics(), ...told] } };
 }
 
 /** The skin or morph of a character whose file holds all of it; undefined if it holds none. */
@@ -92,8 +109,7 @@ function partOf(files: readonly ParsedFile[], format: Format, out: string, optio
   const textures = content.kind === 'skin' ? textureNames(content.skin) : [];
   if (textures.length === 0) return { output };
   const message = `It names ${textures.join(', ')}, which this doesn't write. ${ALL_OF_THEM}`;
-  const told = withoutPlace('info', 'texture-not-written', message, out);
-  return { output: { ...output, diagnostics: () => [...output.diagnostics(), told] } };
+  return saying({ output }, [withoutPlace('info', 'texture-not-written', message, out)]);
 }
 
 const ALL_OF_THEM = '"--to rig --out DIR" writes all parts.';

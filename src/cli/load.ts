@@ -7,7 +7,7 @@ import { basename, dirname, isAbsolute, relative, resolve, sep } from 'node:path
 import type { Beside } from '../exchange/imported.ts';
 import { isWorthDiagnosing } from '../formats/diagnose/diagnose.ts';
 import { foldUnreadable } from '../formats/diagnose/fold.ts';
-import { type Diagnostic, withoutPlace } from '../model/diagnostic.ts';
+import { type Diagnostic, hasErrors, withoutPlace } from '../model/diagnostic.ts';
 import { type Character, EMPTY_DOCUMENT } from '../model/document.ts';
 import { emptyDumpMessage, isEmptyDump } from '../model/dump.ts';
 import {
@@ -25,6 +25,7 @@ import { UsageError } from './arguments.ts';
 import { findGiven, type GivenPath, isFile, type MissingPath } from './paths.ts';
 import { fileBytes, readPieces } from './read-file.ts';
 import { reasonOf } from './reason.ts';
+import { withZipsUnpacked } from './zips.ts';
 
 /** A file named on the command line, read or not. */
 export interface LoadedFile {
@@ -46,42 +47,52 @@ export interface Loaded {
   readonly diagnostics: readonly Diagnostic[];
 }
 
+/** What arguments name. */
+export interface FoundFiles {
+  /** With those in zips. */
+  readonly files: readonly GivenPath[];
+  readonly missing: readonly MissingPath[];
+  /** Of what is missing, and of zips that can't be unpacked. */
+  readonly problems: readonly Diagnostic[];
+}
+
+/** @param args files, folders and zips, relative to `folder` */
+export function findFiles(args: readonly string[], folder: string): FoundFiles {
+  const { files, missing } = findGiven(args, folder);
+  const unpacked = withZipsUnpacked(files);
+  const absent = missing.map(({ path, code, why }) => withoutPlace('error', code, why, path));
+  return { files: unpacked.files, missing, problems: [...absent, ...unpacked.problems] };
+}
+
 /**
- * @param args files and folders, relative to `folder`
+ * @param args files, folders and zips, relative to `folder`
  * @param otherwise the format of files whose names have none
- * @param imported files that were read already
  * @throws UsageError if there are none
  */
-export function loadFiles(
-  args: readonly string[],
-  folder: string,
-  otherwise?: Format,
-  imported?: ImportedPaths,
-): Loaded {
+export function loadFiles(args: readonly string[], folder: string, otherwise?: Format): Loaded {
   if (args.length === 0) throw new UsageError('Give at least one file.');
-  const given = findGiven(args, folder);
-  const found = loadGiven(given.files, otherwise, imported);
-  const missing = given.missing.map(({ path }): LoadedFile => ({ name: basename(path), path, kind: kindOf(path) }));
-  const broken = missing.flatMap(({ name, path, kind }): BrokenFile[] =>
+  return loadAll(findFiles(args, folder), otherwise);
+}
+
+function loadAll({ files, missing, problems }: FoundFiles, otherwise?: Format, imported?: ImportedPaths): Loaded {
+  const found = loadGiven(files, otherwise, imported);
+  const absent = missing.map(({ path }): LoadedFile => ({ name: basename(path), path, kind: kindOf(path) }));
+  const broken = absent.flatMap(({ name, path, kind }): BrokenFile[] =>
     kind === 'unknown' ? [] : [{ kind, source: { name, path, bytes: 0 } }],
   );
   return {
-    all: [...missing, ...found.all],
+    all: [...absent, ...found.all],
     files: found.files,
     broken: [...broken, ...found.broken],
-    diagnostics: [...tellMissing(given.missing), ...found.diagnostics],
+    diagnostics: [...problems, ...found.diagnostics],
   };
-}
-
-export function tellMissing(missing: readonly MissingPath[]): readonly Diagnostic[] {
-  return missing.map(({ path, code, why }) => withoutPlace('error', code, why, path));
 }
 
 /** As `loadFiles`, and files of other programs too, whose readers are fetched and look for further files. */
 export async function loadAny(args: readonly string[], folder: string, otherwise?: Format): Promise<Loaded> {
   if (args.length === 0) throw new UsageError('Give at least one file.');
-  const imported = await importGiven(findGiven(args, folder).files, folder);
-  return loadFiles(args, folder, otherwise, imported);
+  const found = findFiles(args, folder);
+  return loadAll(found, otherwise, await importGiven(found.files, folder));
 }
 
 /** As `loadAny`, of files that were found already. */
@@ -103,7 +114,8 @@ async function importGiven(given: readonly GivenPath[], folder: string): Promise
       const { value, diagnostics, beside } = await format.imports({
         fileName: name,
         bytes,
-        beside: async (wanted) => besideOnDisk(absolute, wanted, folder),
+        beside: async (wanted) =>
+          isFile(absolute) ? besideOnDisk(absolute, wanted, folder) : besideInZip(path, wanted, given),
       });
       out.set(path, { bytes: bytes.length, diagnostics, ...(value && { content: value }), beside });
       for (const part of beside) out.set(part.path, 'part');
@@ -122,6 +134,19 @@ function besideOnDisk(absolute: string, wanted: string, folder: string): Beside 
   const bytes = fileBytes(found);
   const path = relative(folder, found).split(sep).join('/');
   return { bytes, source: { name: basename(found), path, bytes: bytes.length } };
+}
+
+/** A file among others that were unpacked with this one. */
+async function besideInZip(path: string, wanted: string, given: readonly GivenPath[]): Promise<Beside | undefined> {
+  const { besideIn } = await import('../project/imports.ts');
+  const found = besideIn(
+    path,
+    given.filter(({ bytes }) => bytes),
+    (file) => file.path,
+  )(wanted);
+  if (!found?.bytes) return undefined;
+  const bytes = new Uint8Array(found.bytes);
+  return { bytes, source: { name: basename(found.path), path: found.path, bytes: bytes.length } };
 }
 
 /** Reads files that were found, on disk or in archives. @param otherwise as for `loadFiles` */
@@ -206,6 +231,16 @@ function ended(
 export function openLoaded({ files, broken, diagnostics }: Loaded): OpenResult {
   const opened = openFiles(EMPTY_DOCUMENT, files, broken, undefined, byPath);
   return { ...opened, diagnostics: [...diagnostics, ...opened.diagnostics] };
+}
+
+/** An error if none of the files could be read and no other says so, since a command that did nothing has failed. */
+export function nothingRead({ all, files, diagnostics }: Loaded, args: readonly string[]): readonly Diagnostic[] {
+  if (files.length > 0 || hasErrors(diagnostics)) return [];
+  const [code, message] =
+    all.length === 0
+      ? ['nothing-found', 'There is no readable file here.']
+      : ['nothing-read', 'Expected a file that Marrow reads, found none here.'];
+  return [withoutPlace('error', code, message, args.join(' '))];
 }
 
 /** A skin alone does not move, and an animation alone moves nothing. */

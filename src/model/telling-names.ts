@@ -43,7 +43,10 @@ export function tellingNames(given: readonly InputName[], taken: Iterable<string
 }
 
 /** One of many in a folder: after its input, unless its name begins with that already. @param inputName its stem */
-function nameByInput({ name, isOnly }: Pick<InputName, 'name' | 'isOnly'>, inputName: string): string {
+export function nameByInput(
+  { name, isOnly = false }: { readonly name: string; readonly isOnly?: boolean },
+  inputName: string,
+): string {
   if (isOnly) return inputName;
   return key(name).startsWith(key(inputName)) ? name : `${inputName}_${name}`;
 }

@@ -7,7 +7,7 @@ import { checkMorph } from '../evaluate/binding.ts';
 import { skinFacts } from '../evaluate/bounds.ts';
 import { isWorthDiagnosing } from '../formats/diagnose/diagnose.ts';
 import { foldUnreadable } from '../formats/diagnose/fold.ts';
-import { unzip, ZipRefusal } from '../formats/unzip.ts';
+import { ZipRefusal } from '../formats/unzip.ts';
 import { type Diagnostic, withoutPlace } from '../model/diagnostic.ts';
 import { emptyDumpMessage, isEmptyDump } from '../model/dump.ts';
 import { type BrokenFile, folderOf, type ParsedFile, type SourceFile } from '../model/files.ts';
@@ -15,6 +15,7 @@ import type { Morph } from '../model/morph.ts';
 import type { Skin } from '../model/skin.ts';
 import { READABLE_EXTENSIONS } from '../project/kinds.ts';
 import { type Format, formatOf } from '../project/readers.ts';
+import { isZip, MAX_FILES, tooManyFiles, zipContent } from '../project/zip-content.ts';
 import { importedFrom, isBuffer, waitingBuffer } from './parse-imports.ts';
 import { sourceOf, tooLargeToPost, unreadable } from './parsed-blob.ts';
 import type { GivenBlob, ParseInput, ParseOutput, Progress } from './protocol.ts';
@@ -22,8 +23,6 @@ import { transferables } from './transferables.ts';
 
 /** Interval of progress messages: enough for a smooth bar, at negligible cost. */
 const PROGRESS_STEP_BYTES = 1 << 20;
-/** Of one opening. What more files hold would keep the page busy for seconds at a time. */
-const MAX_FILES = 10_000;
 /** Files of unknown kinds in a zip that are told one by one; more are counted. */
 const MAX_TOLD = 100;
 
@@ -39,7 +38,7 @@ export async function parse(
   if (given.length > maxFiles) {
     const of = given.length.toLocaleString('en');
     diagnostics.push(
-      withoutPlace('error', 'too-many-files', `Of ${of} files nothing was opened: ${tooMany(maxFiles)}.`, ''),
+      withoutPlace('error', 'too-many-files', `Of ${of} files nothing was opened: ${tooManyFiles(maxFiles)}.`, ''),
     );
     return { files, broken, diagnostics, facts: [], keeps: [] };
   }
@@ -140,23 +139,17 @@ async function unpacked(files: readonly GivenBlob[], diagnostics: Diagnostic[], 
   /** Zips with many of these, which aren't among them. */
   const uncounted: { readonly source: SourceFile; readonly count: number }[] = [];
   for (const file of files) {
-    if (!file.path.toLowerCase().endsWith('.zip')) {
+    if (!isZip(file.path)) {
       given.push(file);
       continue;
     }
     const source = sourceOf(file.path, file.blob.size);
     try {
-      let count = 0;
-      const { entries, passedOver: other } = unzip(new Uint8Array(await file.blob.arrayBuffer()), (name) => {
-        const isWanted = isReadable(name);
-        // Before any is unpacked.
-        if (isWanted && ++count > maxFiles) throw new ZipRefusal(`it holds too many files; ${tooMany(maxFiles)}`);
-        return isWanted;
-      });
-      // In a folder named after the archive, since files packed together belong together.
-      for (const { path, bytes } of entries) given.push({ path: `${file.path}/${path}`, blob: new Blob([bytes]) });
+      const bytes = new Uint8Array(await file.blob.arrayBuffer());
+      const { files: inside, passedOver: other } = zipContent(file.path, bytes, isReadable, { maxFiles });
+      for (const { path, bytes: content } of inside) given.push({ path, blob: new Blob([content]) });
       if (other.length > MAX_TOLD) uncounted.push({ source, count: other.length });
-      else for (const path of other) passedOver.push(sourceOf(`${file.path}/${path}`, 0));
+      else for (const path of other) passedOver.push(sourceOf(path, 0));
     } catch (error) {
       diagnostics.push(
         error instanceof ZipRefusal
@@ -166,10 +159,6 @@ async function unpacked(files: readonly GivenBlob[], diagnostics: Diagnostic[], 
     }
   }
   return { given, passedOver, uncounted };
-}
-
-function tooMany(maxFiles: number): string {
-  return `at most ${maxFiles.toLocaleString('en')} are opened at once, such as a folder at a time`;
 }
 
 /** The problems at their places. The file is read again for it, so only if there are any. */

@@ -2,10 +2,9 @@
 import { hasErrors } from '../../model/diagnostic.ts';
 import type { Character, Document } from '../../model/document.ts';
 import { factsOf } from '../../project/kinds.ts';
-import { refusal } from '../../project/save/conversion.ts';
 import { parseArguments } from '../arguments.ts';
 import { type CliCommand, FILE_EXITS } from '../io.ts';
-import { type LoadedFile, loadAny, openLoaded, withoutSkeleton } from '../load.ts';
+import { type LoadedFile, loadAny, nothingRead, openLoaded, withoutSkeleton } from '../load.ts';
 import { printJson, report } from '../report.ts';
 
 export const info: CliCommand = {
@@ -17,11 +16,12 @@ export const info: CliCommand = {
     const given = parseArguments(args, { json: 'flag' });
     const loaded = await loadAny(given.files, io.folder);
     const opened = openLoaded(loaded);
-    const diagnostics = [...opened.diagnostics, ...withoutSkeleton(opened.document.characters)];
-    // A folder counts by its content.
-    if (loaded.all.length === 0) {
-      diagnostics.push(refusal('nothing-found', 'There is no readable file here.', given.files.join(' ')));
-    }
+    const diagnostics = [
+      ...opened.diagnostics,
+      ...withoutSkeleton(opened.document.characters),
+      // A folder counts by its content.
+      ...nothingRead(loaded, given.files),
+    ];
     report(diagnostics, io);
     const files = loaded.all.map(describeFile);
     if (given.flag('json')) {

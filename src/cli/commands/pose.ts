@@ -10,13 +10,14 @@ import { blendMorphs, compileSkin, deform, skinMatrices } from '../../evaluate/d
 import { type EndSitePosition, endSitePositions, tipPosition } from '../../evaluate/end-sites.ts';
 import { applyConstraints, compileSkeleton, localMatrices, worldMatrices } from '../../evaluate/kinematics.ts';
 import { dofCountOf, poseAt } from '../../evaluate/pose.ts';
-import { hasErrors } from '../../model/diagnostic.ts';
+import { type Diagnostic, hasErrors } from '../../model/diagnostic.ts';
 import { type Character, shownClip, shownSkin } from '../../model/document.ts';
 import { jointDofCount, rootDofCount } from '../../model/dofs.ts';
 import { jointTypeOf } from '../../model/joint-types.ts';
+import { refusal } from '../../project/save/conversion.ts';
 import { type Arguments, numberOf, numbersOf, parseArguments, UsageError } from '../arguments.ts';
 import { type CliCommand, FILE_EXITS } from '../io.ts';
-import { loadAny, openLoaded, withoutSkeleton } from '../load.ts';
+import { loadAny, nothingRead, openLoaded, withoutSkeleton } from '../load.ts';
 import { printJson, report } from '../report.ts';
 
 export const pose: CliCommand = {
@@ -38,9 +39,15 @@ export const pose: CliCommand = {
     });
     const asked = readAsked(given);
     const times = readTimes(given);
-    const opened = openLoaded(await loadAny(given.files, io.folder));
+    const loaded = await loadAny(given.files, io.folder);
+    const opened = openLoaded(loaded);
     const { characters } = opened.document;
-    const diagnostics = [...opened.diagnostics, ...withoutSkeleton(characters)];
+    const diagnostics = [
+      ...opened.diagnostics,
+      ...withoutSkeleton(characters),
+      ...nothingRead(loaded, given.files),
+      ...(loaded.files.length > 0 && characters.length === 0 ? [withoutCharacter(given.files)] : []),
+    ];
     // Reported first: a broken file explains why a list doesn't match.
     report(diagnostics, io);
     if (!hasErrors(diagnostics)) {
@@ -62,6 +69,11 @@ export const pose: CliCommand = {
     return hasErrors(diagnostics) ? 1 : 0;
   },
 };
+
+function withoutCharacter(files: readonly string[]): Diagnostic {
+  const message = 'Expected a skeleton, a skin or an animation, found none that could be opened.';
+  return refusal('character-missing', message, files.join(' '));
+}
 
 /** Undefined: not given, so left to the animation or the files. */
 interface Asked {

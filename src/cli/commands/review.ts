@@ -12,12 +12,11 @@ import { matchPaths } from '../../review/match-paths.ts';
 import { takeFacts } from '../../review/take-facts.ts';
 import { listAsCsv, listAsJson } from '../../review/write-list.ts';
 import { parseArguments, UsageError } from '../arguments.ts';
-import { openingOfFile } from '../convert-many.ts';
 import type { CliCommand, CommandIo } from '../io.ts';
-import { loadFound, openLoaded, tellMissing } from '../load.ts';
-import { findGiven } from '../paths.ts';
+import { findFiles, loadFound, openLoaded } from '../load.ts';
 import { report } from '../report.ts';
 import { takeListOf } from '../take-list.ts';
+import { openedTogether } from '../together.ts';
 import { writeOutput } from '../write-output.ts';
 
 export const review: CliCommand = {
@@ -64,23 +63,20 @@ export const review: CliCommand = {
 };
 
 async function takesIn(args: readonly string[], io: CommandIo) {
-  const { files, missing } = findGiven(args, io.folder);
+  const { files, problems } = findFiles(args, io.folder);
   const diagnostics: Diagnostic[] = [];
   const tell = (told: readonly Diagnostic[]) => {
     report(told, io);
     diagnostics.push(...told);
   };
-  if (missing.length > 0) tell(tellMissing(missing));
-  const whole = files.filter((file) => openingOfFile(file) === 'whole');
-  const others = files.filter((file) => openingOfFile(file) === 'with others');
-  const groups = [...whole.map((file) => [file]), others].filter((group) => group.length > 0);
+  if (problems.length > 0) tell(problems);
   const takes: ListedTake[] = [];
-  for (const group of groups) {
+  for (const group of openedTogether(files)) {
     const opened = openLoaded(await loadFound(group, io.folder));
     tell(opened.diagnostics);
     takes.push(...takesOf(opened.document.characters));
   }
-  if (takes.length === 0 && missing.length === 0) {
+  if (takes.length === 0 && problems.length === 0) {
     tell([refusal('nothing-to-review', 'There is no take here.', args.join(' '))]);
   }
   return { takes, diagnostics };

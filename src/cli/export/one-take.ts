@@ -7,6 +7,7 @@ import { takeOf } from '../../dataset/take.ts';
 import { takeArrays } from '../../dataset/take-arrays.ts';
 import { CommandError } from '../../edit/store.ts';
 import type { Diagnostic } from '../../model/diagnostic.ts';
+import type { Character } from '../../model/document.ts';
 import { flagText } from '../../review/flags.ts';
 import { loadFound, openLoaded } from '../load.ts';
 import { isFile } from '../paths.ts';
@@ -113,11 +114,13 @@ async function takesOf(
   const { document, diagnostics } = openLoaded(loaded);
   const error = diagnostics.find(({ severity }) => severity === 'error');
   if (error) throw new CommandError(sentenceOf(error));
+  // The file of its skeleton may have takes of its own.
+  const isOwn = ({ parts }: Character, i: number) => !skeleton || parts?.clips[i]?.file?.source.path === path;
   const takes = document.characters.flatMap((c) =>
-    c.clips.map((_, i) => ({ ...inSpaceOf(c, target.spaces), shownClip: i })),
+    c.clips.flatMap((_, i) => (isOwn(c, i) ? [{ ...inSpaceOf(c, target.spaces), shownClip: i }] : [])),
   );
   if (takes.length === 0) throw new CommandError('It has no motion: no frames and no keys.');
-  if (takes.some(({ skeleton }) => !skeleton)) {
+  if (takes.some((take) => !take.skeleton)) {
     throw new CommandError('An animation alone has no joints. Its skeleton must be among the files.');
   }
   const warnings = diagnostics.filter(({ severity }) => severity === 'warning').map(sentenceOf);

@@ -6,13 +6,11 @@
  * so that several processes can share it.
  */
 import { dirname, extname, relative, resolve, sep } from 'node:path';
-import { baseName, type SourceFile } from '../../model/files.ts';
 import { openingOf } from '../../project/kinds.ts';
-import { groupFiles, type ReadFile } from '../../project/open/grouping.ts';
 import { formatOf } from '../../project/readers.ts';
 import { UsageError } from '../arguments.ts';
-import { loadGiven } from '../load.ts';
 import { findGiven, type GivenPath, isFolder } from '../paths.ts';
+import { groupsIn, isWhole } from '../together.ts';
 
 /** A file with a take, or with several. */
 export interface TakeInput {
@@ -34,20 +32,20 @@ export interface TakeInput {
  */
 export function takeInputs(args: readonly string[], folder: string): readonly TakeInput[] {
   const { files, missing } = findGiven(args, folder);
-  const whole: GivenPath[] = [];
-  const parts: GivenPath[] = [];
-  for (const file of files) {
-    const format = formatOf(file.absolute);
-    const opening = format && openingOf(format.kind);
-    if (opening?.as === 'characters' && !opening.takesParts) whole.push(file);
-    else if (opening?.as === 'characters' || opening?.as === 'rig' || format?.kind === 'anim') parts.push(file);
-  }
+  const whole = files.filter(({ path }) => isWhole(path));
+  const animations = animationsIn(
+    files.filter(({ path }) => {
+      const format = formatOf(path);
+      const as = format && openingOf(format.kind).as;
+      return as === 'characters' || as === 'rig' || format?.kind === 'anim';
+    }),
+  );
   const absent = missing.map(({ path, code, why }) => ({
     ...{ path, absolute: resolve(folder, path) },
     // The manifest is the same wherever it is made.
     why: code === 'file-missing' ? 'There is no file of this name.' : why,
   }));
-  const all = [...whole, ...animationsIn(parts), ...absent].sort((a, b) => compareBytes(a.path, b.path));
+  const all = [...whole, ...animations, ...absent].sort((a, b) => compareBytes(a.path, b.path));
   const folders = args.map((arg) => resolve(folder, arg)).filter(isFolder);
   return withStems(all, folders, folder);
 }
@@ -59,19 +57,13 @@ export function compareBytes(a: string, b: string): number {
 
 /** Animations with their skeletons, told by rigs, folders and names as when they are opened. */
 function animationsIn(files: readonly GivenPath[]): Omit<TakeInput, 'stem'>[] {
-  const sourceOf = ({ path }: GivenPath): SourceFile => ({ name: baseName(path), path, bytes: 0 });
-  const read = loadGiven(files.filter(({ path }) => formatOf(path)?.kind === 'rig')).files;
-  const given = files.flatMap((file): ReadFile[] => {
-    const kind = formatOf(file.path)?.kind;
-    const rig = read.find(({ source }) => source.path === file.path);
-    // Which files belong together is decided without their content, but for rigs.
-    return rig ? [rig] : kind ? [{ kind, source: sourceOf(file), broken: true }] : [];
-  });
-  const { groups } = groupFiles(given, ({ path }) => path);
-  const pathOf = (file: ReadFile | undefined) => files.find(({ path }) => path === file?.source.path);
+  const byPath = new Map(files.map((file) => [file.path, file]));
+  const skeletons = new Map(
+    groupsIn(files).flatMap(({ skeleton, parts }) => parts.map((part) => [part.source.path, skeleton?.source.path])),
+  );
   return files.flatMap((file) => {
     if (formatOf(file.path)?.kind !== 'anim') return [];
-    const skeleton = pathOf(groups.find(({ parts }) => parts.some((p) => p.source.path === file.path))?.skeleton);
+    const skeleton = byPath.get(skeletons.get(file.path) ?? '');
     return [{ path: file.path, absolute: file.absolute, ...(skeleton && { skeleton }) }];
   });
 }

@@ -4,12 +4,10 @@
  */
 import { readdirSync } from 'node:fs';
 import { join, relative, resolve, sep } from 'node:path';
-import { unzip } from '../../formats/unzip.ts';
 import { type Diagnostic, withoutPlace } from '../../model/diagnostic.ts';
-import { formatOf } from '../../project/readers.ts';
+import { isZip } from '../../project/zip-content.ts';
 import { findGiven, type GivenPath, isFolder } from '../paths.ts';
-import { fileBytes } from '../read-file.ts';
-import { reasonOf } from '../reason.ts';
+import { isOfSystem, withZipsUnpacked } from '../zips.ts';
 
 /** Natural order, as a teacher's list. */
 const byName = new Intl.Collator('en', { numeric: true });
@@ -52,49 +50,9 @@ export interface HandedIn {
  * @param folder the caller's, absolute, which paths are relative to
  */
 export function filesOf(submission: string, folder: string): HandedIn {
-  const { files: given, missing } = findGiven([submission], folder);
-  const files: GivenPath[] = [];
-  const problems = missing.map(({ path, code, why }) => withoutPlace('error', code, why, shown(path, folder)));
-  let room = MAX_ZIP_BYTES;
-  for (const file of given) {
-    if (!isZip(file.path)) {
-      files.push(file);
-      continue;
-    }
-    try {
-      const unpacked = entriesOf(file, room);
-      for (const { bytes } of unpacked) room -= bytes?.length ?? 0;
-      files.push(...unpacked);
-    } catch (error) {
-      const message = `The archive can't be unpacked: ${reasonOf(error)}.`;
-      problems.push(withoutPlace('error', 'zip-unreadable', message, file.path));
-    }
-  }
-  return { files, problems };
-}
-
-/** @param path absolute, or relative to the folder */
-function shown(path: string, folder: string): string {
-  return relative(folder, resolve(folder, path)).split(sep).join('/');
-}
-
-function entriesOf({ absolute, path }: GivenPath, room: number): readonly GivenPath[] {
-  const isWanted = (name: string) => !name.split(/[/\\]/).some(isOfSystem) && formatOf(name) !== undefined;
-  const { entries } = unzip(fileBytes(absolute, MAX_ZIP_BYTES), isWanted, room);
-  return entries
-    .map(({ path: inside, bytes }): GivenPath => {
-      // Some programs of Windows write backslashes.
-      const name = inside.replaceAll('\\', '/').replace(/^\/+/, '');
-      return { path: `${path}/${name}`, absolute: join(absolute, name), bytes };
-    })
-    .sort((a, b) => byName.compare(a.path, b.path));
-}
-
-/** Hidden files, and what macOS adds to archives. */
-function isOfSystem(name: string): boolean {
-  return name.startsWith('.') || name === '__MACOSX';
-}
-
-function isZip(name: string): boolean {
-  return /\.zip$/i.test(name);
+  const { files, missing } = findGiven([submission], folder);
+  const { files: unpacked, problems } = withZipsUnpacked(files, MAX_ZIP_BYTES);
+  const shown = (path: string) => relative(folder, resolve(folder, path)).split(sep).join('/');
+  const absent = missing.map(({ path, code, why }) => withoutPlace('error', code, why, shown(path)));
+  return { files: unpacked, problems: [...absent, ...problems] };
 }

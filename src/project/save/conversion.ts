@@ -9,7 +9,9 @@ import { inHierarchyForm } from '../../model/axis-angle.ts';
 import { type Diagnostic, withoutPlace } from '../../model/diagnostic.ts';
 import type { Character } from '../../model/document.ts';
 import { type SourceFile, stemOf } from '../../model/files.ts';
+import { NO_MARKS } from '../../model/part.ts';
 import type { Skeleton } from '../../model/skeleton.ts';
+import { nameByInput } from '../../model/telling-names.ts';
 import { formatKindOf } from '../kinds.ts';
 import { bvhOf } from './character-files.ts';
 import { animCopies, bvhCopy, type ConversionOptions, rigCopies, skelCopies } from './copies.ts';
@@ -61,13 +63,38 @@ function partOutputs(character: Character): readonly Output[] {
 }
 
 /**
- * The character with its name before those of its clips and morphs, for folders with files of many characters: each has
- * a take called Idle.
+ * The character with its takes named after it, for folders with files of many characters: takes that came in a file of
+ * whole characters, of which each may have one called Idle, and all that a `.rig` names.
  */
-export function withOwnNames(character: Character): Character {
-  const own = <T extends { readonly name: string }>(part: T): T =>
-    part.name.startsWith(character.name) ? part : { ...part, name: `${character.name}_${part.name}` };
-  return { ...character, clips: character.clips.map(own), morphs: character.morphs.map(own) };
+export function withOwnNames(character: Character, target: Target): Character {
+  const { skeleton, clips, morphs, parts = NO_MARKS } = character;
+  const isRig = target === 'rig';
+  const name = isRig ? character.name : (skeleton?.name ?? character.name);
+  const isInside = (clip: number) => parts.clips[clip]?.file?.kind === 'character';
+  const isOnly = clips.length === 1 && isInside(0);
+  return {
+    ...character,
+    clips: clips.map((clip, i) =>
+      isRig || isInside(i) ? { ...clip, name: nameByInput({ name: clip.name, isOnly }, name) } : clip,
+    ),
+    ...(isRig && { morphs: morphs.map((morph) => ({ ...morph, name: nameByInput(morph, name) })) }),
+  };
+}
+
+/** The character with another name for its skeleton, and for what is named after that. */
+export function renamedTo(character: Character, skeleton: Skeleton, name: string): Character {
+  const renamed = <T extends { readonly name: string }>(part: T): T =>
+    part.name.toLowerCase().startsWith(skeleton.name.toLowerCase())
+      ? { ...part, name: name + part.name.slice(skeleton.name.length) }
+      : part;
+  const { skins, morphs, clips } = character;
+  return {
+    ...renamed(character),
+    skeleton: { ...skeleton, name },
+    skins: skins.map(renamed),
+    morphs: morphs.map(renamed),
+    clips: clips.map(renamed),
+  };
 }
 
 /** A clip of each character, as roots of one file if they have the same frames. */

@@ -1,0 +1,45 @@
+/** Which files are opened together, decided by their names and by rigs before any other is read. */
+import { baseName } from '../model/files.ts';
+import { openingOf } from '../project/kinds.ts';
+import { type FileGroup, groupFiles, type ReadFile } from '../project/open/grouping.ts';
+import { formatOf } from '../project/readers.ts';
+import { loadGiven } from './load.ts';
+import type { GivenPath } from './paths.ts';
+
+/** The skeletons among the files with what belongs to each, as opening would decide it. */
+export function groupsIn(files: readonly GivenPath[]): readonly FileGroup[] {
+  const rigs = loadGiven(files.filter(({ path }) => formatOf(path)?.kind === 'rig')).files;
+  const read = new Map(rigs.map((rig) => [rig.source.path, rig]));
+  const given = files.flatMap(({ path }): ReadFile[] => {
+    const kind = formatOf(path)?.kind;
+    const rig = read.get(path);
+    return rig ? [rig] : kind ? [{ kind, source: { name: baseName(path), path, bytes: 0 }, broken: true }] : [];
+  });
+  return groupFiles(given, ({ path }) => path).groups;
+}
+
+/**
+ * Files with takes and characters in lists to be opened one after another, so that memory is bounded by the largest.
+ * Those that are complete, as motion capture is, come by themselves; skeletons and parts of others together.
+ */
+export function openedTogether(files: readonly GivenPath[]): readonly (readonly GivenPath[])[] {
+  const opened = files.filter(({ path }) => {
+    const format = formatOf(path);
+    const as = format && openingOf(format.kind).as;
+    // Folders also hold readmes and pictures, which are left out.
+    return as !== undefined && as !== 'texture' && as !== 'dump';
+  });
+  const withParts = new Set(
+    groupsIn(opened).flatMap((group) => (group.parts.length > 0 ? [group.skeleton?.source.path] : [])),
+  );
+  const isAlone = ({ path }: GivenPath) => isWhole(path) && !withParts.has(path);
+  const others = opened.filter((file) => !isAlone(file));
+  return [...opened.filter(isAlone).map((file) => [file]), ...(others.length > 0 ? [others] : [])];
+}
+
+/** Whether files of that name take no parts, as a rule. */
+export function isWhole(path: string): boolean {
+  const format = formatOf(path);
+  const opening = format && openingOf(format.kind);
+  return opening?.as === 'characters' && !opening.takesParts;
+}

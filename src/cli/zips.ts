@@ -1,0 +1,64 @@
+/** Zips among the files that a command is given. */
+import { join } from 'node:path';
+import { type Diagnostic, withoutPlace } from '../model/diagnostic.ts';
+import { formatOf } from '../project/readers.ts';
+import { isZip, zipContent } from '../project/zip-content.ts';
+import type { GivenPath } from './paths.ts';
+import { fileBytes } from './read-file.ts';
+import { reasonOf } from './reason.ts';
+
+/** Natural order, as in folders. */
+const byPath = new Intl.Collator('en', { numeric: true });
+/** Of all archives, packed and unpacked: many captures, and no more than a machine has. */
+const MAX_BYTES = 2 ** 30;
+
+export interface UnpackedPaths {
+  readonly files: readonly GivenPath[];
+  /** Of archives that can't be unpacked. */
+  readonly problems: readonly Diagnostic[];
+}
+
+/** The files, with the readable ones of each zip in its place. */
+export function withZipsUnpacked(given: readonly GivenPath[], maxBytes = MAX_BYTES): UnpackedPaths {
+  const files: GivenPath[] = [];
+  const problems: Diagnostic[] = [];
+  let room = maxBytes;
+  for (const file of given) {
+    if (!isZip(file.path) || file.bytes) {
+      files.push(file);
+      continue;
+    }
+    try {
+      const unpacked = contentOf(file, room);
+      for (const { bytes } of unpacked) room -= bytes?.length ?? 0;
+      files.push(...unpacked);
+      if (unpacked.length === 0) problems.push(nothingIn(file.path));
+    } catch (error) {
+      const message = `The archive can't be unpacked: ${reasonOf(error)}.`;
+      problems.push(withoutPlace('error', 'zip-unreadable', message, file.path));
+    }
+  }
+  return { files, problems };
+}
+
+function contentOf({ absolute, path }: GivenPath, room: number): readonly GivenPath[] {
+  const isWanted = (name: string) => !name.split(/[/\\]/).some(isOfSystem) && isRead(name);
+  const { files } = zipContent(path, fileBytes(absolute, room), isWanted, { maxBytes: room });
+  return files
+    .map((file): GivenPath => ({ ...file, absolute: join(absolute, file.path.slice(path.length)) }))
+    .sort((a, b) => byPath.compare(a.path, b.path));
+}
+
+/** Buffers of `.gltf` files, too. */
+function isRead(name: string): boolean {
+  return formatOf(name) !== undefined || name.toLowerCase().endsWith('.bin');
+}
+
+/** Hidden files, and what macOS adds to archives. */
+export function isOfSystem(name: string): boolean {
+  return name.startsWith('.') || name === '__MACOSX';
+}
+
+function nothingIn(path: string): Diagnostic {
+  return withoutPlace('warning', 'zip-empty', 'There is no file in it that Marrow reads.', path, 'skipped');
+}
