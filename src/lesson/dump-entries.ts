@@ -66,6 +66,17 @@ export function widthOf({ starts }: DumpBlock): number {
   return width;
 }
 
+/** Whether all values are rows of a number of values, each of which begins with a row of the block. */
+export function isInRows({ starts, values }: DumpBlock, width: number): boolean {
+  if (values.length % width !== 0) return false;
+  let row = 0;
+  for (let at = 0; at < values.length; at += width) {
+    while (starts[row] < at) row++;
+    if (starts[row] !== at) return false;
+  }
+  return true;
+}
+
 /** The first row of another length than nearly all; undefined if there is none. */
 export function oddRow({ starts, lines }: DumpBlock): { line: number; found: number; others: number } | undefined {
   const counts = new Map<number, number>();

@@ -2,14 +2,16 @@
 import type { DumpBlock, DumpLabel } from '../model/dump.ts';
 import { lastDigitsIn } from '../model/numbered-names.ts';
 import { type Entry, isCount, Misfit } from './dump-entries.ts';
+import { counted } from './dump-found.ts';
+import type { JointNames } from './dump-labels.ts';
 
-/** The place of each entry. Throws a `Misfit` where labels name one twice, or none. @param names of the joints */
+/** The place of each entry. Throws a `Misfit` where labels name one twice, or none. */
 export function placesOf(
   labels: readonly (DumpLabel | null)[],
   count: number,
   entries: readonly Entry[],
   block: DumpBlock,
-  names: readonly string[],
+  joints: JointNames,
 ): readonly number[] {
   const inOrder = labels.map((_, i) => i);
   if (labels.every((label) => label === null)) return inOrder;
@@ -31,25 +33,16 @@ export function placesOf(
       );
     }
   }
-  return byNames(labels, entries, names) ?? inOrder;
+  return byNames(labels, entries, joints) ?? inOrder;
 }
 
 /** By the names of joints; undefined if none is one. */
 function byNames(
   labels: readonly (DumpLabel | null)[],
   entries: readonly Entry[],
-  names: readonly string[],
+  joints: JointNames,
 ): readonly number[] | undefined {
-  const plain = (name: string) =>
-    name
-      .trim()
-      .toLowerCase()
-      .replace(/[\s_]+/g, '_');
-  const free = new Map<string, number[]>();
-  names.forEach((name, j) => {
-    free.set(plain(name), [...(free.get(plain(name)) ?? []), j]);
-  });
-  const places = labels.map((label) => (label?.name === undefined ? undefined : free.get(plain(label.name))?.shift()));
+  const places = joints.placesOf(labels);
   if (places.every((place) => place !== undefined)) return places;
   if (places.every((place) => place === undefined)) {
     // `joint7` of joints with other names.
@@ -61,7 +54,7 @@ function byNames(
   const found = name === undefined ? 'found numbers without a name' : `found "${name}"`;
   throw new Misfit(
     'dump-name',
-    `Expected the name of each of ${names.length} joints once, ${found}.`,
+    `Expected the name of each of ${counted(joints.names.length, 'joint')} once, ${found}.`,
     entries[wrong].line,
   );
 }

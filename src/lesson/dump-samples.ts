@@ -1,7 +1,8 @@
 /** Blocks of a dump that are values of channels. */
 import type { DumpBlock } from '../model/dump.ts';
 import { lastDigitsIn } from '../model/numbered-names.ts';
-import { Misfit, widthOf } from './dump-entries.ts';
+import { isInRows, Misfit, widthOf } from './dump-entries.ts';
+import { counted } from './dump-found.ts';
 import type { FrameTime } from './evaluator.ts';
 
 /**
@@ -67,9 +68,10 @@ export function readSamples(
     return;
   }
   const numbered = columns?.slice(1).map(lastDigitsIn);
-  const listed = numbered?.every((n) => n !== undefined) ? numbered.map(Number) : undefined;
+  const isNumbered = numbered?.every((n) => n !== undefined) && new Set(numbered).size === numbered.length;
+  const listed = isNumbered ? numbered?.map(Number) : undefined;
   const each = listed ? listed.length + 1 : channels + 1;
-  if (values.length % each !== 0 || (rows > 1 && width !== each)) throw misfitOf(block, 0, channels);
+  if (!isInRows(block, each)) throw misfitOf(block, 0, channels);
   for (let i = 0; i < values.length; i += each) {
     for (let c = 0; c + 1 < each; c++)
       put(known(listed ? listed[c] : c, Math.floor(i / each)), values[i], values[i + 1 + c]);
@@ -84,8 +86,8 @@ function misfitOf({ values, starts, lines }: DumpBlock, times: number, channels:
       ? `${times} values per channel, as many as times, of up to ${channels} channels`
       : times === 1
         ? 'rows of a time and a value'
-        : `rows of a time and ${channels} ${channels === 1 ? 'value' : 'values'}`;
-  const found = times > 1 ? `${values.length} values` : `${starts[row + 1] - starts[row]} numbers`;
+        : `rows of a time and ${counted(channels, 'value')}`;
+  const found = times > 1 ? counted(values.length, 'value') : counted(starts[row + 1] - starts[row], 'number');
   return new Misfit(
     'dump-length',
     `Expected ${expected}, found ${found}. Single channels can be headed "channel N".`,

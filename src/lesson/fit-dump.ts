@@ -8,9 +8,11 @@
  */
 import { type Diagnostic, withoutPlace } from '../model/diagnostic.ts';
 import { type Character, shownClip, shownSkin } from '../model/document.ts';
-import type { Dump, DumpBlock, DumpKind, DumpLabel } from '../model/dump.ts';
+import type { Dump, DumpBlock, DumpHeading, DumpKind, DumpLabel } from '../model/dump.ts';
 import { vertexCount } from '../model/skin.ts';
-import { type Entry, entriesOf, evenly, isCount, isUnit, Misfit, oddRow, widthOf } from './dump-entries.ts';
+import { type Entry, entriesOf, evenly, isCount, isInRows, isUnit, Misfit, oddRow, widthOf } from './dump-entries.ts';
+import { foundText } from './dump-found.ts';
+import { JointNames, withKnownLabels, withTimes } from './dump-labels.ts';
 import { placesOf } from './dump-places.ts';
 import { readSamples } from './dump-samples.ts';
 import { Evaluator, type FrameTime } from './evaluator.ts';
@@ -55,7 +57,10 @@ class Fit {
   private readonly sources: Partial<Record<FrameKind, number>>[] = [];
   private readonly fileNames: string[] = [];
   private layout: MatrixLayout | undefined;
+  /** Of the dump. */
+  private headings: readonly DumpHeading[] = [];
   private readonly names: readonly string[];
+  private readonly joints: JointNames;
   private readonly vertices: number;
   private readonly channels: number;
   private readonly evaluator: Evaluator;
@@ -65,6 +70,7 @@ class Fit {
     private readonly time: FrameTime,
   ) {
     this.names = character.skeleton?.joints.map(({ name }) => name) ?? [];
+    this.joints = new JointNames(this.names);
     const skin = shownSkin(character);
     this.vertices = skin ? vertexCount(skin) : 0;
     this.channels = shownClip(character)?.channels.length ?? 0;
@@ -106,8 +112,12 @@ class Fit {
     return { targets: { frames, channels, ...(layout && { layout }), origins }, diagnostics };
   }
 
-  private block(block: DumpBlock, dump: Dump, time: FrameTime): void {
-    const holds = block.holds ?? kindOfName(dump.name);
+  private block(given: DumpBlock, dump: Dump, time: FrameTime): void {
+    const holds = given.holds ?? kindOfName(dump.name);
+    const width = widthOf(given);
+    const isOther = holds !== 'channels' && this.names.length > 0 && [3, 12, 16].includes(width);
+    const block = withTimes(withKnownLabels(given, this.joints), this.channels, isOther);
+    this.headings = dump.headings ?? [];
     const isTimed = block.columns?.some((name) => /^(time|t|seconds)$/.test(name)) ?? false;
     if (block.channel !== undefined || holds === 'channels' || isTimed) {
       this.samplesOf(block, time);
@@ -168,7 +178,7 @@ class Fit {
     if (ofMatrices) return 'matrices';
     // Several rows below a label are a matrix.
     const isByTime = entries.every(({ label, numbers }) => label === null || numbers.length <= width);
-    if (channels > 0 && width === channels + 1 && isByTime) return 'channels';
+    if (channels > 0 && isInRows(block, channels + 1) && isByTime) return 'channels';
     if (channels > 0 && joints === 0 && vertices === 0) return 'channels';
     throw this.misfit(block);
   }
@@ -210,10 +220,8 @@ class Fit {
   }
 
   private misfit(block: DumpBlock): Misfit {
-    const { values, lines, holds } = block;
-    const rows = lines.length === 1 ? '1 row' : `${lines.length} rows`;
-    const what = holds ? ` for ${holds}` : '';
-    const found = `found ${values.length} numbers${what} in ${rows}`;
+    const { lines, holds } = block;
+    const found = `found ${foundText(block, this.headings)}`;
     if ((holds === 'vertices' || holds === 'normals') && this.vertices === 0) {
       return new Misfit(
         'dump-length',
@@ -222,8 +230,9 @@ class Fit {
       );
     }
     const odd = oddRow(block);
-    const odds = odd ? `, of which this one has ${odd.found} where others have ${odd.others}` : '';
-    return new Misfit('dump-length', `Expected ${this.wouldDo()}; ${found}${odds}.`, odd?.line ?? lines[0] ?? 0);
+    const odds = odd ? `; this one has ${odd.found} where others have ${odd.others}` : '';
+    const kind = holds ? `, which is headed ${holds}` : '';
+    return new Misfit('dump-length', `Expected ${this.wouldDo()}; ${found}${odds}${kind}.`, odd?.line ?? lines[0] ?? 0);
   }
 
   // ——— putting it in place ———
@@ -281,7 +290,7 @@ class Fit {
     const width = (entries[0]?.numbers.length ?? 0) - (isIndexed ? 1 : 0);
     const out = new Float64Array(width * count);
     const labels = entries.map(({ label, numbers }): DumpLabel | null => (isIndexed ? { index: numbers[0] } : label));
-    const places = placesOf(labels, count, entries, block, this.names);
+    const places = placesOf(labels, count, entries, block, this.joints);
     entries.forEach(({ numbers }, e) => {
       out.set(isIndexed ? numbers.subarray(1) : numbers, width * places[e]);
     });

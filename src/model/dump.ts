@@ -14,6 +14,16 @@ export interface Dump {
   readonly time?: number;
   /** Empty if the file has no numbers that could be of a character. */
   readonly blocks: readonly DumpBlock[];
+  /** Lines with numbers that were taken for headings; absent if there are none. */
+  readonly headings?: readonly DumpHeading[];
+}
+
+/** A line whose numbers are no values: `Project 3`. */
+export interface DumpHeading {
+  /** From 1. */
+  readonly line: number;
+  /** How many it has. */
+  readonly numbers: number;
 }
 
 /** Whether a file that could be a dump by its name has no numbers for one, as a readme. */
@@ -53,6 +63,7 @@ export interface DumpBlock {
 
 /** At least one of them. */
 export interface DumpLabel {
+  /** As printed: of a joint, vertex or channel, or the time of a row of values. */
   readonly index?: number;
   readonly name?: string;
 }

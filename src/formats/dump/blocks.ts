@@ -1,5 +1,5 @@
 /** Collects the rows of a dump into blocks: a heading, a time or a kind of its own starts another one. */
-import type { DumpBlock, DumpKind, DumpLabel } from '../../model/dump.ts';
+import type { DumpBlock, DumpHeading, DumpKind, DumpLabel } from '../../model/dump.ts';
 
 /** What headings have said so far; applies to the rows that follow. */
 export interface Heading {
@@ -13,12 +13,17 @@ export interface Heading {
 
 export class Blocks {
   readonly done: DumpBlock[] = [];
+  /** Lines whose numbers are of a heading; after `settle`. */
+  readonly headings: DumpHeading[] = [];
   heading: Heading = {};
   private values = new Float64Array(1024);
   private count = 0;
   private starts = new Uint32Array(64);
   private lines = new Uint32Array(64);
   private rows = 0;
+  /** Rows of the current block that may be headings; then those of each. */
+  private doubtful: number[] = [];
+  private readonly doubts = new Map<DumpBlock, readonly number[]>();
   /** Empty up to the first row with one. */
   private labels: (DumpLabel | null)[] = [];
   /** Of all blocks, by what they say: held once, as thousands of rows have the same few. */
@@ -33,7 +38,9 @@ export class Blocks {
     this.heading = next;
   }
 
-  row(numbers: ArrayLike<number>, line: number, label: DumpLabel | null = null): void {
+  /** @param mayBeHeading whether its numbers may be those of a heading, which `settle` decides */
+  row(numbers: ArrayLike<number>, line: number, label: DumpLabel | null = null, mayBeHeading = false): void {
+    if (mayBeHeading) this.doubtful.push(this.rows);
     const needed = this.count + numbers.length;
     if (needed > this.values.length) {
       const grown = new Float64Array(Math.max(needed, 2 * this.values.length));
@@ -57,6 +64,56 @@ export class Blocks {
     this.starts[++this.rows] = needed;
   }
 
+  /** Appends to the last row of the current block; a row of its own if there is none. */
+  extend(numbers: ArrayLike<number>, line: number): void {
+    this.row(numbers, line);
+    if (this.rows < 2) return;
+    this.rows--;
+    this.starts[this.rows] = this.count;
+    if (this.labels.length > this.rows) this.labels.length = this.rows;
+  }
+
+  /**
+   * Ends the current block, and takes out what may be headings and has another number of numbers than most: few of them,
+   * or whole ones, beside words.
+   *
+   * @returns how many rows are left
+   */
+  settle(): number {
+    this.close();
+    const most = widthOfMost(this.done);
+    let rows = 0;
+    const blocks = this.done.flatMap((block) => {
+      const kept = this.withoutHeadings(block, most);
+      rows += kept?.lines.length ?? 0;
+      return kept ? [kept] : [];
+    });
+    this.done.splice(0, this.done.length, ...blocks);
+    return rows;
+  }
+
+  private withoutHeadings(block: DumpBlock, most: number): DumpBlock | undefined {
+    const doubtful = this.doubts.get(block);
+    if (!doubtful) return block;
+    const own = widthOfMost([block]);
+    const { starts, lines, values, labels } = block;
+    const isHeading = new Set(
+      doubtful.filter((row) => {
+        const width = starts[row + 1] - starts[row];
+        return width !== own || ((width < MIN_WIDTH || lines.length === 1) && width !== most);
+      }),
+    );
+    if (isHeading.size === 0) return block;
+    const kept = Array.from(lines.keys()).filter((row) => !isHeading.has(row));
+    for (const row of isHeading) this.headings.push({ line: lines[row], numbers: starts[row + 1] - starts[row] });
+    if (kept.length === 0) return undefined;
+    const rest = new Blocks();
+    for (const row of kept) rest.row(values.subarray(starts[row], starts[row + 1]), lines[row], labels?.[row]);
+    rest.heading = block;
+    rest.close();
+    return rest.done[0];
+  }
+
   private shared(label: DumpLabel): DumpLabel {
     const key = `${label.index ?? ''} ${label.name ?? ''}`;
     const known = this.known.get(key);
@@ -76,7 +133,7 @@ export class Blocks {
   close(): void {
     const { holds, time, channel, times, columns, nesting } = this.heading;
     if (this.count > 0) {
-      this.done.push({
+      const block: DumpBlock = {
         ...(holds !== undefined && { holds }),
         ...(time !== undefined && { time }),
         ...(channel !== undefined && { channel }),
@@ -87,15 +144,38 @@ export class Blocks {
         starts: this.starts.slice(0, this.rows + 1),
         lines: this.lines.slice(0, this.rows),
         ...(this.labels.length > 0 && { labels: this.labels }),
-      });
+      };
+      this.done.push(block);
+      if (this.doubtful.length > 0) this.doubts.set(block, this.doubtful);
     }
     this.reset();
   }
 
   private reset(): void {
     this.count = this.rows = 0;
+    if (this.doubtful.length > 0) this.doubtful = [];
     if (this.labels.length > 0) this.labels = [];
   }
+}
+
+/** Numbers of a point: a row of fewer is one only if most are. */
+const MIN_WIDTH = 3;
+
+/** The number of values of the rows that have most of all; the larger one of two. */
+function widthOfMost(blocks: readonly DumpBlock[]): number {
+  const counts = new Map<number, number>();
+  for (const { starts, lines } of blocks) {
+    for (let r = 0; r < lines.length; r++) {
+      const width = starts[r + 1] - starts[r];
+      counts.set(width, (counts.get(width) ?? 0) + width);
+    }
+  }
+  let most = 0;
+  for (const [width, count] of counts) {
+    const other = counts.get(most) ?? 0;
+    if (count > other || (count === other && width > most)) most = width;
+  }
+  return most;
 }
 
 /** Labels that are looked up; those of a table of joints. */

@@ -38,13 +38,25 @@ export function numbersIn(text: string): number[] | undefined {
   return numbers;
 }
 
-/** The time that a heading or comment states: `time 1.5`, `time = 1.5 s`, `t=1.5`. */
+/**
+ * The time that a heading or comment states, in seconds: `time 1.5`, `time = 1.5 s`, `t=1.5`, `Time (s): 1.5`,
+ * `time 1500 ms`, `at 1.5 s`. Not how long something took, nor the time of a day.
+ */
 export function timeIn(text: string): number | undefined {
-  const found = /\b(?:time|t)\s*(?:is|at|[:=(,])?\s*([-+]?(?:\d+(?:\.\d*)?|\.\d+)(?:e[-+]?\d+)?)(?!\d)/i.exec(
-    text.slice(0, MAX_HEADING),
-  )?.[1];
-  return found === undefined ? undefined : Number(found);
+  const heading = text.slice(0, MAX_HEADING);
+  if (NO_TIME.test(heading)) return undefined;
+  const found = TIME.exec(heading) ?? SECONDS.exec(heading);
+  if (!found) return undefined;
+  const [, number, unit] = found;
+  return unit ? Number(number) / 1000 : Number(number);
 }
+
+const NO_TIME =
+  /\b(?:frame|delta|elapsed|total|step|cpu|gpu|run|build|compile|render|load)[ _]?time|\belapsed\b|\btook\b/i;
+const TIME =
+  /\b(?:(?:current|cur|anim(?:ation)?|sim(?:ulation)?|sample|key|pose)[ _]?)?(?:time|t)(?:_?s(?:ec(?:onds?)?)?)?\s*(?:[([]\s*s(?:ec(?:onds?)?)?\s*[)\]]\s*)?(?:(?:is|at|of|->|=>|[:=(,|])\s*){0,2}([-+]?(?:\d+(?:\.\d*)?|\.\d+)(?:e[-+]?\d+)?)(?!\d|:\d\d|-\d)\s*(ms\b|milliseconds?\b)?/i;
+/** A number of seconds without a word for it. */
+const SECONDS = /(?:^\W*|@\s*|\bat\s+)([-+]?(?:\d+(?:\.\d*)?|\.\d+))\s*(?:s|secs?|seconds?)(?:\W*$|\b)/i;
 
 /** A run of CRs before an LF is part of one line end; any other CR is one. */
 export function* linesOf(text: string): Generator<string, void, void> {

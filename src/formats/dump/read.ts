@@ -13,6 +13,7 @@ import { stemOfName } from '../grammar.ts';
 import { bytesReader, type Reader, type ReadResult, readWhole } from '../reader.ts';
 import type { Report } from '../report.ts';
 import { Blocks } from './blocks.ts';
+import { withDecimalPoints } from './decimal-commas.ts';
 import { readJson } from './json.ts';
 import { readObj, readPly } from './meshes.ts';
 import { readText } from './text.ts';
@@ -34,11 +35,17 @@ function decode(fileName: string, bytes: Uint8Array, report: Report): Dump | und
     report.warn('dump-binary', 'Expected text with numbers, found binary data.', { line: 1, column: 1 }, 'skipped');
   else if (!readJson(text, blocks)) {
     if (/^[ \t]*vn?[ \t]+[-+.\d]\S*[ \t]+[-+.\d]\S*[ \t]+[-+.\dn]/m.test(text)) readObj(text, blocks, report);
-    else readText(text, blocks, report);
+    else readText(withDecimalPoints(text), blocks, report);
   }
   blocks.close();
   const time = timeOfName(fileName);
-  return { name: stemOfName(fileName), ...(time !== undefined && { time }), blocks: blocks.done };
+  const { headings } = blocks;
+  return {
+    name: stemOfName(fileName),
+    ...(time !== undefined && { time }),
+    blocks: blocks.done,
+    ...(headings.length > 0 && { headings }),
+  };
 }
 
 /** `walk@1.5.txt`, `walk@1.5`: 1.5. */

@@ -25,13 +25,14 @@ const PLAIN = new Set(
     'normals num number numbers of one or order origin origins out output per pivot pivots point points pos pose position ' +
     'positions result results row rows s sec second seconds skin skinned space t tensor the time times to transform ' +
     'transformation transformations transforms v value values vec vec3 vec4 vector vector3 vector3f vert vertex vertices ' +
-    'verts vtx with world xform xforms float32array float64array float double dtype float32 float64 mine theirs student'
+    'verts vtx with world xform xforms glm std np numpy eigen math deg degrees rad radians ms cm mm m meter meters metre metres unit ' +
+    'units hz fps equals none float32array float64array float double dtype float32 float64 mine theirs student'
   ).split(' '),
 );
 
 /** Whether a word, in lower case, is nobody's name. */
 export function isPlain(word: string): boolean {
-  return PLAIN.has(word) || isComponent(word);
+  return PLAIN.has(word) || isComponent(word) || /^\d+x\d+$|^[°\u00b7\u00d7]$/.test(word);
 }
 
 /** Names of numbers within a row: `x`, `ny`, `m00`, `M11`, `row0`, `Translation`. */
@@ -52,6 +53,11 @@ export function isChannelWord(word: string): boolean {
   return /^(channel|chan|ch|curve)$/.test(word);
 }
 
+/** Words for several items, of which a line with a count says how many there are. */
+export function isPluralNoun(word: string): boolean {
+  return /^(matrices|positions|vertices|verts|normals|channels|transforms|transformations|joints|bones)$/.test(word);
+}
+
 /** Whether the names, in lower case, are those of columns. */
 export function areColumns(names: readonly string[]): boolean {
   return names.length > 1 && names.every((name) => isColumn(name)) && names.some((name) => isPlainColumn(name));
@@ -66,8 +72,13 @@ function isColumn(name: string): boolean {
   );
 }
 
-function isPlainColumn(name: string): boolean {
-  return /^(time|t|seconds|frame)$/.test(name) || /^(n?[xyz]|m_?\d_?\d|px|py|pz|vx|vy|vz)$/.test(name);
+export function isTimeColumn(name: string): boolean {
+  return /^(time(_?s(ec(onds)?)?)?|t|seconds)$/.test(name);
+}
+
+/** Whether a name is of a column, whatever stands beside it. */
+export function isPlainColumn(name: string): boolean {
+  return isTimeColumn(name) || name === 'frame' || /^(n?[xyz]|m_?\d_?\d|px|py|pz|vx|vy|vz)$/.test(name);
 }
 
 /** Columns that label their row. */

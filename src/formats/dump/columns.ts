@@ -1,0 +1,63 @@
+/** Tables: what the columns are that a header names. */
+import type { DumpLabel } from '../../model/dump.ts';
+import { labelWith } from './labels.ts';
+import { numberOfWord } from './numbers.ts';
+import { isLabelColumn, isTimeColumn } from './vocabulary.ts';
+
+/** `skip`: counts rows beside their times. */
+type Role = 'time' | 'index' | 'name' | 'value' | 'skip';
+
+export interface Table {
+  readonly delimiter: RegExp;
+  /** Of each field of a line. */
+  readonly roles: readonly Role[];
+}
+
+/** The fields of a header in lower case, without units behind them and quotes around them. */
+export function namesIn(text: string, delimiter: RegExp): readonly string[] {
+  return text
+    .replace(/^[#%/\s|]+/, '')
+    .split(delimiter)
+    .map((name) =>
+      name
+        .trim()
+        .toLowerCase()
+        .replace(/^["']|["']$/g, '')
+        .replace(/\s*[([][a-z]*[\])]$/, ''),
+    )
+    .filter((name) => name !== '');
+}
+
+export function tableOf(names: readonly string[], delimiter: RegExp): Table {
+  const timeAt = names.findIndex(isTimeColumn);
+  const indexAt = names.findIndex((name) => name !== 'name' && isLabelColumn(name));
+  const roles = names.map((name, i): Role => {
+    if (i === timeAt) return 'time';
+    if (timeAt >= 0 && (isTimeColumn(name) || /^(frame|index|idx|id|i|#)$/.test(name))) return 'skip';
+    if (name === 'name') return 'name';
+    return i === indexAt ? 'index' : isLabelColumn(name) ? 'skip' : 'value';
+  });
+  return { delimiter, roles };
+}
+
+/** Of the numbers of a row: the time first. @param list an item per column */
+export function valuesOf<T>({ roles }: Table, list: readonly T[]): T[] {
+  const times = list.filter((_, i) => roles[i] === 'time');
+  return [...times, ...list.filter((_, i) => roles[i] === 'value')];
+}
+
+/** Names of the numbers of a row. */
+export function columnsOf(table: Table, names: readonly string[]): readonly string[] {
+  return valuesOf(
+    table,
+    names.map((name) => (isTimeColumn(name) ? 'time' : name)),
+  );
+}
+
+/** A column of joints has names or indices. @param fields of a line */
+export function labelOfFields({ roles }: Table, fields: readonly string[]): DumpLabel | null {
+  const [indexAt, nameAt] = [roles.indexOf('index'), roles.indexOf('name')];
+  const index = indexAt >= 0 ? numberOfWord(fields[indexAt] ?? '') : undefined;
+  const own = index === undefined && indexAt >= 0 ? fields[indexAt] : undefined;
+  return labelWith(index, nameAt >= 0 ? fields[nameAt] : own);
+}

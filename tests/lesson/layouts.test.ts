@@ -1,0 +1,237 @@
+/**
+ * Numbers in the layouts that programs print: each way to write names, rows, numbers and headings with every other. What
+ * is printed is read back, and agrees.
+ */
+import fc from 'fast-check';
+import { describe, expect, it } from 'vitest';
+import { readDump } from '../../src/formats/dump/read.ts';
+import { characterOf } from '../../src/kit/answers.ts';
+import { kitFiles } from '../../src/kit/files.ts';
+import { channelValue, RIGHT_CURVES } from '../../src/lesson/curve-rules.ts';
+import { Evaluator } from '../../src/lesson/evaluator.ts';
+import { fitDumps } from '../../src/lesson/fit-dump.ts';
+import { RIGHT_PROGRAM } from '../../src/lesson/program.ts';
+import { shownClip } from '../../src/model/document.ts';
+import { compared } from './planted.ts';
+
+const character = characterOf(['tree.skel', 'tree_sway.anim'], kitFiles());
+const names = character.skeleton?.joints.map(({ name }) => name) ?? [];
+const TIME = 1.2;
+const { world } = new Evaluator(character).frame(RIGHT_PROGRAM, TIME, {
+  local: false,
+  vertices: false,
+  normals: false,
+});
+const matrices = names.map((_, j) => Array.from(world.subarray(16 * j, 16 * j + 16)));
+const clip = shownClip(character);
+
+/** Lines above the numbers. */
+const HEADINGS: readonly string[] = [
+  '',
+  'Project 3',
+  'Project 3 output\n',
+  'CSE 169 HW2',
+  'Homework 2:',
+  'Homework 1:',
+  'My arm',
+  'Output of the program:\nSecond part',
+  '== my program, build 12 ==',
+  '# written by version 1.2.3 on 2026-11-27 10:30:22',
+  '2026-11-27 10:30:22 INFO start',
+  'Student: A12345678\nAssignment 2, part 1',
+  'Skeleton with 7 joints, 21 DOFs',
+  'Frame 39 of 45',
+  'frame 12',
+  'Loaded tree.skel in 0.013 s.\nOpenGL 4.6 (Core Profile) on display 1',
+  '---------- 3D viewer v2.0 ----------',
+];
+const TIMES: readonly string[] = [
+  'time 1.2',
+  'time = 1.2s',
+  't=1.2',
+  't = 1.200000 s',
+  'Time: 1.2 sec',
+  'time (s): 1.2',
+  'Time,1.2',
+  '# t: 1.2',
+  'currentTime = 1.2f',
+  'Frame 36 of 45 at t = 1.2 s:',
+  'Frame 36, time 1.2',
+  '[time 1.2]',
+  'time 1200 ms',
+  '=== time 1.2 ===',
+  'at 1.2 s:',
+  'time\t1.2',
+];
+const NAMED: readonly ((name: string, numbers: string, index: number) => string)[] = [
+  (name, n) => `${name} ${n}`,
+  (name, n) => `${name}\t${n}`,
+  (name, n) => `${name}: ${n}`,
+  (name, n) => `${name} = ${n}`,
+  (name, n) => `"${name}": ${n},`,
+  (name, n) => `${name} -> ${n}`,
+  (name, n) => `[${name}] ${n}`,
+  (name, n) => `joint ${name}: ${n}`,
+  (name, n) => `Joint "${name}" = ${n}`,
+  (name, n) => `| ${name} | ${n} |`,
+  (name, n, j) => `${j}: ${name} ${n}`,
+  (name, n, j) => `joint ${j} (${name}): ${n}`,
+  (name, n, j) => `${j} ${name} ${n}`,
+  (name, n) => `world position of ${name}: ${n}`,
+  (name, n) => `${name} position: ${n}`,
+  (name, n) => `INFO: ${name}: ${n}`,
+  (name, n) => `('${name}', ${n})`,
+  (name, n) => `${name}:\n  ${n}`,
+  (_, n, j) => `${j}: ${n}`,
+  (_, n, j) => `joint ${j}: ${n}`,
+  (_, n) => n,
+];
+const SEPARATORS = [' ', '  ', ', ', ',', '\t', '; ', ' | '];
+const BRACKETS: readonly ((row: string) => string)[] = [
+  (row) => row,
+  (row) => `(${row})`,
+  (row) => `[${row}]`,
+  (row) => `{${row}}`,
+  (row) => `vec3(${row})`,
+  (row) => `glm::vec3(${row})`,
+  (row) => `Vector3(${row})`,
+  (row) => `array([${row}])`,
+  (row) => `<Vector (${row})>`,
+];
+const NUMBERS: readonly ((value: number) => string)[] = [
+  (value) => value.toFixed(6),
+  (value) => String(Number(value.toPrecision(7))),
+  (value) => value.toExponential(7),
+  (value) => `${value.toFixed(5)}f`,
+  (value) => value.toFixed(6).padStart(12),
+];
+const LINE_ENDS = ['\n', '\r\n', '\r'];
+
+const layout = {
+  heading: fc.constantFrom(...HEADINGS),
+  time: fc.constantFrom(...TIMES),
+  named: fc.constantFrom(...NAMED),
+  separator: fc.constantFrom(...SEPARATORS),
+  bracket: fc.constantFrom(...BRACKETS),
+  number: fc.constantFrom(...NUMBERS),
+  lineEnd: fc.constantFrom(...LINE_ENDS),
+};
+const RUNS = { numRuns: 400 };
+
+function expectRead(lines: readonly string[], lineEnd: string, kinds: object): void {
+  const text = lines
+    .filter((line) => line !== '')
+    .join('\n')
+    .concat('\n')
+    .replaceAll('\n', lineEnd);
+  const { value, diagnostics } = readDump(text, 'mine.txt');
+  expect(diagnostics, text).toEqual([]);
+  if (!value) throw new Error(`Expected a dump: ${text}`);
+  const { targets, diagnostics: misfits } = fitDumps(character, [{ fileName: 'mine.txt', dump: value }], undefined);
+  expect(misfits, text).toEqual([]);
+  expect(targets && compared(character, targets), text).toMatchObject({ agrees: true, compared: kinds });
+}
+
+describe('what a program prints is read', () => {
+  it('as positions of joints, whatever is around the numbers', () => {
+    fc.assert(
+      fc.property(fc.record(layout), ({ heading, time, named, separator, bracket, number, lineEnd }) => {
+        const rows = names.map((name, j) =>
+          named(name, bracket(matrices[j].slice(12, 15).map(number).join(separator)), j),
+        );
+        expectRead([heading, time, ...rows], lineEnd, { positions: names.length });
+      }),
+      RUNS,
+    );
+  });
+
+  it('as matrices in one line, in four, or in brackets', () => {
+    const rowsOf = (m: readonly number[]) => [0, 1, 2, 3].map((r) => [0, 1, 2, 3].map((c) => m[4 * c + r]));
+    const columnsOf = (m: readonly number[]) => [0, 1, 2, 3].map((c) => m.slice(4 * c, 4 * c + 4));
+    const written: readonly ((m: readonly number[], row: (values: readonly number[]) => string) => string)[] = [
+      (m, row) => row(rowsOf(m).flat()),
+      (m, row) => row(m),
+      (m, row) => `\n${rowsOf(m).map(row).join('\n')}\n`,
+      (m, row) =>
+        `mat4x4(${columnsOf(m)
+          .map((column) => `(${row(column)})`)
+          .join(', ')})`,
+      (m, row) => `[[${rowsOf(m).map(row).join(']\n [')}]]`,
+      (m, row) => `[[${rowsOf(m).map(row).join('],\n       [')}]]`,
+      (m, row) => `<Matrix 4x4 (${rowsOf(m).map(row).join(')\n            (')})>`,
+      (m, row) => `Float32Array(16) [\n  ${columnsOf(m).map(row).join(',\n  ')}\n]`,
+      (m, row) => `[${rowsOf(m).map(row).join(';\n ')}]`,
+    ];
+    fc.assert(
+      fc.property(
+        fc.record({ ...layout, one: fc.constantFrom(...written) }),
+        ({ heading, time, named, separator, number, lineEnd, one }) => {
+          const rows = names.map((name, j) =>
+            named(
+              name,
+              one(matrices[j], (values) => values.map(number).join(separator)),
+              j,
+            ),
+          );
+          expectRead([heading, time, 'world matrices', ...rows], lineEnd, { world: names.length });
+        },
+      ),
+      RUNS,
+    );
+  });
+
+  it('as values of channels: rows of a time and values', () => {
+    const channels = clip?.channels ?? [];
+    const times = Array.from({ length: 12 }, (_, i) => Number((-1.03 + 0.3 * i).toFixed(2)));
+    const valuesAt = (time: number) =>
+      channels.map((one) => channelValue(one, clip?.range ?? [0, 1], time, RIGHT_CURVES));
+    const header = (list: readonly string[], separator: string) => list.join(separator === '  ' ? ' ' : separator);
+    const numbered = channels.map((_, c) => `c${c}`);
+    type Rows = (
+      separator: string,
+      row: (time: number) => string,
+      list: (values: readonly number[]) => string,
+    ) => readonly string[];
+    const written: readonly Rows[] = [
+      (_, row) => times.map(row),
+      (separator, row) => [header(['time', ...numbered], separator), ...times.map(row)],
+      (separator, row) => [
+        header(
+          ['Time (s)', ...numbered].map((n) => (separator.trim() === '' ? n.replace(' (s)', '') : n)),
+          separator,
+        ),
+        ...times.map(row),
+      ],
+      (separator, row) => [
+        header(['frame', 't', ...numbered], separator),
+        ...times.map((time, i) => `${i}${separator}${row(time)}`),
+      ],
+      (_separator, _row, list) => times.map((time) => `${time}: ${list(valuesAt(time))}`),
+      (_separator, _row, list) => times.map((time) => `t=${time}: ${list(valuesAt(time))}`),
+      (_separator, _row, list) => times.map((time) => `time ${time.toFixed(4)} | ${list(valuesAt(time))}`),
+      (_separator, _row, list) => [
+        `[[${times.map((time) => wrapped(list([time, ...valuesAt(time)]))).join(']\n [')}]]`,
+      ],
+      (_separator, row) => [`Channels of sample 2, ${times.length} rows`, ...times.map(row)],
+    ];
+    fc.assert(
+      fc.property(
+        fc.record({ ...layout, rows: fc.constantFrom(...written) }),
+        ({ heading, separator, number, lineEnd, rows }) => {
+          const list = (values: readonly number[]) => values.map(number).join(separator);
+          const lines = rows(separator, (time) => [String(time), ...valuesAt(time).map(number)].join(separator), list);
+          expectRead([heading, ...lines], lineEnd, { channels: channels.length });
+        },
+      ),
+      RUNS,
+    );
+  });
+
+  /** As numpy breaks lines. */
+  function wrapped(row: string): string {
+    return row
+      .split(/(?<=[\s,;|])(?=[-+\d])/)
+      .map((word, i) => (i > 0 && i % 5 === 0 ? `\n  ${word}` : word))
+      .join('');
+  }
+});
