@@ -303,8 +303,14 @@ function morphsOf(meshes: readonly SceneMesh[], binding: Binding) {
       const movesNothing = target.positions.indices.length === 0 && target.normals.indices.length === 0;
       // A `.morph` needs a vertex: the first one, where it is.
       const moved = movesNothing ? firstVertex(mesh) : target.positions;
-      morphs.push({ name: names.add(called), positions: rows(moved, 1), normals: rows(target.normals, 0) });
-      targets.push([m, t, target.weight]);
+      const { weight } = target;
+      morphs.push({
+        name: names.add(called),
+        positions: rows(moved, 1),
+        normals: rows(target.normals, 0),
+        ...(weight !== 0 && { weight }),
+      });
+      targets.push([m, t, weight]);
     });
     first += mesh.positions.length / 3;
   });

@@ -8,6 +8,7 @@
  * Sliders, commands, channels and the mixer's track all address a DOF by its index in this list.
  */
 import { carriesCharacter, dofsOf, takesLimits } from './joint-types.ts';
+import type { Morph } from './morph.ts';
 import { type Dof, type DofUnit, type Limit, type Skeleton, UNLIMITED } from './skeleton.ts';
 
 const ROOT_TRANSLATION: readonly Dof[] = [
@@ -100,6 +101,11 @@ export function filePose(skeleton: Skeleton | undefined, morphCount: number): nu
   for (const joint of skeleton?.joints ?? []) values.push(...joint.pose);
   for (let m = 0; m < morphCount; m++) values.push(0);
   return values;
+}
+
+/** The same of a whole character, with the weights that its file gives to morphs. */
+export function wholeFilePose(skeleton: Skeleton | undefined, morphs: readonly Pick<Morph, 'weight'>[]): number[] {
+  return [...filePose(skeleton, 0), ...morphs.map(({ weight = 0 }) => weight)];
 }
 
 /** Every DOF at rest, as in an empty pose. Scales are 1, quaternions the identity. */

@@ -7,6 +7,8 @@ export interface Morph {
   readonly name: string;
   readonly positions: MorphRows;
   readonly normals: MorphRows;
+  /** In the file pose; absent: 0. */
+  readonly weight?: number;
 }
 
 export interface MorphRows {

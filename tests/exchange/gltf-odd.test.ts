@@ -1,8 +1,13 @@
 /** Files made for what is odd in real ones. */
 import { MeshoptEncoder } from 'meshoptimizer/encoder';
 import { describe, expect, it } from 'vitest';
+import { resetPose } from '../../src/edit/commands/pose.ts';
+import { documentIn } from '../../src/edit/store.ts';
 import type { Beside } from '../../src/exchange/imported.ts';
+import { EMPTY_DOCUMENT } from '../../src/model/document.ts';
 import { importFile } from '../../src/project/imports.ts';
+import { openFiles } from '../../src/project/open/open-files.ts';
+import { parse } from '../../src/worker/parse.ts';
 import { type GltfJson, gltfReference } from '../helpers/gltf-reference.ts';
 import { farthest, posedNodes } from '../helpers/posed.ts';
 import { GltfMaker, glbOf, type Made } from './make-gltf.ts';
@@ -215,6 +220,38 @@ describe('meshes', () => {
     expect(morphs[0].positions.indices.length).toBe(0);
     expect([...morphs[0].normals.indices]).toEqual([0]);
     expect([...morphs[0].normals.values]).toEqual([0, 1, 1]);
+  });
+
+  it('starts with the weights of the mesh, or of its node, and returns to them', async () => {
+    for (const [own, ofNode, expected] of [
+      [[0.5, 0.25], undefined, [0.5, 0.25]],
+      [
+        [0.5, 0.25],
+        [0, 0.75],
+        [0, 0.75],
+      ],
+      [undefined, undefined, [0, 0]],
+    ]) {
+      const made = triangles(
+        (m) => ({
+          attributes: { POSITION: m.add('VEC3', TRIANGLE) },
+          targets: [1, 2].map((k) => ({ POSITION: m.add('VEC3', new Float32Array(9).fill(k)) })),
+        }),
+        { scene: 0, scenes: [{ nodes: [0] }], nodes: [{ mesh: 0, ...(ofNode && { weights: ofNode }) }] },
+      );
+      const [mesh] = made.json.meshes as Record<string, unknown>[];
+      if (own) mesh.weights = own;
+      await expectAsThree(made);
+      const files = [{ path: 'x.glb', blob: new Blob([glbOf(made)]) }];
+      const parsed = await parse({ files }, () => undefined);
+      const { document } = openFiles(EMPTY_DOCUMENT, parsed.files, parsed.broken);
+      const [{ id, pose }] = document.characters;
+      expect(pose.slice(-2)).toEqual(expected);
+      const zero = documentIn(resetPose.run(document, { characterId: id, to: 'zero', timeSeconds: 0 }));
+      expect(zero.characters[0].pose.slice(-2)).toEqual([0, 0]);
+      const again = documentIn(resetPose.run(zero, { characterId: id, to: 'file', timeSeconds: 0 }));
+      expect(again.characters[0].pose).toEqual(pose);
+    }
   });
 
   it('unpacks views of meshoptimizer', async () => {

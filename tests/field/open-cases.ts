@@ -7,7 +7,6 @@ export const OPEN_CASES: ReadonlySet<string> = new Set<string>([
   'fbx-24-fps.fbx',
   'fbx-centimetre-idle.fbx rate',
   'gltf-emissive-only.gltf',
-  'gltf-default-morph-weight.gltf',
   'gltf-24-fps.gltf',
   'lfs-pointer.bvh',
   'lfs-pointer.fbx',

@@ -23,6 +23,14 @@ describe('reading .morph', () => {
     expect(value?.positions.values.slice(-3)).toEqual(Float64Array.of(8999, 0, -8999));
   });
 
+  it('stores no weight, and says so', () => {
+    const { value } = morph('positions 1 { 0 1 2 3 }');
+    if (!value) throw new Error('not read');
+    const { text, diagnostics } = writeMorph({ ...value, weight: 0.5 }, 'smile.morph');
+    expect(text).toBe(writeMorph(value).text);
+    expect(told({ diagnostics })).toEqual(['info weight-left-out 0:0']);
+  });
+
   it('uses the last of rows for one vertex, and says so', () => {
     const { value, diagnostics } = morph('positions 3 {\n5 1 1 1\n4 2 2 2\n5 3 3 3\n}');
     expect(value?.positions).toEqual({ indices: Uint32Array.of(5, 4), values: Float64Array.of(3, 3, 3, 2, 2, 2) });

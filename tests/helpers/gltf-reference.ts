@@ -37,7 +37,7 @@ export interface ReferencePose {
 
 export interface Reference {
   readonly takes: readonly { readonly range: readonly [number, number] }[];
-  /** At rest without a take, morph weights 0. */
+  /** At rest without a take, with the file's morph weights. */
   pose(take?: number, time?: number): ReferencePose;
 }
 
@@ -104,7 +104,7 @@ export async function gltfReference(json: GltfJson, buffers: readonly Uint8Array
       mixer.stopAllAction();
       meshes.forEach((mesh, m) => {
         mesh.morphTargetInfluences?.forEach((_, t, own) => {
-          own[t] = take === undefined ? 0 : restWeights[m][t];
+          own[t] = restWeights[m][t];
         });
       });
       if (take !== undefined) {

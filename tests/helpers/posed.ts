@@ -4,7 +4,7 @@ import { blendMorphs, compileSkin, deform } from '../../src/evaluate/deform.ts';
 import { compileSkeleton, worldMatrices } from '../../src/evaluate/kinematics.ts';
 import { poseAt } from '../../src/evaluate/pose.ts';
 import type { Character } from '../../src/model/document.ts';
-import { filePose } from '../../src/model/dofs.ts';
+import { wholeFilePose } from '../../src/model/dofs.ts';
 import type { WholeCharacter } from '../../src/model/files.ts';
 import type { ReferencePose } from './gltf-reference.ts';
 
@@ -18,7 +18,7 @@ export function posed(
   time = 0,
   as: Partial<Character> = {},
 ): ReferencePose {
-  const pose = filePose(skeleton, morphs.length);
+  const pose = wholeFilePose(skeleton, morphs);
   const values = Float64Array.from(pose);
   poseAt({ ...newCharacter('a', 'a'), skeleton, morphs, clips, pose, shownClip: take, ...as }, time, values);
   const compiled = compileSkeleton(skeleton);

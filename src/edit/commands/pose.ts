@@ -15,7 +15,7 @@
 import { channelOf, dofCountOf, poseAt } from '../../evaluate/pose.ts';
 import { movedDofs } from '../../evaluate/retarget/moved-dofs.ts';
 import { type Character, type Document, shownClip } from '../../model/document.ts';
-import { type CharacterDof, characterDofs, type DofValue, filePose, restPose } from '../../model/dofs.ts';
+import { type CharacterDof, characterDofs, type DofValue, restPose, wholeFilePose } from '../../model/dofs.ts';
 import { finiteNumber, indexIn, listOf, oneOf } from '../arguments.ts';
 import { changeCharacter, requireCharacter } from '../characters.ts';
 import { type KeyOptions, keyDofs } from '../key-dofs.ts';
@@ -69,9 +69,10 @@ export const resetPose: Command<ResetPose, Document | Edit> = {
   label: (document, { characterId, to }) =>
     `Reset ${characterIn(document, characterId)} to ${to === 'file' ? 'file pose' : 'zero pose'}`,
   run: (document, { characterId, to, timeSeconds, key }) =>
-    setValues(document, characterId, timeSeconds, key, (character) => {
-      const make = oneOf(to, ['file', 'zero'], '"to"') === 'file' ? filePose : restPose;
-      return new Map(make(character.skeleton, character.morphs.length).entries());
+    setValues(document, characterId, timeSeconds, key, ({ skeleton, morphs }) => {
+      const isOfFile = oneOf(to, ['file', 'zero'], '"to"') === 'file';
+      const values = isOfFile ? wholeFilePose(skeleton, morphs) : restPose(skeleton, morphs.length);
+      return new Map(values.entries());
     }),
 };
 

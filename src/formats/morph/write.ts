@@ -8,6 +8,8 @@ export function writeMorph(morph: Morph, fileName = ''): WriteResult {
   const text = new Text(fileName);
   writeRows(text, 'positions', morph.positions);
   writeRows(text, 'normals', morph.normals);
+  const { name, weight = 0 } = morph;
+  if (weight !== 0) text.left('weight-left-out', `A .morph file stores no weight; ${name} starts with ${weight}.`);
   return text.result();
 }
 

@@ -62,7 +62,7 @@ export function withMorph(character: Character, morph: Morph, from: PartOrigin):
   const { morphs } = character;
   const at = replacedIndex(morphs, from.before?.morphs, morph.name);
   const parts = withMark(character, 'morphs', at, morph.name, from);
-  const pose = at < 0 ? [...character.pose, 0] : character.pose;
+  const pose = at < 0 ? [...character.pose, morph.weight ?? 0] : character.pose;
   return { ...withoutUnkeyed(character), parts, morphs: put(morphs, at, morph), pose };
 }
 

@@ -5,7 +5,7 @@ import { channelOf, isDriven } from '../../../evaluate/pose.ts';
 import { silentChannels } from '../../../evaluate/retarget/moved-dofs.ts';
 import { coupleOf } from '../../../model/couples.ts';
 import { type Character, findCharacter } from '../../../model/document.ts';
-import { characterDofs, filePose } from '../../../model/dofs.ts';
+import { characterDofs, wholeFilePose } from '../../../model/dofs.ts';
 import { isUnlimited, type Limit, UNLIMITED } from '../../../model/skeleton.ts';
 import { type MenuEntry, openMenu } from '../../kit/menu.ts';
 import type { Slider } from '../../kit/slider.ts';
@@ -66,7 +66,7 @@ export function dofEntries(
   const withKeys = each.filter((one) => isDriven(character, one) && channelOf(character, one) !== undefined);
   const hasKeys = withKeys.length > 0;
   const values = shownDofs(wb, character);
-  const inFile = filePose(character.skeleton, character.morphs.length);
+  const inFile = wholeFilePose(character.skeleton, character.morphs);
   // A linked DOF has no value of its own.
   const isOwn = coupleOf(character.skeleton, index) === undefined;
   const set = (wanted: (one: number) => number) => {
