@@ -10,8 +10,7 @@ import { shownClip } from '../model/document.ts';
 import type { Skeleton } from '../model/skeleton.ts';
 import type { ComparedJoints } from './compared-joints.ts';
 import type { JointMatch } from './joint-match.ts';
-import { alignment, type Bodies, bodiesOf, sourceFigure } from './retarget/align.ts';
-import type { RetargetFigure } from './retarget/figure.ts';
+import { alignment, type Bodies, bodiesOf, type Reference, sourceFigure } from './retarget/align.ts';
 import { sourceReference, stands } from './retarget/reference.ts';
 import { playedSource } from './retarget/source-pose.ts';
 import { carrierOf } from './travel.ts';
@@ -56,13 +55,13 @@ function bodiesFrom(
 }
 
 function correction(bodies: Bodies, source: Character, target: number): Float64Array {
-  return alignment(bodies, referenceOf(bodies, source)).slice(9 * target, 9 * target + 9);
+  return alignment(bodies, referenceOf(bodies, source)).corrections.slice(9 * target, 9 * target + 9);
 }
 
-function referenceOf(bodies: Bodies, source: Character): RetargetFigure {
+function referenceOf(bodies: Bodies, source: Character): Reference {
   const { pose, clampsToLimits } = source;
   const clip = source.driver ? undefined : shownClip(source);
-  if (!clip) return sourceFigure(bodies);
+  if (!clip) return { ...sourceFigure(bodies), soles: true };
   const played = playedSource({ skeleton: bodies.source, clip, pose, clampsToLimits });
   return sourceReference(bodies, { played, range: clip.range }, 'automatic');
 }

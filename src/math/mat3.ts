@@ -48,6 +48,16 @@ export function turnVector(a: Float64Array, ao: number, v: Float64Array, vo: num
   out[o + 2] = a[ao + 2] * x + a[ao + 5] * y + a[ao + 8] * z;
 }
 
+/** `out = aᵀ · v`, which is a⁻¹ · v; `out` may be `v`. */
+export function backTurnVector(a: Float64Array, ao: number, v: Float64Array, vo: number, out: Float64Array, o: number) {
+  const x = v[vo];
+  const y = v[vo + 1];
+  const z = v[vo + 2];
+  out[o] = a[ao] * x + a[ao + 1] * y + a[ao + 2] * z;
+  out[o + 1] = a[ao + 3] * x + a[ao + 4] * y + a[ao + 5] * z;
+  out[o + 2] = a[ao + 6] * x + a[ao + 7] * y + a[ao + 8] * z;
+}
+
 export function setIdentity3(out: Float64Array, o = 0): void {
   out.fill(0, o, o + 9);
   out[o] = out[o + 4] = out[o + 8] = 1;

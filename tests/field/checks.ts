@@ -186,7 +186,8 @@ function angleBetween(a: Vec3, b: Vec3): number {
 async function feet(file: string, frame: number, names: string, folder: string): Promise<Vec3[]> {
   const told = await ask(['pose', file, '--frame', String(frame)], folder);
   const { joints } = (told.json as PoseJson).characters[0] ?? { joints: [] };
-  const at = (name: string) => joints.find((joint) => joint.name === name)?.world.slice(12, 15) ?? [];
+  // The cases name joints without their namespace.
+  const at = (name: string) => joints.find((joint) => joint.name.split(':').at(-1) === name)?.world.slice(12, 15) ?? [];
   const [leftFoot = '', leftToe = '', rightFoot = '', rightToe = ''] = names.split(' ');
   return [
     [leftFoot, leftToe],

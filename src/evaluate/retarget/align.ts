@@ -11,19 +11,23 @@
  *     trunk, neck, head, collars     D = B, which turns the target's front and up into the source's
  *     arm, thigh                     D = swing · B             swing: the smallest rotation from the bone's direction
  *     forearm, shin                  D = swing · D(above)             to that of the source's bone
- *     hand                           D(forearm)
+ *     hand                           D(forearm), with a swing to the fingers if both have some
  *     foot, toe                      B, and about the vertical to the heading of the source's foot: both soles are flat
+ *                                    (`slopes.ts`); like shins where that isn't known
  *     fingers and others             D(above), with a swing if one bone follows another
  *
  * Trunks and collars are not aligned bone by bone: the positions of spine joints in a body differ between files, and
  * the same pose does not mean bending one spine to the anatomy of the other.
  */
-import { backMultiply3, copy3, multiply3, setIdentity3, swing, turnVector } from '../../math/mat3.ts';
+import { backMultiply3, copy3, multiply3, setIdentity3, turnVector } from '../../math/mat3.ts';
 import type { JointPair } from '../../model/retarget.ts';
 import type { Skeleton } from '../../model/skeleton.ts';
 import type { Space } from '../../model/space.ts';
+import { type Foot, footDirection, footOf } from './feet.ts';
 import { figureOf, type RetargetFigure } from './figure.ts';
-import { type BodySide, LIMB_SIDES, type Role, type Roles, rolesOf } from './roles.ts';
+import { fingerBases } from './fingers.ts';
+import { type BodyParts, type BodySide, LIMB_SIDES, partsOf, type Role, type Roles, rolesOf } from './roles.ts';
+import { alignSole, type FootSlope, slopeOf, turnOn } from './slopes.ts';
 
 /** Data of the two skeletons that doesn't depend on the reference pose. */
 export interface Bodies {
@@ -34,8 +38,23 @@ export interface Bodies {
   /** The source's joint by target joint; -1 for none. */
   readonly sourceOf: Int32Array;
   readonly roles: Roles;
+  readonly sourceParts: BodyParts;
+  readonly feet: readonly FeetPair[];
   /** The target in its reference pose: usually its file pose (`reference.ts`). */
-  readonly rest: RetargetFigure;
+  readonly rest: Reference;
+}
+
+/** A skeleton in its reference pose. */
+export interface Reference extends RetargetFigure {
+  /** Whether its soles are known to be flat. */
+  readonly soles: boolean;
+}
+
+/** A foot and the one that it follows. */
+export interface FeetPair {
+  readonly side: BodySide;
+  readonly own: Foot;
+  readonly source: Foot;
 }
 
 export function bodiesOf(
@@ -50,11 +69,19 @@ export function bodiesOf(
     if (pair.target < sourceOf.length && pair.source < source.joints.length) sourceOf[pair.target] = pair.source;
   }
   const roles = rolesOf(target, targetSpace);
-  return { source, sourceSpace, target, targetSpace, sourceOf, roles, rest: roles.rest };
+  const sourceParts = partsOf(source, sourceSpace?.up);
+  const feet = LIMB_SIDES.flatMap((side): FeetPair[] => {
+    const ankle = driven({ roles, sourceOf }, `${side} foot`);
+    const own = ankle < 0 ? undefined : footOf(target, roles, ankle);
+    const other = own && footOf(source, sourceParts, sourceOf[ankle]);
+    return own && other ? [{ side, own, source: other }] : [];
+  });
+  const rest = { ...roles.rest, soles: true };
+  return { source, sourceSpace, target, targetSpace, sourceOf, roles, sourceParts, feet, rest };
 }
 
 /** The target's joint of that role if it is paired; else -1. */
-export function driven({ roles, sourceOf }: Bodies, role: Role): number {
+export function driven({ roles, sourceOf }: Pick<Bodies, 'roles' | 'sourceOf'>, role: Role): number {
   const joint = roles.single.get(role) ?? -1;
   return joint >= 0 && sourceOf[joint] >= 0 ? joint : -1;
 }
@@ -130,8 +157,13 @@ export function aims(bodies: Bodies): readonly { readonly joint: number; readonl
   );
 }
 
-/** K of every pair, nine numbers per target joint; the identity if it is not paired. */
-export function alignment(bodies: Bodies, reference: RetargetFigure): Float64Array {
+export interface Alignment {
+  /** K of every pair, nine numbers per target joint; the identity if it is not paired. */
+  readonly corrections: Float64Array;
+  readonly slopes: readonly FootSlope[];
+}
+
+export function alignment(bodies: Bodies, reference: Reference): Alignment {
   const { target, sourceOf, roles, rest } = bodies;
   const count = target.joints.length;
   const body = bodyTurn(bodies, reference);
@@ -146,6 +178,7 @@ export function alignment(bodies: Bodies, reference: RetargetFigure): Float64Arr
     if (j >= 0) put(j, body, 0);
   }
   for (const j of [...roles.spine, ...roles.neck]) if (sourceOf[j] >= 0) put(j, body, 0);
+  const slopes: FootSlope[] = [];
   for (const side of LIMB_SIDES) {
     for (const part of ['arm', 'forearm', 'thigh', 'shin'] as const) {
       const j = driven(bodies, `${side} ${part}`);
@@ -157,8 +190,16 @@ export function alignment(bodies: Bodies, reference: RetargetFigure): Float64Arr
     }
     const hand = driven(bodies, `${side} hand`);
     const forearm = driven(bodies, `${side} forearm`);
-    if (hand >= 0) put(hand, forearm >= 0 ? turns : body, forearm >= 0 ? 9 * forearm : 0);
-    alignFoot(bodies, reference, side, body, put);
+    if (hand >= 0) {
+      put(hand, forearm >= 0 ? turns : body, forearm >= 0 ? 9 * forearm : 0);
+      alignHand(bodies, reference, hand, turns);
+    }
+    const foot = driven(bodies, `${side} foot`);
+    const toe = driven(bodies, `${side} toe`);
+    const pair = bodies.feet.find((feet) => feet.side === side);
+    const { turn, slope } = pair ? alignFoot(bodies, reference, pair, turns, body) : { turn: body };
+    for (const j of [foot, toe]) if (j >= 0) put(j, turn, 0);
+    if (slope) slopes.push(slope);
   }
   const following = onlyFollowers(bodies);
   for (let j = 0; j < count; j++) {
@@ -168,15 +209,15 @@ export function alignment(bodies: Bodies, reference: RetargetFigure): Float64Arr
     put(j, above >= 0 ? turns : body, above >= 0 ? 9 * above : 0);
     if (following[j] >= 0) swingTo(bodies, reference, j, following[j], turns);
   }
-  const out = new Float64Array(9 * count);
+  const corrections = new Float64Array(9 * count);
   const corrected = new Float64Array(9);
   for (let j = 0; j < count; j++) {
-    setIdentity3(out, 9 * j);
+    setIdentity3(corrections, 9 * j);
     if (sourceOf[j] < 0) continue;
     multiply3(turns, 9 * j, rest.rotations, 9 * j, corrected, 0);
-    backMultiply3(reference.rotations, 9 * sourceOf[j], corrected, 0, out, 9 * j);
+    backMultiply3(reference.rotations, 9 * sourceOf[j], corrected, 0, corrections, 9 * j);
   }
-  return out;
+  return { corrections, slopes };
 }
 
 /** Extends D of a joint so that its bone to another points like the source's. */
@@ -197,51 +238,48 @@ function swingTo(
   turnOn(own, other, turns, 9 * j);
 }
 
-function turnOn(from: Float64Array, to: Float64Array, turns: Float64Array, o: number): void {
-  const s = new Float64Array(9);
-  const before = turns.slice(o, o + 9);
-  swing(from, 0, to, 0, s, 0);
-  multiply3(s, 0, before, 0, turns, o);
-}
-
-/** A foot with less than this fraction of its length along the ground has no heading. */
-const HEADS = 0.4;
-
-function alignFoot(
-  bodies: Bodies,
-  reference: RetargetFigure,
-  side: BodySide,
-  body: Float64Array,
-  put: (j: number, from: Float64Array, o: number) => void,
-): void {
-  const foot = driven(bodies, `${side} foot`);
-  const toe = driven(bodies, `${side} toe`);
-  if (foot < 0) return;
-  const turn = Float64Array.from(body);
-  const own = heading(bodies.target, bodies.rest, foot, toe);
-  const other = heading(bodies.source, reference, bodies.sourceOf[foot], toe >= 0 ? bodies.sourceOf[toe] : -1);
-  if (own && other) {
-    turnVector(body, 0, own, 0, own, 0);
-    own[1] = 0;
-    turnOn(own, other, turn, 0);
+/** Extends D of a hand so that its fingers point like the source's, where both have fingers of one name. */
+function alignHand(
+  { target, roles, source, sourceParts, sourceOf, rest }: Bodies,
+  reference: Reference,
+  j: number,
+  turns: Float64Array,
+) {
+  const own = fingerBases(target, roles, j);
+  const other = fingerBases(source, sourceParts, sourceOf[j]);
+  const shared = [...own.keys()].filter((finger) => other.has(finger));
+  // The middle one says best where a hand points to.
+  const fingers = shared.includes('middle') ? (['middle'] as const) : shared;
+  const [from, to] = [new Float64Array(3), new Float64Array(3)];
+  const add = ({ points }: RetargetFigure, hand: number, finger: number | undefined, out: Float64Array) => {
+    if (finger === undefined) return;
+    for (let k = 0; k < 3; k++) out[k] += points[3 * finger + k] - points[3 * hand + k];
+  };
+  for (const finger of fingers) {
+    add(rest, j, own.get(finger), from);
+    add(reference, sourceOf[j], other.get(finger), to);
   }
-  put(foot, turn, 0);
-  if (toe >= 0) put(toe, turn, 0);
+  turnVector(turns, 9 * j, from, 0, from, 0);
+  turnOn(from, to, turns, 9 * j);
 }
 
-/** Direction of a foot over the ground, to its toe or the joint below; undefined if it mostly points down. */
-function heading(skeleton: Skeleton, figure: RetargetFigure, foot: number, toe: number): Float64Array | undefined {
-  const tip = toe >= 0 ? toe : skeleton.joints.findIndex((joint) => joint.parent === foot);
-  const out = new Float64Array(3);
-  if (tip >= 0) for (let k = 0; k < 3; k++) out[k] = figure.points[3 * tip + k] - figure.points[3 * foot + k];
+/** D of a foot and its toe, and how it slopes. */
+function alignFoot(bodies: Bodies, reference: Reference, pair: FeetPair, turns: Float64Array, body: Float64Array) {
+  const { rest, sourceOf } = bodies;
+  const { own: foot, source, side } = pair;
+  const shin = driven(bodies, `${side} shin`);
+  const own = footDirection(rest, foot);
+  const other = footDirection(reference, source);
+  const isFlat = rest.soles && reference.soles;
+  const turn = isFlat || shin < 0 ? Float64Array.from(body) : turns.slice(9 * shin, 9 * shin + 9);
+  if (isFlat) alignSole(own, other, turn);
   else {
-    const [end] = skeleton.joints[foot].endSites ?? [];
-    if (!end) return undefined;
-    turnVector(figure.rotations, 9 * foot, Float64Array.from(end), 0, out, 0);
+    const from = new Float64Array(3);
+    turnVector(turn, 0, own, 0, from, 0);
+    turnOn(from, other, turn, 0);
   }
-  const length = Math.hypot(...out);
-  out[1] = 0;
-  return Math.hypot(...out) > HEADS * length ? out : undefined;
+  const joints = Int32Array.from(foot.joints.filter((j) => sourceOf[j] >= 0));
+  return { turn, slope: isFlat ? slopeOf(own, other, turn, rest.rotations, 9 * joints[0], joints) : undefined };
 }
 
 /** For each joint the one that follows it, if it is the only one and the same holds for the source's. */

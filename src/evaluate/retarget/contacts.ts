@@ -25,6 +25,8 @@ import { toScene } from './travel.ts';
 
 /** A foot lower than this below its usual contact stands on something lower. */
 const LEVEL = 0.17;
+/** Legs of unequal lengths in a file make one foot stand higher than the other: by up to this, of a leg's length. */
+const LEVEL_FEET = 0.02;
 /** Source samples per second, and the maximum in all. */
 const RATE = 60;
 const MAX_SAMPLES = 20000;
@@ -50,14 +52,37 @@ export function footTracks(plain: RetargetPlan, bodies: Bodies, reference: Retar
   const joints = balls.map((b) => bodies.sourceOf[b]);
   const ways = sampleWays(plain, joints);
   const depths: number[] = [];
-  const feet = legs.flatMap((limb, i): FootTrack[] => {
+  const standing = legs.flatMap((limb, i) => {
     const sourceHeight = standingHeight(ways, i);
     const contacts = contactSpans(ways, i, sourceHeight, length);
     if (contacts.length === 0) return [];
-    const track = { limb, ball: balls[i], sourceBall: joints[i], sourceHeight, contacts };
-    return [{ ...track, ...offsetsOf(plain, track, soles[i], plain.sameBones.lengths ? 0 : LEVEL * length, depths) }];
+    return [{ track: { limb, ball: balls[i], sourceBall: joints[i], sourceHeight, contacts }, soles: soles[i] }];
+  });
+  const areSame = plain.sameBones.lengths;
+  const usual = standing.map(({ track, soles }) => usualHeight(plain, track.contacts, soles.source));
+  const raised = areSame ? usual.map(() => 0) : unevenness(usual, LEVEL_FEET * length);
+  const feet = standing.map(({ track, soles }, i): FootTrack => {
+    const level = areSame ? 0 : LEVEL * length;
+    return { ...track, ...offsetsOf(plain, track, soles, raised[i], level, depths) };
   });
   return { ...plain, feet, shift: feet.length ? median(depths) : depthOfLowest(plain, soles) };
+}
+
+/** The height of the source's sole in contacts: the median. */
+function usualHeight(plan: RetargetPlan, contacts: Float64Array, sole: Soles['source']): number {
+  return median(
+    Array.from({ length: contacts.length / 2 }, (_, c) => {
+      sourcePose(plan.played, (contacts[2 * c] + contacts[2 * c + 1]) / 2, plan.dofs);
+      worldMatrices(plan.source, plan.dofs, plan.sourceWorld);
+      return soleHeight(sole, plan.sourceWorld, plan.sourceSpace);
+    }),
+  );
+}
+
+/** How much each foot stands above the middle of both; 0 if they don't stand on one level. */
+function unevenness(heights: readonly number[], most: number): readonly number[] {
+  const middle = (Math.min(...heights) + Math.max(...heights)) / 2;
+  return heights.map((height) => (Math.abs(height - middle) < most ? height - middle : 0));
 }
 
 function sampleWays(plan: RetargetPlan, joints: readonly number[]): JointPaths {
@@ -82,6 +107,7 @@ function sampleWays(plan: RetargetPlan, joints: readonly number[]): JointPaths {
  * The difference that rotations alone give between the target's ball and the source's, in proportion; but soles are
  * equally high.
  * @param plan without a shift
+ * @param raised metres by which the source's foot usually stands above the middle of both
  * @param level metres; a foot that is this much lower than usual is not raised
  * @param depths receives how much too low the target's sole is in these poses; metres
  */
@@ -89,6 +115,7 @@ function offsetsOf(
   plan: RetargetPlan,
   { ball, sourceBall, contacts, sourceHeight }: Omit<FootTrack, 'offsets' | 'rises'>,
   soles: Soles,
+  raised: number,
   level: number,
   depths: number[],
 ): Pick<FootTrack, 'offsets' | 'rises'> {
@@ -111,7 +138,7 @@ function offsetsOf(
       toScene(plan.sourceSpace, other);
       tooLow += (sourceHeight - other[1]) / MEASURED;
       const sole = soleHeight(soles.own, plan.targetWorld, plan.targetSpace);
-      const sourceSole = soleHeight(soles.source, plan.sourceWorld, plan.sourceSpace);
+      const sourceSole = soleHeight(soles.source, plan.sourceWorld, plan.sourceSpace) - raised;
       depths.push(plan.scale * sourceSole - sole);
       own[1] -= sole;
       other[1] -= sourceSole;

@@ -17,6 +17,11 @@ import { fromScene, inProportion, moveBy, toScene } from './travel.ts';
 
 /** Fraction of the leg's length: never quite straight, or the knee would snap at the end; unless the source's is. */
 const REACH = 0.9995;
+/**
+ * How far a foot may be above or below where it belongs, as a fraction of the leg's length: 5 mm, to reach which a straight
+ * knee would have to bend by 12°.
+ */
+const SLACK = 0.006;
 /** How far the front of the thigh counts for the side of a knee that has to bend, in lengths of the thigh. */
 const FRONT = 0.02;
 
@@ -47,6 +52,7 @@ export function plantFeet(plan: RetargetPlan, clipSeconds: number, out: Float64A
 /** The target of the ball, and from it that of the ankle; the foot's rotation must be final. */
 function ankleOf(plan: RetargetPlan, foot: FootTrack, seconds: number, o: number): void {
   const { sourceWorld, targetWorld } = plan;
+  const { up } = plan.targetSpace;
   for (let i = 0; i < 3; i++) point[i] = sourceWorld[16 * foot.sourceBall + 12 + i];
   toScene(plan.sourceSpace, point);
   inProportion(plan, point);
@@ -56,7 +62,16 @@ function ankleOf(plan: RetargetPlan, foot: FootTrack, seconds: number, o: number
   fromScene(plan.targetSpace, point);
   const ball = 16 * foot.ball + 12;
   const ankle = 16 * foot.limb.end + 12;
-  for (let i = 0; i < 3; i++) ankles[o + i] = point[i] + targetWorld[ankle + i] - targetWorld[ball + i];
+  let off = 0;
+  for (let i = 0; i < 3; i++) {
+    point[i] -= targetWorld[ball + i];
+    off += point[i] * up[3 * i + 1];
+  }
+  // What is nearly high enough stays as high as it is.
+  const { upper, lower: knee, end } = foot.limb;
+  const slack = SLACK * (lengthOf(targetWorld, upper, knee) + lengthOf(targetWorld, knee, end));
+  const kept = Math.min(slack, Math.max(-slack, off));
+  for (let i = 0; i < 3; i++) ankles[o + i] = targetWorld[ankle + i] + point[i] - kept * up[3 * i + 1];
 }
 
 function lengthOf(w: Float64Array, from: number, to: number): number {

@@ -17,7 +17,7 @@ import { jointFit } from './fit.ts';
 import { automaticScale } from './leg-length.ts';
 import { type Limb, limbsOf } from './limbs.ts';
 import type { Carrier, CopiedDof, RetargetPlan, Slide, SpaceRule } from './plan.ts';
-import { ownReference, type PlayedTake, sourceReference, stands } from './reference.ts';
+import { asksTake, ownReference, type PlayedTake, sourceReference } from './reference.ts';
 import { LIMB_SIDES } from './roles.ts';
 import { sameBones } from './same-bones.ts';
 import { playedSource } from './source-pose.ts';
@@ -84,9 +84,10 @@ export function planRetarget(
   const filed = bodiesOf(source.skeleton, source.space, skeleton, space, pairs);
   const { range } = source.clip;
   const same = sameBones(filed, sourceFigure(filed));
-  const asksOwnTake = !same.directions && !stands(filed, filed.rest, (t) => t);
+  const asksOwnTake = !same.directions && asksTake(filed);
   const bodies = asksOwnTake ? { ...filed, rest: ownReference(filed, takeOf(skeleton, clamps, ownTake)) } : filed;
   const reference = sourceReference(bodies, { played, range }, same.directions ? 'rest' : options.reference);
+  const { corrections, slopes } = alignment(bodies, reference);
   const sourceSpace = ruleOf(source.space);
   const targetSpace = ruleOf(space);
   const across = new Float64Array(9);
@@ -103,7 +104,8 @@ export function planRetarget(
     range,
     sourceOf: bodies.sourceOf,
     across,
-    corrections: alignment(bodies, reference),
+    corrections,
+    slopes: same.directions ? [] : slopes,
     fits: skeleton.joints.map((joint, j) => (bodies.sourceOf[j] >= 0 ? jointFit(target, joint, j, clamps) : undefined)),
     bones: bonesOf(bodies, limbs),
     fronts: frontsOf(bodies),

@@ -7,6 +7,7 @@
 import type { JointPair } from '../../model/retarget.ts';
 import type { Skeleton } from '../../model/skeleton.ts';
 import type { Space } from '../../model/space.ts';
+import { FINGERS } from './fingers.ts';
 import type { NameParts } from './names.ts';
 import { type Roles, rolesOf } from './roles.ts';
 
@@ -21,8 +22,6 @@ const SAME_NAME = 1;
 const BY_NAME = 0.9;
 const IN_PROPORTION = 0.75;
 const BY_SHAPE = 0.5;
-
-const FINGERS = new Set(['thumb', 'index', 'middle', 'ring', 'pinky']);
 
 /** In the order of the target's joints, each at most once. Joints without a pair stay at rest. */
 export function automaticPairs(
@@ -53,7 +52,7 @@ export function automaticPairs(
   // No substitute for a neck that the other skeleton lacks.
   const used = new Set([...matches.values()].map((m) => m.source));
   onto.names.forEach((name, t) => {
-    if (matches.has(t) || !name.word || !FINGERS.has(name.word)) return;
+    if (matches.has(t) || !FINGERS.some((finger) => finger === name.word)) return;
     const s = from.names.findIndex(
       (n, j) => !used.has(j) && n.word === name.word && n.side === name.side && n.number === name.number,
     );

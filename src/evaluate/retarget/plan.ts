@@ -11,6 +11,7 @@ import type { CompiledSkeleton } from '../kinematics.ts';
 import type { JointFit } from './fit.ts';
 import type { Limb } from './limbs.ts';
 import type { SameBones } from './same-bones.ts';
+import type { FootSlope } from './slopes.ts';
 import type { PlayedSource } from './source-pose.ts';
 
 export interface RetargetPlan {
@@ -24,6 +25,7 @@ export interface RetargetPlan {
   readonly across: Float64Array;
   /** K, nine numbers per target joint. */
   readonly corrections: Float64Array;
+  readonly slopes: readonly FootSlope[];
   readonly fits: readonly (JointFit | undefined)[];
   /** Unit vectors along the bones of arms and legs, x y z per target joint; 0 elsewhere. */
   readonly bones: Float64Array;

@@ -4,16 +4,15 @@
  * A standing file pose (T, A, arms down) tells best how joints are meant to be rotated. Some files have none: in LAFAN1
  * all bones are along x. Then a frame of the character's own take is used. For the target it is the most upright one, if
  * the target has a take; for the source, the one that looks most like the target: the one with the smallest sum of
- * angles between their bones. Such a frame may be one of a step, so its feet are turned flat: as they are, on average,
- * in the frames in which they are lowest.
+ * angles between their bones. Such a frame may be one of a step, so its feet are turned flat (`feet.ts`).
  *
  * Skeletons with the same bones are compared in their file poses, whatever these are and whatever was chosen: they match
  * joint by joint.
  */
-import { copy3, multiply3, swing, turnVector } from '../../math/mat3.ts';
+import { turnVector } from '../../math/mat3.ts';
 import type { RetargetOptions } from '../../model/retarget.ts';
-import type { Skeleton } from '../../model/skeleton.ts';
-import { aims, type Bodies, bodyFrame, bodyTurn, driven, sourceFigure } from './align.ts';
+import { aims, type Bodies, bodyFrame, bodyTurn, driven, type Reference, sourceFigure } from './align.ts';
+import { type Foot, looksFlat, withFlatFeet } from './feet.ts';
 import { figureOf, type RetargetFigure } from './figure.ts';
 import { LIMB_SIDES, type Role } from './roles.ts';
 import { type PlayedSource, sourcePose } from './source-pose.ts';
@@ -29,115 +28,87 @@ export interface PlayedTake {
   readonly range: readonly [number, number];
 }
 
-/** The target's pose to compare: its file pose if it is a standing one, else the most upright frame of its take. */
-export function ownReference(bodies: Bodies, take: PlayedTake | undefined): RetargetFigure {
+/**
+ * The target's pose to compare: its file pose if it is a standing one, else the most upright frame of its take.
+ * @param take its own
+ */
+export function ownReference(bodies: Bodies, take: PlayedTake | undefined): Reference {
   const { target, targetSpace, rest } = bodies;
   const at = (t: number) => t;
-  if (!take || stands(bodies, rest, at)) return rest;
-  return closest(
-    take,
-    rest,
-    (dofs) => figureOf(target, targetSpace, dofs),
-    (figure) => slant(bodies, figure, at),
-    feetOf(bodies, target, at),
-  );
+  const isStanding = stands(bodies, rest, at);
+  const figures = new Figures(take, (dofs) => figureOf(target, targetSpace, dofs));
+  const figure = isStanding ? rest : figures.closest(rest, (each) => slant(bodies, each, at));
+  const feet = bodies.feet.map(({ own }) => own);
+  return onSoles(figure, isStanding, feet, figures);
 }
 
 /** The source's pose that matches the one of `bodies.rest`. */
-export function sourceReference(
-  bodies: Bodies,
-  take: PlayedTake,
-  reference: RetargetOptions['reference'],
-): RetargetFigure {
+export function sourceReference(bodies: Bodies, take: PlayedTake, reference: RetargetOptions['reference']): Reference {
   if (typeof reference === 'number') {
     const dofs = new Float64Array(take.played.dofCount);
     sourcePose(take.played, reference, dofs);
-    return sourceFigure(bodies, dofs);
+    return { ...sourceFigure(bodies, dofs), soles: true };
   }
   const rest = sourceFigure(bodies);
-  if (reference === 'rest' || stands(bodies, rest, (t) => bodies.sourceOf[t])) return rest;
-  return closest(
-    take,
-    rest,
-    (dofs) => sourceFigure(bodies, dofs),
-    (figure) => unlikeness(bodies, figure),
-    feetOf(bodies, bodies.source, (t) => bodies.sourceOf[t]),
-  );
+  if (reference === 'rest') return { ...rest, soles: true };
+  const isStanding = stands(bodies, rest, (t) => bodies.sourceOf[t]);
+  const figures = new Figures(take, (dofs) => sourceFigure(bodies, dofs));
+  const figure = isStanding ? rest : figures.closest(rest, (each) => unlikeness(bodies, each));
+  const feet = bodies.feet.map(({ source }) => source);
+  return onSoles(figure, isStanding, feet, figures);
 }
 
-/** Each foot's joint, followed by all below it. */
-function feetOf(bodies: Bodies, { joints }: Skeleton, at: (target: number) => number): number[][] {
-  return LIMB_SIDES.flatMap((side) => {
-    const foot = driven(bodies, `${side} foot`);
-    if (foot < 0) return [];
-    const own = [at(foot)];
-    joints.forEach(({ parent }, j) => {
-      if (own.includes(parent)) own.push(j);
+/** Whether the target's own take is asked how it stands. */
+export function asksTake(bodies: Bodies): boolean {
+  const { rest, feet } = bodies;
+  return !stands(bodies, rest, (t) => t) || !feet.every(({ own }) => looksFlat(rest, own));
+}
+
+/**
+ * A pose with flat soles. Those of a standing file pose are, unless its feet are level with their ankles, as in files whose
+ * bones are along axes, or hang; then the take is asked, as for poses of a take.
+ */
+function onSoles(figure: RetargetFigure, isStanding: boolean, feet: readonly Foot[], figures: Figures): Reference {
+  if (isStanding && feet.every((foot) => looksFlat(figure, foot))) return { ...figure, soles: true };
+  const flat = withFlatFeet(figure, figures.all, feet);
+  return flat ? { ...flat, soles: true } : { ...figure, soles: isStanding };
+}
+
+/** A skeleton at times of a take, evenly over it. */
+class Figures {
+  private made: readonly RetargetFigure[] | undefined;
+
+  constructor(
+    private readonly take: PlayedTake | undefined,
+    private readonly figureAt: (dofs: Float64Array) => RetargetFigure,
+  ) {}
+
+  /** None without a take. */
+  get all(): readonly RetargetFigure[] {
+    this.made ??= this.take ? this.make(this.take) : [];
+    return this.made;
+  }
+
+  private make({ played, range: [start, end] }: PlayedTake): readonly RetargetFigure[] {
+    const dofs = new Float64Array(played.dofCount);
+    return Array.from({ length: end > start ? MAX_MOMENTS : 1 }, (_, i) => {
+      sourcePose(played, start + ((end - start) * i) / (MAX_MOMENTS - 1), dofs);
+      return this.figureAt(dofs);
     });
-    return [own];
-  });
-}
-
-/** Fraction of the frames in which a foot counts as flat. */
-const FLAT = 0.25;
-
-/** The figure with its feet as flat as they are in those of the figures in which they are lowest. */
-function withFlatFeet(
-  figure: RetargetFigure,
-  all: readonly RetargetFigure[],
-  feet: readonly (readonly number[])[],
-): RetargetFigure {
-  const out = { points: figure.points.slice(), rotations: figure.rotations.slice() };
-  const turn = new Float64Array(9);
-  const turned = new Float64Array(9);
-  for (const foot of feet) {
-    const height = ({ points }: RetargetFigure) => Math.min(...foot.map((j) => points[3 * j + 1]));
-    const sorted = [...all].sort((a, b) => height(a) - height(b));
-    const [ankle] = foot;
-    // Down, in the foot's own space.
-    const down = new Float64Array(3);
-    for (const { rotations } of sorted.slice(0, Math.max(1, Math.round(FLAT * sorted.length)))) {
-      for (let k = 0; k < 3; k++) down[k] -= rotations[9 * ankle + 3 * k + 1];
-    }
-    turnVector(out.rotations, 9 * ankle, down, 0, down, 0);
-    swing(down, 0, DOWN, 0, turn, 0);
-    const [x, y, z] = out.points.subarray(3 * ankle, 3 * ankle + 3);
-    for (const j of foot) {
-      multiply3(turn, 0, out.rotations, 9 * j, turned, 0);
-      copy3(turned, 0, out.rotations, 9 * j);
-      const p = Float64Array.of(out.points[3 * j] - x, out.points[3 * j + 1] - y, out.points[3 * j + 2] - z);
-      turnVector(turn, 0, p, 0, p, 0);
-      out.points.set([p[0] + x, p[1] + y, p[2] + z], 3 * j);
-    }
   }
-  return out;
-}
 
-const DOWN = Float64Array.of(0, -1, 0);
-
-/** The frame of a take with the least of something, its feet flat; `otherwise` if none has any. */
-function closest(
-  { played, range: [start, end] }: PlayedTake,
-  otherwise: RetargetFigure,
-  figureAt: (dofs: Float64Array) => RetargetFigure,
-  measure: (figure: RetargetFigure) => number,
-  feet: readonly (readonly number[])[],
-): RetargetFigure {
-  const dofs = new Float64Array(played.dofCount);
-  const all: RetargetFigure[] = [];
-  let best = otherwise;
-  let least = Infinity;
-  for (let i = 0; i < MAX_MOMENTS; i++) {
-    sourcePose(played, start + ((end - start) * i) / (MAX_MOMENTS - 1), dofs);
-    const figure = figureAt(dofs);
-    all.push(figure);
-    const off = measure(figure);
-    if (off >= least) continue;
-    least = off;
-    best = figure;
-    if (end <= start) break;
+  /** The one with the least of something; `otherwise` without a take, or if none has any. */
+  closest(otherwise: RetargetFigure, measure: (figure: RetargetFigure) => number): RetargetFigure {
+    let best = otherwise;
+    let least = Infinity;
+    for (const figure of this.all) {
+      const off = measure(figure);
+      if (off >= least) continue;
+      least = off;
+      best = figure;
+    }
+    return best;
   }
-  return withFlatFeet(best, all, feet);
 }
 
 /** Whether legs point down and the trunk up, with distinct left and right. Bodies without legs are accepted. */

@@ -5,6 +5,7 @@ import { worldMatrices } from '../kinematics.ts';
 import { fitJoint } from './fit.ts';
 import { rollLimb } from './limbs.ts';
 import type { RetargetPlan, Slide } from './plan.ts';
+import { levelFeet } from './slopes.ts';
 import { sourcePose } from './source-pose.ts';
 import { fromScene, inProportion, moveBy, toScene } from './travel.ts';
 
@@ -25,6 +26,7 @@ export function solveFreely(plan: RetargetPlan, clipSeconds: number, out: Float6
   worldMatrices(plan.source, plan.dofs, plan.sourceWorld);
   const { wanted, limbs, bones, target, copied, carrier, restDofs } = plan;
   wantRotations(plan);
+  levelFeet(plan.slopes, plan.wanted, plan.targetSpace.up);
   for (let i = 0; i < limbs.length; i++) rollLimb(limbs[i], bones, wanted);
   if (plan.carried.length > 0) {
     for (let k = 0; k < 3; k++) if (carrier.dofs[k] >= 0) out[carrier.dofs[k]] = restDofs[carrier.dofs[k]];

@@ -37,6 +37,16 @@ const LIMBS: Readonly<Record<string, readonly string[]>> = {
   'xsens-armchair.bvh': ['LeftShoulder', 'LeftElbow', 'LeftWrist', 'LeftHip', 'LeftKnee', 'LeftAnkle', 'LeftToe'],
 };
 
+/** Where the left middle finger begins. */
+const FINGERS: Readonly<Record<string, string>> = {
+  'cmu-daz-pirouette.bvh': 'lMid1',
+  'geno-stance.bvh': 'LeftHandMiddle1',
+  'makehuman-tpose-add.bvh': 'finger3-1.L',
+  'mixamo-names.bvh': 'mixamorig:LeftHandMiddle1',
+  'perception-neuron-course.bvh': 'LeftHandMiddle1',
+  'rokoko-dance.bvh': 'LeftHandMiddle1',
+};
+
 export const HUMANOIDS: readonly string[] = Object.keys(LIMBS);
 
 /** Its first figure as a character, position channels as its writer meant them. */
@@ -179,13 +189,27 @@ const SIDES = ['left', 'right'] as const;
 type Side = (typeof SIDES)[number];
 
 /** Index of a limb's joint in a humanoid of `data/bvh`. */
-export function limbJoint({ id, skeleton }: Character, side: Side, part: Part): number | undefined {
-  const left = LIMBS[id.replace(/ copy$/, '')]?.[PARTS.indexOf(part)];
+export function limbJoint(c: Character, side: Side, part: Part): number | undefined {
+  return jointOf(c, side, LIMBS[c.id.replace(/ copy$/, '')]?.[PARTS.indexOf(part)]);
+}
+
+function jointOf({ id, skeleton }: Character, side: Side, left: string | undefined) {
   if (left === undefined) return undefined;
   const name = side === 'left' ? left : mirrored(left);
   const joint = skeleton?.joints.findIndex((j) => j.name === name) ?? -1;
   if (joint < 0) throw new Error(`${id} has no ${name}.`);
   return joint;
+}
+
+/** What a foot points to, as a point of `Points`: the toe joint, else the End Site, as long as it is somewhere else. */
+function toeOf(c: Character, side: Side): number | undefined {
+  const [foot, toe] = [limbJoint(c, side, 'foot'), limbJoint(c, side, 'toe')];
+  if (foot === undefined || toe !== undefined) return toe;
+  const { joints } = requireSkeleton(c);
+  const [end] = joints[foot].endSites ?? [];
+  if (end && Math.hypot(...end) > 0) return pointNames(c).indexOf(`${joints[foot].name} End Site`);
+  const below = joints.findIndex(({ parent }) => parent === foot);
+  return below < 0 ? undefined : below;
 }
 
 function mirrored(left: string): string {
@@ -194,6 +218,15 @@ function mirrored(left: string): string {
 }
 
 export interface PairFit {
+  /** Degrees between equal parts of both sides, medians over the frames: the part of arms and legs that is furthest off. */
+  readonly limbs: number;
+  /** The same for each foot and each hand, from the ankle to the toe and from the wrist to the middle finger; 0 without. */
+  readonly feet: number;
+  readonly hands: number;
+  /** The largest angle of a foot or a hand at any frame. */
+  readonly tips: number;
+  /** How often a toe is above its ankle while the source's is below. */
+  readonly toesUp: number;
   /** Degrees between the same segments of arms and legs, each the mean over the frames: median and maximum. */
   readonly median: number;
   readonly worst: number;
@@ -265,8 +298,55 @@ export function pairFit(of: Character, from: Character): PairFit {
     worst: worst.angle,
     segment: worst.name,
     hips,
+    ...partsFit(own, of, other, from),
     ...slides(own, of, other, from, leg(own, of), leg(other, from)),
   };
+}
+
+/** Medians, which a few frames don't change. */
+function partsFit(own: Points, of: Character, other: Points, from: Character) {
+  const limbs = SEGMENTS.map((): number[] => []);
+  const tips = [(c: Character, side: Side) => toeOf(c, side), fingerOf].flatMap((tipOf, i) =>
+    SIDES.flatMap((side) => {
+      const base = i === 0 ? 'foot' : 'hand';
+      const [a, b, c, d] = [limbJoint(of, side, base), tipOf(of, side), limbJoint(from, side, base), tipOf(from, side)];
+      if (a === undefined || b === undefined || c === undefined || d === undefined) return [];
+      return [{ isFoot: i === 0, own: [a, b] as const, other: [c, d] as const, angles: [] as number[] }];
+    }),
+  );
+  let toesUp = 0;
+  for (const seconds of frameTimes(from, DIRECTIONS)) {
+    own.pose(seconds);
+    other.pose(seconds);
+    SEGMENTS.forEach(([a, b], i) => {
+      for (const side of SIDES) {
+        const ends = (c: Character) => [limbJoint(c, side, a) ?? 0, limbJoint(c, side, b) ?? 0] as const;
+        limbs[i].push(degreesBetween(direction(own, ends(of)), direction(other, ends(from))));
+      }
+    });
+    for (const tip of tips) {
+      const [way, meant] = [direction(own, tip.own), direction(other, tip.other)];
+      tip.angles.push(degreesBetween(way, meant));
+      if (tip.isFoot && meant[1] < 0 && way[1] >= 0) toesUp++;
+    }
+  }
+  const worstOf = (isFoot: boolean) =>
+    Math.max(0, ...tips.filter((tip) => tip.isFoot === isFoot).map(({ angles }) => median(angles)));
+  return {
+    limbs: Math.max(...limbs.map(median)),
+    feet: worstOf(true),
+    hands: worstOf(false),
+    tips: Math.max(0, ...tips.flatMap(({ angles }) => angles)),
+    toesUp,
+  };
+}
+
+function fingerOf(c: Character, side: Side): number | undefined {
+  return jointOf(c, side, FINGERS[c.id.replace(/ copy$/, '')]);
+}
+
+function median(values: readonly number[]): number {
+  return [...values].sort((a, b) => a - b)[Math.floor(values.length / 2)];
 }
 
 /** Contacts are found by the toes where both have them, else by the ankles. */

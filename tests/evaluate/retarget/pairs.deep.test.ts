@@ -5,6 +5,11 @@ import { captured, HUMANOIDS, pairFit, retargeted } from './captures.ts';
 
 /** Degrees; the median of eight limb segments, each the mean over the take. */
 const DIRECTIONS = 3;
+/** Degrees, medians over the take: of arms and legs, of feet, whose soles are flat, and of hands; and at any frame. */
+const LIMBS = 6;
+const FEET = 35;
+const HANDS = 25;
+const TIPS = 55;
 /** Leg lengths. */
 const HIPS = 0.025;
 const SLIDE = 0.004;
@@ -24,6 +29,11 @@ describeShared('each of 14 real humanoids on each other', () => {
       const told = `${file} on ${target}: ${JSON.stringify(fit)}`;
       expect(fit.median, told).toBeLessThan(isOdd ? 2 * DIRECTIONS : DIRECTIONS);
       expect(fit.hips, told).toBeLessThan(isOdd ? 2.5 * HIPS : HIPS);
+      expect(fit.limbs, told).toBeLessThan(file === UNEQUAL || target === UNEQUAL ? 2.5 * LIMBS : LIMBS);
+      expect(fit.feet, told).toBeLessThan(FEET);
+      expect(fit.hands, told).toBeLessThan(HANDS);
+      expect(fit.tips, told).toBeLessThan(TIPS);
+      expect(fit.toesUp, told).toBe(0);
       expect(fit.slide, told).toBeLessThan(fit.sourceSlide + SLIDE);
     }
   });
