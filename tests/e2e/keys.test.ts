@@ -182,3 +182,33 @@ it('what has the focus and vanishes hands it to its panel or the viewport, and t
     },
     { walking: true },
   ));
+
+it('a number typed that is the shown one, or confirmed as it is, is no change to K, and another one is', () =>
+  withPage(
+    async ({ page }) => {
+      await openWalker(page);
+      await page.evaluate(() => window.marrow.seek(0.27));
+      const rx = page.getByRole('textbox', { name: /^rx\b/ }).first();
+      const before = await keys(page);
+      const dofs = () => page.evaluate(() => window.marrow.characters()[0].dofs);
+      const pose = await dofs();
+      const seen = (await rx.inputValue()).replace('°', '');
+      expect(seen).toMatch(/\.\d/);
+      await rx.focus();
+      await page.keyboard.press('Enter');
+      await rx.click();
+      await page.keyboard.type(seen);
+      await page.keyboard.press('Enter');
+      await expect.poll(dofs).toEqual(pose);
+      await expect.poll(() => page.evaluate(() => window.marrow.steps().undo)).toBeUndefined();
+      await rx.click();
+      await page.keyboard.type('12');
+      await page.keyboard.press('Enter');
+      await expect.poll(dofs).not.toEqual(pose);
+      await expect.poll(() => page.evaluate(() => window.marrow.steps().undo)).toBe(`Rotate ${ARM.joint} (rx)`);
+      await page.keyboard.press('Control+z');
+      await expect.poll(dofs).toEqual(pose);
+      await expect.poll(() => keys(page)).toEqual(before);
+    },
+    { walking: true },
+  ));

@@ -84,7 +84,7 @@ export class Slider extends NumberController {
       'input',
       (event) => {
         event.stopImmediatePropagation();
-        const typed = parseNumber(this.$input.value, options.units, this.base);
+        const typed = numberTyped(this.$input.value, this.base, options);
         if (typed === undefined) this.takeBack();
         else this.setTyped(this._clamp(typed));
       },
@@ -241,6 +241,26 @@ function endMissedDrag(): void {
   const move = ({ buttons }: MouseEvent) => buttons === 0 && window.dispatchEvent(new MouseEvent('mouseup'));
   window.addEventListener('mousemove', move, { capture: true, signal });
   window.addEventListener('mouseup', () => listening.abort(), { signal });
+}
+
+/**
+ * The number of a text; `from` itself if the text is what is shown of it, to its last digit: typing what is there already
+ * changes nothing. With more digits it is exact. Undefined if invalid.
+ *
+ * @param from the value that is shown, and that `+=5` changes
+ */
+export function numberTyped(
+  text: string,
+  from: number,
+  { units, decimals }: Pick<SliderOptions, 'units' | 'decimals'>,
+): number | undefined {
+  const typed = parseNumber(text, units, from);
+  const seen = shown(from, decimals);
+  return typed === parseNumber(seen, units) && digitsIn(text) <= digitsIn(seen) ? from : typed;
+}
+
+function digitsIn(text: string): number {
+  return text.replace(/\D/g, '').length;
 }
 
 /** Why a text is refused or clamped; undefined if it is accepted. @param from the value that `+=5` changes */

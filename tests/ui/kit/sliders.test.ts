@@ -1,11 +1,14 @@
+import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
 import type { CharacterDof } from '../../../src/model/dofs.ts';
 import { lengthStep, reachOf } from '../../../src/model/reach.ts';
 import { UNLIMITED } from '../../../src/model/skeleton.ts';
 import { markLabel } from '../../../src/ui/editors/inspector/dof-mark.ts';
-import { coupleText, limitText, sliderOptions } from '../../../src/ui/editors/inspector/dof-rows.ts';
+import { coupleText, limitText, sliderOptions, storedAs } from '../../../src/ui/editors/inspector/dof-rows.ts';
 import { typedLimit } from '../../../src/ui/editors/rig/limit-editor.ts';
-import { refusalOf } from '../../../src/ui/kit/slider.ts';
+import { exact, shown } from '../../../src/ui/kit/number-text.ts';
+import { numberTyped, refusalOf } from '../../../src/ui/kit/slider.ts';
+import { withoutNoise } from '../../../src/ui/state/angles.ts';
 import { clampSize } from '../../../src/ui/state/splitter.ts';
 import { character, skeleton } from '../builders.ts';
 
@@ -144,4 +147,35 @@ it('keeps panels at a usable size', () => {
   expect(clampSize('outlinerWidth', 3)).toBe(180);
   expect(clampSize('outlinerWidth', 300.4)).toBe(300);
   expect(clampSize('inspectorWidth', 9999)).toBe(640);
+});
+
+describe('a typed number', () => {
+  const degrees = { decimals: 2, units: { '°': 1 } };
+
+  it('a typed number that is what is shown changes nothing, to the last digit shown', () => {
+    for (const text of ['39.63', '39.63°', ' 39.63 ', '39,63', '+=0']) {
+      expect(numberTyped(text, 39.6341276, degrees), text).toBe(39.6341276);
+    }
+    expect(numberTyped('39.64', 39.6341276, degrees)).toBe(39.64);
+    expect(numberTyped('39.6', 39.6341276, degrees)).toBe(39.6);
+    expect(numberTyped('ten', 39.6341276, degrees)).toBeUndefined();
+  });
+
+  it('a typed number with more digits than are shown is exact', () => {
+    expect(numberTyped('39.630', 39.6341276, degrees)).toBe(39.63);
+    expect(numberTyped('0', 0.004, degrees)).toBe(0.004);
+    expect(numberTyped('0.000', 0.004, degrees)).toBe(0);
+  });
+
+  it('a DOF keeps its very number when the displayed one is typed, rounded or not', () => {
+    fc.assert(
+      fc.property(fc.double({ min: -4, max: 4, noNaN: true }), fc.constantFrom(1, 180 / Math.PI), (value, perUnit) => {
+        const displayed = withoutNoise(value * perUnit);
+        for (const text of [exact(displayed), shown(displayed, 2)]) {
+          const typed = numberTyped(text, displayed, { decimals: 2 });
+          expect(typed !== undefined && storedAs([value], 0, typed, perUnit).value).toBe(value);
+        }
+      }),
+    );
+  });
 });

@@ -8,10 +8,9 @@ import { axisOfDof } from '../../../model/dof-axis.ts';
 import type { CharacterDof, DofValue } from '../../../model/dofs.ts';
 import { reachOf } from '../../../model/reach.ts';
 import { isUnlimited, type Limit, type Skeleton, UNLIMITED } from '../../../model/skeleton.ts';
-import type { Units } from '../../kit/arithmetic.ts';
 import { element } from '../../kit/dom.ts';
-import { MAX_DECIMALS, parseNumber, shown } from '../../kit/number-text.ts';
-import { Slider, type SliderOptions, type Typed } from '../../kit/slider.ts';
+import { MAX_DECIMALS, shown } from '../../kit/number-text.ts';
+import { numberTyped, Slider, type SliderOptions, type Typed } from '../../kit/slider.ts';
 import { setTooltip } from '../../kit/tooltip.ts';
 import { addKeyed } from '../../state/add-keys.ts';
 import { shownPerUnit, typedUnits, unitText, withoutNoise } from '../../state/angles.ts';
@@ -95,6 +94,10 @@ export function addDofRow(
   let beside: BesideDofs | undefined;
   /** The pose when the first change was made. */
   let from: Float64Array | undefined;
+  const takeBack = () => {
+    edit.cancel();
+    beside = from = undefined;
+  };
   slider.onChange((value: number) => {
     const now = findCharacter(wb.store.document, id);
     // Playback would overwrite the value with the next frame.
@@ -102,15 +105,18 @@ export function addDofRow(
     if (now && (key || together.some((dof) => isDriven(now, dof)))) pausePlayback(wb);
     beside ??= wb.posing.beside?.(id, together);
     from ??= now && shownDofs(wb, now);
-    const one = { index, value: value / factor };
+    const one = from ? storedAs(from, index, value, factor) : { index, value: value / factor };
     const { typed } = slider;
-    const units = typedUnits(dof.unit, angles);
     const others = !from
       ? []
       : typed
-        ? typedValues(typed, from, one, matching, factor, units)
+        ? typedValues(typed, from, one, matching, factor, slider.object.options)
         : sameChange(from, one, matching);
     const own = [one, ...others];
+    if (typed && own.every((each) => each.value === from?.[each.index])) {
+      takeBack();
+      return;
+    }
     const { timeSeconds } = wb.transport.get();
     const dofs = beside?.at(own) ?? own;
     const args = { characterId: id, dofs, timeSeconds, key };
@@ -119,10 +125,7 @@ export function addDofRow(
     beside?.shown();
     if (edit.cancelled) update();
   });
-  slider.onTakenBack(() => {
-    edit.cancel();
-    beside = from = undefined;
-  });
+  slider.onTakenBack(takeBack);
   slider.onFinishChange(() => {
     edit.commit();
     beside = from = undefined;
@@ -145,6 +148,7 @@ export function addDofRow(
  * @param from the pose before the edit, in the DOFs' unit
  * @param own the row's DOF; steps by arrow keys before the text have changed all by the same amount
  * @param perUnit displayed units per unit of the DOFs
+ * @param field of the row
  */
 export function typedValues(
   typed: Typed,
@@ -152,13 +156,19 @@ export function typedValues(
   own: Pick<DofValue, 'index'>,
   matching: readonly number[],
   perUnit: number,
-  units: Units,
+  field: Pick<SliderOptions, 'units' | 'decimals'>,
 ): DofValue[] {
   const stepped = typed.from - from[own.index] * perUnit;
   return matching.flatMap((index) => {
-    const value = parseNumber(typed.text, units, from[index] * perUnit + stepped);
-    return value === undefined ? [] : { index, value: value / perUnit };
+    const value = numberTyped(typed.text, from[index] * perUnit + stepped, field);
+    return value === undefined ? [] : storedAs(from, index, value, perUnit);
   });
+}
+
+/** A displayed value as its DOF stores it: the very number that it had if it is displayed as before. */
+export function storedAs(from: ArrayLike<number>, index: number, value: number, perUnit: number): DofValue {
+  const isSame = withoutNoise(from[index] * perUnit) === withoutNoise(value);
+  return { index, value: isSame ? from[index] : value / perUnit };
 }
 
 /**

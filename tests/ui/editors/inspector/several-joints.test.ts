@@ -5,10 +5,9 @@ import { typedValues } from '../../../../src/ui/editors/inspector/dof-rows.ts';
 const DEGREES = 180 / Math.PI;
 const from = [0, 0.1, 0.2, 0.4];
 const values = (text: string, typedFrom = from[1] * DEGREES) =>
-  typedValues({ text, from: typedFrom }, from, { index: 1 }, [2, 3], DEGREES, {}).map(({ index, value }) => [
-    index,
-    Number((value * DEGREES).toPrecision(10)),
-  ]);
+  typedValues({ text, from: typedFrom }, from, { index: 1 }, [2, 3], DEGREES, { decimals: 2 }).map(
+    ({ index, value }) => [index, Number((value * DEGREES).toPrecision(10))],
+  );
 const degrees = (radians: number) => Number((radians * DEGREES).toPrecision(10));
 
 it('a number typed for several joints sets all', () => {
@@ -38,4 +37,18 @@ it('+=5 typed after arrow keys counts from where these led all of the joints', (
 
 it('what is no number sets nothing', () => {
   expect(values('abc')).toEqual([]);
+});
+
+it('what is shown of a joint, typed for several, changes the others only', () => {
+  const shownOfSecond = String(Number((0.2 * DEGREES).toFixed(2)));
+  const [second, third] = typedValues(
+    { text: shownOfSecond, from: from[1] * DEGREES },
+    from,
+    { index: 1 },
+    [2, 3],
+    DEGREES,
+    { decimals: 2 },
+  );
+  expect(second.value).toBe(0.2);
+  expect(third.value).not.toBe(0.4);
 });
