@@ -39,9 +39,9 @@ export const keyPose: Command<KeyPose, Edit> = {
         const index = indexIn(dof, 0, shown.length, 'DOF');
         values.set(index, shown[index]);
       }
-    const clip = shownClip(character);
-    if (clip) keyable(clip, [...values.keys()]);
     const { character: keyed, keys } = keyDofs(character, values, timeSeconds, options);
+    const clip = shownClip(keyed);
+    if (clip) keyable(clip, [...values.keys()]);
     return { document: changeCharacter(document, characterId, () => keyed), keys };
   },
 };

@@ -43,6 +43,24 @@ export interface Tolerance {
   readonly angle: number;
 }
 
+/** Fraction of the skeleton's size that is hardly visible at a joint. */
+const POSITION_PART = 0.005;
+/** Radians: 1°. */
+const ANGLE = Math.PI / 180;
+
+/** What is hardly visible. */
+export function usualTolerance(skeleton: Skeleton | undefined): Tolerance {
+  return { position: POSITION_PART * (skeleton ? sizeOf(skeleton) : 1), angle: ANGLE };
+}
+
+/** Longest side of the bounding box of the joints at rest. */
+function sizeOf({ joints }: Skeleton): number {
+  const at: number[][] = [];
+  for (const { parent, offset } of joints) at.push(offset.map((v, k) => v + (parent < 0 ? 0 : at[parent][k])));
+  const sides = [0, 1, 2].map((k) => Math.max(...at.map((p) => p[k])) - Math.min(...at.map((p) => p[k])));
+  return Math.max(...sides) || 1;
+}
+
 export interface Worst {
   readonly error: number;
   /** Index of the joint. */

@@ -13,12 +13,13 @@ import { button, keepsFocusElsewhere, setAttribute } from '../../kit/dom.ts';
 import { setTooltip } from '../../kit/tooltip.ts';
 import { attempt } from '../../state/attempt.ts';
 import type { Uses } from '../../state/workbench.ts';
-import { deleteKeysNow, isKeyedNow, keyNow } from '../posing/pose-edits.ts';
+import { deleteKeysNow, isKeyedNow, isSampled, keyNow } from '../posing/pose-edits.ts';
 
 export type DofState = 'keyed' | 'driven' | 'unkeyed' | 'moved' | 'free';
 
 export class DofMark {
   readonly element: HTMLButtonElement;
+  private title = '';
 
   /**
    * @param row has the state as `data-driver`
@@ -40,10 +41,13 @@ export class DofMark {
   }
 
   show(character: Character): void {
-    const state = dofState(this.wb, character, this.dofs[0]);
-    if (this.row.dataset.driver === state) return;
+    const [dof] = this.dofs;
+    const state = dofState(this.wb, character, dof);
+    const title = (isSampled(character, dof) && SAMPLED_TITLES[state]) || TITLES[state];
+    if (this.row.dataset.driver === state && this.title === title) return;
     this.row.dataset.driver = state;
-    setTooltip(this.element, TITLES[state]);
+    this.title = title;
+    setTooltip(this.element, title);
     this.element.disabled =
       !character.skeleton || findCharacter(this.wb.store.document, this.characterId) === undefined;
     setAttribute(this.element, 'aria-label', markLabel(state, this.name));
@@ -56,6 +60,12 @@ const TITLES: Readonly<Record<DofState, string>> = {
   unkeyed: 'Unkeyed change, lost when the time changes. Click to key it',
   moved: 'Retargeted from another character. Bake it to key it',
   free: 'Not animated. Click to key it',
+};
+
+/** Of sampled channels. */
+const SAMPLED_TITLES: Partial<Record<DofState, string>> = {
+  driven: 'Sampled at every frame. Click to convert it to keys',
+  unkeyed: 'Unkeyed change over samples, lost when the time changes. Click to convert them to keys',
 };
 
 /** What a click does, for screen readers; names the DOF, as there are hundreds of marks. */

@@ -12,6 +12,7 @@ import { removeControllers } from '../../kit/slider.ts';
 import { setTooltip } from '../../kit/tooltip.ts';
 import { jointsText } from '../../state/selected-joint.ts';
 import { keyNameOf } from '../../state/tooltips.ts';
+import { isSampled } from '../posing/pose-edits.ts';
 import { addDofRow, type DofRowContext } from './dof-rows.ts';
 
 /** Rows of the long list are created in chunks of this size as it is scrolled. */
@@ -88,10 +89,9 @@ export class DofSections {
     if (!count) return;
     const key = keyNameOf(this.context.wb, 'key.changed');
     const what = plural(count, 'unkeyed change');
-    setText(
-      this.note,
-      `${what}, lost when the time changes${key ? `. ${key} keys ${count === 1 ? 'it' : 'them'}` : ''}.`,
-    );
+    const isAnySampled = character && unkeyed?.dofs.some((dof) => isSampled(character, dof));
+    const keys = isAnySampled ? 'offers to convert sampled curves to keys' : `keys ${count === 1 ? 'it' : 'them'}`;
+    setText(this.note, `${what}, lost when the time changes${key ? `. ${key} ${keys}` : ''}.`);
   }
 
   private fillJoint(character: Character, dofs: readonly CharacterDof[], joints: readonly number[]): void {

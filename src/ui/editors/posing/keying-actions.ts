@@ -223,7 +223,8 @@ function keyChanged(
     keyAndTell(wb, character);
     return;
   }
-  const whole = keyNameOf(wb, 'key.pose');
+  const isCaptured = shownClip(character)?.channels.every(({ kind }) => kind === 'samples');
+  const whole = isCaptured ? undefined : keyNameOf(wb, 'key.pose');
   wb.messages.note(
     `Nothing to key: no value was changed and no joint is selected. Rotate a joint, or select one${whole ? `; ${whole} keys the whole pose` : ''}.`,
   );
@@ -241,8 +242,8 @@ function keyAndTell(
     return;
   }
   const before = wb.store.document;
-  keyNow(wb, character.id, dofs);
-  if (wb.store.document !== before) return;
+  const isOffered = keyNow(wb, character.id, dofs);
+  if (isOffered || wb.store.document !== before) return;
   wb.messages.note(`Keyed already at ${shown(wb.transport.get().timeSeconds)} s, with these values.`);
 }
 

@@ -11,10 +11,11 @@ import { keysAtTime } from '../../../edit/keys/selection.ts';
 import { channelOf, isDriven } from '../../../evaluate/pose.ts';
 import { silentChannels } from '../../../evaluate/retarget/moved-dofs.ts';
 import { keysOf } from '../../../model/clip.ts';
-import { type Character, shownClip } from '../../../model/document.ts';
+import { type Character, findCharacter, shownClip } from '../../../model/document.ts';
 import { type DofValue, jointDofCount, rootDofCount } from '../../../model/dofs.ts';
 import type { ChannelKeys } from '../../../model/session.ts';
 import { addKeys } from '../../state/add-keys.ts';
+import { onDemand } from '../../state/on-demand.ts';
 import { pausePlayback } from '../../state/pause-playback.ts';
 import type { Uses } from '../../state/workbench.ts';
 import { channelsOfJoint } from '../timeline/channels.ts';
@@ -51,16 +52,48 @@ export function standStillToPose(
   if (plays) pausePlayback(wb);
 }
 
-/** Keys DOFs as shown; all of them by default. Stops playback. */
+/**
+ * Keys DOFs as shown; all of them by default. Stops playback. For sampled ones, which take no single keys, it offers to
+ * convert them.
+ *
+ * @returns whether it offers that
+ */
 export function keyNow(
-  wb: Uses<'store' | 'transport' | 'timeline' | 'settings'>,
+  wb: Uses<'store' | 'transport' | 'timeline' | 'settings' | 'messages'>,
   characterId: string,
   dofs?: readonly number[],
-): void {
+): boolean {
   pausePlayback(wb);
   const { timeSeconds } = wb.transport.get();
   const options = keyOptions(wb);
-  addKeys(wb, keyPose, (outsideCycle) => ({ characterId, dofs, timeSeconds, ...options, outsideCycle }));
+  const sampled = sampledDofs(findCharacter(wb.store.document, characterId), dofs);
+  if (!sampled || sampled.keyable) {
+    addKeys(wb, keyPose, (outsideCycle) => ({ characterId, dofs, timeSeconds, ...options, outsideCycle }));
+  }
+  if (!sampled) return false;
+  const load = () => import('./key-samples.ts');
+  void onDemand(wb.messages, 'Keying samples', load).then((module) => {
+    module?.offerToConvert(wb, characterId, sampled.dofs, options);
+  });
+  return true;
+}
+
+/** Those of a character's DOFs that are sampled, and whether any others take keys; undefined if none are. */
+function sampledDofs(
+  character: Character | undefined,
+  dofs: readonly number[] | undefined,
+): { readonly dofs: readonly number[]; readonly keyable: boolean } | undefined {
+  const clip = character && shownClip(character);
+  // Retargeted joints are refused, whatever their own take has.
+  if (!character || !clip || silentChannels(character) > 0) return undefined;
+  const given = dofs ?? [...clip.channels.keys()];
+  const sampled = given.filter((dof) => isSampled(character, dof));
+  return sampled.length > 0 ? { dofs: sampled, keyable: sampled.length < given.length } : undefined;
+}
+
+/** Whether a DOF's channel has samples, and so takes no single keys. */
+export function isSampled(character: Character, dof: number): boolean {
+  return channelOf(character, dof)?.kind === 'samples';
 }
 
 /** A character's keys at the current time; of these DOFs, or of all. */

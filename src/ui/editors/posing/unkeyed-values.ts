@@ -5,6 +5,7 @@
  */
 import { discardUnkeyed } from '../../../edit/commands/unkeyed.ts';
 import { countUnkeyed } from '../../../edit/unkeyed.ts';
+import { channelOf } from '../../../evaluate/pose.ts';
 import { findCharacter } from '../../../model/document.ts';
 import { onDemand } from '../../state/on-demand.ts';
 import type { Uses } from '../../state/workbench.ts';
@@ -17,8 +18,10 @@ export function dropStale(wb: Uses<'store' | 'actions' | 'settings' | 'messages'
   store.settle();
   const count = countUnkeyed(store.document, timeSeconds);
   if (count === 0) return;
-  // Retargeted DOFs can't be keyed.
-  const canBeKeyed = store.document.characters.some((c) => c.unkeyed && !c.driver);
+  // Retargeted DOFs can't be keyed, nor can samples as they are.
+  const canBeKeyed = store.document.characters.some(
+    (c) => !c.driver && c.unkeyed?.dofs.some((dof) => channelOf(c, dof)?.kind !== 'samples'),
+  );
   store.apply(discardUnkeyed, { exceptSeconds: timeSeconds });
   const { document } = store;
   // With the names of keys, which the page's start has no use for.

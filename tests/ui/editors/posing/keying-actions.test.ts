@@ -1,6 +1,7 @@
-import { describe, expect, it } from 'vitest';
+import { describe, expect, it, vi } from 'vitest';
 import { showClip } from '../../../../src/edit/commands/characters.ts';
 import { setDofs } from '../../../../src/edit/commands/pose.ts';
+import { poseAt } from '../../../../src/evaluate/pose.ts';
 import { keysOf, restChannel } from '../../../../src/model/clip.ts';
 import type { Character } from '../../../../src/model/document.ts';
 import { openFiles } from '../../../../src/project/open/open-files.ts';
@@ -10,7 +11,7 @@ import { followOpened } from '../../../../src/ui/editors/posing/opened.ts';
 import { autoKey, jointDofs } from '../../../../src/ui/editors/posing/pose-edits.ts';
 import { isEnabled, runAction } from '../../../../src/ui/state/action.ts';
 import type { Workbench } from '../../../../src/ui/state/workbench.ts';
-import { channel, character, clip, documentOf, skeleton, workbench } from '../../builders.ts';
+import { capture, channel, character, clip, documentOf, skeleton, workbench } from '../../builders.ts';
 
 const bones = skeleton(['hips', -1], ['leg', 0]);
 const bare = character({ skeleton: bones, shownClip: -1 });
@@ -261,5 +262,93 @@ describe('the mark of a DOF', () => {
     toggleKey(wb, 'c1', [4]);
     expect(state(wb)).toBe('free');
     expect(wasp(wb).clips[0].channels[4]).toMatchObject({ kind: 'rest', value: 0.5 });
+  });
+});
+
+/** Scripts of rare tools are fetched with their first use. */
+const WHILE_LOADING = { interval: 1, timeout: 20_000 };
+
+describe('keying a capture', () => {
+  const FRAMES = 31;
+  /** Both joints rotate about x, and the hips move along x. */
+  const swing = (frame: number, dof: number) => ([0, 3, 6].includes(dof) ? 0.3 * Math.sin(frame / 5 + dof) : 0);
+  const captured = character({ skeleton: bones, clips: [capture(9, 1 / 30, FRAMES, swing)] });
+  const LEG_RX = 6;
+
+  function posed() {
+    const { wb } = workbench(documentOf(captured), { timeSeconds: 0.5, range: [0, 1] });
+    wb.store.select({ characterId: 'c1', joint: 1 });
+    const dofs = [{ index: LEG_RX, value: 1 }];
+    wb.store.apply(setDofs, { characterId: 'c1', dofs, timeSeconds: 0.5 });
+    return wb;
+  }
+  const valuesAt = (wb: Workbench, seconds: number) => {
+    const out = new Float64Array(9);
+    poseAt(wasp(wb), seconds, out);
+    return out;
+  };
+  const offered = (wb: Workbench) => vi.waitUntil(() => wb.messages.offer, WHILE_LOADING);
+
+  it('K on a capture says why not in one message, whose button converts the joint’s curves and keys, in one step', async () => {
+    const wb = posed();
+    const before = wb.store.document;
+    const shown = valuesAt(wb, 0.5);
+    runAction(wb, 'key.changed');
+    const offer = await offered(wb);
+    expect(wb.store.document).toBe(before);
+    expect(wb.messages.passing.get()).toBe(
+      'The 3 curves of leg are sampled: they have a value at every frame, and no single keys.',
+    );
+    expect(wb.messages.list.get()).toEqual([]);
+
+    offer.run();
+    await vi.waitUntil(() => wb.store.undoLabel === 'Convert to keys and key leg', WHILE_LOADING);
+    expect(wasp(wb).unkeyed).toBeUndefined();
+    const kinds = wasp(wb).clips[0].channels.map(({ kind }) => kind);
+    expect(kinds).toEqual([...new Array(6).fill('samples'), 'keys', 'keys', 'keys']);
+    expect(keysOf(wasp(wb).clips[0].channels[LEG_RX]).times).toContain(0.5);
+    expect([...valuesAt(wb, 0.5)]).toEqual([...shown]);
+    expect(Math.abs(valuesAt(wb, 0)[LEG_RX] - swing(0, LEG_RX))).toBeLessThan(0.02);
+    expect(wb.messages.passing.get()).toMatch(/^Converted 3 curves to \d+ keys, at most .* off, and keyed at 0.5 s\.$/);
+    wb.store.undo();
+    expect(wb.store.document).toBe(before);
+  });
+
+  it('from then on K keys that joint as any other', async () => {
+    const wb = posed();
+    runAction(wb, 'key.changed');
+    (await offered(wb)).run();
+    await vi.waitUntil(() => wb.store.undoLabel === 'Convert to keys and key leg', WHILE_LOADING);
+    at(wb, 0.7);
+    wb.store.apply(setDofs, { characterId: 'c1', dofs: [{ index: LEG_RX, value: 2 }], timeSeconds: 0.7 });
+    runAction(wb, 'key.changed');
+    expect(keysOf(wasp(wb).clips[0].channels[LEG_RX]).times).toContain(0.7);
+    expect(wb.store.undoLabel).toBe('Key rx of leg');
+  });
+
+  it('what can be keyed is keyed, and the rest offered', async () => {
+    const [take] = captured.clips;
+    const channels = take.channels.map((one, dof) => (dof === LEG_RX + 1 ? channel(0, 1) : one));
+    const { wb } = workbench(documentOf({ ...captured, clips: [{ ...take, channels }] }), { timeSeconds: 0.5 });
+    runAction(wb, 'key.pose');
+    await offered(wb);
+    expect([...keysOf(wasp(wb).clips[0].channels[LEG_RX + 1]).times]).toEqual([0, 0.5, 1]);
+    expect(wb.messages.passing.get()).toContain('The 8 curves of 2 joints are sampled');
+  });
+
+  it('nothing on a capture says that K keys it', () => {
+    const wb = posed();
+    wb.store.undo();
+    wb.store.select({ characterId: 'c1' });
+    runAction(wb, 'key.changed');
+    expect(wb.messages.passing.get()).toContain('Nothing to key');
+    expect(wb.messages.passing.get()).not.toContain('keys the whole pose');
+    expect(wb.messages.offer).toBeUndefined();
+  });
+
+  it('the mark of a sampled DOF offers the same', async () => {
+    const wb = posed();
+    toggleKey(wb, 'c1', [LEG_RX]);
+    expect((await offered(wb)).label).toBe('Convert to keys and key');
   });
 });

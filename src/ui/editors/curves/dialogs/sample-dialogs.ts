@@ -10,12 +10,11 @@ import {
   smoothSamples,
   smoothSteps,
 } from '../../../../edit/commands/samples.ts';
-import type { Converted } from '../../../../edit/samples/convert.ts';
+import { type Converted, usualTolerance } from '../../../../edit/samples/convert.ts';
 import { MEDIAN_FRAMES } from '../../../../edit/samples/median.ts';
 import { type Character, type Document, findCharacter, shownClip } from '../../../../model/document.ts';
 import { jointName } from '../../../../model/joint-name.ts';
 import type { Samples } from '../../../../model/samples.ts';
-import type { Skeleton } from '../../../../model/skeleton.ts';
 import type { DialogContent } from '../../../kit/dialog.ts';
 import { element } from '../../../kit/dom.ts';
 import { count, errorSize, plural, shown } from '../../../kit/number-text.ts';
@@ -25,19 +24,14 @@ import type { Uses } from '../../../state/workbench.ts';
 import { channelsToEdit, currentTake, type Take } from '../../timeline/current-take.ts';
 import { type Asked, toolDialog } from '../../timeline/tool-dialog.ts';
 
-/** Fraction of the skeleton's size that is hardly visible at a joint. */
-const POSITION_PART = 0.005;
-const ANGLE_DEGREES = 1;
-
 export function convertDialog(
   wb: Uses<'store' | 'timeline' | 'settings' | 'messages' | 'dialog'>,
   close: () => void,
 ): DialogContent {
   return withSamples(wb, ({ character, clip }, samples, channels) => {
     const { angles } = wb.settings.get();
-    const degrees = angles === 'degrees' ? ANGLE_DEGREES : Number(((ANGLE_DEGREES * Math.PI) / 180).toPrecision(2));
+    const usual = usualTolerance(character.skeleton);
     const all = clip.channels.filter(({ kind }) => kind === 'samples').length;
-    const { skeleton } = character;
     return toolDialog<ConvertToKeys>(wb, close, {
       name: 'convertToKeys',
       title: 'Convert to keys',
@@ -50,14 +44,14 @@ export function convertDialog(
           kind: 'number',
           name: 'position',
           label: 'Position tolerance',
-          value: Number((POSITION_PART * (skeleton ? sizeOf(skeleton) : 1)).toPrecision(2)),
+          value: Number(usual.position.toPrecision(2)),
           unit: lengthUnit(character),
         },
         {
           kind: 'number',
           name: 'angle',
           label: 'Rotation tolerance',
-          value: degrees,
+          value: Number((usual.angle * shownPerUnit('angle', angles)).toPrecision(2)),
           unit: unitText('angle', angles).trim(),
         },
       ],
@@ -250,14 +244,6 @@ function convertedText(wb: Uses<'settings'>, character: Character, report: Conve
     `Largest position error: ${nameOf(worstPosition.joint)}, ${off} ${at(worstPosition.atSeconds)}.`,
     `Largest rotation error: ${nameOf(worstAngle.joint)}, ${turned} ${at(worstAngle.atSeconds)}.`,
   ].join('\n');
-}
-
-/** Longest side of the bounding box of the joints at rest. */
-function sizeOf({ joints }: Skeleton): number {
-  const at: number[][] = [];
-  for (const { parent, offset } of joints) at.push(offset.map((v, k) => v + (parent < 0 ? 0 : at[parent][k])));
-  const sides = [0, 1, 2].map((k) => Math.max(...at.map((p) => p[k])) - Math.min(...at.map((p) => p[k])));
-  return Math.max(...sides) || 1;
 }
 
 function withSamples(

@@ -1,0 +1,115 @@
+/**
+ * Keying what was captured. Sampled curves have a value at every frame and take no single keys, so those of the joints
+ * become keys first. That changes them by up to a tolerance, so it is offered, not done; offer taken, it is one step.
+ */
+import { type KeyPose, keyPose } from '../../../edit/commands/keying.ts';
+import { convertSteps } from '../../../edit/commands/samples.ts';
+import type { KeyOptions } from '../../../edit/key-dofs.ts';
+import { type Converted, usualTolerance } from '../../../edit/samples/convert.ts';
+import { documentIn, type Edit } from '../../../edit/store.ts';
+import { Trial } from '../../../edit/trial.ts';
+import type { Steps } from '../../../evaluate/steps.ts';
+import { type Character, type Document, findCharacter, shownClip } from '../../../model/document.ts';
+import { characterDofs } from '../../../model/dofs.ts';
+import { sentenceOf } from '../../../model/failure.ts';
+import { jointName } from '../../../model/joint-name.ts';
+import { inSlices } from '../../kit/in-slices.ts';
+import { errorSize, plural, shown } from '../../kit/number-text.ts';
+import { shownPerUnit, unitText } from '../../state/angles.ts';
+import { lengthUnit } from '../../state/length-unit.ts';
+import type { Uses } from '../../state/workbench.ts';
+import { channelsOfJoint } from '../timeline/channels.ts';
+
+type Parts = Uses<'store' | 'transport' | 'timeline' | 'settings' | 'messages'>;
+
+interface Wanted {
+  readonly character: Character;
+  /** To become keys: those sampled of the same joints, whose angles are converted together. */
+  readonly channels: readonly number[];
+}
+
+/**
+ * Says that some of these DOFs are sampled, with a button that converts their joints' curves to keys and keys the DOFs as
+ * displayed at the current time.
+ */
+export function offerToConvert(wb: Parts, characterId: string, dofs: readonly number[], options: KeyOptions): void {
+  const { timeSeconds } = wb.transport.get();
+  const wanted = wantedOf(wb.store.document, characterId, dofs);
+  if (!wanted) return;
+  const { character, channels } = wanted;
+  const what = channels.length === 1 ? 'The curve' : `The ${channels.length} curves`;
+  const have = channels.length === 1 ? 'is sampled: it has a value' : 'are sampled: they have a value';
+  wb.messages.confirm(`${what} of ${jointsOf(character, channels)} ${have} at every frame, and no single keys.`, {
+    label: 'Convert to keys and key',
+    run: () => convertAndKey(wb, { characterId, dofs, timeSeconds, ...options }),
+  });
+}
+
+function wantedOf(document: Document, characterId: string, dofs: readonly number[]): Wanted | undefined {
+  const character = findCharacter(document, characterId);
+  const clip = character && shownClip(character);
+  if (!character || !clip) return undefined;
+  const all = characterDofs(character.skeleton, character.morphs);
+  const joints = new Set(dofs.map((dof) => all[dof]?.joint ?? -1));
+  const given = new Set(dofs);
+  const ranges = [...joints].map((joint) => channelsOfJoint(character, joint));
+  const isMeant = (dof: number) => given.has(dof) || ranges.some(([first, end]) => dof >= first && dof < end);
+  const channels = [...clip.channels.keys()].filter((dof) => clip.channels[dof].kind === 'samples' && isMeant(dof));
+  return channels.length > 0 ? { character, channels } : undefined;
+}
+
+/** `chest`, `2 joints`, `walker`. */
+function jointsOf(character: Character, channels: readonly number[]): string {
+  const all = characterDofs(character.skeleton, character.morphs);
+  const joints = [...new Set(channels.map((channel) => all[channel]?.joint ?? -1))];
+  const [joint] = joints;
+  if (joints.length > 1) return plural(joints.length, 'joint');
+  return character.skeleton && joint >= 0 ? jointName(character.skeleton, joint) : character.name;
+}
+
+/** In slices, since long takes have many frames; if anything else changes meanwhile, nothing is done. */
+function convertAndKey(wb: Parts, args: KeyPose & { readonly dofs: readonly number[] }): void {
+  const { store, messages, transport } = wb;
+  const { characterId, dofs, timeSeconds } = args;
+  // What is keyed is what was displayed then.
+  if (transport.get().timeSeconds !== timeSeconds) transport.update((p) => ({ ...p, timeSeconds, playing: false }));
+  const wanted = wantedOf(store.document, characterId, dofs);
+  if (!wanted) return;
+  const label = `Convert to keys and key ${jointsOf(wanted.character, wanted.channels)}`;
+  const trial = new Trial(store, label, () => {
+    messages.note(`${label} was stopped because the document has changed. Try again.`, 'warning');
+  });
+  inSlices(converting(trial.base, wanted, args), {
+    isOver: () => trial.over,
+    progress: (part) => messages.note(`Converting to keys: ${Math.round(100 * part)} %`),
+    done({ edit, report }) {
+      trial.show(edit);
+      trial.keep();
+      messages.note(`${convertedText(wb, wanted.character, report)}, and keyed at ${shown(timeSeconds)} s.`);
+    },
+    failed(error) {
+      trial.putBack();
+      messages.note(`${label}: ${sentenceOf(error)}`, 'warning');
+    },
+  });
+}
+
+function* converting(
+  document: Document,
+  { character, channels }: Wanted,
+  args: KeyPose,
+): Steps<{ readonly edit: Edit; readonly report: Converted }> {
+  const tolerance = usualTolerance(character.skeleton);
+  const { edit, report } = yield* convertSteps(document, { characterId: character.id, channels, tolerance });
+  return { edit: keyPose.run(documentIn(edit), args), report };
+}
+
+/** `Converted 3 curves to 212 keys, at most 0.4 cm and 0.9° off`. */
+function convertedText(wb: Uses<'settings'>, character: Character, report: Converted): string {
+  const { angles } = wb.settings.get();
+  const { channels, keysAfter, worstPosition, worstAngle } = report;
+  const turned = `${errorSize(worstAngle.error * shownPerUnit('angle', angles))}${unitText('angle', angles)}`;
+  const off = `${errorSize(worstPosition.error)} ${lengthUnit(character)}`.trim();
+  const what = `${plural(channels.length, 'curve')} to ${plural(keysAfter, 'key')}`;
+  return `Converted ${what}, at most ${off} and ${turned} off`;
+}
