@@ -178,7 +178,9 @@ export const EDIT_ACTIONS: readonly Action[] = [
       wb.store.apply(removeCharacter, { characterId: character.id });
       wb.store.select(NOTHING_SELECTED);
       // It may have held unsaved work, and Delete is a key that is hit by mistake.
-      wb.messages.confirm(`${character.name} was removed.`, { label: 'Undo', run: () => travel(wb, 'undo') });
+      const { document } = wb.store;
+      const undo = { label: 'Undo', run: () => travel(wb, 'undo') };
+      wb.messages.confirm(`${character.name} was removed.`, undo, () => wb.store.document !== document);
     },
   },
 ];

@@ -14,14 +14,20 @@ const AREAS = Object.entries(MOUSE_AREAS).map(([area, selector]) => ({
   selector,
 }));
 
-export function statusBar(wb: Uses<'store' | 'posing' | 'timeline' | 'viewport'>, signal: AbortSignal): HTMLElement {
+export function statusBar(
+  wb: Uses<'store' | 'posing' | 'timeline' | 'viewport' | 'settings'>,
+  signal: AbortSignal,
+): HTMLElement {
   const line = element('footer', { class: 'status-bar', 'aria-label': 'Mouse' });
-  let under: Element | undefined;
+  /** The pointer in the page; undefined if it isn't there. */
+  let pointer: { readonly x: number; readonly y: number } | undefined;
   let isDown = false;
   let shown = '';
   const show = () => {
     // A drag keeps the line that it began with: nothing below it is highlighted meanwhile.
     if (isDown) return;
+    // What is under a resting pointer may have been opened, closed or removed.
+    const under = pointer && document.elementFromPoint(pointer.x, pointer.y);
     const place = under && placeAt(wb, under);
     const hints = place ? mouseHints(place) : [];
     const text = JSON.stringify(hints);
@@ -41,14 +47,30 @@ export function statusBar(wb: Uses<'store' | 'posing' | 'timeline' | 'viewport'>
   const showSoon = oncePerFrame(show);
   window.addEventListener(
     'pointermove',
-    ({ target, pointerType, buttons }) => {
+    ({ clientX: x, clientY: y, pointerType, buttons }) => {
       if (pointerType === 'touch') return;
       isDown = buttons !== 0;
-      under = target instanceof Element ? target : undefined;
+      pointer = { x, y };
       showSoon();
     },
     { signal, passive: true },
   );
+  const released = () => {
+    isDown = false;
+    showSoon();
+  };
+  window.addEventListener('pointerup', released, { signal, capture: true, passive: true });
+  window.addEventListener('pointercancel', released, { signal, capture: true, passive: true });
+  document.documentElement.addEventListener(
+    'pointerleave',
+    () => {
+      pointer = undefined;
+      showSoon();
+    },
+    { signal, passive: true },
+  );
+  // Modifiers change what a press would do.
+  for (const type of ['keydown', 'keyup'] as const) window.addEventListener(type, showSoon, { signal, passive: true });
   window.addEventListener(
     'pointerdown',
     ({ pointerType }) => {
@@ -61,6 +83,8 @@ export function statusBar(wb: Uses<'store' | 'posing' | 'timeline' | 'viewport'>
     wb.posing.mode.subscribe(showSoon),
     wb.posing.rig.adding.subscribe(showSoon),
     wb.timeline.view.subscribe(showSoon),
+    wb.store.subscribe(showSoon),
+    wb.settings.subscribe(showSoon),
   ];
   signal.addEventListener('abort', () => {
     for (const stop of stops) stop();

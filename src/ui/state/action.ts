@@ -1,9 +1,11 @@
 /** Finds, inspects and runs the page's actions (`Workbench.actions`). */
 
+import { CommandError } from '../../edit/store.ts';
 import { type Character, findCharacter } from '../../model/document.ts';
 import { sentenceOf } from '../../model/failure.ts';
 import { watchEffect } from './effect.ts';
 import type { GroupName } from './menus.ts';
+import type { IsOver } from './messages.ts';
 import { reasonOf } from './needs.ts';
 import type { Action, Uses } from './workbench.ts';
 
@@ -63,17 +65,26 @@ export function tryAction(wb: ActionsOnPage, action: Action, args?: unknown): vo
   const { page } = wb.actions;
   if (!isEnabled(wb, action)) {
     const why = reasonNot(wb, action);
-    if (why) page.messages.note(why);
+    if (why) page.messages.note(why, 'info', 'until a step', () => isEnabled(wb, action));
     return;
   }
+  const isOver = aboutNow(page);
   const failed = (error: unknown) => {
     const why = sentenceOf(error);
-    page.messages.note(`${actionLabel(wb, action)}: ${why}`, 'error');
+    const text = `${actionLabel(wb, action)}: ${why}`;
+    // A refusal is about what was tried, and not a fault that is to be read.
+    if (error instanceof CommandError) page.messages.note(text, 'warning', 'until a step', isOver);
+    else page.messages.note(text, 'error');
   };
   const hasEffect = watchEffect(page);
   const tell = () => {
     if (isExpectedToChange(wb, action) && !hasEffect()) {
-      page.messages.note(action.unchanged ?? `${actionLabel(wb, action)}: nothing to change.`);
+      page.messages.note(
+        action.unchanged ?? `${actionLabel(wb, action)}: nothing to change.`,
+        'info',
+        'until a step',
+        isOver,
+      );
     }
   };
   try {
@@ -83,6 +94,13 @@ export function tryAction(wb: ActionsOnPage, action: Action, args?: unknown): vo
   } catch (error) {
     failed(error);
   }
+}
+
+/** When a message about document, selection and mode as they are now is over. */
+function aboutNow({ store, posing }: Uses<'store' | 'posing'>): IsOver {
+  const { document, selection } = store;
+  const mode = posing.mode.get();
+  return () => store.document !== document || store.selection !== selection || posing.mode.get() !== mode;
 }
 
 /** Runs an action by its id as `tryAction` does: for what was drawn while the action was still enabled. */

@@ -21,7 +21,12 @@ export interface Message {
   readonly offers?: readonly Offer[];
   /** The next step removes it from the line, since it was about a previous attempt. */
   readonly isRefusal?: boolean;
+  /** Whether what it says is over; it then leaves the line. */
+  readonly isOver?: IsOver;
 }
+
+/** Asked after changes of the document, the selection and the mode. */
+export type IsOver = () => boolean;
 
 /** What a message offers to do, as a button. */
 export interface Offer {
@@ -39,6 +44,7 @@ export class Messages {
   readonly passing: Observable<string | undefined> = observable<string | undefined>(undefined);
   /** Of the passing confirmation. */
   offer: Offer | undefined;
+  private passingIsOver: IsOver | undefined;
   /** Counts requests to show the list. */
   readonly listAsked: Observable<number> = observable(0);
   private nextId = 1;
@@ -48,14 +54,17 @@ export class Messages {
    * Adds a notice of one sentence. An info disappears by itself; anything worse is listed.
    *
    * @param lasting for warnings; an error stays in the line until read
+   * @param isOver when what it says is no longer so
    */
-  note(text: string, severity: Severity = 'info', lasting: Lasting = 'until a step'): void {
+  note(text: string, severity: Severity = 'info', lasting: Lasting = 'until a step', isOver?: IsOver): void {
     this.given++;
     this.offer = undefined;
-    if (severity === 'info') this.passing.set(cutMessage(text));
-    else {
+    if (severity === 'info') {
+      this.passingIsOver = isOver;
+      this.passing.set(cutMessage(text));
+    } else {
       const isRefusal = severity === 'warning' && lasting === 'until a step';
-      this.add({ text, severity, diagnostics: [], ...(isRefusal && { isRefusal }) });
+      this.add({ text, severity, diagnostics: [], ...(isRefusal && { isRefusal }), ...(isOver && { isOver }) });
     }
   }
 
@@ -67,9 +76,10 @@ export class Messages {
   }
 
   /** Adds a confirmation with a button, for what has no key on a touch screen. */
-  confirm(text: string, offer: Offer): void {
+  confirm(text: string, offer: Offer, isOver?: IsOver): void {
     this.given++;
     this.offer = offer;
+    this.passingIsOver = isOver;
     // Said again, it has another button.
     this.passing.set(undefined);
     this.passing.set(text);
@@ -88,9 +98,20 @@ export class Messages {
   /** After a step: earlier refusals and confirmations aren't about it. Refusals stay listed. */
   leaveBehind({ lastId, passing }: Said): void {
     if (passing !== undefined && this.passing.get() === passing) this.passing.set(undefined);
-    const isLeft = (m: Message) => m.unread && m.isRefusal === true && m.id <= lastId;
-    if (!this.list.get().some(isLeft)) return;
-    this.list.update((all) => all.map((m) => (isLeft(m) ? { ...m, unread: false } : m)));
+    this.leaveLine((m) => m.isRefusal === true && m.id <= lastId);
+  }
+
+  /** Removes from the line what is over. */
+  leaveOver(): void {
+    if (this.passing.get() !== undefined && this.passingIsOver?.()) this.passing.set(undefined);
+    this.leaveLine((m) => m.isOver?.() === true);
+  }
+
+  /** Removes unread messages from the line; they stay in the list. */
+  leaveLine(isLeft: (message: Message) => boolean): void {
+    const leaves = (m: Message) => m.unread && isLeft(m);
+    if (!this.list.get().some(leaves)) return;
+    this.list.update((all) => all.map((m) => (leaves(m) ? { ...m, unread: false } : m)));
   }
 
   /**
@@ -142,13 +163,11 @@ export class Messages {
 
   /** Removes a message from the line; it stays in the list. */
   markRead(id: number): void {
-    this.list.update((all) => all.map((m) => (m.id === id && m.unread ? { ...m, unread: false } : m)));
+    this.leaveLine((m) => m.id === id);
   }
 
   markAllRead(): void {
-    if (this.list.get().some((m) => m.unread)) {
-      this.list.update((all) => all.map((m) => (m.unread ? { ...m, unread: false } : m)));
-    }
+    this.leaveLine(() => true);
   }
 
   private add(given: Omit<Message, 'id' | 'unread'>, unread = true): void {

@@ -1,8 +1,10 @@
 import { beforeEach, describe, expect, it } from 'vitest';
-import { renameCharacter } from '../../../src/edit/commands/characters.ts';
+import { removeCharacter, renameCharacter } from '../../../src/edit/commands/characters.ts';
+import { CommandError } from '../../../src/edit/store.ts';
 import { leaveRefusalsBehind } from '../../../src/ui/shell/stale-messages.ts';
+import { findAction, tryAction } from '../../../src/ui/state/action.ts';
 import type { Workbench } from '../../../src/ui/state/workbench.ts';
-import { character, documentOf, workbench } from '../builders.ts';
+import { character, documentOf, skeleton, workbench } from '../builders.ts';
 
 let wb: Workbench;
 const unread = () => wb.messages.list.get().flatMap((m) => (m.unread ? [m.text] : []));
@@ -65,6 +67,76 @@ describe('what a step leaves as it is', () => {
     wb.messages.note('Full.', 'warning', 'until read');
     wb.store.apply(renameCharacter, named('bee'));
     expect(unread()).toEqual(['a.skel:1: Odd.', 'Full.']);
+  });
+});
+
+describe('what is over', () => {
+  it('why an action was not possible leaves as soon as it is', () => {
+    const { wb: page } = workbench(documentOf(character({ skeleton: skeleton(['hips', -1], ['leg', 0]) })));
+    leaveRefusalsBehind(page);
+    const action = findAction(page, 'select.hierarchy');
+    if (action) tryAction(page, action);
+    expect(page.messages.passing.get()).toBe('Select a joint first.');
+    page.store.select({ characterId: 'c1' });
+    expect(page.messages.passing.get()).toBe('Select a joint first.');
+    page.store.select({ characterId: 'c1', joint: 0 });
+    expect(page.messages.passing.get()).toBeUndefined();
+  });
+
+  it('that nothing was changed leaves when something else is selected, or with another mode', () => {
+    const { wb: page } = workbench(documentOf(character({ skeleton: skeleton(['hips', -1], ['leg', 0]) })));
+    leaveRefusalsBehind(page);
+    const parent = findAction(page, 'select.parent');
+    const changes = [() => page.store.select({ characterId: 'c1', joint: 1 }), () => page.posing.mode.set('ik')];
+    for (const change of changes) {
+      page.store.select({ characterId: 'c1', joint: 0 });
+      if (parent) tryAction(page, parent);
+      expect(page.messages.passing.get()).toBe('The selected joint has no parent.');
+      change();
+      expect(page.messages.passing.get()).toBeUndefined();
+    }
+  });
+
+  it('a command that is refused leaves with what it was about, and is no fault', () => {
+    const refuses = {
+      id: 'test',
+      label: 'Try',
+      group: 'Edit',
+      run() {
+        throw new CommandError('Not so.');
+      },
+    } as const;
+    tryAction(wb, refuses);
+    expect(wb.messages.list.get()).toMatchObject([{ text: 'Try: Not so.', severity: 'warning', unread: true }]);
+    wb.store.select({ characterId: 'c1' });
+    expect(unread()).toEqual([]);
+  });
+
+  it('what has a button for a step leaves with undo', () => {
+    wb.store.apply(renameCharacter, named('bee'));
+    const { document } = wb.store;
+    wb.messages.confirm('Renamed.', { label: 'Undo', run: () => {} }, () => wb.store.document !== document);
+    wb.store.select({ characterId: 'c1' });
+    expect(wb.messages.passing.get()).toBe('Renamed.');
+    wb.store.undo();
+    expect(wb.messages.passing.get()).toBeUndefined();
+  });
+
+  it('problems of the files of a removed character leave the line, and those of others stay', () => {
+    const from = (id: string, name: string) => character({ id, sources: [{ name, path: `dir/${name}`, bytes: 1 }] });
+    const { wb: page } = workbench(documentOf(from('a', 'a.skel'), from('b', 'b.skel')));
+    leaveRefusalsBehind(page);
+    const odd = { line: 1, column: 1, code: 'odd', severity: 'warning', message: 'Odd.' } as const;
+    page.messages.report([
+      { ...odd, file: 'a.skel' },
+      { ...odd, file: 'dir/b.skel' },
+    ]);
+    const texts = () => page.messages.list.get().flatMap((m) => (m.unread ? [m.text] : []));
+    page.store.apply(removeCharacter, { characterId: 'a' });
+    expect(texts()).toEqual(['dir/b.skel:1: Odd.']);
+    page.store.apply(removeCharacter, { characterId: 'b' });
+    expect(texts()).toEqual([]);
+    expect(page.messages.list.get()).toHaveLength(2);
   });
 });
 

@@ -19,7 +19,7 @@ export type DofState = 'keyed' | 'driven' | 'unkeyed' | 'moved' | 'free';
 
 export class DofMark {
   readonly element: HTMLButtonElement;
-  private title = '';
+  private tip = '';
 
   /**
    * @param row has the state as `data-driver`
@@ -43,11 +43,11 @@ export class DofMark {
   show(character: Character): void {
     const [dof] = this.dofs;
     const state = dofState(this.wb, character, dof);
-    const title = (isSampled(character, dof) && SAMPLED_TITLES[state]) || TITLES[state];
-    if (this.row.dataset.driver === state && this.title === title) return;
+    const tip = (isSampled(character, dof) && SAMPLED_TITLES[state]) || TITLES[state];
+    if (this.row.dataset.driver === state && this.tip === tip) return;
     this.row.dataset.driver = state;
-    this.title = title;
-    setTooltip(this.element, title);
+    this.tip = tip;
+    setTooltip(this.element, tip);
     this.element.disabled =
       !character.skeleton || findCharacter(this.wb.store.document, this.characterId) === undefined;
     setAttribute(this.element, 'aria-label', markLabel(state, this.name));

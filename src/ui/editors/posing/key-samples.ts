@@ -39,10 +39,15 @@ export function offerToConvert(wb: Parts, characterId: string, dofs: readonly nu
   const { character, channels } = wanted;
   const what = channels.length === 1 ? 'The curve' : `The ${channels.length} curves`;
   const have = channels.length === 1 ? 'is sampled: it has a value' : 'are sampled: they have a value';
-  wb.messages.confirm(`${what} of ${jointsOf(character, channels)} ${have} at every frame, and no single keys.`, {
-    label: 'Convert to keys and key',
-    run: () => convertAndKey(wb, { characterId, dofs, timeSeconds, ...options }),
-  });
+  const { document } = wb.store;
+  wb.messages.confirm(
+    `${what} of ${jointsOf(character, channels)} ${have} at every frame, and no single keys.`,
+    {
+      label: 'Convert to keys and key',
+      run: () => convertAndKey(wb, { characterId, dofs, timeSeconds, ...options }),
+    },
+    () => wb.store.document !== document,
+  );
 }
 
 function wantedOf(document: Document, characterId: string, dofs: readonly number[]): Wanted | undefined {

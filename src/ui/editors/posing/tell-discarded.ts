@@ -21,6 +21,9 @@ export function tellDiscarded(
   const what = count === 1 ? 'Unkeyed change' : `${count} unkeyed changes`;
   const action = findAction(wb, 'edit.undo');
   const text = `${what} discarded${said && `. ${said}`}.`;
-  if (action) wb.messages.confirm(text, { label: 'Undo', run: () => tryAction(wb, action) });
+  const { document } = wb.store;
+  // Its button undoes the last step.
+  const isOver = () => wb.store.document !== document;
+  if (action) wb.messages.confirm(text, { label: 'Undo', run: () => tryAction(wb, action) }, isOver);
   else wb.messages.note(text);
 }

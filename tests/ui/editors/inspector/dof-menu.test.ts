@@ -1,9 +1,9 @@
-import { expect, it } from 'vitest';
+import { expect, it, vi } from 'vitest';
 import { dofEntries } from '../../../../src/ui/editors/inspector/dof-menu.ts';
 import { captured, figure, take } from '../../../helpers/mocap.ts';
 import { documentOf, workbench } from '../../builders.ts';
 
-it('a key on a sampled curve is refused in words by the menu of its value', () => {
+it('a key on a sampled curve is offered with converting it by the menu of its value', async () => {
   const skeleton = figure();
   const rows = [0, 1].map((z) => [0, 1, z] as const);
   const { wb } = workbench(documentOf(captured(skeleton, take(skeleton, rows))));
@@ -11,7 +11,7 @@ it('a key on a sampled curve is refused in words by the menu of its value', () =
   const entries = dofEntries(wb, before.characters[0], [4], () => {});
   for (const entry of entries) if (entry.kind === 'item' && entry.label === 'Key at current time') entry.run();
   expect(wb.store.document).toBe(before);
-  expect(wb.messages.list.get().map(({ text }) => text)).toEqual([
-    'This curve is sampled. Convert to keys first: Keys > Samples.',
-  ]);
+  await vi.waitUntil(() => wb.messages.offer, { interval: 1, timeout: 20_000 });
+  expect(wb.messages.passing.get()).toContain('at every frame, and no single keys');
+  expect(wb.messages.offer?.label).toBe('Convert to keys and key');
 });
