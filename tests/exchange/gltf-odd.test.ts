@@ -200,6 +200,32 @@ describe('meshes', () => {
   });
   const images: { image?: number } = {};
 
+  it('a material that only emits light has that colour and image; what another emits is named', async () => {
+    const base = (baseColorFactor: readonly number[]) => ({ pbrMetallicRoughness: { baseColorFactor } });
+    const strong = { extensions: { KHR_materials_emissive_strength: { emissiveStrength: 4 } } };
+    const image = { emissiveTexture: { index: 0 } };
+    const told = async (material: object) => {
+      const made = triangles((m) => ({ attributes: { POSITION: m.add('VEC3', TRIANGLE) }, material: 0 }), {
+        nodes: [{ mesh: 0 }],
+        materials: [{ name: 'm', ...material }],
+        textures: [{ source: 0 }],
+        images: [{ uri: 'glow.png' }],
+        extensionsRequired: ['KHR_materials_emissive_strength'],
+      });
+      const { whole, diagnostics } = await opened(made);
+      const { color, texture } = whole.skins[0].surfaces[0].material ?? {};
+      return [color, texture, /emissive/.test(diagnostics.map(({ message }) => message).join())];
+    };
+    const black = base([0, 0, 0, 1]);
+    expect(await told({ ...black, emissiveFactor: [0, 1, 0] })).toEqual([[0, 1, 0], undefined, false]);
+    expect(await told({ ...black, emissiveFactor: [0, 0.2, 0.5], ...strong })).toEqual([[0, 0.8, 1], undefined, false]);
+    expect(await told({ ...black, emissiveFactor: [1, 1, 1], ...image })).toEqual([undefined, 'glow.png', false]);
+    // Times a factor of 0, which is the default, nothing is emitted.
+    expect(await told({ ...black, ...image })).toEqual([[0, 0, 0], undefined, false]);
+    expect(await told({ ...base([1, 0, 0, 1]), emissiveFactor: [0, 1, 0] })).toEqual([[1, 0, 0], undefined, true]);
+    expect(await told({ emissiveFactor: [0, 1, 0], ...image })).toEqual([undefined, undefined, true]);
+  });
+
   it('passes over normals and weights that are no finite numbers, and reads targets of normals alone', async () => {
     const made = triangles(
       (m) => ({

@@ -6,7 +6,6 @@ export const OPEN_CASES: ReadonlySet<string> = new Set<string>([
   'fbx-centimetre-spike.fbx',
   'fbx-24-fps.fbx',
   'fbx-centimetre-idle.fbx rate',
-  'gltf-emissive-only.gltf',
   'gltf-24-fps.gltf',
   'lfs-pointer.bvh',
   'lfs-pointer.fbx',

@@ -1,8 +1,9 @@
 /** The materials of an FBX file as far as they are drawn: a diffuse colour or texture, embedded or by name. */
 
 import { textureMime, tooManyPixels } from '../../formats/texture/read.ts';
-import type { Vec3 } from '../../math/vec3.ts';
+import { type Vec3, ZERO } from '../../math/vec3.ts';
 import { baseName, type Texture } from '../../model/files.ts';
+import { isBlack } from '../black.ts';
 import { fromBase64 } from '../gltf/data-uri.ts';
 import type { SceneMaterial } from '../scene.ts';
 import { type FbxDocument, type FbxObject, partsOfKind } from './document.ts';
@@ -37,17 +38,27 @@ export class Materials {
   private read(material: FbxObject): SceneMaterial {
     const { properties, name } = material;
     const links = this.document.partsOf(material.id).filter(({ object }) => /Texture$/.test(object.kind));
-    const colored = links.find(({ property }) => property !== undefined && COLOR.test(property));
-    if (links.some((link) => link !== colored)) this.lost.add('textures other than the diffuse one');
-    const texture = colored && this.textureOf(colored.object);
-    if (texture !== undefined) return { name, texture };
-    const factor = properties.number('DiffuseFactor') ?? 1;
-    const color = properties.vector(
+    const linked = (names: RegExp) => links.find(({ property }) => property !== undefined && names.test(property));
+    const diffuse = properties.vector(
       'DiffuseColor',
       properties.vector('Diffuse', properties.vector('Maya|baseColor', GREY)),
     );
-    const limited = (value: number) => Math.min(1, Math.max(0, value * factor));
-    return { name, color: [limited(color[0]), limited(color[1]), limited(color[2])] };
+    const base = { color: times(diffuse, properties.number('DiffuseFactor') ?? 1), link: linked(COLOR) };
+    const strength = properties.number('EmissiveFactor') ?? 1;
+    const emitted = {
+      color: times(properties.vector('EmissiveColor', ZERO), strength),
+      link: linked(/^EmissiveColor$/),
+    };
+    const emits = !isBlack(emitted.color) || (emitted.link !== undefined && strength > 0);
+    // What emits light and reflects none is seen by what it emits.
+    const isEmitter = emits && !base.link && isBlack(base.color);
+    if (emits && !isEmitter) this.lost.add('emissive colours');
+    const { color, link } = isEmitter ? emitted : base;
+    if (links.some((own) => own !== link && own !== emitted.link)) {
+      this.lost.add('textures other than the diffuse one');
+    }
+    const texture = link && this.textureOf(link.object);
+    return texture === undefined ? { name, color } : { name, texture };
   }
 
   /** The name of a texture, whose image is added if the file holds it; undefined if it has none. */
@@ -92,6 +103,12 @@ export class Materials {
     }
     return name;
   }
+}
+
+/** From 0 to 1. */
+function times([r, g, b]: Vec3, factor: number): Vec3 {
+  const limited = (value: number) => Math.min(1, Math.max(0, value * factor));
+  return [limited(r), limited(g), limited(b)];
 }
 
 function fileNameOf({ record }: FbxObject): string | undefined {

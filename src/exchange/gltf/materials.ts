@@ -1,8 +1,12 @@
-/** Materials and textures: of each material the base colour and its image, the only ones that a skin can have. */
+/**
+ * Materials and textures: of each material the base colour and its image, the only ones that a skin can have. Where the
+ * base is black, the colour that the material emits and its image are these.
+ */
 import { textureMime, tooManyPixels } from '../../formats/texture/read.ts';
 import type { Vec3 } from '../../math/vec3.ts';
 import { DistinctNames } from '../../model/distinct-names.ts';
 import { baseName, type SourceFile, type Texture } from '../../model/files.ts';
+import { isBlack } from '../black.ts';
 import { cleanName } from '../clean-names.ts';
 import { counted, type Import, ImportError, type Remarks } from '../imported.ts';
 import type { SceneMaterial } from '../scene.ts';
@@ -33,7 +37,6 @@ const NO_MAPPING: Mapping = { set: 0 };
 const OTHER_TEXTURES = {
   normalTexture: 'normal',
   occlusionTexture: 'occlusion',
-  emissiveTexture: 'emissive',
 } as const;
 
 export async function readMaterials(
@@ -98,11 +101,13 @@ export async function readMaterials(
 
   const materials: SceneMaterial[] = [];
   const mappings: Mapping[] = [];
+  let emitters = 0;
   for (const [index, json] of document.all('materials').entries()) {
     const rough = objectOf(json.pbrMetallicRoughness);
-    const glossy = extensionOf(json, 'KHR_materials_pbrSpecularGlossiness');
-    const info = objectOf(rough?.baseColorTexture) ?? objectOf(glossy?.diffuseTexture);
-    const factor = numbersOf(rough?.baseColorFactor, 4) ?? numbersOf(glossy?.diffuseFactor, 4);
+    const { base, emitted } = colorsOf(json);
+    const isEmitter = emitted !== undefined && isBlack(base.factor);
+    if (emitted && !isEmitter) emitters++;
+    const { info, factor } = isEmitter ? emitted : base;
     let texture: string | undefined;
     if (info) {
       try {
@@ -125,7 +130,28 @@ export async function readMaterials(
   }
   const total = [...further.values()].reduce((sum, n) => sum + n, 0);
   if (total) remarks.leaveOut(`${counted(total, 'further texture')} of materials (${[...further.keys()].join(', ')})`);
+  if (emitters) remarks.leaveOut(`the emissive colour of ${counted(emitters, 'material')}`);
   return { materials, textures, mappings, sources };
+}
+
+/** A colour of a material and its image, as the file states them. */
+interface Tint {
+  /** Linear red, green and blue; absent: white. */
+  readonly factor?: readonly number[] | undefined;
+  readonly info?: Json | undefined;
+}
+
+/** What a material reflects, and what it emits, if anything. */
+function colorsOf(json: Json): { readonly base: Tint; readonly emitted?: Tint } {
+  const rough = objectOf(json.pbrMetallicRoughness);
+  const glossy = extensionOf(json, 'KHR_materials_pbrSpecularGlossiness');
+  const base = {
+    info: objectOf(rough?.baseColorTexture) ?? objectOf(glossy?.diffuseTexture),
+    factor: numbersOf(rough?.baseColorFactor, 4) ?? numbersOf(glossy?.diffuseFactor, 4),
+  };
+  const strength = numberOf(extensionOf(json, 'KHR_materials_emissive_strength')?.emissiveStrength) ?? 1;
+  const factor = numbersOf(json.emissiveFactor, 3)?.map((c) => Math.min(1, Math.max(0, c * strength)));
+  return factor && !isBlack(factor) ? { base, emitted: { info: objectOf(json.emissiveTexture), factor } } : { base };
 }
 
 function count(counts: Map<string, number>, key: string): void {

@@ -79,6 +79,7 @@ const READ: ReadonlySet<string> = new Set([
   'KHR_texture_transform',
   'EXT_texture_webp',
   'KHR_materials_unlit',
+  'KHR_materials_emissive_strength',
   'KHR_materials_pbrSpecularGlossiness',
   'VRM',
   'VRMC_vrm',

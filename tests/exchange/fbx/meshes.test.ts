@@ -2,7 +2,7 @@
 import { describe, expect, it } from 'vitest';
 import { verticesAt, worldsAt } from '../scene-at.ts';
 import { bone, layer, meshFile, read, sceneOf } from './small-files.ts';
-import { type Fbx, fbxBytes, fbxText, type Obj, prop, rec } from './write-fbx.ts';
+import { type Fbx, fbxBytes, fbxText, type Obj, prop, type Rec, rec } from './write-fbx.ts';
 
 describe('FBX meshes', () => {
   it('a polygon with a corner turned inwards is cut without leaving it', () => {
@@ -90,6 +90,27 @@ describe('FBX meshes', () => {
       [0, 0, 1, 2],
       [1, 0, 2, 3],
     ]);
+  });
+
+  it('a material that only emits light has that colour; what another emits is named', () => {
+    const told = (...props: Rec[]) => {
+      const fbx = meshFile([], {
+        objects: [{ id: 20, kind: 'Material', name: 'm', props }],
+        connections: [[20, 10]],
+      });
+      const { value, diagnostics } = read(fbxBytes(fbx));
+      return [value?.materials[0].color, /emissive/.test(diagnostics.map(({ message }) => message).join())];
+    };
+    const [black, red, glow] = [
+      prop('DiffuseColor', 0, 0, 0),
+      prop('DiffuseColor', 1, 0, 0),
+      prop('EmissiveColor', 0, 1, 0),
+    ];
+    expect(told(black, glow)).toEqual([[0, 1, 0], false]);
+    expect(told(black, glow, prop('EmissiveFactor', 0.5))).toEqual([[0, 0.5, 0], false]);
+    expect(told(black, glow, prop('EmissiveFactor', 0))).toEqual([[0, 0, 0], false]);
+    expect(told(red, glow)).toEqual([[1, 0, 0], true]);
+    expect(told(red)).toEqual([[1, 0, 0], false]);
   });
 
   it('an embedded image becomes a texture, from bytes and from base64', () => {
