@@ -34,14 +34,17 @@ export class JointNames {
     });
   }
 
-  /** `world matrix of hip`: hip. */
+  /** `world matrix of hip`, `hip (parent root)`: hip. Of several the first, and of those there the longest. */
   private within(label: string): string | undefined {
     if (!this.found.has(label)) {
       const plain = plainName(label);
-      this.found.set(
-        label,
-        this.byLength.find((name) => hasWord(plain, name)),
-      );
+      let first: string | undefined;
+      let least = plain.length;
+      for (const name of this.byLength) {
+        const at = wordAt(plain, name);
+        if (at >= 0 && at < least) [first, least] = [name, at];
+      }
+      this.found.set(label, first);
     }
     return this.found.get(label);
   }
@@ -54,11 +57,12 @@ function plainName(name: string): string {
     .replace(/[\s_]+/g, '_');
 }
 
-function hasWord(text: string, word: string): boolean {
+/** Where a word is in a text; −1 if nowhere. */
+function wordAt(text: string, word: string): number {
   for (let at = text.indexOf(word); at >= 0; at = text.indexOf(word, at + 1)) {
-    if (!isLetter(text, at - 1) && !isLetter(text, at + word.length)) return true;
+    if (!isLetter(text, at - 1) && !isLetter(text, at + word.length)) return at;
   }
-  return false;
+  return -1;
 }
 
 function isLetter(text: string, at: number): boolean {
@@ -121,24 +125,26 @@ function rowsOf(block: DumpBlock, rows: readonly number[], labelOf: (row: number
 }
 
 /**
- * Rows `T: value …` of all channels as rows of a time and values; the same block if they are none.
+ * Rows `T: value …` of all channels, or of the one that the block is of, as rows of a time and values; the same block if they are none.
  *
  * @param isOther whether as many numbers may be of joints or vertices, whose indices are whole
  */
 export function withTimes(block: DumpBlock, channels: number, isOther: boolean): DumpBlock {
-  const { labels, values, lines } = block;
-  if (!labels || labels.length < lines.length || channels === 0 || widthOf(block) !== channels) return block;
-  const times = labels.map((label) => (label?.name === undefined ? (label?.index ?? Number.NaN) : Number.NaN));
-  const isAll = !times.some(Number.isNaN);
+  const { labels, values, lines, channel } = block;
+  const count = channel === undefined ? channels : 1;
+  if (!labels || labels.length < lines.length || count === 0 || widthOf(block) !== count) return block;
+  const times = labels.map((label) => label?.index ?? Number.NaN);
+  // `f(0.5) = …`: of one name, which is that of no joint.
+  const named = new Set(labels.map((label) => label?.name?.replace(/[-+.(\d]+/g, '')));
   const isWhole = times.every((time) => Number.isInteger(time) && time >= 0);
-  if (!isAll || (isWhole && (isOther || block.channel !== undefined))) return block;
-  const each = channels + 1;
+  if (times.some(Number.isNaN) || named.size > 1 || (isWhole && isOther)) return block;
+  const each = count + 1;
   const { labels: _, ...unlabelled } = block;
   return {
     ...unlabelled,
     values: Float64Array.from({ length: each * lines.length }, (_, i) => {
       const row = Math.floor(i / each);
-      return i % each === 0 ? times[row] : values[channels * row + (i % each) - 1];
+      return i % each === 0 ? times[row] : values[count * row + (i % each) - 1];
     }),
     starts: Uint32Array.from({ length: lines.length + 1 }, (_, r) => each * r),
   };

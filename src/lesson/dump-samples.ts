@@ -1,7 +1,7 @@
 /** Blocks of a dump that are values of channels. */
 import type { DumpBlock } from '../model/dump.ts';
 import { lastDigitsIn } from '../model/numbered-names.ts';
-import { isInRows, Misfit, widthOf } from './dump-entries.ts';
+import { isCount, isInRows, Misfit, widthOf } from './dump-entries.ts';
 import { counted } from './dump-found.ts';
 import type { FrameTime } from './evaluator.ts';
 
@@ -61,10 +61,9 @@ export function readSamples(
     for (let r = 0; r < rows; r++) put(known(labels[r]?.index ?? r, r), time, values[starts[r]]);
     return;
   }
-  if (time !== undefined && block.time !== undefined && values.length === channels) {
-    values.forEach((value, c) => {
-      put(c, time, value);
-    });
+  if (time !== undefined && isOfOneTime(block, channels)) {
+    const each = values.length / channels;
+    for (let c = 0; c < channels; c++) put(each === 2 ? known(values[2 * c], c) : c, time, values[each * (c + 1) - 1]);
     return;
   }
   const numbered = columns?.slice(1).map(lastDigitsIn);
@@ -76,6 +75,15 @@ export function readSamples(
     for (let c = 0; c + 1 < each; c++)
       put(known(listed ? listed[c] : c, Math.floor(i / each)), values[i], values[i + 1 + c]);
   }
+}
+
+/** Whether it states its time, and has a value for each channel, or its index and a value. */
+export function isOfOneTime(block: DumpBlock, channels: number): boolean {
+  const { values, time } = block;
+  if (time === undefined || channels === 0) return false;
+  if (values.length === channels) return true;
+  const indices = Array.from(values.subarray(0, 2 * channels)).filter((_, i) => i % 2 === 0);
+  return values.length === 2 * channels && widthOf(block) === 2 && isCount(indices);
 }
 
 function misfitOf({ values, starts, lines }: DumpBlock, times: number, channels: number): Misfit {

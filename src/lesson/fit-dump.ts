@@ -14,7 +14,7 @@ import { type Entry, entriesOf, evenly, isCount, isInRows, isUnit, Misfit, oddRo
 import { foundText } from './dump-found.ts';
 import { JointNames, withKnownLabels, withTimes } from './dump-labels.ts';
 import { placesOf } from './dump-places.ts';
-import { readSamples } from './dump-samples.ts';
+import { isOfOneTime, readSamples } from './dump-samples.ts';
 import { Evaluator, type FrameTime } from './evaluator.ts';
 import { joinedBlocks } from './joined-blocks.ts';
 import { matricesOf } from './matrix-layout.ts';
@@ -48,6 +48,9 @@ export function onlyTime(dumps: readonly NamedDump[]): FrameTime {
   stated.delete(undefined);
   return stated.size === 1 ? [...stated][0] : undefined;
 }
+
+/** Misfits of one kind that are told of a dump: the blocks of a hundred frames are all alike. */
+const MOST_ALIKE = 3;
 
 class Fit {
   private readonly diagnostics: Diagnostic[] = [];
@@ -85,6 +88,9 @@ class Fit {
         this.block(block, dump, block.time ?? dump.time ?? time);
       } catch (error) {
         if (!(error instanceof Misfit)) throw error;
+        const { code } = error;
+        if (this.diagnostics.filter((one) => one.code === code && one.file === fileName).length === MOST_ALIKE)
+          continue;
         this.diagnostics.push({
           ...withoutPlace('error', error.code, error.message, fileName),
           line: error.line,
@@ -116,7 +122,7 @@ class Fit {
     const holds = given.holds ?? kindOfName(dump.name);
     const width = widthOf(given);
     const isOther = holds !== 'channels' && this.names.length > 0 && [3, 12, 16].includes(width);
-    const block = withTimes(withKnownLabels(given, this.joints), this.channels, isOther);
+    const block = withKnownLabels(withTimes(given, this.channels, isOther), this.joints);
     this.headings = dump.headings ?? [];
     const isTimed = block.columns?.some((name) => /^(time|t|seconds)$/.test(name)) ?? false;
     if (block.channel !== undefined || holds === 'channels' || isTimed) {
@@ -179,6 +185,7 @@ class Fit {
     // Several rows below a label are a matrix.
     const isByTime = entries.every(({ label, numbers }) => label === null || numbers.length <= width);
     if (channels > 0 && isInRows(block, channels + 1) && isByTime) return 'channels';
+    if (isOfOneTime(block, channels)) return 'channels';
     if (channels > 0 && joints === 0 && vertices === 0) return 'channels';
     throw this.misfit(block);
   }

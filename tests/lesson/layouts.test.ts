@@ -235,3 +235,86 @@ describe('what a program prints is read', () => {
       .join('');
   }
 });
+
+describe('what else programs print is read', () => {
+  const points = names.map((_, j) => matrices[j].slice(12, 15).map((value) => value.toFixed(6)));
+  const each = (one: (name: string, point: readonly string[], j: number) => string, between = '\n') =>
+    names.map((name, j) => one(name, points[j], j)).join(between);
+  const POINTS: Readonly<Record<string, string>> = {
+    'a dict of tuples': `{'time': 1.2, 'positions': {${each((name, p) => `'${name}': (${p.join(', ')})`, ', ')}}}`,
+    'a dict of arrays': `time 1.2\n{${each((name, p) => `'${name}': array([${p.join(', ')}])`, ',\n ')}}`,
+    'an object of JavaScript': `time: 1.2\n{\n${each((name, p) => `  ${name}: [ ${p.join(', ')} ]`, ',\n')}\n}`,
+    'vectors over several lines': `t = 1.2\n${each((name, [x, y, z]) => `${name} Vector3 {\n  x: ${x},\n  y: ${y},\n  z: ${z}\n}`)}`,
+    'names behind the numbers': `time 1.2\n${each((name, p) => `${p.join(' ')} ${name}`)}`,
+    'their number before them': `time 1.2\n${names.length}\n${each((_, p) => p.join(' '))}`,
+    'other names beside them': `time 1.2\nCamera (0.5, 1.0, 5.0)\n${each((name, p) => `${name} (${p.join(', ')})`)}\nLight (2.5, 3.5, 1.5)`,
+    'parents beside them': `time 1.2\n${each((name, p, j) => `${name} (parent ${names[j - 1] ?? 'none'}): ${p.join(' ')}`)}`,
+    'durations beside them': `Elapsed time: 0.0023 s\nt: 1.2\n${each((name, p) => `${name} ${p.join(' ')}`)}\nDone in 12 ms.`,
+    'a table with bars': `time 1.2\n| joint | x | y | z |\n|---|---|---|---|\n${each((name, p) => `| ${name} | ${p.join(' | ')} |`)}`,
+    'decimal commas': `Zeit t = 1,2\n${each((name, p) => `${name} (${p.join('; ').replaceAll('.', ',')})`)}`,
+    'log lines': `[10:30:21] t = 1.2\n${each((name, p) => `[10:30:21.${p.length}42] INFO ${name}: (${p.join(', ')})\nUnityEngine.Debug:Log(Object)`)}`,
+    'a tree': `time 1.2\n${each((name, p, j) => `${'│  '.repeat(j)}├─ ${name} (${p.join(', ')})`)}`,
+    'sentences above them': `${'This program prints the positions of all joints of the character.\n'.repeat(6)}time 1.2\n${each((name, p) => `${name}: ${p.join(' ')}`)}`,
+  };
+  it.each(Object.entries(POINTS))('with %s', (_, text) => {
+    expectRead([text], '\n', { positions: names.length });
+  });
+
+  const channels = clip?.channels ?? [];
+  const valuesAt = (time: number) =>
+    channels.map((one) => channelValue(one, clip?.range ?? [0, 1], time, RIGHT_CURVES).toFixed(6));
+  const TIMES_OF_ROWS = [-1, -0.37, 0, 0.5, 1.93];
+  const atEach = (one: (time: number, values: readonly string[]) => string) =>
+    TIMES_OF_ROWS.map((time) => one(time, valuesAt(time))).join('\n');
+  const CHANNELS: Readonly<Record<string, string>> = {
+    'a time above each row': atEach((time, values) => `time ${time}\n${values.join(' ')}`),
+    'a time above each list': atEach((time, values) => `t = ${time}\n${values.map((v, c) => `${c} ${v}`).join('\n')}`),
+    'frames and times before them': atEach(
+      (time, values) => `Frame ${3 * time + 3}, time ${time}: ${values.join(' ')}`,
+    ),
+    'a function of the time': atEach((time, values) => `evaluate(${time}) = ${values.join(', ')}`),
+    'tuples of a time and a list': atEach((time, values) => `(${time}, [${values.join(', ')}])`),
+    'arrays over several lines': atEach(
+      (time, values) => `[\n  ${[time, ...values].join(', ').replaceAll(/(?<=5,) /g, '\n  ')}\n]`,
+    ),
+    'rows over several lines': atEach(
+      (time, values) => `${time} ${values.slice(0, 9).join(' ')}\n  ${values.slice(9).join(' ')}`,
+    ),
+    'names of DOFs above them': `t,${channels.map((_, c) => `j${Math.floor(c / 3)}.r${'xyz'[c % 3]}`).join()}\n${atEach((time, values) => [time, ...values].join())}`,
+    'a table of pandas': `  time  ${channels.map((_, c) => `c${c}`).join('  ')}\n${atEach((time, values) => `${TIMES_OF_ROWS.indexOf(time)}  ${[time, ...values].join('  ')}`)}`,
+    'blocks of a channel each': channels
+      .map(
+        (_, c) => `Channel ${c} of ${channels.length}\n${atEach((time, values) => `${time.toFixed(2)}: ${values[c]}`)}`,
+      )
+      .join('\n'),
+  };
+  it.each(Object.entries(CHANNELS))('with %s', (_, text) => {
+    expectRead([text], '\n', { channels: channels.length });
+  });
+});
+
+describe('what is not read', () => {
+  const messageOf = (text: string) => {
+    const { value } = readDump(text, 'mine.txt');
+    if (!value) throw new Error('Expected a dump.');
+    return fitDumps(character, [{ fileName: 'mine.txt', dump: value }], undefined).diagnostics.map(
+      ({ message }) => message,
+    );
+  };
+
+  it('is told as it looks, headings too', () => {
+    const row = '1 0 0 0.5\n0 1 0 0.5\n0 0 1 0.5\n0 0 0 1\n';
+    expect(messageOf(`Project 3\n\n\n${row.repeat(23)}`)).toEqual([
+      expect.stringContaining('found 368 numbers: line 1 has 1 number; lines 4–95 look like 23 matrices'),
+    ]);
+    expect(messageOf('42')).toEqual([expect.stringContaining('found 1 number: line 1 has 1 number.')]);
+    expect(messageOf('1.5 2.5 3.5\n4.5 5.5\n')).toEqual([
+      expect.stringContaining('found 5 numbers: line 1 looks like 1 point; line 2 has 2 numbers'),
+    ]);
+  });
+
+  it('is told once where hundreds of blocks are alike', () => {
+    const blocks = Array.from({ length: 300 }, (_, i) => `time ${i}\n1.5 2.5 3.5 4.5\n`);
+    expect(messageOf(blocks.join(''))).toHaveLength(3);
+  });
+});

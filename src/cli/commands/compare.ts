@@ -23,6 +23,24 @@ export const compareCommand: CliCommand = {
   name: 'compare',
   usage: 'FILE… DUMP… [--time T | --times T,T,…] [--tolerance X] [--json]',
   summary: "where another program's numbers are wrong, and the mistake that explains them",
+  details: `FILES are those of one character: .skel, .skin, .morph, .anim, or .bvh, glTF, FBX. A DUMP is what your program prints,
+as text, CSV, JSON, OBJ or PLY; names, brackets, commas, units and headings around the numbers are skipped:
+
+  matrices   12 or 16 numbers a joint, in one line or in rows, by rows or by columns; world, or headed "local"
+  points     3 numbers a joint or a vertex; normals are headed "normals"
+  channels   rows of a time and a value per channel, or "channel N" above rows of a time and a value
+
+Joints are in depth-first order, or have their name or index before their numbers: hip: …, hip (…), hip vec3(…),
+joint 7 (hip) …. A dump states its time in a line above its numbers, time 1.5, t = 1.5 s, "time": 1.5 in JSON, or at the
+end of its name, mine@1.5.txt; several times may follow each other.
+
+  --time T         the time, in seconds, of dumps that state none; without it the file pose
+  --times T,T,…    the same for several times, a list of numbers or a dump for each
+  --tolerance X    how far numbers may be off, of the character's size or in radians; default ${DEFAULT_TOLERANCE}
+  --json           the comparison as JSON: what was compared, what is wrong first, the causes
+
+For example: marrow compare wasp.skel wasp_walk.anim mine.txt --time 1.5
+`,
   exits: { 0: 'all agree', 1: 'numbers differ', 2: 'wrong usage, or a file is missing, has errors or does not fit' },
   async run(args, io) {
     const given = parseArguments(args, { time: 'value', times: 'value', tolerance: 'value', json: 'flag' });

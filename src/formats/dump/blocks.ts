@@ -93,10 +93,10 @@ export class Blocks {
   }
 
   private withoutHeadings(block: DumpBlock, most: number): DumpBlock | undefined {
-    const doubtful = this.doubts.get(block);
-    if (!doubtful) return block;
-    const own = widthOfMost([block]);
     const { starts, lines, values, labels } = block;
+    const doubtful = [...(isCountOfRows(block) ? [0] : []), ...(this.doubts.get(block) ?? [])];
+    if (doubtful.length === 0) return block;
+    const own = widthOfMost([block]);
     const isHeading = new Set(
       doubtful.filter((row) => {
         const width = starts[row + 1] - starts[row];
@@ -160,6 +160,11 @@ export class Blocks {
 
 /** Numbers of a point: a row of fewer is one only if most are. */
 const MIN_WIDTH = 3;
+
+/** Whether a row of one number says how many follow. */
+function isCountOfRows({ starts, lines, values, labels }: DumpBlock): boolean {
+  return lines.length > 2 && starts[1] === 1 && values[0] === lines.length - 1 && !labels?.[0];
+}
 
 /** The number of values of the rows that have most of all; the larger one of two. */
 function widthOfMost(blocks: readonly DumpBlock[]): number {

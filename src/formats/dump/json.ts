@@ -1,7 +1,7 @@
 /**
  * Dumps as JSON: what `marrow pose --json` and `marrow channels --json` print, or any object with `time`, `world`,
  * `local`, `positions`, `vertices`, `normals`, `channels`, however deep; or lists of numbers alone. One text, or one per
- * line. Python's dicts, with single quotes, are read too.
+ * line. Python's dicts are read too.
  *
  *     matrices    16 numbers, or rows of numbers, or { elements }; in a list, by name, or of the items of a list
  *     points      [x, y, z], { x, y, z }, or all numbers in one list
@@ -45,7 +45,16 @@ function readLines(text: string, blocks: Blocks): boolean {
 }
 
 function parse(text: string): { readonly value: unknown } | undefined {
-  return parsed(text) ?? parsed(withoutNaN(text)) ?? parsed(withoutNaN(text.replaceAll("'", '"')));
+  return parsed(text) ?? parsed(withoutNaN(text)) ?? parsed(withoutNaN(fromPython(text)));
+}
+
+/** Strings in single quotes, tuples, numpy's arrays, and commas behind the last item. */
+function fromPython(text: string): string {
+  return text
+    .replaceAll("'", '"')
+    .replace(/\b(?:np\.)?array(?=\()|,\s*dtype=(?:np\.)?\w{1,16}(?=\))/g, '')
+    .replace(/[()]/g, (bracket) => (bracket === '(' ? '[' : ']'))
+    .replace(/,\s*(?=[\]}])/g, '');
 }
 
 function withoutNaN(text: string): string {

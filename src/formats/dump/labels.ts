@@ -120,8 +120,11 @@ function labelIn(all: readonly Token[]): DumpLabel | null {
   const words = prefix.filter(({ kind }) => kind === 'word');
   // A time, or any other number: whose it is is decided with a character at hand.
   if (words.length === 0 && numbers.length === 1) return { index: numbers[0].value };
-  const inside = bracketedName(text);
   const own = words.filter(isStrange);
+  const within = bracketedName(text);
+  // Of `neck (parent torso)` the name is not what the brackets say alone.
+  const outside = own.filter((word) => !within?.includes(word.text));
+  const inside = outside.length > 0 ? undefined : within;
   if (!number && own.length === 0) return null;
   // Of `joint 7 hip` the name is what follows the index.
   const after = number
@@ -132,6 +135,8 @@ function labelIn(all: readonly Token[]): DumpLabel | null {
     : '';
   const name =
     inside ?? (after || (own.length > 0 ? nameOf(text.replace(/^(joint|bone|node)\s+(?=\D)/i, '')) : nameOf(text)));
+  // `evaluate(0.5)`
+  if (!number && numbers.length === 1 && own.length === 1) return { index: numbers[0].value, name: own[0].text };
   return labelWith(number?.value, LETTER.test(name ?? '') ? name : undefined);
 }
 

@@ -175,7 +175,8 @@ class Lines {
     if (this.timed(text, { tokens, more, strange: 0 }, line)) return true;
     if (isChannelWord(before) && Number.isInteger(tokens[first].value)) {
       const index = tokens[first].value;
-      if (count === 1) this.say({ holds: 'channels', channel: index });
+      const isOfCount = count === 2 && /\bof\b|\//.test(text);
+      if (count === 1 || isOfCount) this.say({ holds: 'channels', channel: index });
       else {
         this.say({ holds: 'channels' });
         this.row(numbersOf(tokens.slice(first + 1), more), line, { index });
