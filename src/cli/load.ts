@@ -18,7 +18,7 @@ import {
   type ParsedFile,
   type SourceFile,
 } from '../model/files.ts';
-import { READABLE_EXTENSIONS } from '../project/kinds.ts';
+import { unreadMessage } from '../project/foreign.ts';
 import { type OpenResult, openFiles } from '../project/open/open-files.ts';
 import { type Format, formatOf } from '../project/readers.ts';
 import { UsageError } from './arguments.ts';
@@ -263,7 +263,5 @@ function withoutNumbers(name: string, bytes: number): Diagnostic {
 }
 
 function unknownFormat(name: string): Diagnostic {
-  const known = READABLE_EXTENSIONS.map((extension) => `.${extension}`).join(' ');
-  const message = `The command does not read this kind of file; it reads ${known}.`;
-  return withoutPlace('warning', 'format-unknown', message, name, 'skipped');
+  return withoutPlace('warning', 'format-unknown', unreadMessage(name), name, 'skipped');
 }

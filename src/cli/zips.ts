@@ -1,6 +1,8 @@
 /** Zips among the files that a command is given. */
 import { join } from 'node:path';
 import { type Diagnostic, withoutPlace } from '../model/diagnostic.ts';
+import { otherContent } from '../project/foreign.ts';
+import { isBuffer } from '../project/kinds.ts';
 import { formatOf } from '../project/readers.ts';
 import { isZip, zipContent } from '../project/zip-content.ts';
 import type { GivenPath } from './paths.ts';
@@ -29,7 +31,13 @@ export function withZipsUnpacked(given: readonly GivenPath[], maxBytes = MAX_BYT
       continue;
     }
     try {
-      const unpacked = contentOf(file, room);
+      const packed = fileBytes(file.absolute, room);
+      const other = otherContent(file.path, 'zip', packed);
+      if (other) {
+        problems.push(other);
+        continue;
+      }
+      const unpacked = contentOf(file, packed, room);
       for (const { bytes } of unpacked) room -= bytes?.length ?? 0;
       files.push(...unpacked);
       if (unpacked.length === 0) problems.push(nothingIn(file.path));
@@ -41,17 +49,16 @@ export function withZipsUnpacked(given: readonly GivenPath[], maxBytes = MAX_BYT
   return { files, problems };
 }
 
-function contentOf({ absolute, path }: GivenPath, room: number): readonly GivenPath[] {
+function contentOf({ absolute, path }: GivenPath, packed: Uint8Array, room: number): readonly GivenPath[] {
   const isWanted = (name: string) => !name.split(/[/\\]/).some(isOfSystem) && isRead(name);
-  const { files } = zipContent(path, fileBytes(absolute, room), isWanted, { maxBytes: room });
+  const { files } = zipContent(path, packed, isWanted, { maxBytes: room });
   return files
     .map((file): GivenPath => ({ ...file, absolute: join(absolute, file.path.slice(path.length)) }))
     .sort((a, b) => byPath.compare(a.path, b.path));
 }
 
-/** Buffers of `.gltf` files, too. */
 function isRead(name: string): boolean {
-  return formatOf(name) !== undefined || name.toLowerCase().endsWith('.bin');
+  return formatOf(name) !== undefined || isBuffer(name);
 }
 
 /** Hidden files, and what macOS adds to archives. */

@@ -103,6 +103,39 @@ export function bytesReader<T>(
   };
 }
 
+/**
+ * A reader that is chosen by the start of the file, however this is cut.
+ *
+ * @param choose gets the first `headBytes` bytes, or more of them, or all of a shorter file
+ */
+export function readerByHead<T>(headBytes: number, choose: (head: Uint8Array) => Reader<T>): Reader<T> {
+  let chosen: Reader<T> | undefined;
+  let head: Uint8Array | undefined;
+  let length = 0;
+  const start = (bytes: Uint8Array) => {
+    chosen = choose(bytes);
+    chosen.feed(bytes);
+    return chosen;
+  };
+  return {
+    feed(chunk) {
+      if (chosen) chosen.feed(chunk);
+      // A file in one piece is handed over as it is.
+      else if (length === 0 && chunk.length >= headBytes) start(chunk);
+      else {
+        head ??= new Uint8Array(headBytes);
+        const taken = chunk.subarray(0, headBytes - length);
+        head.set(taken, length);
+        length += taken.length;
+        if (length < headBytes) return;
+        const reader = start(head);
+        if (chunk.length > taken.length) reader.feed(chunk.subarray(taken.length));
+      }
+    },
+    end: () => (chosen ?? start(head?.subarray(0, length) ?? new Uint8Array(0))).end(),
+  };
+}
+
 function joined(chunks: readonly Uint8Array<ArrayBuffer>[]): Uint8Array<ArrayBuffer> {
   if (chunks.length === 1) return chunks[0];
   const bytes = new Uint8Array(chunks.reduce((sum, { length }) => sum + length, 0));

@@ -200,6 +200,11 @@ export function formatKindOf(fileName: string): FormatKind | undefined {
   return FORMAT_KINDS.find((kind) => KINDS[kind].extensions.some((own) => name.endsWith(`.${own}`)));
 }
 
+/** Whether a file is a buffer of glTF files, by its name or path. */
+export function isBuffer(path: string): boolean {
+  return path.toLowerCase().endsWith('.bin');
+}
+
 /** What opening makes of the content of a file (`open/open-files.ts`). */
 export type Opening<C> = CharacterOpening<C> | PartOpening<C> | OtherOpening;
 

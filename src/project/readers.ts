@@ -9,7 +9,7 @@ import { markersReader } from '../formats/markers/read.ts';
 import { morphReader } from '../formats/morph/read.ts';
 import { NO_PLACE } from '../formats/places.ts';
 import { poseReader } from '../formats/pose/read.ts';
-import { bytesReader, type Reader } from '../formats/reader.ts';
+import { bytesReader, type Reader, readerByHead } from '../formats/reader.ts';
 import { rigReader } from '../formats/rig/read.ts';
 import { skelReader } from '../formats/skel/read.ts';
 import { skinReader } from '../formats/skin/read.ts';
@@ -17,6 +17,7 @@ import { textureReader } from '../formats/texture/read.ts';
 import type { Diagnostic } from '../model/diagnostic.ts';
 import type { ContentOf, FileContent, FileKind } from '../model/files.ts';
 import { capturedContent } from './captured.ts';
+import { HEAD_BYTES, otherContent } from './foreign.ts';
 import type { ImportedFile, ImportedKind } from './imports.ts';
 import { type FormatKind, formatKindOf, type HeldBy, KINDS } from './kinds.ts';
 
@@ -61,7 +62,7 @@ export interface Format {
 export function formatOf(fileName: string): Format | undefined {
   const format = formatKindOf(fileName);
   if (!format) return undefined;
-  const reader: MakeReader<FileContent> = READERS[format];
+  const reader = readerOf(format);
   const layouts: { readonly [K in FormatKind]?: TextLayout } = TEXT_LAYOUTS;
   const layout = layouts[format];
   return {
@@ -70,11 +71,14 @@ export function formatOf(fileName: string): Format | undefined {
     label: KINDS[format].label,
     reader,
     ...(isImported(format) && {
-      imports: async (given: Import) => (await import('./imports.ts')).importFile(format, given),
+      imports: async (given: Import) => {
+        const other = otherContent(given.fileName, format, given.bytes);
+        return other ? { diagnostics: [other], beside: [] } : (await import('./imports.ts')).importFile(format, given);
+      },
     }),
     ...(layout && {
       diagnose: (name: string, bytes: Uint8Array, told: readonly Diagnostic[]) =>
-        diagnose(bytes, told, layout, () => reader(name, bytes.length)),
+        otherContent(name, format, bytes) ? told : diagnose(bytes, told, layout, () => reader(name, bytes.length)),
     }),
   };
 }
@@ -84,7 +88,17 @@ export function formatOf(fileName: string): Format | undefined {
  * at the top level of a module, and so all readers in the page.
  */
 export function dumpFormat(): Format {
-  return { format: 'dump', kind: 'dump', label: KINDS.dump.label, reader: READERS.dump };
+  return { format: 'dump', kind: 'dump', label: KINDS.dump.label, reader: readerOf('dump') };
+}
+
+/** Whatever the name of a file says, its first bytes may be those of something else. */
+function readerOf(format: FormatKind): MakeReader<FileContent> {
+  const reader: MakeReader<FileContent> = READERS[format];
+  return (name, byteLength) =>
+    readerByHead(HEAD_BYTES, (head) => {
+      const other = otherContent(name, format, head);
+      return other ? { feed: () => undefined, end: () => ({ diagnostics: [other] }) } : reader(name, byteLength);
+    });
 }
 
 function isImported(format: FormatKind): format is ImportedKind & FormatKind {

@@ -4,6 +4,7 @@
  */
 import { type Diagnostic, withoutPlace } from '../model/diagnostic.ts';
 import { type BrokenFile, baseName, folderOf, type ParsedFile, type SourceFile } from '../model/files.ts';
+import { isBuffer } from '../project/kinds.ts';
 import { type Format, formatOf } from '../project/readers.ts';
 import { sourceOf, tooLargeToPost, unreadable } from './parsed-blob.ts';
 import type { GivenBlob } from './protocol.ts';
@@ -120,11 +121,6 @@ async function bytesOf({ blob }: GivenBlob): Promise<Uint8Array<ArrayBuffer> | u
   } catch {
     return undefined;
   }
-}
-
-/** Whether a file is a buffer of glTF files, by its name or path. */
-export function isBuffer(path: string): boolean {
-  return path.toLowerCase().endsWith('.bin');
 }
 
 function withEarlier(name: string, parts: readonly SourceFile[]): Diagnostic {

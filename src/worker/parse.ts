@@ -13,10 +13,11 @@ import { emptyDumpMessage, isEmptyDump } from '../model/dump.ts';
 import { type BrokenFile, folderOf, type ParsedFile, type SourceFile } from '../model/files.ts';
 import type { Morph } from '../model/morph.ts';
 import type { Skin } from '../model/skin.ts';
-import { READABLE_EXTENSIONS } from '../project/kinds.ts';
+import { otherContent, readableList, unreadMessage } from '../project/foreign.ts';
+import { isBuffer } from '../project/kinds.ts';
 import { type Format, formatOf } from '../project/readers.ts';
 import { isZip, MAX_FILES, tooManyFiles, zipContent } from '../project/zip-content.ts';
-import { importedFrom, isBuffer, waitingBuffer } from './parse-imports.ts';
+import { importedFrom, waitingBuffer } from './parse-imports.ts';
 import { sourceOf, tooLargeToPost, unreadable } from './parsed-blob.ts';
 import type { GivenBlob, ParseInput, ParseOutput, Progress } from './protocol.ts';
 import { transferables } from './transferables.ts';
@@ -93,9 +94,11 @@ export async function parse(
   }
   // A readme beside a character is only worth an info.
   const severity = files.length || broken.length ? 'info' : 'warning';
-  for (const source of passedOver) diagnostics.push(skipped(source, unknownFormatMessage(), severity));
+  for (const source of passedOver) diagnostics.push(skipped(source, unreadMessage(source.name), severity));
   for (const { source, count } of uncounted) {
-    diagnostics.push(skipped(source, unknownFormatMessage(`${count.toLocaleString('en')} files in it`), severity));
+    const several = `${count.toLocaleString('en')} files in it`;
+    const message = `${several} are of kinds that Marrow does not read; it reads ${readableList()}.`;
+    diagnostics.push(skipped(source, message, severity));
   }
   for (const source of withoutNumbers) diagnostics.push(skipped(source, emptyDumpMessage(source.bytes), severity));
 
@@ -146,6 +149,11 @@ async function unpacked(files: readonly GivenBlob[], diagnostics: Diagnostic[], 
     const source = sourceOf(file.path, file.blob.size);
     try {
       const bytes = new Uint8Array(await file.blob.arrayBuffer());
+      const foreign = otherContent(source.name, 'zip', bytes);
+      if (foreign) {
+        diagnostics.push(foreign);
+        continue;
+      }
       const { files: inside, passedOver: other } = zipContent(file.path, bytes, isReadable, { maxFiles });
       for (const { path, bytes: content } of inside) given.push({ path, blob: new Blob([content]) });
       if (other.length > MAX_TOLD) uncounted.push({ source, count: other.length });
@@ -185,12 +193,4 @@ async function feed(blob: Blob, take: (chunk: Uint8Array) => void): Promise<void
 
 function skipped({ name }: SourceFile, message: string, severity: 'info' | 'warning'): Diagnostic {
   return withoutPlace(severity, 'format-unknown', message, name, 'skipped');
-}
-
-/** @param several what they are, if it is about more than one file: `200 files in it` */
-function unknownFormatMessage(several?: string): string {
-  const known = [...READABLE_EXTENSIONS, 'zip'].map((e) => `.${e}`).join(' ');
-  return several === undefined
-    ? `Marrow does not read this kind of file; it reads ${known}.`
-    : `${several} are of kinds that Marrow does not read; it reads ${known}.`;
 }

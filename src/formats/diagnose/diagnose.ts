@@ -173,10 +173,7 @@ function ofOtherKind(
   const other = otherKind(lines, own);
   const [first] = lines.filled;
   if (!other || !told || first === undefined) return undefined;
-  const message =
-    'kind' in other
-      ? `This looks like a .${other.kind} file, not a .${own}. Change its extension to .${other.kind} and open it again.`
-      : `This looks like ${other.name}, not a .${own} file. Open the right one.`;
+  const message = `This looks like a .${other} file, not a .${own}. Change its extension to .${other} and open it again.`;
   const place = lines.at(lines.head(first).start);
   return {
     severity: isLoaded ? 'warning' : 'error',

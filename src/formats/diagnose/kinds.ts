@@ -1,4 +1,4 @@
-/** Recognises files by their content: one of another kind, for whose extension the reader was chosen. */
+/** Recognises text files by their words: one of another kind, for whose extension the reader was chosen. */
 import { SKEL_TYPES } from '../skel/joint-types.ts';
 import type { TextKind } from './layouts.ts';
 import type { TextLines } from './text-lines.ts';
@@ -19,33 +19,14 @@ const OPENINGS: readonly (readonly [TextKind, ReadonlySet<string>])[] = [
   ['morph', new Set(['positions', 'normals'])],
 ];
 
-/** First characters of files that are no text, and of other text; bytes below 32 as dots. */
-const FOREIGN: readonly (readonly [name: string, start: RegExp])[] = [
-  ['a zip archive', /^PK\.\./],
-  ['a PNG image', /^\x89PNG/],
-  ['a JPEG image', /^\xff\xd8\xff/],
-  ['a BMP image', /^BM.{4}\.{4}/],
-  ['a binary glTF file', /^glTF/],
-  ['an FBX file', /^(Kaydara FBX Binary|; FBX)/],
-  ['a web page', /^\s*<(!doctype|html|head|body)/i],
-  ['an XML file', /^\s*<\?xml/i],
-  ['a JSON file', /^\s*[[{]\s*"/],
-];
-
-/** What the bytes look like, if it is another kind: a kind that is read, or a name such as `a zip archive`. */
-export function otherKind(
-  lines: TextLines,
-  own: TextKind,
-): { readonly kind: TextKind } | { readonly name: string } | undefined {
-  const start = String.fromCharCode(...lines.bytes.subarray(0, 64).map((c) => (c < 32 && !isSpace(c) ? 46 : c)));
-  const foreign = FOREIGN.find(([, pattern]) => pattern.test(start));
-  if (foreign) return { name: foreign[0] };
+/** The kind that the lines look like, if it is another one. */
+export function otherKind(lines: TextLines, own: TextKind): TextKind | undefined {
   const kinds = textKinds(lines);
   const [kind] = kinds;
   if (kind === undefined || kinds.includes(own)) return undefined;
   // A skeleton's reader takes both forms.
   const areForms = (own === 'skel' || own === 'axskel') && (kinds.includes('skel') || kind === 'axskel');
-  return areForms ? undefined : { kind };
+  return areForms ? undefined : kind;
 }
 
 /** The kinds of which a file has openings, none if it has none. */
@@ -68,10 +49,6 @@ function firstWords(lines: TextLines): readonly string[] {
     if (word !== 'pose' || hasBrace) words.add(word);
   }
   return [...words];
-}
-
-function isSpace(c: number): boolean {
-  return c === 9 || c === 10 || c === 13;
 }
 
 /** The length of most rows of numbers. */

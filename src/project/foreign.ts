@@ -1,0 +1,268 @@
+/**
+ * Files that are not what their name says, and kinds that are not read: what each is called, and how to get from it to
+ * a file that is read. One table, for the readers of all kinds, told by the first bytes, and for files of other
+ * extensions, which have no reader.
+ */
+import { type Diagnostic, withoutPlace } from '../model/diagnostic.ts';
+import { type FormatKind, READABLE_EXTENSIONS } from './kinds.ts';
+
+/** Bytes at the start of a file that tell what it is. */
+export const HEAD_BYTES = 1024;
+/** ␀ */
+const CONTROL_PICTURES = 0x2400;
+
+/** What a reader is for: zips are read as the files in them. */
+export type ContentKind = FormatKind | 'zip';
+
+interface Foreign {
+  /** With its article. */
+  readonly name: string;
+  /** How it becomes something that is read; a sentence. */
+  readonly now: string;
+  /** Without dots, in lower case: files of these kinds have no reader. */
+  readonly extensions?: readonly string[];
+  /** Of its first bytes, a character for each; control characters but tabs and line ends as their pictures, such as ␀. */
+  readonly start?: RegExp;
+  /** Kinds that may start like this. */
+  readonly of?: readonly ContentKind[];
+}
+
+/** The words of these tell which of them a file is: all of them are looked at (`formats/diagnose/kinds.ts`). */
+const TEXTS: readonly ContentKind[] = ['skel', 'axskel', 'skin', 'morph', 'anim', 'rig', 'bvh', 'pose'];
+
+const OPEN_AGAIN = 'and open it again';
+const UNPACK = `Unpack it ${OPEN_AGAIN}.`;
+const BY_BLENDER = `Import it into Blender, export it as glTF (.glb) ${OPEN_AGAIN}.`;
+const BY_MAYA = 'In Maya, export the character as FBX and open that.';
+const TO_PNG = 'Save it as PNG and open that.';
+
+/** What isn't read at all comes first: some of it looks like text, or like XML. */
+const FOREIGN: readonly Foreign[] = [
+  {
+    name: 'a Git LFS pointer',
+    now: 'Run "git lfs pull" in its repository, or download the file itself from there.',
+    start: /^version https:\/\/(git-lfs\.github\.com|hawser\.github\.com)\//,
+  },
+  {
+    name: 'a web page',
+    now: 'Download the file itself: by "Raw" or "Download" on that page.',
+    extensions: ['html', 'htm'],
+    start: /^\s*(<\?xml[^>]*>\s*)?(<!--.*?-->\s*)?<(!doctype\s+html|html|head|body|script|meta)\b/is,
+  },
+  {
+    name: 'the answer of a web server that has no such file',
+    now: 'Download it again.',
+    start: /^(404: Not Found|\s*\{\s*"message":\s*"Not Found"|\s*(<\?xml[^>]*>\s*)?<Error>)/i,
+  },
+  {
+    name: 'a Unity file in YAML',
+    now: 'In Unity, export it by the FBX Exporter and open the .fbx.',
+    extensions: ['prefab', 'unity', 'unitypackage', 'asset'],
+    start: /^%YAML.*?tag:unity3d\.com/s,
+  },
+  {
+    name: 'a YAML file',
+    now: 'Export a file of that kind from the program that made it.',
+    extensions: ['yaml', 'yml'],
+    start: /^(#[^\n\r]*[\n\r]+)*(%YAML|---[\s!])/,
+    // Headings begin with dashes.
+    of: ['dump'],
+  },
+  { name: 'an animation of Maya', now: BY_MAYA, start: /^animVersion\b/ },
+  { name: 'a scene of Maya', now: BY_MAYA, extensions: ['ma', 'mb'], start: /^(\/\/Maya ASCII|FOR[48].{4,12}MAYA)/s },
+  {
+    name: 'a scene of Blender',
+    now: 'In Blender, export it as glTF (.glb) and open that.',
+    extensions: ['blend'],
+    start: /^BLENDER([-_][vV]|\d\d-)/,
+  },
+  {
+    name: 'a scene of 3ds Max',
+    now: 'In 3ds Max, export the character as FBX and open that.',
+    extensions: ['max', 'bip'],
+  },
+  {
+    name: 'a scene of Cinema 4D',
+    now: 'In Cinema 4D, export the character as FBX and open that.',
+    extensions: ['c4d'],
+  },
+  { name: 'a USD file', now: BY_BLENDER, extensions: ['usd', 'usda', 'usdc', 'usdz'], start: /^(#usda|PXR-USDC)/ },
+  {
+    name: 'a COLLADA file',
+    now: BY_BLENDER,
+    extensions: ['dae'],
+    start: /^\s*(<\?xml[^>]*>\s*)?(<!--.*?-->\s*)?<COLLADA\b/s,
+  },
+  { name: 'an Alembic file', now: BY_BLENDER, extensions: ['abc'], start: /^Ogawa/ },
+  {
+    name: 'an Acclaim skeleton',
+    now: 'Convert it with its .amc to .bvh, as MotionBuilder and amc2bvh do, and open that.',
+    extensions: ['asf'],
+    start: /^\s*(#[^\n\r]*[\n\r]\s*)*:version\b/i,
+  },
+  {
+    name: 'Acclaim motion',
+    now: 'Convert it with its .asf to .bvh, as MotionBuilder and amc2bvh do, and open that.',
+    extensions: ['amc'],
+    start: /^(\s*#!OML|\s*(#[^\n\r]*[\n\r]\s*)*:fully-specified\b)/i,
+  },
+  {
+    name: 'a C3D file, points without a skeleton',
+    now: 'Fit a skeleton to them, as MotionBuilder does, export it as .bvh or .fbx and open that.',
+    extensions: ['c3d'],
+    start: /^[␁-␈]P.{6}/s,
+  },
+  {
+    name: 'a file of OpenSim',
+    now: 'Fit a skeleton to it in a program of motion capture, export it as .bvh and open that.',
+    extensions: ['trc', 'mot', 'sto', 'osim'],
+  },
+  {
+    name: 'motion of MikuMikuDance',
+    now: 'Import it into Blender by MMD Tools, export it as glTF (.glb) and open that.',
+    extensions: ['vmd', 'pmx', 'pmd', 'vpd'],
+    start: /^(Vocaloid (Motion|Pose) Data|PMX ␀␀|Pmd␀␀)/,
+  },
+  {
+    name: 'a file of Valve’s Source engine',
+    now: 'Import it into Blender by Source Tools, export it as glTF (.glb) and open that.',
+    extensions: ['smd', 'dmx', 'vta'],
+    start: /^(\/\/[^\n\r]*[\n\r]+)*version 1\s+nodes\b/,
+  },
+  {
+    name: 'a file of arrays',
+    now: 'Write it as .bvh by the program that made it, or by a script, and open that.',
+    extensions: ['npy', 'npz', 'pkl', 'pickle', 'pt', 'h5', 'hdf5', 'mat'],
+    start: /^(\x93NUMPY|\x80[␂-␅].|\x89HDF|MATLAB 5\.0)/s,
+  },
+  {
+    name: 'a mesh without a skeleton',
+    now: BY_BLENDER,
+    extensions: ['stl', '3ds', 'lwo', 'off'],
+  },
+  {
+    name: 'a file of another 3D program',
+    now: BY_BLENDER,
+    extensions: ['x', 'x3d', 'wrl', 'md2', 'md3', 'md5mesh', 'md5anim', 'ms3d', 'b3d', 'htr', 'trb', 'xbf', 'uasset'],
+    start: /^(xof \d|MD5Version|IDP[23]|MS3D0)/,
+  },
+  { name: 'a file compressed by gzip', now: UNPACK, extensions: ['gz', 'tgz'], start: /^␟\x8b/ },
+  { name: 'a file compressed by bzip2', now: UNPACK, extensions: ['bz2'], start: /^BZh[1-9]1AY/ },
+  { name: 'a file compressed by xz', now: UNPACK, extensions: ['xz'], start: /^\xfd7zXZ␀/ },
+  { name: 'a file compressed by Zstandard', now: UNPACK, extensions: ['zst'], start: /^\x28\xb5\x2f\xfd/ },
+  { name: 'a file compressed by LZ4', now: UNPACK, extensions: ['lz4'], start: /^␄\x22\x4d␘/ },
+  { name: 'a file compressed by compress', now: UNPACK, extensions: ['z'], start: /^␟\x9d/ },
+  { name: 'a 7z archive', now: UNPACK, extensions: ['7z'], start: /^7z\xbc\xaf\x27␜/ },
+  { name: 'a RAR archive', now: UNPACK, extensions: ['rar'], start: /^Rar!␚/ },
+  { name: 'a tar archive', now: UNPACK, extensions: ['tar'], start: /^.{257}ustar/s },
+  { name: 'a zip archive', now: renamed('zip'), start: /^PK(␃␄|␅␆|␇␈)/, of: ['zip'] },
+  { name: 'a PDF document', now: 'Open the file that it is about.', extensions: ['pdf'], start: /^%PDF-/ },
+  {
+    name: 'a video',
+    now: 'Marrow needs joints and their motion: let a program of motion capture make a .bvh or .fbx of it.',
+    extensions: ['mp4', 'mov', 'avi', 'mkv', 'webm', 'm4v'],
+    start: /^(.{4}ftyp|RIFF.{4}AVI |␚E\xdf\xa3)/s,
+  },
+  {
+    name: 'sound',
+    now: 'Open a take instead.',
+    extensions: ['wav', 'mp3', 'ogg'],
+    start: /^(RIFF.{4}WAVE|OggS␀|ID3[␂-␄])/s,
+  },
+  {
+    name: 'an image of another kind',
+    now: TO_PNG,
+    extensions: ['tif', 'tiff', 'tga', 'dds', 'exr', 'hdr', 'psd', 'ktx', 'ktx2', 'gif'],
+    start: /^(II\*␀|MM␀\*|8BPS␀|DDS \||v\/1␁|#\?RADIANCE|\xabKTX)/,
+  },
+  // Kinds that are read, under the name of another one.
+  { name: 'a binary glTF', now: renamed('glb'), start: /^glTF[␁␂]␀␀␀/, of: ['gltf'] },
+  { name: 'an FBX file', now: renamed('fbx'), start: /^(Kaydara FBX Binary|\s*;\s*FBX\s)/, of: ['fbx'] },
+  {
+    name: 'an image',
+    now: 'Give it the extension of its kind, such as .png, and open it again.',
+    start: /^(\x89PNG|\xff\xd8\xff|GIF8[79]a|RIFF.{4}WEBP|BM.{4}␀␀␀␀)/s,
+    of: ['texture'],
+  },
+  { name: 'motion capture (BVH)', now: renamed('bvh'), start: /^\s*hierarchy\s+root\b/i, of: TEXTS },
+  {
+    name: 'an animation (.anim)',
+    now: renamed('anim'),
+    start: /^\s*animation\s*\{\s*(range|numchannels|channel)\b/i,
+    of: TEXTS,
+  },
+  {
+    name: 'a skeleton (.skel)',
+    now: renamed('skel'),
+    start: /^\s*balljoint\s+\S+\s*\{\s*(offset|boxmin|boxmax|pose|rot[xyz]limit|balljoint)\b/i,
+    of: TEXTS,
+  },
+  {
+    name: 'text in UTF-16',
+    now: `Save it as UTF-8 ${OPEN_AGAIN}.`,
+    start: /^(\xff\xfe|\xfe\xff|([\t\n\r -~]␀){4}|(␀[\t\n\r -~]){4})/,
+    of: ['dump'],
+  },
+  {
+    name: 'a JSON file',
+    now: 'Export a file of that kind from the program that made it.',
+    start: /^\s*[[{]\s*"/,
+    of: ['gltf', 'markers', 'dump'],
+  },
+  {
+    name: 'an XML file',
+    now: BY_BLENDER,
+    extensions: ['xml'],
+    start: /^\s*<\?xml\b/i,
+    of: ['dump'],
+  },
+  {
+    name: 'binary data',
+    now: 'Export it as text, or give it the extension of its kind.',
+    start: /^[^␀]*␀/,
+    of: ['gltf', 'fbx', 'texture', 'dump'],
+  },
+];
+
+function renamed(extension: string): string {
+  return `Change its extension to .${extension} ${OPEN_AGAIN}.`;
+}
+
+/**
+ * The error about a file that starts like one of another kind; undefined if it may be what its name says.
+ *
+ * @param head its first `HEAD_BYTES` bytes, or all of a shorter file; more is ignored
+ */
+export function otherContent(fileName: string, kind: ContentKind, head: Uint8Array): Diagnostic | undefined {
+  const from = head[0] === 0xef && head[1] === 0xbb && head[2] === 0xbf ? 3 : 0;
+  const start = Array.from(head.subarray(from, HEAD_BYTES), characterOf).join('');
+  // The first entry decides, since XML is what web pages are, too.
+  const found = FOREIGN.find((foreign) => foreign.start?.test(start));
+  if (!found || found.of?.some((own) => own === kind)) return undefined;
+  const message = `This looks like ${found.name}, not a .${extensionOf(fileName)} file. ${found.now}`;
+  return withoutPlace('error', 'other-kind', message, fileName);
+}
+
+/** As the patterns of the table have it. */
+function characterOf(byte: number): string {
+  const isControl = byte < 32 && byte !== 9 && byte !== 10 && byte !== 13;
+  return String.fromCharCode(isControl ? CONTROL_PICTURES + byte : byte);
+}
+
+/** What is said of a file that has no reader. */
+export function unreadMessage(fileName: string): string {
+  const extension = extensionOf(fileName);
+  const found = FOREIGN.find(({ extensions }) => extensions?.includes(extension));
+  if (found) return `Marrow does not read .${extension}: this is ${found.name}. ${found.now}`;
+  return `Marrow does not read this kind of file; it reads ${readableList()}.`;
+}
+
+/** `.skel .skin …`, zips included. */
+export function readableList(): string {
+  return [...READABLE_EXTENSIONS, 'zip'].map((extension) => `.${extension}`).join(' ');
+}
+
+/** Without the dot, in lower case; of a name without one the name. */
+function extensionOf(fileName: string): string {
+  return fileName.slice(fileName.lastIndexOf('.') + 1).toLowerCase();
+}
