@@ -242,6 +242,50 @@ describe('a second reading', () => {
   });
 });
 
+describe('a brace too many, or one too few', () => {
+  const CHANNEL = '\tchannel 0 {\n\t\textrapolate constant linear\n\t\tkeys 1 {\n\t\t\t0 1 flat flat\n\t\t}\n\t}\n';
+  const MATRIX = '\tmatrix {\n\t\t1 0 0\n\t\t0 1 0\n\t\t0 0 1\n\t\t0 0 0\n\t}\n';
+  const END = '\t\tOFFSET 0 1 0\n\t\tCHANNELS 1 Zrotation\n\t\tEnd Site\n\t\t{\n\t\t\tOFFSET 0 1 0\n\t\t}\n';
+  const FILES: readonly (readonly [name: string, text: string])[] = [
+    ['x.skel', SKEL],
+    [
+      'x.anim',
+      `animation {\n\trange 0 1\n\tnumchannels 3\n${[0, 1, 2].map((i) => CHANNEL.replace('0', `${i}`)).join('')}}\n`,
+    ],
+    ['x.skin', `positions 1 {\n\t0 0 0\n}\nbindings 2 {\n${MATRIX.repeat(2)}}\nskinweights 1 {\n\t1 0 1\n}\n`],
+    [
+      'x.bvh',
+      `HIERARCHY\nROOT a\n{\n\tOFFSET 0 0 0\n\tCHANNELS 1 Zrotation\n\tJOINT b\n\t{\n${END}\t}\n\tJOINT c\n\t{\n${END}\t}\n}\nMOTION\nFrames: 1\nFrame Time: 1\n1 2 3\n`,
+    ],
+    [
+      'x.pose',
+      'pose a {\n\troot 0 1 0\n\tjoint b {\n\t\trx 1\n\t}\n\tjoint c {\n\t\trx 1\n\t}\n}\npose d {\n\troot 0 1 0\n}\n',
+    ],
+  ];
+
+  it.each(FILES)('%s: an extra } is told on its line, where the indentation first disagrees', (name, text) => {
+    const lines = text.split('\n');
+    lines.forEach((line, i) => {
+      if (line.trim() !== '}') return;
+      for (const extra of [line, `\t${line}`]) {
+        const changed = [...lines.slice(0, i + 1), extra, ...lines.slice(i + 1)].join('\n');
+        const at = readAsOpened(name, changed).diagnostics.filter(({ severity }) => severity !== 'info');
+        expect(at, changed).toMatchObject([{ code: 'brace-unexpected', line: i + 2 }]);
+      }
+    });
+  });
+
+  it.each(FILES)('%s: a missing } is told where the indentation first disagrees', (name, text) => {
+    const lines = text.split('\n');
+    lines.forEach((line, i) => {
+      if (line.trim() !== '}') return;
+      const changed = [...lines.slice(0, i), ...lines.slice(i + 1)].join('\n');
+      const at = readAsOpened(name, changed).diagnostics.filter(({ severity }) => severity === 'error');
+      expect(at, changed).toMatchObject([{ code: 'brace-missing', line: i }]);
+    });
+  });
+});
+
 describe('a file of something else', () => {
   it.each([
     ['<!DOCTYPE html>\n<html></html>', 'a web page'],

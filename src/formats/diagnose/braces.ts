@@ -114,12 +114,17 @@ class Blocks {
   private isExtra(line: number, token: TextToken, indent: number): boolean {
     const { closed } = this;
     if (indent <= (this.open.at(-1)?.indent ?? -1)) return false;
-    if (closed?.block.indent === indent) {
+    if (closed?.block.indent === indent && !this.isInPlace(closed)) {
       this.undo(closed);
       return false;
     }
     this.edits.push(superfluous(line, token));
     return true;
+  }
+
+  /** Whether a `}` is where the indentation has it: the next one is too many then. */
+  private isInPlace({ line, token, block }: NonNullable<Blocks['closed']>): boolean {
+    return this.lines.head(line).start === token.start && this.lines.indent(line, this.tabWidth) === block.indent;
   }
 
   private undo({ line, token, block }: NonNullable<Blocks['closed']>): void {
