@@ -22,6 +22,7 @@ export interface Joint {
   readonly pose: readonly number[];
   /** Ends of bones that no joint continues (BVH's `End Site`), in the joint's space and the file's order. */
   readonly endSites?: readonly Vec3[];
+  readonly restAngles?: RestAngles;
   /** Length of the joint's own bone along +y from the pivot, at least 0. Absent if it has none. */
   readonly length?: number;
   /** In DOF order, at most one per DOF. Absent rather than empty. */
@@ -31,6 +32,17 @@ export interface Joint {
    * names.
    */
   readonly role?: string;
+}
+
+/**
+ * What SOMA's BVH has after the numbers of an OFFSET: angles of a rest orientation, in degrees. They turn nothing, and are
+ * kept for writing.
+ */
+export interface RestAngles {
+  /** Of the joint. */
+  readonly own?: Vec3;
+  /** Of each of its End Sites, undefined for one without. Absent if none has any. */
+  readonly ends?: readonly (Vec3 | undefined)[];
 }
 
 /**

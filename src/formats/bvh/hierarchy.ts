@@ -4,6 +4,8 @@
  *     root     = ROOT [NAME] "{" { token } "}"
  *     token    = OFFSET x y z | CHANNELS n { CHANNEL } | JOINT [NAME] "{" { token } "}" | End Site "{" [OFFSET x y z] "}"
  *
+ * OFFSET takes six numbers, too, as SOMA writes it: the last three are angles of a rest orientation, which turns nothing.
+ *
  * A NAME is the rest of its line up to a `{`, including blanks, colons and `#`. So is anything after `End`: there are
  * files with `End Site20`. Joints are kept on an explicit stack, since they may be nested to any depth.
  *
@@ -19,7 +21,7 @@ import {
   type Limit,
   UNLIMITED,
 } from '../../model/skeleton.ts';
-import { braceTooMany, type GrammarPart, number, numbers, openBrace, skipStrange } from '../grammar.ts';
+import { braceTooMany, type GrammarPart, looksNumeric, number, numbers, openBrace, skipStrange } from '../grammar.ts';
 import { OPEN_JOINT } from '../open-joint.ts';
 import { ParseError } from '../report.ts';
 import type { Mark, Tokens } from '../tokens.ts';
@@ -44,22 +46,30 @@ interface OpenJoint {
   readonly keyword: 'ROOT' | 'JOINT';
   readonly name: string;
   readonly place: Mark;
-  offset: Vec3 | undefined;
+  offset: Offset | undefined;
   channels: readonly BvhChannel[] | undefined;
-  endSites: Vec3[] | undefined;
+  endSites: Offset[] | undefined;
+}
+
+/** The numbers of an OFFSET. */
+interface Offset {
+  readonly at: Vec3;
+  readonly rest?: Vec3;
 }
 
 /** The tree that is read: its joints, and those that are not closed. */
 interface Open {
   readonly joints: Joint[];
   readonly stack: OpenJoint[];
+  /** Whether an OFFSET with a rest orientation was told. */
+  toldRest: boolean;
 }
 
 /** Everything up to `MOTION`, which is then the current token. */
 export function* hierarchy(t: Tokens): GrammarPart<readonly Root[]> {
   const roots: Root[] = [];
   // One list for all: of ten thousand roots, each would take more than its joints.
-  const open: Open = { joints: [], stack: [] };
+  const open: Open = { joints: [], stack: [], toldRest: false };
   yield* t.next();
   if (t.keyword() !== 'hierarchy') {
     t.error('hierarchy-missing', `Expected HIERARCHY at the start of a .bvh file, found ${t.found()}.`);
@@ -83,7 +93,8 @@ export function* hierarchy(t: Tokens): GrammarPart<readonly Root[]> {
 }
 
 /** A root and its descendants. The current token is `ROOT`. */
-function* tree(t: Tokens, { joints, stack }: Open): GrammarPart<Root> {
+function* tree(t: Tokens, open: Open): GrammarPart<Root> {
+  const { joints, stack } = open;
   joints.length = 0;
   joints.push(OPEN_JOINT);
   const root = yield* head(t, 'ROOT', 0, -1);
@@ -104,7 +115,7 @@ function* tree(t: Tokens, { joints, stack }: Open): GrammarPart<Root> {
         break;
       case 'offset':
         if (joint.offset) t.error('offset-repeated', `OFFSET appears a second time in ${describe(joint)}.`);
-        joint.offset = yield* vector(t);
+        joint.offset = yield* offsetOf(t, open);
         break;
       case 'channels':
         if (joint.channels) t.error('channels-repeated', `CHANNELS appears a second time in ${describe(joint)}.`);
@@ -112,7 +123,7 @@ function* tree(t: Tokens, { joints, stack }: Open): GrammarPart<Root> {
         break;
       case 'end':
         joint.endSites ??= [];
-        joint.endSites.push(yield* endSite(t));
+        joint.endSites.push(yield* endSite(t, open));
         break;
       case 'root':
       case 'motion': {
@@ -137,11 +148,11 @@ function* head(t: Tokens, keyword: 'ROOT' | 'JOINT', index: number, parent: numb
 }
 
 /** After `End`: the point, or 0 0 0 without one. */
-function* endSite(t: Tokens): GrammarPart<Vec3> {
+function* endSite(t: Tokens, open: Open): GrammarPart<Offset> {
   const opened = t.mark();
   yield* t.restOfLine();
   yield* openBrace(t, 'End Site');
-  let offset: Vec3 | undefined;
+  let offset: Offset | undefined;
   for (;;) {
     const kind = yield* t.next();
     if (kind === '}') break;
@@ -149,7 +160,7 @@ function* endSite(t: Tokens): GrammarPart<Vec3> {
     const word = t.keyword();
     if (word === 'offset') {
       if (offset) t.error('offset-repeated', 'OFFSET appears a second time in an End Site.');
-      offset = yield* vector(t);
+      offset = yield* offsetOf(t, open);
     } else if (word === 'channels') {
       const place = t.mark();
       if ((yield* channels(t)).length === 0) continue;
@@ -160,13 +171,36 @@ function* endSite(t: Tokens): GrammarPart<Vec3> {
     } else yield* skipStrange(t, 'an End Site', 'OFFSET');
   }
   t.forgetFrom(opened);
-  return offset ?? ORIGIN;
+  return offset ?? NO_OFFSET;
 }
 
-function* vector(t: Tokens): GrammarPart<Vec3> {
+/** `x y z`, or `x y z rx ry rz` on one line. */
+function* offsetOf(t: Tokens, open: Open): GrammarPart<Offset> {
   const [x, y, z] = yield* numbers(t, 3, (i) => `${'xyz'[i]} of OFFSET`, KEYWORDS);
   failIfCut(t);
-  return [x, y, z];
+  const at: Vec3 = [x, y, z];
+  const more: number[] = [];
+  let place: Mark | undefined;
+  for (;;) {
+    yield* t.next();
+    if (t.kind !== 'word' || t.startsLine || !looksNumeric(t)) break;
+    place ??= t.mark();
+    more.push(t.value());
+    if (Number.isNaN(t.value())) t.notANumber('a number of OFFSET');
+  }
+  t.again();
+  if (!place) return { at };
+  const [rx, ry, rz] = more;
+  if (more.length !== 3) {
+    const message = `Expected 3 numbers after OFFSET, or 6 with a rest orientation, found ${3 + more.length}.`;
+    t.report.error('offset-length', message, t.placeOf(place, 'error'));
+  } else if (!open.toldRest) {
+    open.toldRest = true;
+    const message = 'Found 6 numbers after OFFSET, as SOMA writes them: the last 3 are angles of a rest orientation.';
+    t.report.info('rest-orientation', message, t.placeOf(place, 'info'), 'kept for writing; they turn nothing');
+  }
+  t.forget(place);
+  return { at, rest: [rx, ry, rz] };
 }
 
 /** `n CHANNEL …`: all of them, even on the following lines. */
@@ -203,7 +237,8 @@ function failIfCut(t: Tokens): void {
 /** Called at the joint's `}`. */
 function close(t: Tokens, joint: OpenJoint): Joint {
   const { name, parent, endSites } = joint;
-  const offset = joint.offset ?? ORIGIN;
+  const { at: offset, rest: own } = joint.offset ?? NO_OFFSET;
+  const ends = endSites?.some((end) => end.rest) && endSites.map((end) => end.rest);
   const { motion, limits, rest } = motionWith(joint.channels ?? NO_CHANNELS);
   if (!joint.offset) warnMissing(t, joint, 'OFFSET', 'used 0 0 0');
   if (!joint.channels) warnMissing(t, joint, 'CHANNELS', 'it has none');
@@ -216,11 +251,12 @@ function close(t: Tokens, joint: OpenJoint): Joint {
     limits,
     // A position channel that replaces the offset has its value at rest.
     pose: rest ?? motion.channels.map((name) => (isPosition(name) ? offset['xyz'.indexOf(name[1])] : 0)),
-    ...(endSites && { endSites }),
+    ...(endSites && { endSites: endSites.map(({ at }) => at) }),
+    ...((own || ends) && { restAngles: { ...(own && { own }), ...(ends && { ends }) } }),
   };
 }
 
-const ORIGIN: Vec3 = [0, 0, 0];
+const NO_OFFSET: Offset = { at: [0, 0, 0] };
 const NO_CHANNELS: readonly BvhChannel[] = [];
 
 /** What joints with the same channels share: a joint would take a hundred times its bytes otherwise. */

@@ -75,15 +75,16 @@ function writeTree(text: Text, joints: readonly Joint[]): void {
     text.about(`joint ${index} "${joint.name}"`);
     text.line(depth, `${depth === 0 ? 'ROOT' : 'JOINT'}${text.lineName(joint.name, 'joint')}`);
     text.line(depth, '{');
-    text.line(depth + 1, `OFFSET ${text.numbers(joint.offset)}`);
+    const { own, ends } = joint.restAngles ?? {};
+    text.line(depth + 1, `OFFSET ${text.numbers([...joint.offset, ...(own ?? [])])}`);
     const channels = channelsOf(joint);
     text.line(depth + 1, ['CHANNELS', channels.length, ...channels.map((name) => CHANNEL_NAMES[name])].join(' '));
-    for (const end of joint.endSites ?? []) {
+    joint.endSites?.forEach((end, i) => {
       text.line(depth + 1, 'End Site');
       text.line(depth + 1, '{');
-      text.line(depth + 2, `OFFSET ${text.numbers(end)}`);
+      text.line(depth + 2, `OFFSET ${text.numbers([...end, ...(ends?.[i] ?? [])])}`);
       text.line(depth + 1, '}');
-    }
+    });
     open.push(index);
   });
   while (open.length > 0) close();

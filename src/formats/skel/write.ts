@@ -26,6 +26,11 @@ export function writeSkel(skeletons: readonly Skeleton[], fileName = ''): WriteR
     const { joints } = skelSkeleton(skeleton);
     const ends = joints.reduce((sum, { endSites = [] }) => sum + endSites.length, 0);
     if (ends) text.left('end-sites-left-out', `A .skel file stores no End Sites; ${skeleton.name} has ${ends}.`);
+    const turned = joints.filter(({ restAngles }) => restAngles).length;
+    if (turned) {
+      const message = `A .skel file stores no rest orientations; ${skeleton.name} has ${turned}.`;
+      text.left('rest-orientations-left-out', message);
+    }
     writeTree(text, joints);
   }
   return text.result();
