@@ -39,6 +39,9 @@ const PLAIN = new Set([
   ...['range-reversed', 'range-missing', 'frame-time', 'index-repeated', 'index-mismatch', 'name-unexpected'],
 ]);
 
+/** Told of files whose reader goes by lines: their problems are where they are told. */
+const BY_LINES = 'parent-rows';
+
 /** Problems with what numbers mean: one that is only put in for a missing one may be of any meaning. */
 const OF_MEANING = new Set([
   ...PLAIN,
@@ -74,6 +77,7 @@ export function diagnose(
   layout: TextLayout,
   reader: () => Reader<unknown>,
 ): readonly Diagnostic[] {
+  if (told.some(({ code }) => code === BY_LINES)) return told;
   const isLoaded = !hasErrors(told);
   let lines = new TextLines(bytes);
   const other = ofOtherKind(lines, layout.kind, told, isLoaded);
@@ -111,8 +115,9 @@ export function diagnose(
   if (found.length === 0) return firstOfLines(told);
   const isElsewhere = (d: Diagnostic) => !done.has(d.line);
   const others = rest.filter(isElsewhere).filter((d) => d.severity !== 'info');
-  // What was loaded is told as it was.
-  const infos = (isLoaded ? told : rest.filter(isElsewhere)).filter((d) => d.severity === 'info');
+  // What was loaded is told as it was, and of what wasn't only what has a place.
+  const ofRest = () => rest.filter((d) => d.line > 0 && isElsewhere(d));
+  const infos = (isLoaded ? told : ofRest()).filter((d) => d.severity === 'info');
   const all = [...found, ...others, ...infos];
   if (!isLoaded && !hasErrors(all)) all[0] = asError(all[0]);
   return firstOfLines(all.sort(byPlace));

@@ -25,7 +25,12 @@ import { skelTypeOf } from './joint-types.ts';
  */
 export function beginsAxisAngle(t: Tokens): boolean {
   if (t.kind !== 'word') return false;
-  return looksNumeric(t) || (/\.axskel$/i.test(t.fileName) && !skelTypeOf(t.keyword()));
+  return looksNumeric(t) || (isAxskel(t.fileName) && !skelTypeOf(t.keyword()));
+}
+
+/** Whether a file is in this form by its name. */
+export function isAxskel(fileName: string): boolean {
+  return /\.axskel$/i.test(fileName);
 }
 
 /** Joints with remaining children, the innermost last; packed, since any joint of a file may be one. */

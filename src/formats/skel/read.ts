@@ -1,5 +1,6 @@
 /**
- * `.skel`, hierarchy form; a file that starts with a number is in the axis-angle form (`read-axis-angle.ts`).
+ * `.skel`, hierarchy form; a file that starts with a number is in the axis-angle form (`read-axis-angle.ts`), or has rows
+ * with the index of a parent (`read-parents.ts`).
  *
  *     skel   = { joint }                                   several roots: each its own skeleton
  *     joint  = JOINTTYPE [NAME] "{" { token } "}"
@@ -26,16 +27,20 @@ import {
 import { braceTooMany, type GrammarPart, namedHead, number, numberRun, skipStrange, stemOfName } from '../grammar.ts';
 import { OPEN_JOINT } from '../open-joint.ts';
 import { WHOLE_FILE } from '../places.ts';
-import { grammarReader, type Reader, type ReadResult, readWhole } from '../reader.ts';
+import { grammarReader, type Reader, type ReadResult, readerByHead, readWhole } from '../reader.ts';
 import type { Mark, Tokens } from '../tokens.ts';
 import { couple, type OpenCouple, resolveCouples } from './couples.ts';
 import { LIMIT_TOKENS, readOwn, SKEL_TYPES, type SkelType, skelTypeOf } from './joint-types.ts';
 import { numberToken, vectorToken } from './own-tokens.ts';
-import { axisAngleTree, beginsAxisAngle } from './read-axis-angle.ts';
+import { axisAngleTree, beginsAxisAngle, isAxskel } from './read-axis-angle.ts';
+import { beginsParents, PARENTS_HEAD_BYTES, parentsReader } from './read-parents.ts';
 
 /** A reader for a `.skel`: a skeleton for each root. */
 export function skelReader(fileName: string): Reader<readonly Skeleton[]> {
-  return grammarReader(fileName, skeletons);
+  if (isAxskel(fileName)) return grammarReader(fileName, skeletons);
+  return readerByHead(PARENTS_HEAD_BYTES, (head) =>
+    beginsParents(head) ? parentsReader(fileName) : grammarReader(fileName, skeletons),
+  );
 }
 
 /** Reads a whole `.skel`. */

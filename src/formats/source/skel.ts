@@ -1,11 +1,11 @@
 /**
- * `.skel`: the lines of each joint and of each DOF's limits and pose. An axis-angle file, which begins with a number, has
- * a row for each joint.
+ * `.skel`: the lines of each joint and of each DOF's limits and pose. A file that begins with a number has a row for each
+ * joint: see `joint-rows.ts`.
  */
 import { LIMIT_TOKENS, SKEL_TYPES } from '../skel/joint-types.ts';
 import { JointLines } from './joint-lines.ts';
+import { JointRows } from './joint-rows.ts';
 import type { Located, Locator } from './locator.ts';
-import { RowsBuilder } from './row-lines.ts';
 
 const TYPES = new Set(SKEL_TYPES.map(({ keyword }) => keyword));
 const DOF_OF_TOKEN = new Map(Object.entries(LIMIT_TOKENS).map(([dof, token]) => [token, dof]));
@@ -19,8 +19,6 @@ const CHOICES = new Set<string>(
 );
 /** Words after `couple`: the DOF, and the one it follows. */
 const COUPLE_WORDS = 2;
-/** Numbers of a joint in the axis-angle form. */
-const AXIS_ANGLE_WIDTH = 6;
 
 export function skelLocator(found: Located): Locator {
   return new SkelLocator(found);
@@ -30,7 +28,7 @@ class SkelLocator implements Locator {
   inRows = false;
   private readonly joints: JointLines;
   private isFirst = true;
-  private readonly rows = new RowsBuilder(AXIS_ANGLE_WIDTH);
+  private readonly rows: JointRows;
   /** After a joint's type, up to its brace: its name may be any word. */
   private inHead = false;
   private headLine = 0;
@@ -48,6 +46,7 @@ class SkelLocator implements Locator {
 
   constructor(private readonly found: Located) {
     this.joints = new JointLines(found);
+    this.rows = new JointRows(found);
   }
 
   word(text: string, line: number): void {
@@ -115,7 +114,7 @@ class SkelLocator implements Locator {
   }
 
   end(): void {
-    if (this.inRows) this.found.rows.push({ of: 'joint', lines: this.rows.done() });
+    if (this.inRows) this.rows.end();
   }
 
   private endDof(): void {
