@@ -14,7 +14,7 @@ export function checkSkin(skin: Skin, skeleton: Skeleton, fileName: string): Dia
   const joints = skeleton.joints.length;
   const bindings = bindingCount(skin);
   // No vertex is attached to a joint beyond the bindings, so usually there is nothing to search.
-  if (bindings > 0 && bindings <= joints) return [];
+  if (bindings > 0 && bindings <= joints) return bindings < joints ? [bindingsFewer(bindings, skeleton, fileName)] : [];
   const culprit = skin.attachments ? firstNotBelow(skin.attachments.joints, joints) : -1;
   if (skin.attachments && culprit >= 0) {
     const { start, joints: jointOf } = skin.attachments;
@@ -26,6 +26,13 @@ export function checkSkin(skin: Skin, skeleton: Skeleton, fileName: string): Dia
   const message = `The skin has ${count(bindings, 'binding')}, but ${named(skeleton)} has ${count(joints, 'joint')}.`;
   const assumed = 'the extra bindings are used by no vertex and are ignored';
   return [withoutPlace('warning', 'bindings-more', message, fileName, assumed)];
+}
+
+function bindingsFewer(bindings: number, skeleton: Skeleton, fileName: string): Diagnostic {
+  const joints = skeleton.joints.length;
+  const message = `The skin has ${count(bindings, 'binding')}, but ${named(skeleton)} has ${count(joints, 'joint')}.`;
+  const assumed = `joints from ${bindings} on move no vertex`;
+  return withoutPlace('info', 'bindings-fewer', message, fileName, assumed);
 }
 
 /** Whether every vertex that the morph moves exists. */

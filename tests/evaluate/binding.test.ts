@@ -8,7 +8,18 @@ describe('a skin and its skeleton', () => {
   it('a skin and its skeleton fit when every joint that is used exists', () => {
     expect(checkSkin(skin('hero', 1), skeleton(2), 'hero.skin')).toEqual([]);
     const { attachments: _none, ...rigid } = skin();
-    expect(checkSkin(rigid, skeleton(1), 'hero.skin')).toEqual([]);
+    expect(checkSkin({ ...rigid, bindings: new Float64Array(0) }, skeleton(1), 'hero.skin')).toEqual([]);
+  });
+
+  it('fewer bindings than joints are said, with both counts', () => {
+    expect(checkSkin(skin('hero', 1), skeleton(5), 'hero.skin')).toMatchObject([
+      {
+        severity: 'info',
+        code: 'bindings-fewer',
+        message: 'The skin has 2 bindings, but "hero" has 5 joints.',
+        assumed: 'joints from 2 on move no vertex',
+      },
+    ]);
   });
 
   it('a skin and its skeleton do not fit when a joint is missing: the first vertex that needs one is named', () => {

@@ -54,6 +54,7 @@ const VOCABULARY = [
     'Zrotation',
     'MOTION',
   ],
+  ...['OFFSET 0 1 0 2 3 4', '0 1 0 -1\n', '1 2 3 0\n', '%YAML', '<html>', 'PK\u0003\u0004', '# x\n'],
   ...['Frames:', 'Frames:2', 'Frame', 'Time:', 'Frame Time: 0.1\n', '1 2\n', '1 2 3', '\n1 '],
   ...['rig', 'skeleton', 'skin', 'morphs', 'a.skel', 'b c.skin', 'd.morph'],
   ...[

@@ -76,7 +76,7 @@ describe('reading .skin', () => {
         'material glass { color 0 0 1 texture "my glass.png" } triangles 1 { 1 1 1 }',
       ].join('\n'),
     );
-    expect(diagnostics).toEqual([]);
+    expect(told({ diagnostics })).toEqual(['info triangles-wound 0:0']);
     expect(value?.triangles).toEqual(Uint32Array.of(0, 1, 2, 0, 2, 1, 1, 2, 0, 2, 2, 2, 1, 1, 1));
     expect(value?.surfaces).toEqual([
       { triangleStart: 0, triangleCount: 1 },
@@ -298,6 +298,7 @@ describe('reading .skin', () => {
       'warning keyword-unknown 23:1',
       'warning brace-unexpected 26:1',
       'warning repeated 27:1',
+      'info triangles-wound 0:0',
     ]);
   });
 });

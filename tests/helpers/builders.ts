@@ -28,9 +28,9 @@ export function skeleton(joints = 2, name = 'hero'): Skeleton {
 
 const ONE_TRIANGLE = Uint32Array.of(0, 1, 2);
 
-/** One triangle bound to the given joint; bindings for joints 0 up to it. */
+/** One triangle bound to the given joint; bindings for joints 0 up to it, and for those of `skeleton()`. */
 export function skin(name = 'hero', onJoint = 0, more: Partial<Skin> = {}): Skin {
-  const bindings = new Float64Array(16 * (onJoint + 1));
+  const bindings = new Float64Array(16 * Math.max(2, onJoint + 1));
   for (let b = 0; b < bindings.length; b += 16) bindings[b] = bindings[b + 5] = bindings[b + 10] = bindings[b + 15] = 1;
   return {
     name,

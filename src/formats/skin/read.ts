@@ -254,6 +254,8 @@ function skinOf(t: Tokens, parts: Parts): Skin {
       'area-weighted',
     );
   }
+  const corners = triangles?.all() ?? new Uint32Array(0);
+  if (normals && !report.hasErrors) tellWinding(t, positions, normals, corners);
   const texcoords = fitting(t, parts.texcoords, 2, vertices, 'texcoords');
   triangles?.tellOutOfRange(t, vertices, parts.positions?.place);
   attachments?.tellOutOfRange(t, bindings.length / 16);
@@ -270,10 +272,34 @@ function skinOf(t: Tokens, parts: Parts): Skin {
     ...(normals && { normals }),
     ...(texcoords && { texcoords }),
     ...(attachments && { attachments: attachments.all(vertices) }),
-    triangles: triangles?.all() ?? new Uint32Array(0),
+    triangles: corners,
     surfaces: parts.surfaces.end(t),
     bindings,
   };
+}
+
+/** Says how many triangles have their normals on the side from which their vertices run clockwise. */
+function tellWinding(t: Tokens, positions: Float64Array, normals: Float64Array, triangles: Uint32Array): void {
+  let against = 0;
+  for (let i = 0; i + 2 < triangles.length; i += 3) {
+    const a = 3 * triangles[i];
+    const b = 3 * triangles[i + 1];
+    const c = 3 * triangles[i + 2];
+    const ux = positions[b] - positions[a];
+    const uy = positions[b + 1] - positions[a + 1];
+    const uz = positions[b + 2] - positions[a + 2];
+    const vx = positions[c] - positions[a];
+    const vy = positions[c + 1] - positions[a + 1];
+    const vz = positions[c + 2] - positions[a + 2];
+    const x = (uy * vz - uz * vy) * (normals[a] + normals[b] + normals[c]);
+    const y = (uz * vx - ux * vz) * (normals[a + 1] + normals[b + 1] + normals[c + 1]);
+    const z = (ux * vy - uy * vx) * (normals[a + 2] + normals[b + 2] + normals[c + 2]);
+    if (x + y + z < 0) against++;
+  }
+  if (against === 0) return;
+  const all = Math.floor(triangles.length / 3);
+  const message = `Of ${all} triangles, ${against} ${against === 1 ? 'is' : 'are'} wound against their normals.`;
+  t.report.info('triangles-wound', message, NO_PLACE, 'drawn from both sides, shaded by the normals');
 }
 
 /** A block if it has a row for each vertex. */

@@ -117,6 +117,8 @@ balljoint second{offset 1 2 3}
 `,
   ],
   ['skel', '1 0 0 1 45 2\n0.5 1 0 0 -90 0\n2 0 1 1 0 1 1e-3 0 1 0 720 0\n'],
+  ['skel', '0.5 0.75 0.5 -1\n0 -0.14 -0.04 0\n0 -0.2 0.05 1\n-0.1 -0.02 0 0\n'],
+  ['skel', '3\n0, 0, 0, 0, -1, hips\n1, 1, 2, 3, 2\n2, 1, 2, 3, 0 # knee\n'],
   ['axskel', '1 0 0 1 45 2\n0.5 1 0 0 -90 0\n2 0 1 1 0 1\n1e-3 0 1 0 720 0\n'],
   ['skin', SKIN],
   ['skin', 'positions 3 { 0 0 0 1 0 0 0 1 0 } triangles 1 { 0 1 2 }\r\n'],
@@ -126,7 +128,7 @@ balljoint second{offset 1 2 3}
     `animation {
 	range 0 2.5
 	numchannels 3
-	channel {
+	channel 0 {
 		extrapolate constant cycle_offset
 		keys 3 {
 			0 1 flat linear
@@ -145,6 +147,7 @@ balljoint second{offset 1 2 3}
   ],
   ['bvh', BVH],
   ['bvh', BVH_TWO],
+  ['bvh', BVH.replace('OFFSET 1 -2.5 0', 'OFFSET 1 -2.5 0 10 -20 3e1').replace('-3 0', '-3 0 1 2 3')],
   ['bvh', 'HIERARCHY ROOT{ JOINT{ JOINT a\n{ OFFSET 1 2 3 CHANNELS 0 } } }\nMOTION\nFrames: 0\nFrame Time: 1\n'],
   [
     'pose',
