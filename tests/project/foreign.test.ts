@@ -185,7 +185,14 @@ describe('a kind of file that is not read', () => {
     expect(await onPage(name, latin1('x'))).toMatchObject([{ code: 'format-unknown', message }]);
     const { codes, diagnostics } = await byCommand(name, latin1('x'));
     expect(codes).toEqual([1, 1]);
-    expect(diagnostics).toMatchObject([{ severity: 'error', code: 'format-unknown', message }]);
+    expect(diagnostics).toMatchObject([
+      { severity: 'warning', code: 'format-unknown', message },
+      { severity: 'error' },
+    ]);
+  });
+
+  it('no kind that is read is among them', () => {
+    for (const extension of READABLE_EXTENSIONS) expect(unreadMessage(`a.${extension}`)).toContain('it reads .skel');
   });
 
   it('is only a warning beside a file that is read', async () => {

@@ -24,6 +24,8 @@ export const PARENTS_HEAD_BYTES = 4096;
 interface Line {
   /** From 1. */
   readonly line: number;
+  /** Offset of its first byte. */
+  readonly from: number;
   readonly text: string;
   readonly words: readonly Word[];
 }
@@ -36,14 +38,14 @@ interface Word {
   readonly value: number;
 }
 
-/** A joint of the file. */
+/** A joint of the file, without its words: there may be millions. */
 interface Row {
-  readonly line: Line;
   readonly name: string;
   readonly index: number;
   readonly offset: Vec3;
   readonly parent: number;
-  readonly parentAt: Word;
+  readonly line: number;
+  readonly from: number;
 }
 
 const NUMBER = /^[-+]?(\d+\.?\d*|\.\d+)(e[-+]?\d+)?$/i;
@@ -89,9 +91,24 @@ export function parentsReader(fileName: string): Reader<readonly Skeleton[]> {
       'Read as a joint on each line: x y z, its offset from the parent, and the index of that, -1 for a root.';
     report.info('parent-rows', message, WHOLE_FILE, 'ball joints; saved in the hierarchy form');
     const rows = rowsOf(bytes, report);
-    const parents = parentsOf(rows, report);
-    return report.hasErrors ? undefined : skeletons(rows, parents, stemOfName(fileName), report);
+    const told = { report, bytes };
+    const parents = parentsOf(rows, told);
+    return report.hasErrors ? undefined : skeletons(rows, parents, stemOfName(fileName), told);
   });
+}
+
+/** Problems of rows are told at a word of theirs. */
+interface Told {
+  readonly report: Report;
+  readonly bytes: Uint8Array;
+}
+
+/** The place of a row's parent, or of its first word. */
+function placeIn({ bytes }: Told, { from, line }: Row, what: 'parent' | 'start'): Place {
+  const [found] = filledLines(bytes, from, line);
+  const { words } = found;
+  const numbers = words.filter(({ value }) => !Number.isNaN(value));
+  return placeOf(found, what === 'start' ? words[0] : numbers[numbers.length - 1]);
 }
 
 function rowsOf(bytes: Uint8Array, report: Report): readonly Row[] {
@@ -151,8 +168,8 @@ function rowOf(line: Line, width: number, index: number, shared: Map<string, Vec
   const [x, y, z] = offset.map(({ value }) => value);
   const vector: Vec3 = shared.get(key) ?? [x, y, z];
   if (shared.size < MAX_SHARED) shared.set(key, vector);
-  const parentAt = numbers[width - 1];
-  return { line, name: name?.text ?? '', index: own, offset: vector, parent: parentAt.value, parentAt };
+  const parent = numbers[width - 1].value;
+  return { name: name?.text ?? '', index: own, offset: vector, parent, line: line.line, from: line.from };
 }
 
 /** Of files of short numbers, which would take many times their size. */
@@ -163,23 +180,37 @@ function looksNumeric(text: string): boolean {
 }
 
 /** Of each row, the row of its parent; -1 for a root. */
-function parentsOf(rows: readonly Row[], report: Report): Int32Array {
-  const byIndex = new Map<number, number>();
-  rows.forEach(({ index, line }, row) => {
-    if (byIndex.has(index)) {
-      report.error('index-repeated', `Expected each index once, found ${index} again.`, placeOf(line, line.words[0]));
-    }
-    byIndex.set(index, row);
-  });
-  return Int32Array.from(rows, ({ parent, parentAt, line }, row) => {
+function parentsOf(rows: readonly Row[], told: Told): Int32Array {
+  const { report } = told;
+  const rowWith = byIndex(rows, told);
+  return Int32Array.from(rows, (each, row) => {
+    const { parent } = each;
     if (parent === -1) return -1;
-    const found = byIndex.get(parent);
+    const found = rowWith(parent);
     if (found !== undefined && found !== row) return found;
     const [code, what] =
       parent % 1 === 0 ? ['index-out-of-range', 'the index of another joint'] : ['index-fractional', 'a whole number'];
-    report.error(code, `Expected ${what} as the parent, or -1, found ${parentAt.text}.`, placeOf(line, parentAt));
+    report.error(code, `Expected ${what} as the parent, or -1, found ${parent}.`, placeIn(told, each, 'parent'));
     return -1;
   });
+}
+
+/** Finds rows by their indices, which are mostly their numbers. */
+function byIndex(rows: readonly Row[], told: Told): (index: number) => number | undefined {
+  const first = rows[0]?.index ?? 0;
+  if (rows.every(({ index }, row) => index === first + row)) {
+    return (index) => (index >= first && index < first + rows.length && index % 1 === 0 ? index - first : undefined);
+  }
+  const found = new Map<number, number>();
+  rows.forEach((each, row) => {
+    const { index } = each;
+    if (found.has(index)) {
+      const message = `Expected each index once, found ${index} again.`;
+      told.report.error('index-repeated', message, placeIn(told, each, 'start'));
+    }
+    found.set(index, row);
+  });
+  return (index) => found.get(index);
 }
 
 interface Shared {
@@ -194,61 +225,67 @@ function skeletons(
   rows: readonly Row[],
   parents: Int32Array,
   stem: string,
-  report: Report,
+  told: Told,
 ): readonly Skeleton[] | undefined {
-  const children = new Map<number, number[]>();
-  parents.forEach((parent, row) => {
-    const own = children.get(parent);
-    if (own) own.push(row);
-    else children.set(parent, [row]);
-  });
-  const roots = children.get(-1) ?? [];
-  const order: number[] = [];
+  const { report } = told;
+  // Lists of children: of each row the first one, and the next one of its parent.
+  const first = new Int32Array(rows.length).fill(-1);
+  const next = new Int32Array(rows.length).fill(-1);
+  for (let row = rows.length - 1; row >= 0; row--) {
+    const parent = parents[row];
+    if (parent < 0) continue;
+    next[row] = first[parent];
+    first[parent] = row;
+  }
+  const roots = Array.from(parents.keys()).filter((row) => parents[row] < 0);
+  /** Of each row, its joint. */
   const number = new Int32Array(rows.length).fill(-1);
+  let [count, moved] = [0, -1];
   const all = roots.map((root, r): Skeleton => {
     const joints: Joint[] = [];
-    const open = [root];
-    for (let row = open.pop(); row !== undefined; row = open.pop()) {
+    let row = root;
+    while (row >= 0) {
+      if (row !== count++ && moved < 0) moved = row;
       number[row] = joints.length;
-      order.push(row);
       const { name, offset } = rows[row];
       const parent = parents[row] < 0 ? -1 : number[parents[row]];
       joints.push({ name, parent, offset, box: DEFAULT_BOX, motion: DEFAULT_MOTION, ...BALL });
-      for (const child of (children.get(row) ?? []).toReversed()) open.push(child);
+      if (first[row] >= 0) row = first[row];
+      else {
+        while (row >= 0 && next[row] < 0) row = parents[row];
+        if (row >= 0) row = next[row];
+      }
     }
     return { name: r === 0 ? stem : `${stem}_${r + 1}`, joints };
   });
   const left = number.indexOf(-1);
   if (left >= 0) {
-    const { line, parentAt } = rows[left];
-    const message = `Expected a parent that leads to a root, found ${parentAt.text}: this joint ends up below itself.`;
-    report.error('parent-cycle', message, placeOf(line, parentAt));
+    const message = `Expected a parent that leads to a root, found ${rows[left].parent}: this joint ends up below itself.`;
+    report.error('parent-cycle', message, placeIn(told, rows[left], 'parent'));
     return undefined;
   }
   if (roots.length > 1) {
-    const { line } = rows[roots[1]];
     const message = 'Found a second root; each root becomes its own skeleton.';
-    report.info('several-roots', message, placeOf(line, line.words[0]));
+    report.info('several-roots', message, placeIn(told, rows[roots[1]], 'start'));
   }
-  const moved = order.findIndex((row, i) => row !== i);
   if (moved >= 0) {
-    const { line } = rows[order[moved]];
-    const message = `Joints are in the order of their tree, each before its siblings with all that is below it: joint ${order[moved]} of the file is joint ${moved}.`;
-    report.info('joints-reordered', message, placeOf(line, line.words[0]));
+    const message = `Joints are in the order of their tree, each before its siblings with all that is below it: joint ${rows[moved].index} of the file is joint ${number[moved]}.`;
+    report.info('joints-reordered', message, placeIn(told, rows[moved], 'start'));
   }
   return all;
 }
 
-/** All lines that have words. Line ends are those of `places.ts`. */
-function* filledLines(bytes: Uint8Array): Generator<Line, void, void> {
-  let from = bytes[0] === 0xef && bytes[1] === 0xbb && bytes[2] === 0xbf ? 3 : 0;
-  let line = 1;
+/** All lines that have words, from the start of one on. Line ends are those of `places.ts`. */
+function* filledLines(bytes: Uint8Array, start = 0, first = 1): Generator<Line, void, void> {
+  const hasMark = start === 0 && bytes[0] === 0xef && bytes[1] === 0xbb && bytes[2] === 0xbf;
+  let from = hasMark ? 3 : start;
+  let line = first;
   while (from < bytes.length) {
     let to = from;
     while (to < bytes.length && bytes[to] !== LF && bytes[to] !== CR) to++;
     const text = textOf(bytes, from, to);
     const words = wordsOf(text);
-    if (words.length > 0) yield { line, text, words };
+    if (words.length > 0) yield { line, from, text, words };
     let returns = to;
     while (bytes[returns] === CR) returns++;
     const isFed = bytes[returns] === LF;
