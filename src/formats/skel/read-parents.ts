@@ -148,7 +148,7 @@ const MOST_LINES_BEFORE = 3;
 
 function rowOf(line: Line, width: number, index: number, shared: Map<string, Vec3>, report: Report): Row | undefined {
   const { words } = line;
-  const isName = (word: Word | undefined) => word !== undefined && Number.isNaN(word.value) && !looksNumeric(word.text);
+  const isName = (word: Word | undefined) => word !== undefined && Number.isNaN(word.value) && !isNoName(word.text);
   const name = isName(words[0]) ? words[0] : isName(words.at(-1)) ? words[words.length - 1] : undefined;
   const numbers = words.filter((word) => word !== name);
   const wrong = numbers.find(({ value }) => !Number.isFinite(value));
@@ -175,8 +175,9 @@ function rowOf(line: Line, width: number, index: number, shared: Map<string, Vec
 /** Of files of short numbers, which would take many times their size. */
 const MAX_SHARED = 256;
 
-function looksNumeric(text: string): boolean {
-  return /^([-+]?(\d|\.)|[-+]?(nan|inf(inity)?)$)/i.test(text);
+/** Whether a word is meant as a number, or can't be a name. */
+function isNoName(text: string): boolean {
+  return /^([-+]?(\d|\.)|[-+]?(nan|inf(inity)?)$)|[{}]/i.test(text);
 }
 
 /** Of each row, the row of its parent; -1 for a root. */
