@@ -1,6 +1,5 @@
 /**
  * Reads GLB files as other programs do: three.js's and Babylon's loaders and interpolation, and the Khronos validator.
- * What they make of the joints is compared with our own doubles; vertices are skinned here, by all attachments.
  */
 import '@babylonjs/core/Animations/animatable.js';
 import { NullEngine } from '@babylonjs/core/Engines/nullEngine.js';
@@ -11,14 +10,10 @@ import '@babylonjs/loaders/glTF/2.0/glTFLoader.js';
 import { validateBytes } from 'gltf-validator';
 import { AnimationMixer, LoopOnce, type Object3D, Texture } from 'three';
 import { GLTFLoader } from 'three/examples/jsm/loaders/GLTFLoader.js';
-import { blendMorphs, compileSkin, deform } from '../../src/evaluate/deform.ts';
-import { compileSkeleton, worldMatrices } from '../../src/evaluate/kinematics.ts';
-import { dofCountOf, poseAt } from '../../src/evaluate/pose.ts';
 import { DEFAULT_GLB, type GlbOptions } from '../../src/exchange/glb/options.ts';
 import type { GlbReport } from '../../src/exchange/glb/report.ts';
 import { writeGlb } from '../../src/exchange/glb/write.ts';
 import type { Character } from '../../src/model/document.ts';
-import { shownSkin } from '../../src/model/document.ts';
 
 export interface Glb {
   readonly bytes: Uint8Array<ArrayBuffer>;
@@ -223,117 +218,5 @@ export async function inBabylon(glb: Glb): Promise<Player> {
     const manager = container.morphTargetManagers[0];
     const weights = manager ? Array.from({ length: manager.numTargets }, (_, m) => manager.getTarget(m).influence) : [];
     return { matrices, weights };
-  };
-}
-
-/** Largest distances of joints and vertices from ours, over times of a take. */
-export interface Off {
-  readonly joints: number;
-  readonly vertices: number;
-}
-
-/**
- * Compares what another program shows with our doubles.
- * @param times since the start of the take
- */
-export function offBy(character: Character, glb: Glb, player: Player, take: number, times: readonly number[]): Off {
-  const { skeleton, driver } = character;
-  if (!skeleton) throw new Error('A skeleton was expected.');
-  const played = { ...character, shownClip: take };
-  const start = (driver?.source.clip ?? character.clips[take])?.range[0] ?? 0;
-  const compiled = compileSkeleton(skeleton);
-  const dofs = new Float64Array(dofCountOf(character));
-  const world = new Float64Array(16 * skeleton.joints.length);
-  const skin = shownSkin(character);
-  const mesh = skin && readMesh(glb);
-  const off = { joints: 0, vertices: 0 };
-  for (const time of times) {
-    const { matrices, weights } = player(take, time);
-    poseAt(played, start + time, dofs);
-    worldMatrices(compiled, dofs, world);
-    for (let j = 0; j < skeleton.joints.length; j++) {
-      off.joints = Math.max(off.joints, distance(matrices, 16 * j + 12, world, 16 * j + 12));
-    }
-    if (!mesh || !skin) continue;
-    const own = compileSkin(normalised(skin));
-    const positions = new Float64Array(skin.positions.length);
-    const normals = new Float64Array(skin.positions.length);
-    blendMorphs(own, character.morphs, dofs, dofs.length - character.morphs.length, positions, normals);
-    deform(own, world, positions, normals, positions, normals);
-    const theirs = mesh(matrices, weights);
-    for (let o = 0; o < positions.length; o += 3) {
-      off.vertices = Math.max(off.vertices, distance(theirs, o, positions, o));
-    }
-  }
-  return off;
-}
-
-type Skin = NonNullable<ReturnType<typeof shownSkin>>;
-const withSums = new WeakMap<Skin, Skin>();
-
-/** The skin with weights that sum to 1, as glTF needs them. */
-function normalised(skin: Skin): Skin {
-  const known = withSums.get(skin);
-  if (known || !skin.attachments) return known ?? skin;
-  const { start } = skin.attachments;
-  const weights = skin.attachments.weights.slice();
-  for (let v = 0; v + 1 < start.length; v++) {
-    const own = weights.subarray(start[v], start[v + 1]);
-    const sum = own.reduce((total, w) => total + w, 0);
-    own.forEach((w, a) => {
-      own[a] = w / sum;
-    });
-  }
-  const made = { ...skin, attachments: { ...skin.attachments, weights } };
-  withSums.set(skin, made);
-  return made;
-}
-
-function distance(a: Float64Array, i: number, b: Float64Array, j: number): number {
-  return Math.hypot(a[i] - b[j], a[i + 1] - b[j + 1], a[i + 2] - b[j + 2]);
-}
-
-/** The first mesh of a file, skinned by all its attachments. */
-function readMesh(glb: Glb): (matrices: Float64Array, weights: readonly number[]) => Float64Array {
-  const [skin] = glb.json.skins ?? [];
-  const [primitive] = glb.json.meshes?.[0].primitives ?? [];
-  const base = numbersOf(glb, primitive.attributes.POSITION);
-  const inverse = numbersOf(glb, skin.inverseBindMatrices);
-  const sets = [0, 1, 2, 3].flatMap((set) =>
-    `JOINTS_${set}` in primitive.attributes
-      ? [
-          {
-            joints: numbersOf(glb, primitive.attributes[`JOINTS_${set}`]),
-            weights: numbersOf(glb, primitive.attributes[`WEIGHTS_${set}`]),
-          },
-        ]
-      : [],
-  );
-  const targets = (primitive.targets ?? []).map((target) => numbersOf(glb, target.POSITION));
-  return (matrices, weights) => {
-    const positions = base.slice();
-    targets.forEach((target, m) => {
-      for (let i = 0; i < positions.length; i++) positions[i] += (weights[m] ?? 0) * target[i];
-    });
-    const out = new Float64Array(positions.length);
-    for (let v = 0; v < positions.length / 3; v++) {
-      const point = [positions[3 * v], positions[3 * v + 1], positions[3 * v + 2], 1];
-      for (const { joints, weights: w } of sets) {
-        for (let k = 4 * v; k < 4 * v + 4; k++) {
-          if (w[k] === 0) continue;
-          const m = 16 * joints[k];
-          const bound = [0, 1, 2].map((r) => point.reduce((sum, p, c) => sum + inverse[m + 4 * c + r] * p, 0));
-          for (let r = 0; r < 3; r++) {
-            out[3 * v + r] +=
-              w[k] *
-              (matrices[m + r] * bound[0] +
-                matrices[m + 4 + r] * bound[1] +
-                matrices[m + 8 + r] * bound[2] +
-                matrices[m + 12 + r]);
-          }
-        }
-      }
-    }
-    return out;
   };
 }

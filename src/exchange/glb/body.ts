@@ -19,7 +19,11 @@ const SHORT = 0.3;
  * @param name of the mesh
  */
 export function bodyOf(skeleton: Skeleton, worlds: Float64Array, lastOf: Int32Array, name: string): Skin {
-  return skinOf(bonesOf(skeleton, worlds, lastOf), skeleton.joints.length, name);
+  const bindings = new Float64Array(16 * lastOf.length);
+  lastOf.forEach((node, joint) => {
+    bindings.set(worlds.subarray(16 * node, 16 * node + 16), 16 * joint);
+  });
+  return skinOf(bonesOf(skeleton, worlds, lastOf), bindings, name);
 }
 
 /**
@@ -96,7 +100,7 @@ function ringOf(from: Vec3, to: Vec3): readonly [Vec3, Vec3, Vec3, Vec3] {
   return [corner(across), corner(other), corner(scaled(across, -1)), corner(scaled(other, -1))];
 }
 
-function skinOf(bones: readonly Bone[], jointCount: number, name: string): Skin {
+function skinOf(bones: readonly Bone[], bindings: Float64Array, name: string): Skin {
   const positions: number[] = [];
   const normals: number[] = [];
   const joints: number[] = [];
@@ -128,6 +132,6 @@ function skinOf(bones: readonly Bone[], jointCount: number, name: string): Skin 
       joints: Uint32Array.from(joints),
       weights: new Float64Array(count).fill(1),
     },
-    bindings: new Float64Array(16 * jointCount),
+    bindings,
   };
 }

@@ -3,7 +3,7 @@
  * values alone. Between two breaks four values give the cubic, and others check it. If they don't fit, a limit is
  * reached in between: the place is found by halving. Then neighbours that one cubic covers are joined.
  */
-import { STEP_SECONDS } from './sample-take.ts';
+import { stepSeconds } from './sample-take.ts';
 import type { TakeMotion } from './take-motion.ts';
 import type { Track } from './tracks.ts';
 
@@ -111,8 +111,9 @@ export function exactKeys(
 
   for (let i = 0; i + 1 < breaks.length; i++) {
     const a = breaks[i];
-    const isStepEnd = jumps.has(breaks[i + 1]) && breaks[i + 1] - a > 2 * STEP_SECONDS;
-    const b = isStepEnd ? breaks[i + 1] - STEP_SECONDS : breaks[i + 1];
+    const step = stepSeconds(breaks[i + 1] - start);
+    const isStepEnd = jumps.has(breaks[i + 1]) && breaks[i + 1] - a > 2 * step;
+    const b = isStepEnd ? breaks[i + 1] - step : breaks[i + 1];
     take(a, b);
     const found = tracks.map((_, t) => (isCubic[t] ? cubicOf(t, a, b) : undefined));
     found.forEach((cubics, t) => {

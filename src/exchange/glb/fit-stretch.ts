@@ -4,6 +4,8 @@
  * values are moved so that joints make up for each other's errors, the result is measured at all points and rows, keys
  * are added where the tolerance is exceeded, and those that turn out not to be needed are removed.
  */
+
+import { verticesBeyond } from './check-vertices.ts';
 import { cubicHolds, fitCubic } from './fit-cubic.ts';
 import {
   type FittedKeys,
@@ -20,7 +22,7 @@ import { moveKeys } from './move-key.ts';
 import { removeKeys } from './remove-keys.ts';
 import type { Rows } from './rows.ts';
 import type { Track } from './tracks.ts';
-import type { Watch } from './watch.ts';
+import type { WatchPoints } from './watch-points.ts';
 
 export type KeyStyle = 'linear' | 'cubic';
 
@@ -46,12 +48,15 @@ const MARGIN = 0.95;
 /** Straight lines through moved keys are off by half as much, nearly. */
 const HALVED = 1.8;
 
+/** How often vertices are looked for that are off where nothing was watched. */
+const CHECKS = 3;
+
 /** Keys of each track. */
 export function fitStretch(
   rows: Rows,
   tracks: readonly Track[],
   nodes: readonly JointNode[],
-  watch: Watch,
+  points: WatchPoints,
   { style, tolerance, share, thins, isExact }: StretchOptions,
 ): readonly FittedKeys[] {
   const isCubic = style === 'cubic';
@@ -65,9 +70,26 @@ export function fitStretch(
     return greedyKeys(rows, (isCubic ? cubicHolds : linearHolds)(rows, track, budget));
   });
   const fits: FittedKeys[] = tracks.map((track, t) => keysFor(rows, track, keys[t]));
-  const measured = new Measured(rows, tracks, nodes, watch, isCubic, fits);
+  let measured = new Measured(rows, tracks, nodes, points.watch, isCubic, fits);
   const improves = thins && !isCubic;
   if (improves) moveKeys(measured, limit, false);
+  settle(measured, limit, isCubic);
+  if (improves) removeKeys(measured, limit);
+  for (let check = 0; check < CHECKS; check++) {
+    const before = points.watch;
+    measured.measure();
+    points.addVertices(verticesBeyond(measured, points, limit));
+    if (points.watch === before) break;
+    measured = new Measured(rows, tracks, nodes, points.watch, isCubic, fits);
+    settle(measured, limit, isCubic);
+  }
+  return isCubic ? fits : fits.map((fit, t) => guarded(rows, tracks[t], fit, measured.made[0]));
+}
+
+/** Adds keys until no row is off by more than the limit. */
+function settle(measured: Measured, limit: number, isCubic: boolean): void {
+  const { rows, tracks, fits } = measured;
+  const keys = fits.map((fit) => fit.rows.slice());
   measured.measure();
   for (let round = 0; ; round++) {
     const changed = addKeys(measured, keys, limit, round < PATIENCE ? rows.count : HASTE);
@@ -78,8 +100,6 @@ export function fitStretch(
     }
     measured.measure();
   }
-  if (improves) removeKeys(measured, limit);
-  return isCubic ? fits : fits.map((fit, t) => guarded(rows, tracks[t], fit, measured.made[0]));
 }
 
 /** The rows that a key at a row, or its absence, has an effect on: two segments on either side. */

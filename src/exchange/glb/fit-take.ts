@@ -8,7 +8,7 @@ import { Rows } from './rows.ts';
 import { sampleTake } from './sample-take.ts';
 import type { TakeMotion } from './take-motion.ts';
 import type { Track } from './tracks.ts';
-import type { Watch } from './watch.ts';
+import type { WatchPoints } from './watch-points.ts';
 
 /** The keys of one track. */
 export interface TrackKeys {
@@ -36,7 +36,7 @@ export interface FitOptions {
 /** What moves, and how it is seen. */
 export interface MovedNodes {
   readonly nodes: readonly JointNode[];
-  readonly watch: Watch;
+  readonly points: WatchPoints;
   readonly tracks: readonly Track[];
   /** Numbers in a row. */
   readonly width: number;
@@ -59,7 +59,7 @@ const EXACT = 1e-6;
 
 export function fitTake(motion: TakeMotion, moved: MovedNodes, options: FitOptions): readonly TrackKeys[] {
   if (options.framesPerSecond !== undefined) return framesOf(motion, moved, options.framesPerSecond, options.style);
-  const { nodes, watch, tracks, width } = moved;
+  const { nodes, points, tracks, width } = moved;
   const { style, tolerance, size, onProgress } = options;
   const exact = new Map<Track, TrackKeys>();
   if (style === 'cubic' && motion.isKeyed) {
@@ -78,7 +78,7 @@ export function fitTake(motion: TakeMotion, moved: MovedNodes, options: FitOptio
   const share = thins ? SHARE : SHARE_OF_LONG;
   const isExact = (track: Track) => exact.has(track);
   sampleTake(motion, tracks, tolerance, rows, perStretch, () => {
-    fitStretch(rows, tracks, nodes, watch, { style, tolerance, share, thins, isExact }).forEach((fit, t) => {
+    fitStretch(rows, tracks, nodes, points, { style, tolerance, share, thins, isExact }).forEach((fit, t) => {
       collected[t].add(rows, fit, tracks[t].width);
     });
     onProgress?.(seconds > 0 ? Math.min(1, rows.seconds[rows.count - 1] / seconds) : 1);

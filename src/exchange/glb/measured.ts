@@ -1,10 +1,12 @@
-/** What programs make of the keys of a stretch, compared with its rows at all points that are watched. */
+/** What programs make of the keys of a stretch, compared with its rows at all points and axes that are watched. */
 import { expandCubic } from './fit-cubic.ts';
 import { expandLinear, type FittedKeys } from './fit-linear.ts';
 import { type JointNode, type NodeRange, nodeWorlds, subtrees } from './joint-nodes.ts';
 import type { Rows } from './rows.ts';
 import type { Track } from './tracks.ts';
-import { movedPair, movedPoint, nodesMoving, pointsBelow, pointsMorphed, type Watch } from './watch.ts';
+import { movedPair, movedPoint, nodesAbove, nodesMoving, pointsBelow, pointsMorphed, type Watch } from './watch.ts';
+
+const NO_NODES: NodeRange = { first: 0, end: 0 };
 
 export class Measured {
   readonly rows: Rows;
@@ -12,7 +14,7 @@ export class Measured {
   private readonly watch: Watch;
   /** The keys of each track; `replace` is called after they change. */
   readonly fits: FittedKeys[];
-  /** The largest squared distance of a point at each row. */
+  /** The largest squared distance of a point, or of the end of an axis, at each row. */
   readonly errors: Float64Array;
   /** As the rows' values: rotations by components, and along arcs where that differs. */
   readonly made: readonly Float64Array[];
@@ -20,7 +22,12 @@ export class Measured {
   private readonly worlds: readonly Float64Array[];
   /** Where points should be at each row: x y z each. */
   private readonly truth: Float64Array;
-  private readonly points: Int32Array;
+  /** Whether neither a node nor one above it scales: its axes have length 1. */
+  private readonly isRigid: Uint8Array;
+  /** Axes of the nodes in the world at each row, of length 1: 9 numbers each. */
+  private readonly trueAxes: Float64Array;
+  /** What is off most at each row: a point, or −1 − the node of an axis. */
+  private readonly worst: Int32Array;
   private readonly nodes: readonly JointNode[];
   private readonly isCubic: boolean;
   private readonly isDirty: Uint8Array;
@@ -55,11 +62,15 @@ export class Measured {
     const { count, width } = rows;
     this.stride = 16 * nodes.length;
     this.errors = new Float64Array(count);
-    this.points = new Int32Array(count);
+    this.worst = new Int32Array(count);
     this.isDirty = new Uint8Array(count).fill(1);
     this.hasArcs = new Uint8Array(count);
     this.ranges = subtrees(nodes);
     this.all = { first: 0, end: nodes.length };
+    this.isRigid = new Uint8Array(nodes.length);
+    nodes.forEach(({ parent, hasScale }, n) => {
+      this.isRigid[n] = !hasScale && (parent < 0 || this.isRigid[parent]) ? 1 : 0;
+    });
     const below = pointsBelow(nodes, watch);
     const morphed = pointsMorphed(watch);
     this.moved = tracks.map(({ node }) => (node < 0 ? morphed : below[node]));
@@ -69,10 +80,16 @@ export class Measured {
     this.pointCount = watch.start.length - 1;
     this.every = Int32Array.from({ length: this.pointCount }, (_, p) => p);
     this.truth = new Float64Array(3 * count * this.pointCount);
+    this.trueAxes = new Float64Array(9 * count * nodes.length);
     for (let m = 0; m < count; m++) {
       nodeWorlds(nodes, rows.values, m * width, this.worlds[0], 0);
       for (let p = 0; p < this.pointCount; p++) {
         movedPoint(watch, p, this.worlds[0], 0, rows.values, m * width, this.truth, 3 * (m * this.pointCount + p));
+      }
+      for (let n = 0; n < nodes.length; n++) {
+        for (let c = 0; c < 3; c++) {
+          writeUnit(this.worlds[0], 16 * n + 4 * c, this.trueAxes, 9 * (m * nodes.length + n) + 3 * c);
+        }
       }
     }
     fits.forEach((own, t) => {
@@ -88,13 +105,16 @@ export class Measured {
     for (let m = 0; m < this.errors.length; m++) if (this.isDirty[m]) this.measureRow(m);
   }
 
-  /** The tracks that displace the worst point of a row, the one that displaces it most first. */
+  /** The tracks that displace what is off most at a row, the one that displaces it most first. */
   worstTracks(m: number): readonly number[] {
-    const point = this.points[m];
-    const chain = nodesMoving(this.nodes, this.watch, point);
+    const worst = this.worst[m];
+    const isAxis = worst < 0;
+    const chain = isAxis ? nodesAbove(this.nodes, -1 - worst) : nodesMoving(this.nodes, this.watch, worst);
     const o = m * this.rows.width;
-    const off = this.tracks.map(({ node, at, width, path, reach }, t) => {
-      if (node < 0 ? !this.moved[t].includes(point) : !chain.has(node)) return 0;
+    const off = this.tracks.map(({ node, at, width, path, reach: farthest }, t) => {
+      if (node < 0 ? isAxis || !this.moved[t].includes(worst) : !chain.has(node)) return 0;
+      if (isAxis && path === 'translation') return 0;
+      const reach = isAxis ? this.watch.axisLength : farthest;
       let most = 0;
       for (const values of this.made) {
         let sum = 0;
@@ -117,14 +137,17 @@ export class Measured {
   }
 
   /**
-   * The largest squared distance of a point that a track moves, from one row to another; or one that is more than
+   * The largest squared distance of a point or an axis that a track moves, from one row to another; or one that is more than
    * `enough`.
    * @param worst the row at which it is likely to be large
    */
   farthest(t: number, from: number, worst: number, to: number, enough: number): number {
     let most = 0;
-    for (let m = worst; m <= to && most <= enough; m++) most = this.farthestAt(this.moved[t], m, most, enough);
-    for (let m = worst - 1; m >= from && most <= enough; m--) most = this.farthestAt(this.moved[t], m, most, enough);
+    const points = this.moved[t];
+    const { node, path } = this.tracks[t];
+    const range = node < 0 || path === 'translation' ? NO_NODES : this.ranges[node];
+    for (let m = worst; m <= to && most <= enough; m++) most = this.farthestAt(points, range, m, most, enough);
+    for (let m = worst - 1; m >= from && most <= enough; m--) most = this.farthestAt(points, range, m, most, enough);
     return most;
   }
 
@@ -207,17 +230,70 @@ export class Measured {
   private measureRow(m: number): void {
     this.isDirty[m] = 0;
     this.found = 0;
-    this.errors[m] = this.farthestAt(this.every, m, 0, Infinity);
-    this.points[m] = this.found;
+    this.errors[m] = this.farthestAt(this.every, this.all, m, 0, Infinity);
+    this.worst[m] = this.found;
   }
 
-  /** The largest of a number and the squared distances of points at a row, or the first that is more than `enough`. */
-  private farthestAt(points: Int32Array, m: number, before: number, enough: number): number {
+  /**
+   * The largest of a number and the squared distances of points, and of axes of some nodes, at a row; or the first that is
+   * more than `enough`.
+   */
+  private farthestAt(points: Int32Array, nodes: NodeRange, m: number, before: number, enough: number): number {
     let most = before;
     for (let way = 0; way < this.waysAt(m) && most <= enough; way++) {
       most = this.farthestOf(points, m, way, most, enough);
+      if (most <= enough) most = this.farthestAxis(nodes, m, way, most, enough);
     }
     return most;
+  }
+
+  private farthestAxis({ first, end }: NodeRange, m: number, way: number, before: number, enough: number): number {
+    const { trueAxes, isRigid } = this;
+    const { hasAxes, axisLength } = this.watch;
+    const worlds = this.worlds[way];
+    const length2 = axisLength * axisLength;
+    let most = before;
+    for (let n = first; n < end; n++) {
+      if (!hasAxes[n]) continue;
+      const a = m * this.stride + 16 * n;
+      const t = 9 * (m * this.nodes.length + n);
+      // Of a small turn by ω the axes' ends are off by 2 ω² in all.
+      let turn = 0;
+      for (let c = 0; c < 3; c++) {
+        const x = worlds[a + 4 * c];
+        const y = worlds[a + 4 * c + 1];
+        const z = worlds[a + 4 * c + 2];
+        const s = isRigid[n] ? 1 : 1 / (Math.sqrt(x * x + y * y + z * z) || 1);
+        const dx = x * s - trueAxes[t + 3 * c];
+        const dy = y * s - trueAxes[t + 3 * c + 1];
+        const dz = z * s - trueAxes[t + 3 * c + 2];
+        const off = dx * dx + dy * dy + dz * dz;
+        turn = isRigid[n] ? turn + off / 2 : Math.max(turn, off);
+      }
+      const off = turn * length2;
+      if (!(off > most)) continue;
+      most = off;
+      this.found = -1 - n;
+      if (off > enough) return off;
+    }
+    return most;
+  }
+
+  /** Writes what is missing at the end of an axis of a node at a row, and the axis, by components. */
+  writeAxisMiss(node: number, axis: number, m: number, miss: Float64Array, lever: Float64Array): void {
+    const { axisLength } = this.watch;
+    const t = 9 * (m * this.nodes.length + node) + 3 * axis;
+    writeUnit(this.worlds[0], m * this.stride + 16 * node + 4 * axis, lever, 0);
+    for (let k = 0; k < 3; k++) {
+      miss[k] = (this.trueAxes[t + k] - lever[k]) * axisLength;
+      lever[k] *= axisLength;
+    }
+  }
+
+  /** Whether turns of a node are seen by its axes more than by any point. */
+  turnsUnseen(t: number): boolean {
+    const { node, path, reach } = this.tracks[t];
+    return path === 'rotation' && this.watch.hasAxes[node] === 1 && reach <= this.watch.axisLength;
   }
 
   /** The squared distance of a point from where it should be, by components. */
@@ -266,4 +342,10 @@ export class Measured {
     }
     return most;
   }
+}
+
+/** Writes x y z at `o`, with length 1 unless it has none. */
+function writeUnit(from: Float64Array, o: number, out: Float64Array, to: number): void {
+  const length = Math.sqrt(from[o] * from[o] + from[o + 1] * from[o + 1] + from[o + 2] * from[o + 2]) || 1;
+  for (let k = 0; k < 3; k++) out[to + k] = from[o + k] / length;
 }

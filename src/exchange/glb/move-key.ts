@@ -5,8 +5,9 @@
  *
  *     Σ w |e − u · J δ|² → min        J δ = (R δ) × r  for turns,  s · L δ  for shifts
  *
- * with e what is missing at a point, u the part of the key in a row (1 at it, 0 at its neighbours), r from the node to
- * the point, R and L the rotation and the matrix of the node above, s the weight by which the point follows.
+ * with e what is missing at a point, or at the end of an axis of the node, u the part of the key in a row (1 at it, 0 at
+ * its neighbours), r from the node to the point, R and L the rotation and the matrix of the node above, s the weight by
+ * which the point follows.
  */
 import { normalise } from './fit-linear.ts';
 import type { Measured } from './measured.ts';
@@ -77,6 +78,11 @@ function costOfPoint(off: number): number {
   return off * off * off;
 }
 
+/** The squared length of what is missing, in limits. */
+function offOf([x, y, z]: Float64Array, limit: number): number {
+  return (x * x + y * y + z * z) / (limit * limit);
+}
+
 function strideOf(points: Int32Array): number {
   return Math.max(1, Math.floor(points.length / MOST_POINTS));
 }
@@ -93,10 +99,17 @@ function costOf(
 ): number {
   const points = measured.pointsOf(t);
   const stride = strideOf(points);
+  const { node } = measured.tracks[t];
+  const isUnseen = measured.turnsUnseen(t);
   let cost = 0;
   for (let m = a + 1; m < b && cost < enough; m += step) {
     for (let i = 0; i < points.length; i += stride) {
       cost += costOfPoint(measured.off(points[i], m) / (limit * limit));
+    }
+    if (!isUnseen) continue;
+    for (let axis = 0; axis < 3; axis++) {
+      measured.writeAxisMiss(node, axis, m, miss, lever);
+      cost += costOfPoint(offOf(miss, limit));
     }
   }
   return cost;
@@ -113,6 +126,7 @@ function gather(
   const { rows, tracks } = measured;
   const { node, path } = tracks[t];
   const isTurned = path === 'rotation';
+  const isUnseen = measured.turnsUnseen(t);
   const points = measured.pointsOf(t);
   const stride = strideOf(points);
   let cost = 0;
@@ -125,10 +139,18 @@ function gather(
     side.fill(0);
     for (let i = 0; i < points.length; i += stride) {
       const share = measured.writeMiss(points[i], node, m, miss, lever);
-      const off = (miss[0] * miss[0] + miss[1] * miss[1] + miss[2] * miss[2]) / (limit * limit);
+      const off = offOf(miss, limit);
       cost += costOfPoint(off);
       if (isTurned) addTurn(off * off + LEAST);
       else addShift((off * off + LEAST) * share, share);
+    }
+    if (isUnseen) {
+      for (let axis = 0; axis < 3; axis++) {
+        measured.writeAxisMiss(node, axis, m, miss, lever);
+        const off = offOf(miss, limit);
+        cost += costOfPoint(off);
+        addTurn(off * off + LEAST);
+      }
     }
     measured.writeFrame(node, m, frame, isTurned);
     addRow(u);

@@ -1,10 +1,18 @@
 /** Turns a take into rows, stretch by stretch: dense where it turns, sparse where it rests. */
 import type { Rows } from './rows.ts';
-import type { TakeMotion } from './take-motion.ts';
+import { SAME_TIME, type TakeMotion } from './take-motion.ts';
 import type { Track } from './tracks.ts';
 
-/** Seconds between the two keys of a step. */
-export const STEP_SECONDS = 1e-5;
+/** Seconds between the two keys of a step, where floats are as fine. */
+const STEP_SECONDS = 1e-5;
+
+/** Seconds between the two keys of a step at a time since the start of a take: they differ as floats. */
+export function stepSeconds(since: number): number {
+  return Math.max(STEP_SECONDS, since * FLOAT_STEP);
+}
+
+/** More than the relative distance of two floats. */
+const FLOAT_STEP = 1.25e-7;
 /** Fraction of the tolerance by which a straight line between two rows may be off. */
 const FINENESS = 0.08;
 /** Rows are never closer, in seconds. */
@@ -34,6 +42,9 @@ export function sampleTake(
     motion.write(seconds, row);
     return row;
   };
+  const end = breaks[breaks.length - 1];
+  // Curves that repeat may jump a little later than at the break, by rounding.
+  const justAfter = (time: number) => at(jumps.has(time) ? Math.min(end, time + SAME_TIME) : time);
   const add = (seconds: number, row: Float64Array, isJump = false) => {
     // Between a jump's two rows no stretch ends: both are keys of one.
     if (rows.count >= rowsPerStretch && !isJump) {
@@ -59,20 +70,21 @@ export function sampleTake(
     add(b, rowB);
   };
   let from = breaks[0];
-  let row = at(from);
+  let row = justAfter(from);
   add(from, row);
   for (let i = 1; i < breaks.length; i++) {
     const time = breaks[i];
-    const after = at(time);
+    const after = justAfter(time);
     if (isStraight && turnsLittle(tracks, row, after)) {
       add(time, after);
       row = after;
       from = time;
       continue;
     }
-    const before = jumps.has(time) ? at(time - STEP_SECONDS) : after;
+    const step = stepSeconds(time - start);
+    const before = jumps.has(time) ? at(time - step) : after;
     const isJump = before !== after && farthest(tracks, before, after) > fine;
-    const until = isJump ? time - STEP_SECONDS : time;
+    const until = isJump ? time - step : time;
     const last = isJump ? before : after;
     const pieces = Math.min(MAX_PIECES, Math.max(1, Math.ceil((until - from) * PIECES_PER_SECOND)));
     if (until > from) {

@@ -108,7 +108,27 @@ function breakTimes(clip: ChannelClip, start: number, end: number): Breaks {
     seeKeys(channel, start, end, see);
   }
   if (clip.samples && clip.channels.some(({ kind }) => kind === 'samples')) seeFrames(clip.samples, start, end, see);
-  return { times: Float64Array.from(new Set(found)).sort(), jumps };
+  return merged(Float64Array.from(new Set(found)).sort(), jumps);
+}
+
+/** Seconds: times that are nearer are one, computed in several ways. */
+export const SAME_TIME = 1e-9;
+
+/** The same without times that differ by rounding only; the first and the last one stay as they are. */
+function merged(times: Float64Array, jumps: ReadonlySet<number>): Breaks {
+  const last = times.length - 1;
+  const own: number[] = [];
+  const ownJumps = new Set<number>();
+  times.forEach((time, i) => {
+    const before = own.at(-1);
+    if (before === undefined || time - before > SAME_TIME) own.push(time);
+    else if (i === last && own.length > 1) {
+      own[own.length - 1] = time;
+      if (ownJumps.delete(before)) ownJumps.add(time);
+    }
+    if (jumps.has(time)) ownJumps.add(own[own.length - 1]);
+  });
+  return { times: Float64Array.from(own), jumps: ownJumps };
 }
 
 function hasSameTimes(a: KeyedChannel, b: KeyedChannel): boolean {

@@ -60,8 +60,8 @@ export function tracksOf(
  * node, times the weight of the joints below, times what the nodes above make of a length.
  */
 function reachesOf(nodes: readonly JointNode[], moments: readonly Moment[], watch: Watch): readonly Reach[] {
-  const { start, nodeOf, local } = watch;
-  const reaches = nodes.map((): Reach => ({ translation: 0, rotation: 0, scale: 0 }));
+  const { start, nodeOf, local, axisLength } = watch;
+  const reaches = nodes.map((): Reach => ({ translation: 0, rotation: axisLength, scale: 0 }));
   const turned = new Float64Array(nodes.length);
   const scaled = new Float64Array(nodes.length);
   const above = new Float64Array(nodes.length);

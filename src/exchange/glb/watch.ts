@@ -1,12 +1,5 @@
-/**
- * The points at which the motion that is written is compared with the true one: joints, End Sites, tips of bones, and of
- * the vertices that follow each joint those that are farthest out in many directions. The displacement of a rigid part by
- * a wrong matrix is largest at a corner of its hull.
- */
-import type { CompiledSkin } from '../../evaluate/deform.ts';
-import type { Morph } from '../../model/morph.ts';
-import type { Skeleton } from '../../model/skeleton.ts';
-import type { JointNode, JointNodes } from './joint-nodes.ts';
+/** Where the motion that is written is compared with the true one: at points that nodes move, and at axes of nodes. */
+import type { JointNode } from './joint-nodes.ts';
 
 /** Point p is moved by the pairs `start[p]` up to (excluding) `start[p + 1]`. */
 export interface Watch {
@@ -21,208 +14,10 @@ export interface Watch {
   readonly weightAt: Int32Array;
   /** x y z by a weight of 1, in the space of the node. */
   readonly by: Float64Array;
-}
-
-/** Morphs, and how far they go. */
-export interface WatchedMorphs {
-  readonly morphs: readonly Morph[];
-  /** Where their weights begin in a row. */
-  readonly weightsAt: number;
-  /** The least and greatest weight of each in the takes. */
-  readonly least: readonly number[];
-  readonly greatest: readonly number[];
-}
-
-/** 26 directions: towards faces, edges and corners of a cube. */
-const DIRECTIONS = [-1, 0, 1].flatMap((x) =>
-  [-1, 0, 1].flatMap((y) => [-1, 0, 1].flatMap((z) => (x || y || z ? [[x, y, z] as const] : []))),
-);
-
-/** A point that a joint moves rigidly. */
-export interface RigidPoint {
-  readonly joint: number;
-  /** In the joint's space. */
-  readonly point: readonly number[];
-}
-
-export function watchPoints(
-  skeleton: Skeleton,
-  { lastOf }: JointNodes,
-  skin: CompiledSkin | undefined,
-  watched: WatchedMorphs,
-  rigid: readonly RigidPoint[] = [],
-): Watch {
-  const start = [0];
-  const nodeOf: number[] = [];
-  const local: number[] = [];
-  const morphStart = [0];
-  const weightAt: number[] = [];
-  const by: number[] = [];
-  const pair = (joint: number, point: readonly number[], weight: number) => {
-    nodeOf.push(lastOf[joint]);
-    local.push(...point, weight);
-    morphStart.push(weightAt.length);
-  };
-  skeleton.joints.forEach(({ endSites = [], length }, joint) => {
-    const ends = length ? [...endSites, [0, length, 0] as const] : endSites;
-    for (const point of [[0, 0, 0] as const, ...ends]) {
-      pair(joint, point, 1);
-      start.push(nodeOf.length);
-    }
-  });
-  for (const { joint, point } of rigid) {
-    pair(joint, point, 1);
-    start.push(nodeOf.length);
-  }
-  if (skin) {
-    const { morphs, weightsAt } = watched;
-    const displacements = morphs.map((morph) => displacementOf(skin, morph));
-    for (const v of extremes(skin, lastOf.length, watched, displacements)) {
-      for (const { joint, weight } of attachmentsOf(skin, v)) {
-        if (joint >= lastOf.length) continue;
-        displacements.forEach((displacement, m) => {
-          const own = displacement.subarray(3 * v, 3 * v + 3);
-          if (own.every((d) => d === 0)) return;
-          weightAt.push(weightsAt + m);
-          by.push(...inJoint(skin, joint, own, 0));
-        });
-        pair(joint, inJoint(skin, joint, skin.skin.positions.subarray(3 * v, 3 * v + 3), 1), weight);
-      }
-      start.push(nodeOf.length);
-    }
-  }
-  return {
-    start: Int32Array.from(start),
-    nodeOf: Int32Array.from(nodeOf),
-    local: Float64Array.from(local),
-    morphStart: Int32Array.from(morphStart),
-    weightAt: Int32Array.from(weightAt),
-    by: Float64Array.from(by),
-  };
-}
-
-/** How far a morph of weight 1 moves each vertex. */
-function displacementOf({ vertexCount, skin }: CompiledSkin, { positions: { indices, values } }: Morph): Float64Array {
-  const out = new Float64Array(3 * vertexCount);
-  indices.forEach((v, row) => {
-    for (let k = 0; k < 3; k++) out[3 * v + k] = values[3 * row + k] - skin.positions[3 * v + k];
-  });
-  return out;
-}
-
-/** The outermost vertices without morphs, with those of the takes, and those that a morph moves farthest. */
-function extremes(
-  skin: CompiledSkin,
-  jointCount: number,
-  { least, greatest }: WatchedMorphs,
-  displacements: readonly Float64Array[],
-): ReadonlySet<number> {
-  const { positions } = skin.skin;
-  const found = outermost(skin, jointCount, positions);
-  const moved = displacements.filter((_, m) => least[m] !== 0 || greatest[m] !== 0);
-  if (moved.length === 0) return found;
-  for (const weights of [least, greatest]) {
-    const morphed = positions.slice();
-    displacements.forEach((displacement, m) => {
-      for (let i = 0; i < morphed.length; i++) morphed[i] += weights[m] * displacement[i];
-    });
-    for (const v of outermost(skin, jointCount, morphed)) found.add(v);
-  }
-  for (const displacement of moved) {
-    for (const [dx, dy, dz] of DIRECTIONS) {
-      let most = 0;
-      let vertex = 0;
-      for (let v = 0; v < skin.vertexCount; v++) {
-        const far = dx * displacement[3 * v] + dy * displacement[3 * v + 1] + dz * displacement[3 * v + 2];
-        if (far > most) [most, vertex] = [far, v];
-      }
-      found.add(vertex);
-    }
-  }
-  return found;
-}
-
-interface Attachment {
-  readonly joint: number;
-  /** Normalised. */
-  readonly weight: number;
-}
-
-function attachmentsOf({ skin: { attachments } }: CompiledSkin, v: number): readonly Attachment[] {
-  if (!attachments) return [{ joint: 0, weight: 1 }];
-  const { start, joints, weights } = attachments;
-  const own = weights.subarray(start[v], start[v + 1]);
-  const sum = own.reduce((total, w) => total + w, 0);
-  if (!(sum > 0)) return [];
-  return Array.from(own, (w, a) => ({ joint: joints[start[v] + a], weight: w / sum })).filter(({ weight }) => weight);
-}
-
-/** A point (w = 1) or a displacement (w = 0) of a vertex in the space of a joint. */
-function inJoint(
-  { inverseBindings: m, matrixCount }: CompiledSkin,
-  joint: number,
-  [x, y, z]: ArrayLike<number> & Iterable<number>,
-  w: 0 | 1,
-): number[] {
-  if (joint >= matrixCount) return [x, y, z];
-  const o = 16 * joint;
-  return [0, 1, 2].map((r) => m[o + r] * x + m[o + 4 + r] * y + m[o + 8 + r] * z + w * m[o + 12 + r]);
-}
-
-/**
- * The vertices that are outermost in some direction among those that follow one joint most; and among those that follow
- * it less, the ones that it moves farthest.
- */
-function outermost(skin: CompiledSkin, jointCount: number, positions: Float64Array): Set<number> {
-  const most = new Extremes(jointCount);
-  const less = new Extremes(jointCount);
-  const { start, joints, weights } = skin.skin.attachments ?? {
-    start: undefined,
-    joints: undefined,
-    weights: undefined,
-  };
-  for (let v = 0; v < skin.vertexCount; v++) {
-    const point = positions.subarray(3 * v, 3 * v + 3);
-    const place = (joint: number) => inJoint(skin, joint, point, 1);
-    if (!start) {
-      most.add(v, 0, place(0), 1);
-      continue;
-    }
-    let first = start[v];
-    for (let a = start[v]; a < start[v + 1]; a++) if (weights[a] > weights[first]) first = a;
-    for (let a = start[v]; a < start[v + 1]; a++) {
-      if (joints[a] >= jointCount || joints[a] >= skin.matrixCount || !(weights[a] > 0)) continue;
-      if (a === first) most.add(v, joints[a], place(joints[a]), 1);
-      else less.add(v, joints[a], place(joints[a]), weights[a]);
-    }
-  }
-  return new Set([...most.vertices(), ...less.vertices()]);
-}
-
-/** The vertex that is farthest in each direction in the space of each joint. */
-class Extremes {
-  private readonly farthest: Float64Array;
-  private readonly vertexOf: Int32Array;
-
-  constructor(jointCount: number) {
-    this.farthest = new Float64Array(DIRECTIONS.length * jointCount).fill(-Infinity);
-    this.vertexOf = new Int32Array(this.farthest.length).fill(-1);
-  }
-
-  add(vertex: number, joint: number, [x, y, z]: readonly number[], weight: number): void {
-    for (let d = 0; d < DIRECTIONS.length; d++) {
-      const [dx, dy, dz] = DIRECTIONS[d];
-      const far = weight * (dx * x + dy * y + dz * z);
-      const at = DIRECTIONS.length * joint + d;
-      if (!(far > this.farthest[at])) continue;
-      this.farthest[at] = far;
-      this.vertexOf[at] = vertex;
-    }
-  }
-
-  vertices(): Int32Array {
-    return this.vertexOf.filter((v) => v >= 0);
-  }
+  /** 1 for each node whose axes in the world are watched. */
+  readonly hasAxes: Uint8Array;
+  /** How long the axes are: their ends may be off by as much as points. */
+  readonly axisLength: number;
 }
 
 const at = new Float64Array(3);
@@ -313,5 +108,12 @@ export function nodesMoving(nodes: readonly JointNode[], { start, nodeOf }: Watc
   for (let i = start[point]; i < start[point + 1]; i++) {
     for (let n = nodeOf[i]; n >= 0 && !found.has(n); n = nodes[n].parent) found.add(n);
   }
+  return found;
+}
+
+/** A node and all above it. */
+export function nodesAbove(nodes: readonly JointNode[], node: number): ReadonlySet<number> {
+  const found = new Set<number>();
+  for (let n = node; n >= 0; n = nodes[n].parent) found.add(n);
   return found;
 }

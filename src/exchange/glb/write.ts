@@ -10,7 +10,7 @@ import { NO_TRAVEL, placementMatrix } from '../../evaluate/placements.ts';
 import { invertAffine } from '../../math/mat4.ts';
 import { quaternionOfRotation } from '../../math/quaternion.ts';
 import { type Character, DEFAULT_PLACEMENT } from '../../model/document.ts';
-import { type Skin, vertexCount } from '../../model/skin.ts';
+import { vertexCount } from '../../model/skin.ts';
 import type { AttachmentSets } from './attachments.ts';
 import { stubPoints } from './body.ts';
 import { BinaryChunk, type Json } from './container.ts';
@@ -20,11 +20,11 @@ import { type JointNode, NODE_WIDTH, nodeWorlds, nodeWriter, ROTATION, SCALE } f
 import { lossesOf } from './losses.ts';
 import { addMaterials } from './materials.ts';
 import { addMesh } from './mesh.ts';
-import type { GlbOptions } from './options.ts';
+import { type GlbOptions, TOLERANCE_OF_SIZE } from './options.ts';
 import type { GlbReport, TakeReport } from './report.ts';
 import { TakeError, type TakeMotion, takeMotion } from './take-motion.ts';
 import { type Moment, rowWidth, type Track, tracksOf } from './tracks.ts';
-import { type RigidPoint, watchPoints } from './watch.ts';
+import { type RigidPoint, WatchPoints } from './watch-points.ts';
 
 export interface GlbFile {
   readonly pieces: readonly Uint8Array<ArrayBuffer>[];
@@ -136,7 +136,7 @@ function takesOf(
   figure: Figure,
   onProgress?: (progress: GlbProgress) => void,
 ): readonly Take[] {
-  const { joints, skin, size, tolerance } = figure;
+  const { joints, skin, sets, size, tolerance } = figure;
   if (!joints) return [];
   const { driver, clips } = character;
   const every = driver ? [character] : clips.map((_, shown) => ({ ...character, shownClip: shown }));
@@ -155,20 +155,26 @@ function takesOf(
   const width = rowWidth(nodes.length, character.morphs.length);
   const moments = momentsOf(motions, nodes, width);
   const weightsOf = (m: number) => [0, ...moments.map(({ row }) => row[weightsAt + m])];
-  const watch = watchPoints(
+  const points = new WatchPoints(
     joints.skeleton,
     joints.nodes,
-    skin && own ? compileSkin(skin) : undefined,
-    {
-      morphs,
-      weightsAt,
-      least: morphs.map((_, m) => Math.min(...weightsOf(m))),
-      greatest: morphs.map((_, m) => Math.max(...weightsOf(m))),
-    },
-    skin && !own ? stubsOf(joints) : [],
+    axisLength(size, tolerance),
+    skin &&
+      sets && {
+        compiled: compileSkin(skin),
+        sets,
+        morphs: {
+          morphs,
+          weightsAt,
+          least: morphs.map((_, m) => Math.min(...weightsOf(m))),
+          greatest: morphs.map((_, m) => Math.max(...weightsOf(m))),
+        },
+      },
   );
-  const tracks = tracksOf(nodes, moments, watch, morphs.length);
-  const moved = { nodes, watch, tracks, width };
+  if (own) points.addOutermost();
+  else if (skin) for (const stub of stubsOf(joints)) points.addPoint(stub);
+  const tracks = tracksOf(nodes, moments, points.watch, morphs.length);
+  const moved = { nodes, points, tracks, width };
   return motions.map((motion, i) => {
     const fit: FitOptions = {
       style: options.keys,
@@ -199,6 +205,17 @@ function momentsOf(motions: readonly TakeMotion[], nodes: readonly JointNode[], 
         return { row, worlds };
       }),
     );
+}
+
+/** Axes of joints may be off by so much in the world: 2°, less what they are off by between two rows. */
+const MOST_TURN = (1.9 * Math.PI) / 180;
+
+/**
+ * How long axes are that are off by the tolerance where they are turned too far; with a tolerance below the default one
+ * they turn less, too.
+ */
+function axisLength(size: number, tolerance: number): number {
+  return Math.max(tolerance, TOLERANCE_OF_SIZE * size) / MOST_TURN;
 }
 
 /** What the body shows of joints that nothing else shows. */
@@ -279,7 +296,7 @@ function skinJson(chunk: BinaryChunk, { skin }: Figure, joints: FigureJoints, se
   const inverse = new Float64Array(16);
   const count = lastOf.length + (sets.hasStatic ? 1 : 0);
   const matrices = new Float32Array(16 * count);
-  const compiled = skin && !isBody(skin) ? compileSkin(skin) : undefined;
+  const compiled = skin && compileSkin(skin);
   lastOf.forEach((node, joint) => {
     const o = 16 * joint;
     if (compiled && joint < compiled.matrixCount) matrices.set(compiled.inverseBindings.subarray(o, o + 16), o);
@@ -302,11 +319,6 @@ function skinJson(chunk: BinaryChunk, { skin }: Figure, joints: FigureJoints, se
 }
 
 const IDENTITY = [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1];
-
-/** Whether a skin was made here, with no bindings that mean anything. */
-function isBody({ bindings }: Skin): boolean {
-  return bindings.every((value) => value === 0);
-}
 
 function childrenOf(node: Json): readonly number[] {
   // Only indices are put there.

@@ -7,7 +7,8 @@ import { dofsOf } from '../../../src/model/joint-types.ts';
 import { type Skeleton, UNLIMITED } from '../../../src/model/skeleton.ts';
 import { motion } from '../../formats/arbitraries.ts';
 import { character, joint, skin } from '../../helpers/builders.ts';
-import { glbOf, inThree, offBy } from '../../helpers/glb.ts';
+import { glbOf, inThree } from '../../helpers/glb.ts';
+import { offBy } from '../../helpers/glb-off.ts';
 
 const value = fc.double({ min: -2, max: 2, noNaN: true });
 const extrapolation = fc.constantFrom(...EXTRAPOLATIONS);

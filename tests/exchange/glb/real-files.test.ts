@@ -4,7 +4,8 @@ import { describe, expect, it } from 'vitest';
 import { loadFiles } from '../../../src/cli/load.ts';
 import { type Character, EMPTY_DOCUMENT } from '../../../src/model/document.ts';
 import { openFiles } from '../../../src/project/open/open-files.ts';
-import { complaintsOf, glbOf, inThree, offBy } from '../../helpers/glb.ts';
+import { complaintsOf, glbOf, inThree } from '../../helpers/glb.ts';
+import { offBy } from '../../helpers/glb-off.ts';
 import { describeShared, hasShared, sharedPath } from '../../helpers/shared.ts';
 
 function openedFrom(...paths: readonly string[]): readonly Character[] {

@@ -5,7 +5,8 @@ import { filePose } from '../../../src/model/dofs.ts';
 import type { Sample } from '../../../src/samples/sample.ts';
 import { makeSamples } from '../../../src/samples/samples.ts';
 import { character } from '../../helpers/builders.ts';
-import { complaintsOf, type Glb, glbOf, inBabylon, inThree, keyCount, offBy } from '../../helpers/glb.ts';
+import { complaintsOf, type Glb, glbOf, inBabylon, inThree, keyCount } from '../../helpers/glb.ts';
+import { offBy } from '../../helpers/glb-off.ts';
 
 const SAMPLES = makeSamples();
 
