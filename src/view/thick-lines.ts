@@ -80,7 +80,11 @@ const SPREAD = /* glsl */ `
     along = size > 1e-5 ? along / size : vec2(1.0, 0.0);
     vec2 across = vec2(-along.y, along.x);
     vec4 p = corner.x < 0.5 ? a : b;
-    p.xy += (across * corner.y + along * (2.0 * corner.x - 1.0)) * width / resolution * p.w;
+    #ifdef BUTT
+      p.xy += across * corner.y * width / resolution * p.w;
+    #else
+      p.xy += (across * corner.y + along * (2.0 * corner.x - 1.0)) * width / resolution * p.w;
+    #endif
     p.z -= lift * p.w;
     return p;
   }
@@ -97,6 +101,8 @@ export interface LineOptions {
   readonly segmentColors?: boolean;
   /** Uses a colour and opacity per instance, the instanced attribute `tint` (sRGB). */
   readonly tinted?: boolean;
+  /** Segments end where their points are: translucent ones of a path don't cover each other. */
+  readonly butt?: boolean;
 }
 
 export function lineMaterial(options: LineOptions, more: ShaderMaterialParameters = {}): ShaderMaterial {
@@ -107,6 +113,7 @@ export function lineMaterial(options: LineOptions, more: ShaderMaterialParameter
     defines: {
       ...(options.segmentColors ? { SEGMENT_COLORS: '' } : {}),
       ...(options.tinted ? { TINTED: '' } : {}),
+      ...(options.butt ? { BUTT: '' } : {}),
     },
     uniforms: {
       resolution: LINE_RESOLUTION,

@@ -5,6 +5,7 @@
 import {
   BufferGeometry,
   DynamicDrawUsage,
+  GreaterDepth,
   InstancedBufferAttribute,
   InstancedMesh,
   type ShaderMaterial,
@@ -63,24 +64,39 @@ export function* samplePath(
   return path;
 }
 
+type Lines = InstancedMesh<BufferGeometry, ShaderMaterial>;
+
+const WIDTH = 1.75;
+const OPACITY = 0.85;
+/** Of the parts behind a skin, which show through it. */
+const COVERED_OPACITY = 0.45;
+/** Covered parts are drawn after everything that may cover them. */
+const ORDER = 5;
+const COVERED_ORDER = 15;
+
 export class Trail {
-  readonly object: InstancedMesh<BufferGeometry, ShaderMaterial>;
+  readonly object: Lines;
+  /** The parts that something opaque covers; below `object`. */
+  readonly covered: Lines;
   private shown: { character: Character; joint: number; start: number; end: number; inPlace: boolean } | undefined;
   /** Ends the sampling of a path that isn't wanted any more. */
   private sampling = new AbortController();
 
   /** @param redraw called when a path that takes longer is there */
   constructor(private readonly redraw: () => void = () => undefined) {
-    const material = lineMaterial({ width: 1.75, opacity: 0.85, lift: 1e-5 });
-    this.object = new InstancedMesh(new BufferGeometry(), material, 0);
-    this.object.frustumCulled = false;
+    const lift = 1e-5;
+    const behind = { depthFunc: GreaterDepth, depthWrite: false } as const;
+    this.object = this.lines(lineMaterial({ width: WIDTH, opacity: OPACITY, lift }), ORDER);
+    const dim = lineMaterial({ width: WIDTH, opacity: COVERED_OPACITY, lift, butt: true }, behind);
+    this.covered = this.lines(dim, COVERED_ORDER);
     this.object.visible = false;
-    this.object.matrixAutoUpdate = false;
-    this.object.renderOrder = 5;
+    this.object.add(this.covered);
   }
 
   setTheme(theme: StageTheme): void {
-    this.object.material.uniforms.color.value.copy(rawColor(theme.selected));
+    for (const { material } of [this.object, this.covered]) {
+      material.uniforms.color.value.copy(rawColor(theme.selected));
+    }
   }
 
   /** Shows the joint's path, or nothing. `range` in seconds of the transport; default: the clip's own. */
@@ -132,8 +148,18 @@ export class Trail {
   dispose(): void {
     this.sampling.abort();
     this.object.geometry.dispose();
-    this.object.material.dispose();
-    this.object.dispose();
+    for (const lines of [this.object, this.covered]) {
+      lines.material.dispose();
+      lines.dispose();
+    }
+  }
+
+  private lines(material: ShaderMaterial, renderOrder: number): Lines {
+    const made = new InstancedMesh(new BufferGeometry(), material, 0);
+    made.frustumCulled = false;
+    made.matrixAutoUpdate = false;
+    made.renderOrder = renderOrder;
+    return made;
   }
 
   private draw(character: Character, path: Float64Array): void {
@@ -142,6 +168,7 @@ export class Trail {
     for (let i = 0; i + 1 < count; i++) segments.set(path.subarray(3 * i, 3 * i + 6), 6 * i);
     this.object.geometry.dispose();
     this.object.geometry = segmentsGeometry(segments);
+    this.covered.geometry = this.object.geometry;
     // It is never culled, and three.js would complain of paths beyond 32-bit floats.
     this.object.geometry.boundingSphere = new Sphere();
     this.place(character);
@@ -156,6 +183,7 @@ export class Trail {
       matrices.set(matrix, 16 * p);
     });
     this.object.instanceMatrix = new InstancedBufferAttribute(matrices, 16).setUsage(DynamicDrawUsage);
-    this.object.count = placements.length;
+    this.covered.instanceMatrix = this.object.instanceMatrix;
+    this.object.count = this.covered.count = placements.length;
   }
 }

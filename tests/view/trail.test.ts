@@ -1,3 +1,4 @@
+import { GreaterDepth } from 'three';
 import { describe, expect, it, vi } from 'vitest';
 import { runToEnd } from '../../src/evaluate/steps.ts';
 import { samplePath, Trail } from '../../src/view/trail.ts';
@@ -36,6 +37,24 @@ describe('the trail of a joint', () => {
     trail.show(moving, 0, [0, 1], false);
     // three.js has no need to compute it, and to find that it isn't one.
     expect(trail.object.geometry.boundingSphere?.radius).toBe(-1);
+  });
+
+  it('shows through what covers it, dimmed, at the same places', () => {
+    const moving = character({ skeleton: skeleton(2), clips: [clip('walk', [0, 8])], shownClip: 0 });
+    const trail = new Trail();
+    trail.show(moving, 1, [0, 1], false);
+    const { object, covered } = trail;
+    expect(object.children).toContain(covered);
+    expect(covered.geometry).toBe(object.geometry);
+    expect(covered.instanceMatrix).toBe(object.instanceMatrix);
+    expect(covered.count).toBe(object.count);
+    const { depthFunc, depthWrite, uniforms } = covered.material;
+    expect([depthFunc, depthWrite]).toEqual([GreaterDepth, false]);
+    expect(uniforms.opacity.value).toBeLessThan(0.6 * object.material.uniforms.opacity.value);
+    // After skins and bones, which may cover it.
+    expect(covered.renderOrder).toBeGreaterThan(object.renderOrder);
+    trail.show(undefined, undefined, [0, 1], false);
+    expect(object.visible).toBe(false);
   });
 
   describe('of a character of thousands of joints', () => {
