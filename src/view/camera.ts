@@ -218,10 +218,14 @@ export class CameraRig {
     this.go(to, false);
   }
 
-  /** The default view of something: three-quarter front, at once. */
-  lookFirst(boxes: readonly Box3[], coveredTop: number): void {
+  /**
+   * The default view of something: three-quarter front, at once.
+   *
+   * @param facing the direction that its front faces, radians from +z towards +x
+   */
+  lookFirst(boxes: readonly Box3[], coveredTop: number, facing = 0): void {
     this.travel.stop();
-    this.place({ ...this.read(newView()), azimuth: 0.6, polar: 1.32 });
+    this.place({ ...this.read(newView()), azimuth: 0.6 + facing, polar: 1.32 });
     this.frame(boxes, coveredTop, false);
   }
 

@@ -2,8 +2,10 @@
  * What is to be framed. Framing everything, or revealing characters, waits for the next frame: poses and sizes are
  * known by then, and several requests become one move. The selection is framed at once.
  */
-import { Box3, Vector3 } from 'three';
+import { Box3, Matrix4, Vector3 } from 'three';
+import { frontOf, isPerson } from '../evaluate/shapes/front.ts';
 import { hasBox } from '../model/boxes.ts';
+import { isBvh } from '../model/document.ts';
 import type { Selection } from '../model/session.ts';
 import type { CameraRig } from './camera.ts';
 import { sizesFor } from './drawn-skeletons.ts';
@@ -89,7 +91,7 @@ export class Framer {
     const { rig, characters } = this;
     if (this.everything !== 'no' && !characters.content.isEmpty()) {
       const motion = characters.boundsOfMotion(playedRange, timeSeconds);
-      if (this.everything === 'first look') rig.lookFirst(motion, this.coveredTop());
+      if (this.everything === 'first look') rig.lookFirst(motion, this.coveredTop(), quarterFaced(characters.visible));
       else rig.frame(motion, this.coveredTop(), true);
       this.everything = 'no';
     }
@@ -109,6 +111,28 @@ export class Framer {
     const coveredTop = this.coveredTop();
     if (!isWellSeen(box, this.ownBox, rig.camera, rig.partOfHeight(coveredTop))) rig.frame(motion, coveredTop, true);
   }
+}
+
+/**
+ * The quarter turn from +z, where most files have it, to where the persons among characters face in the poses of their
+ * files. A capture turns anyway.
+ */
+function quarterFaced(shown: readonly ShownCharacter[]): number {
+  let x = 0;
+  let z = 0;
+  for (const { character, placements } of shown) {
+    const { skeleton, space } = character;
+    if (!skeleton || isBvh(character) || !isPerson(skeleton)) continue;
+    const isUpZ = space?.up === 'z';
+    const [across, ahead] = frontOf(skeleton, [], isUpZ ? 'z' : 'y');
+    const own = isUpZ ? new Vector3(across, -ahead, 0) : new Vector3(across, 0, ahead);
+    const length = own.length() || 1;
+    own.transformDirection(new Matrix4().fromArray(placements));
+    x += own.x / length;
+    z += own.z / length;
+  }
+  const quarter = Math.PI / 2;
+  return quarter * Math.round(Math.atan2(x, z) / quarter);
 }
 
 /** Radius around a joint that shows it with its neighbours, in the world. */

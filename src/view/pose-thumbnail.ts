@@ -1,5 +1,6 @@
 /** A thumbnail of a character in a pose, on a canvas: transparent background, two colours of the page. */
-import { frontOf, look } from '../evaluate/shapes/look.ts';
+import { frontOf } from '../evaluate/shapes/front.ts';
+import { look } from '../evaluate/shapes/look.ts';
 import { type Rgb, rasterise } from '../evaluate/shapes/rasterise.ts';
 import { type Posed, solidOf } from '../evaluate/shapes/solids.ts';
 import type { Character } from '../model/document.ts';

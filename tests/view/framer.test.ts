@@ -1,20 +1,24 @@
 import { type Box3, Group, PerspectiveCamera, type Vector3 } from 'three';
 import { describe, expect, it } from 'vitest';
-import { DEFAULT_PLACEMENT } from '../../src/model/document.ts';
+import type { Vec3 } from '../../src/math/vec3.ts';
+import { type Character, DEFAULT_PLACEMENT } from '../../src/model/document.ts';
 import { DEFAULT_DISPLAY, type Selection } from '../../src/model/session.ts';
+import type { Motion, Skeleton } from '../../src/model/skeleton.ts';
+import { DEFAULT_SPACE } from '../../src/model/space.ts';
 import { CharacterView } from '../../src/view/character-view.ts';
 import { Framer } from '../../src/view/framer.ts';
 import { PickedCopy } from '../../src/view/picked-copy.ts';
 import { ShownCharacters } from '../../src/view/shown-characters.ts';
+import * as people from '../evaluate/retarget/people.ts';
 import { character, documentOf, skeleton } from '../helpers/builders.ts';
 
 const STILL = [0, 0] as const;
 const COVERED = 90;
 
 /** Two instances, the second ten to the right and twice as large; logs the calls to the camera. */
-function framing() {
+function framing(change: Partial<Character> = {}) {
   const second = { ...DEFAULT_PLACEMENT, position: [10, 0, 0] as const, scale: 2 };
-  const shown = character({ skeleton: skeleton(3), placements: [DEFAULT_PLACEMENT, second] });
+  const shown = character({ skeleton: skeleton(3), placements: [DEFAULT_PLACEMENT, second], ...change });
   const characters = new ShownCharacters(
     new Group(),
     () => new CharacterView(),
@@ -32,7 +36,8 @@ function framing() {
       void told.push(
         `${boxes.some((box) => box.max.x > 5) ? 'both' : 'one'}, ${covered} px covered, ${smoothly ? 'smoothly' : 'at once'}`,
       ),
-    lookFirst: (_boxes: readonly Box3[], covered: number) => void told.push(`first look, ${covered} px covered`),
+    lookFirst: (_boxes: readonly Box3[], covered: number, facing = 0) =>
+      void told.push(`first look at ${Math.round((facing * 180) / Math.PI)}°, ${covered} px covered`),
     partOfHeight: (pixels: number) => pixels / 900,
     frameSphere: ({ x }: Vector3, radius: number) => void spheres.push({ x, radius }),
   };
@@ -66,7 +71,39 @@ describe('what is framed', () => {
     framer.lookFirst();
     framer.frameAll();
     framer.settle(STILL, 0);
-    expect(told).toEqual(['first look, 90 px covered']);
+    expect(told).toEqual(['first look at 0°, 90 px covered']);
+  });
+
+  it('first looks at a person from the front, however it was saved and placed, and at others along −z', () => {
+    const ball = (): Motion => ({ kind: 'ball', order: 'xyz' });
+    const person = (zUp = false) => people.person({ motion: ball, zUp });
+    const about = ({ name, joints }: Skeleton) => ({
+      name,
+      joints: joints.map((own) => ({
+        ...own,
+        offset: own.offset.map((v, k) => (k === 1 ? v : -v)) as unknown as Vec3,
+      })),
+    });
+    const byRole = (whole: Skeleton) => ({
+      ...whole,
+      joints: whole.joints.map((own, j) => ({ ...own, name: `n${j}`, role: own.name })),
+    });
+    const turned = { ...DEFAULT_PLACEMENT, turn: [0, Math.PI / 2, 0] as const };
+    const lookAt = (change: Partial<Character>) => {
+      const { framer, told } = framing({ placements: [DEFAULT_PLACEMENT], ...change });
+      framer.lookFirst();
+      framer.settle(STILL, 0);
+      return Number(/at (-?\d+)/.exec(told[0])?.[1]);
+    };
+    expect(lookAt({ skeleton: person() })).toBe(0);
+    expect(Math.abs(lookAt({ skeleton: about(person()) }))).toBe(180);
+    expect(Math.abs(lookAt({ skeleton: byRole(about(person())) }))).toBe(180);
+    expect(lookAt({ skeleton: person(), placements: [turned] })).toBe(90);
+    expect(lookAt({ skeleton: person(true), space: { ...DEFAULT_SPACE, up: 'z' } })).toBe(0);
+    // A capture turns in its take, and an animal has no arms.
+    expect(lookAt({ skeleton: about(people.person({ motion: () => people.BVH_ROOT })) })).toBe(0);
+    const animal = about(person()).joints.map((own) => ({ ...own, name: own.name.replace(/arm|hand/, 'wing') }));
+    expect(lookAt({ skeleton: { name: 'wasp', joints: animal } })).toBe(0);
   });
 
   it('frames nothing if the camera was moved meanwhile', () => {

@@ -1,10 +1,6 @@
 /** The camera for thumbnails of poses: from the front, slightly from the left and above. */
-import { isBvh } from '../../model/document.ts';
-import { filePose } from '../../model/dofs.ts';
-import type { Skeleton } from '../../model/skeleton.ts';
-import { readName } from '../retarget/names.ts';
 import type { Shaded } from './rasterise.ts';
-import { type Solid, worldOf } from './solids.ts';
+import type { Solid } from './solids.ts';
 
 const YAW = (-35 * Math.PI) / 180;
 const PITCH = (14 * Math.PI) / 180;
@@ -78,29 +74,4 @@ function viewMatrix(up: 'y' | 'z', [fx, fz]: readonly [number, number]): Float64
     out[3 * c + 2] = sp * y + cp * turnedZ;
   }
   return out;
-}
-
-/**
- * Facing direction of a character as x and z with y up: perpendicular to the line between joints named left and right;
- * z if names don't tell. Motion capture may face anywhere, so there the pose decides; elsewhere a pose that turns the
- * whole figure is shown as turned.
- */
-export function frontOf(
-  skeleton: Skeleton | undefined,
-  values: ArrayLike<number>,
-  up: 'y' | 'z',
-): readonly [number, number] {
-  if (!skeleton) return [0, 1];
-  const world = worldOf(skeleton, isBvh({ skeleton }) ? values : filePose(skeleton, 0), false);
-  let x = 0;
-  let z = 0;
-  skeleton.joints.forEach(({ name }, j) => {
-    const { side } = readName(name);
-    if (side === 'middle') return;
-    const sign = side === 'left' ? 1 : -1;
-    x += sign * world[16 * j + 12];
-    z += sign * (up === 'y' ? world[16 * j + 14] : -world[16 * j + 13]);
-  });
-  // Left × up.
-  return Math.hypot(x, z) > 0 ? [-z, x] : [0, 1];
 }

@@ -9,7 +9,7 @@ import type { Character } from '../../model/document.ts';
 import { jointDofCount, rootDofCount } from '../../model/dofs.ts';
 import type { Skeleton } from '../../model/skeleton.ts';
 import { blendMorphs, compileSkin, deform } from '../deform.ts';
-import { applyConstraints, compileSkeleton, worldMatrices } from '../kinematics.ts';
+import { worldOf } from './world-of.ts';
 
 export interface Solid {
   /** x y z per vertex. */
@@ -46,17 +46,6 @@ export function solidOf(character: Posed, values: ArrayLike<number>): Solid | un
     return { points, normals, triangles: skin.triangles };
   }
   return skeleton && world ? bonesOf(skeleton, world) : undefined;
-}
-
-/** 16 numbers per joint. */
-export function worldOf(skeleton: Skeleton, values: ArrayLike<number>, clamps: boolean): Float64Array {
-  const compiled = compileSkeleton(skeleton);
-  const dofs = new Float64Array(Math.max(values.length, compiled.firstDof[compiled.jointCount]));
-  dofs.set(values);
-  applyConstraints(compiled, dofs, clamps);
-  const world = new Float64Array(16 * compiled.jointCount);
-  worldMatrices(compiled, dofs, world);
-  return world;
 }
 
 /** Fractions of a bone's length, and of the whole figure. */

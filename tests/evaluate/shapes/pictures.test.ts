@@ -1,5 +1,6 @@
 import { describe, expect, it } from 'vitest';
-import { frontOf, look } from '../../../src/evaluate/shapes/look.ts';
+import { frontOf } from '../../../src/evaluate/shapes/front.ts';
+import { look } from '../../../src/evaluate/shapes/look.ts';
 import { rasterise } from '../../../src/evaluate/shapes/rasterise.ts';
 import { solidOf } from '../../../src/evaluate/shapes/solids.ts';
 import { character, joint, skeleton, skin } from '../../helpers/builders.ts';
