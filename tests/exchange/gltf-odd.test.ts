@@ -200,6 +200,53 @@ describe('meshes', () => {
   });
   const images: { image?: number } = {};
 
+  it('a pointer to what moves of a node is read as its path; what others point to is named, once', async () => {
+    const moving = (asPointer: boolean, ...others: readonly string[]): Made => {
+      const maker = new GltfMaker();
+      const POSITION = maker.add('VEC3', TRIANGLE);
+      const input = maker.add('SCALAR', Float32Array.of(0, 1));
+      const output = (type: 'SCALAR' | 'VEC3' | 'VEC4', ...values: number[]) =>
+        maker.add(type, Float32Array.from(values));
+      const outputs = {
+        translation: output('VEC3', 0, 0, 0, 1, 2, 3),
+        rotation: output('VEC4', 0, 0, 0, 1, 1, 0, 0, 0),
+        scale: output('VEC3', 1, 1, 1, 2, 1, 1),
+        weights: output('SCALAR', 0, 1),
+      };
+      const pointing = (pointer: string) => ({ path: 'pointer', extensions: { KHR_animation_pointer: { pointer } } });
+      const paths = Object.keys(outputs);
+      return maker.made({
+        scene: 0,
+        scenes: [{ nodes: [0] }],
+        nodes: [{ children: [1] }, { mesh: 0 }],
+        meshes: [{ primitives: [{ attributes: { POSITION }, targets: [{ POSITION }] }] }],
+        animations: [
+          {
+            samplers: Object.values(outputs).map((own) => ({ input, output: own })),
+            channels: [
+              ...paths.map((path, sampler) => ({
+                sampler,
+                target: asPointer ? pointing(`/nodes/1/${path}`) : { node: 1, path },
+              })),
+              ...others.map((pointer) => ({ sampler: 0, target: pointing(pointer) })),
+            ],
+          },
+        ],
+        extensionsRequired: ['KHR_animation_pointer'],
+      });
+    };
+    const plain = await opened(moving(false));
+    const pointed = await opened(moving(true));
+    expect(pointed).toEqual(plain);
+    expect(pointed.diagnostics).toEqual([]);
+    const elsewhere = ['/materials/0/emissiveFactor', '/materials/1/alphaCutoff', '/cameras/0/perspective/yfov'];
+    const { whole, diagnostics } = await opened(moving(true, ...elsewhere));
+    expect(whole).toEqual(plain.whole);
+    expect(diagnostics.map(({ message }) => message)).toEqual([
+      'Not read: the animation of materials (KHR_animation_pointer), the animation of cameras (KHR_animation_pointer).',
+    ]);
+  });
+
   it('a material that only emits light has that colour and image; what another emits is named', async () => {
     const base = (baseColorFactor: readonly number[]) => ({ pbrMetallicRoughness: { baseColorFactor } });
     const strong = { extensions: { KHR_materials_emissive_strength: { emissiveStrength: 4 } } };

@@ -78,6 +78,7 @@ const READ: ReadonlySet<string> = new Set([
   'KHR_mesh_quantization',
   'KHR_texture_transform',
   'EXT_texture_webp',
+  'KHR_animation_pointer',
   'KHR_materials_unlit',
   'KHR_materials_emissive_strength',
   'KHR_materials_pbrSpecularGlossiness',

@@ -48,9 +48,9 @@ export function readTakes(
     let range: readonly [number, number] | undefined;
     for (const item of listOf(json.channels)) {
       const channel = objectOf(item) ?? {};
-      const target = objectOf(channel.target);
-      const path = pathOf(target, remarks);
-      if (!target || !path || target.node === undefined) continue;
+      const target = targetOf(objectOf(channel.target), remarks);
+      if (!target) continue;
+      const { path } = target;
       document.at('nodes', target.node, called);
       const node = indexOf.get(Number(target.node));
       const own = node === undefined ? [] : (meshesOf.get(node) ?? []);
@@ -89,11 +89,20 @@ export function readTakes(
   });
 }
 
-function pathOf(target: Json | undefined, remarks: Remarks): Path | undefined {
-  const path = textOf(target?.path);
-  if (path === 'translation' || path === 'rotation' || path === 'scale' || path === 'weights') return path;
-  if (extensionOf(target, 'KHR_animation_pointer')) remarks.leaveOut('animated materials and the like');
-  else remarks.leaveOut(`the animation of "${path}"`);
+/** What a channel moves, named as such or by a pointer: `/nodes/2/rotation`. Undefined if it is nothing of a node. */
+function targetOf(
+  target: Json | undefined,
+  remarks: Remarks,
+): { readonly node: unknown; readonly path: Path } | undefined {
+  const pointer = textOf(extensionOf(target, 'KHR_animation_pointer')?.pointer);
+  const [, pointed, property] = /^\/nodes\/(\d+)\/(\w+)$/.exec(pointer ?? '') ?? [];
+  const node = pointed === undefined ? target?.node : Number(pointed);
+  const path = property ?? textOf(target?.path);
+  if (path === 'translation' || path === 'rotation' || path === 'scale' || path === 'weights') {
+    return node === undefined ? undefined : { node, path };
+  }
+  if (pointer === undefined) remarks.leaveOut(`the animation of "${path}"`);
+  else remarks.leaveOut(`the animation of ${pointer.split('/')[1]} (KHR_animation_pointer)`);
   return undefined;
 }
 
