@@ -272,6 +272,20 @@ describe('reading .skin', () => {
     expect(errors.slice(0, expected.length)).toEqual(expected);
   });
 
+  it('says how many triangles are wound against their normals, but for a fold or two of a fine mesh', () => {
+    const normals = 'normals 3 {\n0 0 1\n0 0 1\n0 0 1\n}\n';
+    const wound = (right: number, wrong: number) => {
+      const triangles = '0 1 2\n'.repeat(right) + '0 2 1\n'.repeat(wrong);
+      const { diagnostics } = skin(`${POSITIONS}${normals}triangles ${right + wrong} {\n${triangles}}\n`);
+      return diagnostics.map(({ severity, message }) => `${severity} ${message}`);
+    };
+    expect(wound(3, 0)).toEqual([]);
+    expect(wound(3, 1)).toEqual(['info Of 4 triangles, 1 is wound against their normals.']);
+    expect(wound(0, 5)).toEqual(['info Of 5 triangles, 5 are wound against their normals.']);
+    expect(wound(2998, 2)).toEqual([]);
+    expect(wound(2997, 3)).toHaveLength(1);
+  });
+
   it('refuses positions that replace more of them, if triangles name those', () => {
     const replaced = (named: string, by: string) => {
       const { value, diagnostics } = readSkin(

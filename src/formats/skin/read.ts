@@ -278,6 +278,9 @@ function skinOf(t: Tokens, parts: Parts): Skin {
   };
 }
 
+/** One in so many triangles is a fold of a fine mesh. */
+const FEW_IN = 1000;
+
 /** Says how many triangles have their normals on the side from which their vertices run clockwise. */
 function tellWinding(t: Tokens, positions: Float64Array, normals: Float64Array, triangles: Uint32Array): void {
   let against = 0;
@@ -296,8 +299,8 @@ function tellWinding(t: Tokens, positions: Float64Array, normals: Float64Array, 
     const z = (ux * vy - uy * vx) * (normals[a + 2] + normals[b + 2] + normals[c + 2]);
     if (x + y + z < 0) against++;
   }
-  if (against === 0) return;
   const all = Math.floor(triangles.length / 3);
+  if (against === 0 || against * FEW_IN < all) return;
   const message = `Of ${all} triangles, ${against} ${against === 1 ? 'is' : 'are'} wound against their normals.`;
   t.report.info('triangles-wound', message, NO_PLACE, 'drawn from both sides, shaded by the normals');
 }
