@@ -1,6 +1,12 @@
 /** What `marrow compare` prints. */
-import { isExplained, statesNoTime } from '../lesson/assumed-times.ts';
-import type { Compared, Comparison, FirstWrong, FrameComparison } from '../lesson/compare.ts';
+import { statesNoTime } from '../lesson/assumed-times.ts';
+import {
+  type Compared,
+  type Comparison,
+  type FirstWrong,
+  type FrameComparison,
+  isExplained,
+} from '../lesson/compare.ts';
 import { areEqual, comparedText, explainedNoun, subjectText } from '../lesson/compared-text.ts';
 import type { NamedDump } from '../lesson/fit-dump.ts';
 import type { Cause } from '../lesson/found-causes.ts';
@@ -22,7 +28,7 @@ export interface ToldComparison {
 
 /** What `--json` prints. */
 export function comparisonJson(told: ToldComparison) {
-  const { agrees, compared, layout, worst, first, frames, own, inherited, causes } = told.comparison;
+  const { agrees, compared, layout, worst, first, frames, own, inherited, causes, pattern } = told.comparison;
   const hints = hintsOf(told);
   const shown = frames.find((frame) => !frame.agrees) ?? frames[0];
   return {
@@ -45,6 +51,7 @@ export function comparisonJson(told: ToldComparison) {
       sentence: sentences.join(' '),
       formula: formulas.join('; '),
     })),
+    ...(pattern && { pattern }),
     ...(hints.length > 0 && { hints }),
     ...(frames.length > 1 && {
       times: frames.map((frame) => ({
@@ -63,7 +70,8 @@ export function comparisonJson(told: ToldComparison) {
 export function comparisonText(told: ToldComparison): string {
   const { comparison, character, dumps, isNamed } = told;
   const isOfSeveral = dumps.length > 1;
-  const { agrees, compared, layout, worst, first, frames, largest, own, inherited, causes, unexplained } = comparison;
+  const { agrees, compared, layout, worst, first, frames, largest, own, inherited, causes, unexplained, pattern } =
+    comparison;
   const lines = [`Compared${isNamed ? ` with ${character.name}` : ''}: ${comparedText(compared, frames.length)}.`];
   if (layout) lines.push(`Matrices of ${layout.numbers} numbers, ${layout.order}.`);
   lines.push(...dumpTimeLines(told));
@@ -89,6 +97,7 @@ export function comparisonText(told: ToldComparison): string {
       lines.push('', `No known mistake, nor two together, explains all of the ${what}.`);
     }
     if (causes.length === 0) lines.push('', 'No known mistake, nor two together, explains these numbers.');
+    if (pattern) lines.push(`What differs: ${pattern}`);
   }
   const hints = hintsOf(told);
   if (hints.length > 0) lines.push('', ...hints);

@@ -6,18 +6,13 @@
 import type { Steps } from '../evaluate/steps.ts';
 import type { Character } from '../model/document.ts';
 import { isUntimed } from '../model/dump.ts';
-import { type Comparison, compare } from './compare.ts';
+import { type Comparison, compare, isExplained } from './compare.ts';
 import type { FrameTime } from './evaluator.ts';
 import { fitDumps, type NamedDump } from './fit-dump.ts';
 
 /** Whether nothing states when it is; channels have times of their own. */
 export function statesNoTime({ dump }: NamedDump): boolean {
   return dump.time === undefined && dump.blocks.length > 0 && dump.blocks.every(isUntimed);
-}
-
-/** Whether all agrees, or a mistake or two explain all that doesn't. */
-export function isExplained({ agrees, causes, unexplained }: Comparison): boolean {
-  return agrees || (!unexplained && causes.some(({ explains, of }) => explains === of));
 }
 
 /** How many mistakes explain it, 0 if all agrees; 3 if none are known. */

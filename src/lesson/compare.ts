@@ -10,6 +10,7 @@ import { DEFAULT_TOLERANCE, diagonalOf, matrixError, pointError } from './errors
 import { Evaluator, type FrameNumbers, type FrameTime } from './evaluator.ts';
 import type { Cause, CauseSubject, FoundCauses } from './found-causes.ts';
 import { valuesNearest } from './own-values.ts';
+import { patternOf } from './pattern.ts';
 import { RIGHT_PROGRAM } from './program.ts';
 import { relativeMatrices } from './relative.ts';
 import { findCauses } from './search.ts';
@@ -81,6 +82,17 @@ export interface Comparison {
   readonly causes: readonly Cause[];
   /** Where some parts of the numbers are explained: those that aren't, or only in what a mistake touches. */
   readonly unexplained?: CauseSubject;
+  /** How they differ, in sentences; absent if all agrees, or if causes explain all of it. */
+  readonly pattern?: string;
+}
+
+/** Whether all agrees, or a mistake or two explain all that doesn't. */
+export function isExplained({
+  agrees,
+  causes,
+  unexplained,
+}: Pick<Comparison, 'agrees' | 'causes' | 'unexplained'>): boolean {
+  return agrees || (!unexplained && causes.some(({ explains, of }) => explains === of));
 }
 
 /** Yields progress; a caller that stops asking cancels it. */
@@ -96,10 +108,13 @@ export function* compare(character: Character, targets: Targets, tolerance = DEF
   const worst = Math.max(ofChannels.worst, ...frames.map((frame) => frame.worst));
   const agrees = worst <= tolerance;
   const differs = frames.find((frame) => !frame.agrees);
-  const { causes, unexplained }: FoundCauses = agrees
+  const found: FoundCauses = agrees
     ? { causes: [] }
     : yield* within(findCauses({ character, targets, own, sizes, tolerance }), 0.1, 1);
   const first = differs?.first ?? ofChannels.first;
+  const pattern = isExplained({ agrees, ...found })
+    ? undefined
+    : patternOf({ character, targets, frames, ourChannels: ofChannels.own, tolerance });
   const largest = [...frames.map((frame) => frame.largest), ofChannels.largest].find((at) => at?.error === worst);
   return {
     agrees,
@@ -112,8 +127,8 @@ export function* compare(character: Character, targets: Targets, tolerance = DEF
     ourChannels: ofChannels.own,
     own: differs?.own ?? [],
     inherited: differs?.inherited ?? [],
-    causes,
-    ...(unexplained && { unexplained }),
+    ...found,
+    ...(pattern && { pattern }),
   };
 }
 

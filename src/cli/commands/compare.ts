@@ -37,7 +37,7 @@ end of its name, mine@1.5.txt; several times may follow each other.
   --time T         the time, in seconds, of dumps that state none; without it the file pose
   --times T,T,…    the same for several times, a list of numbers or a dump for each
   --tolerance X    how far numbers may be off, of the character's size or in radians; default ${DEFAULT_TOLERANCE}
-  --json           the comparison as JSON: what was compared, what is wrong first, the causes
+  --json           as JSON: what was compared, what is wrong first, the causes, else the pattern of what differs
 
 For example: marrow compare wasp.skel wasp_walk.anim mine.txt --time 1.5
 `,
