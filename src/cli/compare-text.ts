@@ -179,7 +179,7 @@ function timeText({ time, agrees, worst }: FrameComparison): string {
 }
 
 /** `by 1.9 (0.476 of the size 4)` of lengths; other errors have no unit. */
-function errorText({ what, error, length }: FirstWrong): string {
+export function errorText({ what, error, length }: FirstWrong): string {
   if (!Number.isFinite(error)) return 'which is no finite number';
   if (length !== undefined && length > 0)
     return `by ${short(length)} (${short(error)} of the size ${short(length / error)})`;

@@ -11,8 +11,8 @@ const cause = (code: string, explains = 23): GradedCause => ({
   of: 23,
 });
 
-/** The cells of the overview of a submission with these causes. */
-function overview(causes: readonly GradedCause[]): string {
+/** The report about a submission with these causes. */
+function report(causes: readonly GradedCause[]): string {
   const part: PartGrade = {
     files: ['ann/wasp.skel'],
     agrees: false,
@@ -30,6 +30,7 @@ function overview(causes: readonly GradedCause[]): string {
     own: ['hip'],
     inherited: [],
     causes,
+    shown: { what: 'Position', yours: [[1, 2, 3.5]], marrows: [[1, 2, 3]] },
   };
   const { agrees: _, ...facts } = part;
   const grade: Grade = {
@@ -41,13 +42,30 @@ function overview(causes: readonly GradedCause[]): string {
     parts: [part],
     problems: [],
   };
-  const html = asHtml([grade], { folder: 'class', reference: 'ref', tolerance: 1e-4, skipped: [] });
-  return /<tbody>([\s\S]*?)<\/tbody>/.exec(html)?.[1] ?? '';
+  const date = new Date('2027-03-01T10:20:00Z');
+  return asHtml([grade], { folder: 'class', reference: 'ref', tolerance: 1e-4, skipped: [], date });
+}
+
+/** The cells of the overview. */
+function overview(causes: readonly GradedCause[]): string {
+  return /<tbody>([\s\S]*?)<\/tbody>/.exec(report(causes))?.[1] ?? '';
 }
 
 it('the overview of a class names all causes that explain the same, and none that explains less', () => {
   const equal = overview([cause('rotation-order'), cause('dof-order'), cause('no-parent', 20)]);
   expect(equal).toContain('<code>rotation-order</code> or <code>dof-order</code></td>');
-  expect(overview([cause('rotation-order')])).toContain('<td><code>rotation-order</code></td>');
+  expect(overview([cause('rotation-order')])).toContain(
+    '<td>Of rotation-order. <span class="faint"><code>rotation-order</code></span></td>',
+  );
   expect(overview([])).toContain('none known');
+});
+
+it('a page says in sentences what is wrong first and why, with both numbers beside each other, and when', () => {
+  const html = report([cause('rotation-order')]);
+  expect(html).toContain('<time datetime="2027-03-01T10:20:00.000Z">1 March 2027');
+  expect(html).toContain('The first that is wrong is joint 7 &quot;hip&quot; at 0.5 s. Of rotation-order.');
+  expect(html.replace(/<[^>]+>/g, ' ').replace(/\s+/g, ' ')).toContain(
+    'Position, the first that is wrong Yours 1.0000 2.0000 3.5000 Marrow’s 1.0000 2.0000 3.0000',
+  );
+  expect(html.match(/class="differs"/g)).toHaveLength(2);
 });

@@ -1,5 +1,5 @@
 /** `marrow grade`: a class of small submissions. The threads are tested with the built command. */
-import { mkdirSync, mkdtempSync, rmSync, writeFileSync } from 'node:fs';
+import { mkdirSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { dirname, join } from 'node:path';
 import { strToU8, zipSync } from 'fflate';
@@ -267,6 +267,94 @@ describe('marrow grade', () => {
     );
   });
 
+  describe('a submission of which something is unread or missing', () => {
+    const rows = (text = '0.5') => ['0', '1', '2'].map((time) => `${time} ${text} 1 2 3 4 5 6 7 8 9 10 11`).join('\n');
+    const verdicts = async (name: string, ...args: string[]) => {
+      const all = ['grade', `${name}/class`, '--reference', `${name}/ref`, ...args];
+      const { submissions } = JSON.parse((await command([...all, '--json'], folder)).out) as {
+        submissions: readonly Grade[];
+      };
+      const csv = (await command([...all, '--csv'], folder)).out.split('\r\n').slice(1, -1);
+      const html = (await command([...all, '--html'], folder)).out;
+      for (const [i, { name: own, verdict }] of submissions.entries()) {
+        expect(csv[i].startsWith(`${own},${verdict},`)).toBe(true);
+        expect(html).toContain(`${own} <span class="badge ${verdict.replace(' ', '-')}">${verdict}</span>`);
+      }
+      return Object.fromEntries(submissions.map(({ name: own, verdict }) => [own, verdict]));
+    };
+
+    it('is incomplete, never right; what is wrong stays wrong', async () => {
+      handIn('part/ref');
+      handIn('part/class/whole');
+      handIn('part/class/broken-take', { anim: anim(1).replace('smooth', 'smoth') });
+      handIn('part/class/broken-skin', { skin: SKIN.replace('0 3 0', '0 three 0') });
+      handIn('part/class/numbers');
+      write('part/class/numbers/curves.csv', rows('x'));
+      handIn('part/class/notes');
+      write('part/class/notes/notes.txt', 'Part 1 took 3 hours, part 2 took 4.\nI used 2 late days.\n');
+      handIn('part/class/wrong', { skel: SKEL.replace('offset 0 2 0', 'offset 0 2.5 0') });
+      write('part/class/wrong/curves.csv', rows('x'));
+      expect(await verdicts('part')).toEqual({
+        whole: 'right',
+        'broken-take': 'incomplete',
+        'broken-skin': 'incomplete',
+        numbers: 'incomplete',
+        notes: 'right',
+        wrong: 'wrong',
+      });
+    });
+
+    it('lacks the numbers that the reference has', async () => {
+      write('lack/ref/frames.csv', rows());
+      write('lack/ref/more.csv', rows('0.25'));
+      for (const name of ['one', 'both']) write(`lack/class/${name}/frames.csv`, rows());
+      write('lack/class/both/more.csv', rows('0.25'));
+      expect(await verdicts('lack')).toEqual({ one: 'incomplete', both: 'right' });
+      const { err, out } = await command(['grade', 'lack/class', '--reference', 'lack/ref'], folder);
+      expect([err, out]).toEqual(['', expect.stringMatching(/lack\/class\/one dump-missing\n/)]);
+    });
+
+    it('lacks what --needs names: kinds of numbers, kinds of files, files', async () => {
+      handIn('need/ref');
+      handIn('need/class/files');
+      write('need/class/numbers/joints@0.7.txt', readFileSync(join(folder, 'class/gus/joints@0.7.txt'), 'utf8'));
+      expect(await verdicts('need')).toEqual({ files: 'right', numbers: 'right' });
+      expect(await verdicts('need', '--needs', 'skel,anim')).toEqual({ files: 'right', numbers: 'incomplete' });
+      expect(await verdicts('need', '--needs', 'joints@0.7.txt')).toEqual({ files: 'incomplete', numbers: 'right' });
+      expect(await verdicts('need', '--needs', 'world, vertices')).toEqual({ files: 'right', numbers: 'incomplete' });
+      const wrong = await command([...GRADE, '--needs', 'worlds'], folder);
+      expect([wrong.code, wrong.err]).toEqual([2, expect.stringContaining('found "worlds"')]);
+    });
+  });
+
+  it('its report has the numbers of the submission beside Marrow’s, and the cause as a sentence', async () => {
+    const hal = await gradeOf('hal');
+    expect(hal.parts[0].shown).toMatchObject({
+      what: 'World matrix',
+      yours: [[], [], []].map(() => expect.any(Array)),
+    });
+    const dan = await gradeOf('dan');
+    expect(dan.parts[0].shown?.yours).not.toEqual(dan.parts[0].shown?.marrows);
+    const { out } = await command([...GRADE, '--html'], folder);
+    expect(out).toMatch(
+      /The first that is wrong is joint 1 &quot;arm&quot; at 0\.7 s\. Local matrices are used .* must be multiplied /,
+    );
+  });
+
+  it('its help says what a submission is, explains every option, and has an example that runs', async () => {
+    const { out } = await command(['grade', '--help'], folder);
+    const usage = out.split('\n')[0];
+    for (const [option] of usage.matchAll(/--[a-z]+/g))
+      expect(out.split('\n').slice(2).join('\n')).toContain(`${option}`);
+    expect(out).toContain('a submission is a folder or a zip');
+    const [, example] = /\n {2}marrow (grade .*) > report\.html/.exec(out) ?? [];
+    const args = example
+      .replace(/\bclass\b/, 'class')
+      .replace('solution', 'ref')
+      .split(' ');
+    expect((await command(args, folder)).out).toContain('<!doctype html>');
+  });
+
   it('names the broken files of a reference before their problems', async () => {
     write('cracked/a/one.skel', 'balljoint {');
     write('cracked/b/two.skel', SKEL.replace('0 2 0', '0 two 0'));
@@ -382,6 +470,7 @@ describe('dumps that the reference has too', () => {
     write('times/ref/joints.txt', `time 0.3\n${early.world}time 0.7\n${late.world}`);
     write('times/ref/locals.txt', `time 0.7\nlocal\n${late.local}`);
     write('times/class/ann/JOINTS.txt', `time 0.3\n${early.world}time 0.7\n${late.world}`);
+    write('times/class/ann/locals.txt', late.local);
     write('times/class/bob/joints.json', JSON.stringify([]));
     write('times/class/cid/joints.txt', `time 0.7\n${late.world}`);
     write('times/class/dan/joints.txt', `time 0.3\n${early.local}time 0.7\n${late.local}`);
@@ -399,11 +488,12 @@ describe('dumps that the reference has too', () => {
       ['bob', 'not judged', undefined, undefined],
       ['cid', 'wrong', ['nothing at 0.3 s'], undefined],
       ['dan', 'wrong', [], 'no-parent'],
-      ['eve', 'right', [], undefined],
+      // Without the joints.
+      ['eve', 'incomplete', [], undefined],
       ['fay', 'wrong', ['other numbers than the reference has'], undefined],
     ]);
-    expect(grades[1].problems).toMatchObject([{ code: 'dump-empty', file: 'times/class/bob/joints.json' }]);
-    expect(grades[5].problems).toMatchObject([{ code: 'dump-length', file: 'times/class/fay/locals.txt', line: 1 }]);
+    expect(grades[1].problems[0]).toMatchObject({ code: 'dump-empty', file: 'times/class/bob/joints.json' });
+    expect(grades[5].problems[0]).toMatchObject({ code: 'dump-length', file: 'times/class/fay/locals.txt', line: 1 });
   });
 
   it('numbers of no character are compared one by one, in either layout', async () => {

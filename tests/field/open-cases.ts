@@ -4,7 +4,5 @@ export const OPEN_CASES: ReadonlySet<string> = new Set<string>([
   'fbx-24-fps.fbx',
   'fbx-centimetre-idle.fbx rate',
   'gltf-24-fps.gltf',
-  'grade: an unread file',
-  'grade --help',
   'a take onto a glTF character',
 ]);

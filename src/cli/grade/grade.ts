@@ -2,8 +2,11 @@
 import type { Compared, FirstWrong } from '../../lesson/compare.ts';
 import { comparedText } from '../../lesson/compared-text.ts';
 import type { Diagnostic } from '../../model/diagnostic.ts';
+import type { SideBySide } from './side-by-side.ts';
 
-export type Verdict = 'right' | 'wrong' | 'not judged';
+/** `incomplete`: what could be compared is right, but something could not be read, or is missing. */
+export const VERDICTS = ['right', 'wrong', 'incomplete', 'not judged'] as const;
+export type Verdict = (typeof VERDICTS)[number];
 
 export interface Grade {
   /** Of the folder or zip. */
@@ -57,6 +60,8 @@ export interface PartGrade {
   readonly own: readonly string[];
   readonly inherited: readonly string[];
   readonly causes: readonly GradedCause[];
+  /** Of what is wrong first; absent if all agrees, or if nothing could be compared. */
+  readonly shown?: SideBySide;
 }
 
 export interface GradedCause {
@@ -110,6 +115,18 @@ export function causesText(part: PartGrade): string {
   return equalCauses(part)
     .map(({ code, detail }) => `${code}${detail && ` (${detail})`}`)
     .join(' or ');
+}
+
+/** `2 right, 1 wrong`: those that there are, or `0 right`. */
+export function countsText(grades: readonly Grade[], numberText: (count: number) => string = String): string {
+  const counts = VERDICTS.map((verdict) => ({
+    verdict,
+    count: grades.filter((grade) => grade.verdict === verdict).length,
+  }));
+  return counts
+    .filter(({ verdict, count }) => count > 0 || verdict !== 'incomplete')
+    .map(({ verdict, count }) => `${numberText(count)} ${verdict}`)
+    .join(', ');
 }
 
 /** Of errors: three digits, enough to see how large they are. */

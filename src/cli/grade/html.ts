@@ -2,7 +2,11 @@
  * Grades as one HTML file without anything outside it: an overview, and a page per submission that its address leads to
  * (`report.html#3`). Printed, all follow one another.
  */
+import type { FirstWrong } from '../../lesson/compare.ts';
+import { VERSION } from '../../model/version.ts';
+import { errorText as differenceText } from '../compare-text.ts';
 import {
+  countsText,
   equalCauses,
   errorText,
   firstWrongText,
@@ -12,6 +16,7 @@ import {
   placeOf,
   wrongPart,
 } from './grade.ts';
+import type { SideBySide } from './side-by-side.ts';
 import { STYLE } from './style.ts';
 
 export interface ReportFacts {
@@ -21,12 +26,12 @@ export interface ReportFacts {
   readonly tolerance: number;
   /** Paths of files that belong to no submission. */
   readonly skipped: readonly string[];
+  /** When it was made. */
+  readonly date: Date;
 }
 
-export function asHtml(grades: readonly Grade[], { folder, reference, tolerance, skipped }: ReportFacts): string {
-  const counts = (['right', 'wrong', 'not judged'] as const).map(
-    (verdict) => `<b>${grades.filter((grade) => grade.verdict === verdict).length}</b> ${verdict}`,
-  );
+export function asHtml(grades: readonly Grade[], { folder, reference, tolerance, skipped, date }: ReportFacts): string {
+  const made = new Intl.DateTimeFormat('en-GB', { dateStyle: 'long', timeStyle: 'short' }).format(date);
   return `<!doctype html>
 <html lang="en">
 <meta charset="utf-8">
@@ -36,10 +41,11 @@ export function asHtml(grades: readonly Grade[], { folder, reference, tolerance,
 <main id="overview">
 <header>
 <h1>${escaped(folder)}</h1>
-<p>${grades.length} submissions: ${counts.join(', ')}. Compared with <code>${escaped(reference)}</code> within ${tolerance}.</p>
+<p>${grades.length === 1 ? '1 submission' : `${grades.length} submissions`}: ${countsText(grades, (count) => `<b>${count}</b>`)}. Compared with <code>${escaped(reference)}</code> within ${tolerance}, by Marrow ${VERSION}, <time datetime="${date.toISOString()}">${made}</time>.</p>
+<p class="faint">Errors of lengths are parts of the character’s size, the diagonal of its box; angles are in radians, times in seconds. <em>Incomplete</em>: what was compared is right, but something could not be read, or is missing.</p>
 ${skippedText(skipped)}</header>
 <div class="wide"><table>
-<thead><tr>${['Submission', 'Verdict', 'Joints', 'Joint error', 'Vertex error', 'Channels', 'First wrong', 'Cause', 'Problems'].map((title) => `<th scope="col">${title}</th>`).join('')}</tr></thead>
+<thead><tr>${['Submission', 'Verdict', 'Joints', 'Joint error', 'Vertex error', 'Channels right', 'First wrong', 'Cause', 'Problems'].map((title) => `<th scope="col">${title}</th>`).join('')}</tr></thead>
 <tbody>
 ${grades.map(rowOf).join('\n')}
 </tbody>
@@ -74,10 +80,12 @@ function rowOf(grade: Grade, index: number): string {
   return `<tr>${cells.join('')}</tr>`;
 }
 
-/** All that explain the first wrong part as well. */
+/** All that explain the first wrong part as well: of one its sentence, too. */
 function causesOf(part: PartGrade): string {
-  const codes = equalCauses(part).map(({ code }) => `<code>${escaped(code)}</code>`);
-  return codes.length > 0 ? codes.join(' or ') : '<span class="faint">none known</span>';
+  const equal = equalCauses(part);
+  const codes = equal.map(({ code }) => `<code>${escaped(code)}</code>`).join(' or ');
+  if (equal.length === 1) return `${escaped(equal[0].sentence)} <span class="faint">${codes}</span>`;
+  return codes || '<span class="faint">none known</span>';
 }
 
 function pageOf(grade: Grade, index: number, grades: readonly Grade[]): string {
@@ -93,14 +101,14 @@ ${problemsOf(grade)}
 }
 
 function partOf(part: PartGrade): string {
-  const { files, agrees, jointError, vertexError, channels, own, inherited, causes, mismatches } = part;
+  const { files, agrees, jointError, vertexError, channels, own, inherited, causes, mismatches, first } = part;
   const facts: (readonly [string, string])[] = [
     ['Compared', gradedText(part)],
-    ['Joint error', errorText(jointError)],
-    ['Vertex error', errorText(vertexError)],
+    ['Largest joint error', errorText(jointError)],
+    ['Largest vertex error', errorText(vertexError)],
     ['Channels right', channels ? `${channels.right} of ${channels.of}` : ''],
     ['Differs', mismatches.join('; ')],
-    ['First wrong', mismatches.length > 0 && !part.first ? '' : firstWrongText({ ...part, mismatches: [] })],
+    ['First wrong', first ? `${firstWrongText({ ...part, mismatches: [] })}, ${differenceText(first)}` : ''],
     ['Wrong by themselves', own.join(', ')],
     ['Wrong by a parent', inherited.join(', ')],
   ];
@@ -124,9 +132,53 @@ function partOf(part: PartGrade): string {
     agrees || causes.length > 0 ? '' : '<p class="faint">No known mistake, nor two together, explains it.</p>';
   return `<article>
 <h3>${files.map((file) => escaped(file)).join('<br>')}</h3>
+<p>${agrees ? 'All of it agrees.' : escaped(verdictText(part))}</p>
 <dl>${shown.join('')}</dl>
+${part.shown ? numbersOf(part.shown, part.first) : ''}
 ${explained.join('\n')}${none}
 </article>`;
+}
+
+/** `The first that is wrong is joint 1 "arm" at 0.7 s. You multiply…`. */
+function verdictText(part: PartGrade): string {
+  const { mismatches } = part;
+  const where = firstWrongText({ ...part, mismatches: [] });
+  const equal = equalCauses(part);
+  const sentences = [
+    ...(mismatches.length > 0 ? [`It does not fit: ${mismatches.join('; ')}.`] : []),
+    ...(where ? [`The first that is wrong is ${where}.`] : []),
+    ...(equal.length === 1 ? [equal[0].sentence] : []),
+  ];
+  return sentences.join(' ');
+}
+
+/** The numbers of both, side by side. */
+function numbersOf({ what, yours, marrows, times }: SideBySide, first: FirstWrong | undefined): string {
+  const unit = first?.what === 'channel' && isAngle(first.name) ? ' (rad)' : '';
+  const table = (title: string, rows: readonly (readonly number[])[]) => {
+    const lines = rows.map((row, r) => {
+      const time = times ? `<th scope="row">${escaped(String(times[r]))} s</th>` : '';
+      const cells = row.map((value, c) => {
+        const differs = !(Math.abs(yours[r][c] - marrows[r][c]) < VISIBLE);
+        return `<td${differs ? ' class="differs"' : ''}>${escaped(decimalText(value))}</td>`;
+      });
+      return `<tr>${time}${cells.join('')}</tr>`;
+    });
+    return `<table><caption>${title}</caption><tbody>${lines.join('')}</tbody></table>`;
+  };
+  return `<figure class="numbers"><figcaption>${what}${unit}, the first that is wrong</figcaption>${table('Yours', yours)}${table('Marrow’s', marrows)}</figure>`;
+}
+
+/** Differences that four decimals show. */
+const VISIBLE = 5e-5;
+
+function decimalText(value: number): string {
+  return Number.isFinite(value) ? value.toFixed(4).replace('-', '−') : String(value);
+}
+
+/** By the name of the DOF that a channel drives: `arm.rx`. */
+function isAngle(name: string | undefined): boolean {
+  return name !== undefined && /\.r[xyz]?$/.test(name);
 }
 
 function problemsOf({ problems }: Grade): string {

@@ -26,10 +26,14 @@ import { vertexCount } from '../../model/skin.ts';
 import { type DumpFile, openFiles } from '../../project/open/open-files.ts';
 import { formatOf } from '../../project/readers.ts';
 import { type Loaded, loadGiven } from '../load.ts';
+import type { GivenPath } from '../paths.ts';
+import { fileBytes } from '../read-file.ts';
 import { reasonOf } from '../reason.ts';
-import type { ChannelCount, Grade, PartGrade } from './grade.ts';
+import type { ChannelCount, Grade, PartGrade, Verdict } from './grade.ts';
+import { missingOf, type Need } from './needs.ts';
 import { type Reference, timesFor } from './reference.ts';
 import { lacking, type RightDump, rightDumpFor, withHeadings } from './right-dumps.ts';
+import { sideBySide } from './side-by-side.ts';
 import { filesOf } from './submissions.ts';
 
 export interface JudgeOptions {
@@ -37,6 +41,8 @@ export interface JudgeOptions {
   readonly folder: string;
   readonly times: readonly number[] | undefined;
   readonly tolerance: number;
+  /** Parts that a submission must have. */
+  readonly needs: readonly Need[];
 }
 
 /** Of a matrix. */
@@ -79,6 +85,8 @@ class Judging {
   private readonly problems: Diagnostic[] = [];
   private readonly parts: PartGrade[] = [];
   private loads = true;
+  /** Whether nothing is missing. */
+  private isWhole = true;
 
   constructor(
     private readonly submission: string,
@@ -92,6 +100,7 @@ class Judging {
     const { reference, path, problems, parts } = this;
     const handedIn = filesOf(this.submission, this.options.folder);
     problems.push(...handedIn.problems);
+    if (hasErrors(handedIn.problems)) this.loads = false;
     const given = handedIn.files.map((file) => file.path);
     const counterparts = new Map<string, string>();
     for (const { source, kind } of reference.files) {
@@ -114,17 +123,23 @@ class Judging {
     for (const { path: file, content } of loaded.all) {
       const isEmpty = content === undefined || isEmptyDump(content);
       if (isEmpty && !used.has(file) && rightDumpFor(baseName(file), reference.dumps)) this.emptyDump(file);
+      // A page of prose with a number in it is no dump, and nothing is missing without it.
+      else if (!content && !used.has(file) && this.looksLikeNumbers(read.find(({ path: own }) => own === file)))
+        this.loads = false;
     }
+    this.tellMissingDumps(given);
+    const missing = missingOf(this.options.needs, parts, path);
+    problems.push(...missing);
+    if (missing.length > 0) this.isWhole = false;
     if (parts.length === 0 && !hasErrors(problems)) {
       const message = 'Nothing in it could be compared with the reference.';
       problems.push(withoutPlace('error', 'nothing-to-judge', message, path));
     }
-    const isJudged = parts.length > 0 && this.loads;
     const channels = parts.flatMap((part) => part.channels ?? []);
     return {
       name: baseName(path),
       path,
-      verdict: !isJudged ? 'not judged' : parts.every(({ agrees }) => agrees) ? 'right' : 'wrong',
+      verdict: this.verdict(),
       loads: this.loads,
       joints: Math.max(0, ...parts.map((part) => part.joints)),
       jointError: largest(parts.map(({ jointError }) => jointError)),
@@ -133,6 +148,34 @@ class Judging {
       parts,
       problems,
     };
+  }
+
+  private verdict(): Verdict {
+    const { parts, loads, isWhole } = this;
+    if (parts.length === 0) return 'not judged';
+    if (parts.some(({ agrees }) => !agrees)) return 'wrong';
+    return loads && isWhole ? 'right' : 'incomplete';
+  }
+
+  /** Numbers that the reference has, and the submission doesn't. */
+  private tellMissingDumps(given: readonly string[]): void {
+    const { dumps } = this.reference;
+    const there = new Set(given.map((file) => rightDumpFor(baseName(file), dumps)));
+    for (const dump of dumps) {
+      if (there.has(dump)) continue;
+      this.isWhole = false;
+      const message = `Expected numbers in a file called ${dump.file.source.name}, as in the reference; found none.`;
+      this.problems.push(withoutPlace('error', 'dump-missing', message, this.path));
+    }
+  }
+
+  private looksLikeNumbers(file: GivenPath | undefined): boolean {
+    try {
+      return file !== undefined && isMostlyNumbers(file.bytes ?? fileBytes(file.absolute, MAX_LOOKED_AT));
+    } catch {
+      // What can't be read may be anything.
+      return true;
+    }
   }
 
   /** The file of the same path within the submission, else of the same base name and highest up. */
@@ -169,9 +212,11 @@ class Judging {
     if (hasErrors(found)) this.loads = false;
     const characters = byKey(opened.document.characters);
     for (const [key, right] of byKey(reference.characters)) {
-      const own = right.sources.flatMap(({ path }) => counterparts.get(path) ?? []);
+      const given = right.sources.flatMap(({ path }) => counterparts.get(path) ?? []);
+      const own = given.filter((path) => readByPath.has(path));
       const character = characters.get(key);
-      if (own.length > 0 && character) this.parts.push(this.judgeCharacter(right, character, own));
+      const comparable = character && withoutUnread(right, character);
+      if (own.length > 0 && comparable) this.parts.push(this.judgeCharacter(comparable, character, own));
     }
   }
 
@@ -231,6 +276,7 @@ class Judging {
       const [first] = characters;
       const diagnostics = first ? fitDumpsAt(first, [named], this.options.times ?? []).diagnostics : [];
       this.problems.push(...diagnostics.map((d): Diagnostic => ({ ...d, severity, assumed })));
+      if (severity === 'warning') this.isWhole = false;
       if (right) this.parts.push(uncompared(file.source.path, ['other numbers than the reference has'], null));
       return;
     }
@@ -293,10 +339,12 @@ function gradeOf(
   files: readonly string[],
   right: Character,
   targets: Targets,
-  { agrees, compared, worst, first, frames, own, inherited, causes }: Comparison,
+  comparison: Comparison,
   mismatches: readonly string[],
   tolerance: number,
 ): PartGrade {
+  const { agrees, compared, worst, first, frames, own, inherited, causes } = comparison;
+  const shown = sideBySide(targets, comparison);
   const named = (joints: readonly number[]) => joints.map((j) => right.skeleton?.joints[j]?.name || `joint ${j}`);
   const wrong = frames.find((frame) => !frame.agrees);
   const errorIn = (pick: (frame: Comparison['frames'][number]) => Float64Array) =>
@@ -314,6 +362,7 @@ function gradeOf(
     mismatches,
     ...(first && { first }),
     ...(wrong?.time !== undefined && { time: wrong.time }),
+    ...(shown && { shown }),
     frameTimes: frames.map(({ time }) => time ?? null),
     own: named(own),
     inherited: named(inherited),
@@ -355,11 +404,24 @@ function countChannels(right: Character, target: ChannelTarget, tolerance: numbe
   return { right: of - wrong.size, of };
 }
 
-/** By their files; roots of one file in order. */
+/** The right character without the parts that theirs lacks for their errors; undefined if that can't be compared. */
+function withoutUnread(right: Character, { unread = [], skins, clips }: Character): Character | undefined {
+  if (unread.length === 0) return right;
+  if (unread.some(({ name }) => formatOf(name)?.kind === 'morph')) return undefined;
+  return {
+    ...right,
+    ...(skins.length === 0 && { skins: [], shownSkin: 0 }),
+    ...(clips.length === 0 && { clips: [], shownClip: -1 }),
+  };
+}
+
+/** By their files, read or not; roots of one file in order. */
 function byKey(characters: readonly Character[]): ReadonlyMap<string, Character> {
   const keyed = new Map<string, Character>();
   for (const character of characters) {
-    const files = character.sources.map(({ path }) => path).join('\n');
+    const { sources, unread = [] } = character;
+    const paths = [...sources, ...unread].map(({ path }) => path);
+    const files = paths.sort().join('\n');
     for (let root = 0; ; root++) {
       const key = `${files}\n${root}`;
       if (keyed.has(key)) continue;
@@ -376,6 +438,17 @@ function sumOf(counts: readonly ChannelCount[]): ChannelCount {
 
 function largest(errors: readonly (number | null)[]): number | null {
   return errors.reduce((most, error) => (error === null ? most : Math.max(most ?? 0, error)), null);
+}
+
+/** Of a dump; larger files are dumps of that size, or something else. */
+const MAX_LOOKED_AT = 64 << 20;
+const NUMBER = /^[+-]?(?:\d+\.?\d*|\.\d+)(?:e[+-]?\d+)?$/i;
+
+/** Whether a text that can't be read as a dump was meant as one: at least as many numbers as a matrix, and as words. */
+function isMostlyNumbers(bytes: Uint8Array): boolean {
+  const words = new TextDecoder().decode(bytes).split(/[\s,;:=()[\]{}"]+/);
+  const numbers = words.filter((word) => NUMBER.test(word)).length;
+  return numbers >= LEAST_NUMBERS && 2 * numbers >= words.length;
 }
 
 function slashed(path: string): string {

@@ -45,7 +45,7 @@ tbody th { font-weight: 600; overflow-wrap: anywhere; min-width: 96px; }
 .badge { display: inline-block; padding: 0 8px; border: 1px solid currentColor; border-radius: 10px; font-size: 11px; font-weight: 600; line-height: 18px; white-space: nowrap; }
 .badge.right { color: var(--right); }
 .badge.wrong { color: var(--error); }
-.badge.not-judged { color: var(--warning); }
+.badge.incomplete, .badge.not-judged { color: var(--warning); }
 .page { display: none; }
 .page:target { display: block; }
 body:has(.page:target) #overview { display: none; }
@@ -54,6 +54,12 @@ article { margin-top: 16px; padding: 12px 16px; background: var(--surface); bord
 dl { display: grid; grid-template-columns: max-content minmax(0, 1fr); gap: 4px 16px; margin: 0; }
 dt { color: var(--text-faint); }
 dd { margin: 0; overflow-wrap: anywhere; }
+.numbers { display: flex; flex-wrap: wrap; gap: 4px 32px; margin: 12px 0 0; }
+.numbers figcaption { width: 100%; color: var(--text-faint); }
+.numbers table { width: auto; }
+.numbers caption { text-align: left; font-weight: 600; }
+.numbers td { text-align: right; font-family: ui-monospace, "SF Mono", "Cascadia Mono", Menlo, Consolas, monospace; }
+.numbers .differs { color: var(--error); font-weight: 600; }
 .cause { margin-top: 12px; padding-left: 12px; border-left: 2px solid var(--accent); }
 ul { margin: 0; padding: 0; list-style: none; }
 li + li { margin-top: 8px; }

@@ -1,0 +1,57 @@
+/** `--needs`: which parts a submission must have. */
+import { type Diagnostic, withoutPlace } from '../../model/diagnostic.ts';
+import { baseName } from '../../model/files.ts';
+import { formatOf } from '../../project/readers.ts';
+import { UsageError } from '../arguments.ts';
+import type { PartGrade } from './grade.ts';
+
+const NUMBERS = ['world', 'local', 'positions', 'vertices', 'normals', 'channels'] as const;
+const FILES = ['skel', 'skin', 'morph', 'anim', 'bvh'] as const;
+
+/** Something that has to be there, and that has to have been compared. */
+export type Need =
+  | { readonly numbers: (typeof NUMBERS)[number] }
+  | { readonly files: (typeof FILES)[number] }
+  /** A file of this name, without its folders. */
+  | { readonly name: string };
+
+/** @param text separated by commas @throws UsageError */
+export function needsOf(text: string): readonly Need[] {
+  const terms = text
+    .split(',')
+    .map((term) => term.trim())
+    .filter((term) => term !== '');
+  if (terms.length === 0) throw new UsageError('--needs takes at least one part; found none.');
+  return terms.map((term): Need => {
+    const lower = term.toLowerCase();
+    const numbers = NUMBERS.find((name) => name === lower);
+    if (numbers) return { numbers };
+    const files = FILES.find((name) => name === lower.replace(/^\./, ''));
+    if (files) return { files };
+    if (term.includes('.') && formatOf(term)) return { name: baseName(term) };
+    const known = [...NUMBERS, ...FILES].join(', ');
+    throw new UsageError(`--needs takes ${known}, or names of files such as curves.txt; found "${term}".`);
+  });
+}
+
+/** What is needed and was not compared. @param path of the submission, for messages */
+export function missingOf(needs: readonly Need[], parts: readonly PartGrade[], path: string): readonly Diagnostic[] {
+  return needs.flatMap((need) => {
+    const isThere = parts.some((part) => isMet(need, part));
+    return isThere ? [] : [withoutPlace('error', 'need-missing', `Expected ${textOf(need)}, found none.`, path)];
+  });
+}
+
+function isMet(need: Need, { files, compared }: PartGrade): boolean {
+  if ('numbers' in need) return compared[need.numbers] > 0;
+  const isMeant = (file: string) =>
+    'name' in need ? baseName(file).toLowerCase() === need.name.toLowerCase() : formatOf(file)?.kind === need.files;
+  return files.some(isMeant);
+}
+
+function textOf(need: Need): string {
+  if ('name' in need) return `the file ${need.name}`;
+  if ('files' in need) return `a .${need.files} file`;
+  const { numbers } = need;
+  return numbers === 'world' || numbers === 'local' ? `${numbers} matrices` : numbers;
+}
