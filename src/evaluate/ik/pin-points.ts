@@ -78,9 +78,13 @@ export function defaultPinPoint(skeleton: Skeleton, joint: number, skin?: Skin):
   return (skin && skinEnd(skin, joint)) ?? boxEnd(own) ?? ORIGIN;
 }
 
+/** Joints that move a vertex by at least this much of the largest weight move it as well as that one does. */
+const AS_WELL = 0.5;
+
 /**
- * The current position of a vertex of the shown skin as a point of the joint that moves it most. Undefined if no joint
- * does, or its matrix is singular.
+ * The current position of a vertex of the shown skin as a point of a joint that moves it. Undefined if none does, or the
+ * joint's matrix is singular. Of joints that move it about as much it is the one whose pivot is nearest: what is picked
+ * at the knee is the shin's, which bends there, not the thigh's.
  *
  * @param world from `worldMatrices`
  * @param deformed the vertex's position in the same space
@@ -94,7 +98,7 @@ export function skinPinPoint(
   const skin = shownSkin(character);
   const jointCount = character.skeleton?.joints.length ?? 0;
   if (!skin || jointCount === 0) return undefined;
-  const joint = skin.attachments ? heaviestJoint(skin.attachments, vertex, jointCount) : 0;
+  const joint = skin.attachments ? nearestOfHeaviest(skin.attachments, vertex, world, deformed, jointCount) : 0;
   if (joint < 0 || isSingular(world, 16 * joint)) return undefined;
   const inverse = new Float64Array(16);
   invertAffine(world, 16 * joint, inverse, 0);
@@ -160,6 +164,24 @@ function heaviestJoint({ start, joints, weights }: Attachments, vertex: number, 
     most = weights[i];
   }
   return joint;
+}
+
+/** Of the joints that move a vertex about as much as any other, the one whose pivot is nearest to it; -1 if none does. */
+function nearestOfHeaviest(
+  attachments: Attachments,
+  vertex: number,
+  world: Float64Array,
+  at: Vec3,
+  jointCount: number,
+): number {
+  const { start, joints, weights } = attachments;
+  const heaviest = heaviestJoint(attachments, vertex, jointCount);
+  const own = [...joints.subarray(start[vertex], start[vertex + 1])];
+  const most = Math.max(0, ...own.map((joint, a) => (joint === heaviest ? weights[start[vertex] + a] : 0)));
+  const away = (joint: number) => apart([world[16 * joint + 12], world[16 * joint + 13], world[16 * joint + 14]], at);
+  return own
+    .filter((joint, a) => joint < jointCount && weights[start[vertex] + a] >= AS_WELL * most)
+    .reduce((best, joint) => (away(joint) < away(best) ? joint : best), heaviest);
 }
 
 function withoutDoubles(points: readonly PinPoint[]): PinPoint[] {

@@ -3,7 +3,9 @@ import { describe, expect, it } from 'vitest';
 import { defaultPinPoint, pinPoints, skinPinPoint } from '../../../src/evaluate/ik/pin-points.ts';
 import { pointAt } from '../../../src/evaluate/ik/set-up.ts';
 import { compileSkeleton, worldMatrices } from '../../../src/evaluate/kinematics.ts';
+import type { Vec3 } from '../../../src/math/vec3.ts';
 import type { Joint, Skeleton } from '../../../src/model/skeleton.ts';
+import { makeSamples } from '../../../src/samples/samples.ts';
 import { character, joint, skeleton, skin } from '../../helpers/builders.ts';
 
 const alone = (more: Partial<Joint>): Skeleton => ({ name: 'one', joints: [joint(-1, more)] });
@@ -123,5 +125,35 @@ describe('a picked point of the skin', () => {
   it("a picked point of the skin is the root's where the whole skin hangs on it", () => {
     const { attachments: _none, ...loose } = skin('hero', 0);
     expect(skinPinPoint(character({ skeleton: own, skins: [loose] }), 2, world, [0, 0, 0])?.joint).toBe(0);
+  });
+});
+
+describe('a picked point of the skin of the walker', () => {
+  const walker = makeSamples().find(({ id }) => id === 'walker');
+  if (!walker?.skin?.attachments) throw new Error('The walker has a skin.');
+  const { skeleton: own, skin: body } = walker;
+  const { start, joints, weights } = walker.skin.attachments;
+  const walking = character({ skeleton: own, skins: [body] });
+  const world = Float64Array.from(body.bindings);
+  const placeOf = (v: number) => [0, 1, 2].map((k) => body.positions[3 * v + k]) as unknown as Vec3;
+
+  it.each([
+    ['the left knee', 'shin_l', 'thigh_l'],
+    ['the right knee', 'shin_r', 'thigh_r'],
+  ])('where two joints move %s alike, it is of the lower one, which bends there', (_, below, above) => {
+    const indexOf = (name: string) => own.joints.findIndex((each) => each.name === name);
+    const [low, high] = [indexOf(below), indexOf(above)];
+    const weightOf = (v: number, joint: number) => {
+      for (let a = start[v]; a < start[v + 1]; a++) if (joints[a] === joint) return weights[a];
+      return 0;
+    };
+    const shared = Array.from({ length: start.length - 1 }, (__, v) => v).filter(
+      (v) => weightOf(v, low) > 0.34 && weightOf(v, low) <= weightOf(v, high),
+    );
+    expect(shared.length).toBeGreaterThan(0);
+    for (const v of shared) expect(skinPinPoint(walking, v, world, placeOf(v))?.joint).toBe(low);
+    const alone = Array.from({ length: start.length - 1 }, (__, v) => v).filter((v) => weightOf(v, high) > 0.7);
+    expect(alone.length).toBeGreaterThan(0);
+    for (const v of alone) expect(skinPinPoint(walking, v, world, placeOf(v))?.joint).toBe(high);
   });
 });
