@@ -112,6 +112,8 @@ export function pointUnder(wb: Uses<'store' | 'viewport' | 'settings'>, at: Canv
   const picked = pickedPoint(wb, seen, hit.joint, hit.vertex, at);
   if (!picked) return undefined;
   const natural = naturalPoint(wb, seen, picked.joint, at);
+  const child = natural || hit.vertex === undefined ? undefined : childUnder(wb, seen, picked.joint, at);
+  if (child) return { characterId: character.id, placement, ...child };
   return {
     characterId: character.id,
     placement,
@@ -119,6 +121,27 @@ export function pointUnder(wb: Uses<'store' | 'viewport' | 'settings'>, at: Canv
     ...(natural && { natural }),
     ...(hit.vertex !== undefined && { vertex: hit.vertex }),
   };
+}
+
+/**
+ * The origin of a child of the joint, if the pointer is close: the skin at the ankle follows the shin, and who picks it
+ * means the foot.
+ */
+function childUnder(
+  wb: Uses<'viewport' | 'settings'>,
+  seen: SeenSkeleton,
+  joint: number,
+  at: CanvasPointer,
+): Pick<SeenPoint, 'joint' | 'point' | 'natural'> | undefined {
+  const origins = [...seen.skeleton.joints.keys()].flatMap((child) => {
+    if (seen.skeleton.joints[child].parent !== joint) return [];
+    const points = offeredPoints(wb, seen.character, seen.skeleton, child);
+    return points.flatMap((natural) =>
+      natural.kind === 'origin' ? { joint: child, point: natural.point, natural } : [],
+    );
+  });
+  const places = origins.map((each) => wb.viewport.eye.toScreen(inWorld(seen, each.joint, each.point)));
+  return origins[nearestOnScreen(places, { x: at.clientX, y: at.clientY }, NATURAL_POINT_PIXELS)];
 }
 
 /** On a skin the vertex, as a point of the joint with the largest weight; else the visible point of the joint. */
