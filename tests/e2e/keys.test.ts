@@ -212,3 +212,44 @@ it('a number typed that is the shown one, or confirmed as it is, is no change to
     },
     { walking: true },
   ));
+
+it('the scrubber seeks at the range’s first pixel, its handles are outside, and a pause lands on a frame', () =>
+  withPage(
+    async ({ page }) => {
+      await openWalker(page);
+      const bar = await page.locator('canvas.scrubber').boundingBox();
+      const range = () =>
+        page.evaluate(() =>
+          [...document.querySelectorAll<HTMLInputElement>('.range-field')].map((field) => field.value),
+        );
+      if (!bar) throw new Error('The scrubber has no place.');
+      const before = await range();
+      // The window has 4 % of the range on both sides.
+      const first = bar.x + (0.04 / 1.08) * bar.width;
+      const press = async (x: number, y: number, to = x) => {
+        await page.mouse.move(x, y);
+        await page.mouse.down();
+        await page.mouse.move(to, y, { steps: 3 });
+        await page.mouse.up();
+      };
+      await page.evaluate(() => window.marrow.seek(1));
+      await press(first, bar.y + 6);
+      await expect.poll(() => time(page)).toBe(0);
+      await page.evaluate(() => window.marrow.seek(1));
+      await press(first + 1, bar.y + bar.height - 6);
+      await expect.poll(() => time(page)).toBe(0);
+      await expect.poll(range).toEqual(before);
+      await press(first - 4, bar.y + bar.height - 6, first + 100);
+      await expect.poll(range).not.toEqual(before);
+      await expect.poll(() => time(page)).toBe(0);
+
+      const pose = await page.evaluate(() => window.marrow.characters()[0].dofs[0]);
+      await page.locator('.viewport canvas[role=application]').focus();
+      await page.keyboard.press(' ');
+      await page.waitForFunction((then) => window.marrow.characters()[0].dofs[0] !== then, pose);
+      await page.keyboard.press(' ');
+      const frame = async () => Number(await page.getByRole('textbox', { name: 'Frame', exact: true }).inputValue());
+      await expect.poll(async () => Number.isInteger(await frame())).toBe(true);
+    },
+    { walking: true },
+  ));

@@ -2,6 +2,7 @@
 import type { CommandInfo } from '../../edit/commands/all.ts';
 import type { ThemeName } from '../../view/theme.ts';
 import { outliner } from '../editors/outliner/outliner.ts';
+import { offerOverSamples } from '../editors/posing/auto-key-samples.ts';
 import { followOpened } from '../editors/posing/opened.ts';
 import { followCharacter } from '../editors/timeline/follow-character.ts';
 import { followPeriods } from '../editors/timeline/period.ts';
@@ -71,6 +72,7 @@ export function mountWorkbench(
     followPeriods(wb),
     askAboutCycles(wb),
     limitUndo(wb),
+    offerOverSamples(wb),
     theme.subscribe(recolour),
   ];
   signal.addEventListener('abort', () => {

@@ -6,6 +6,7 @@ import { keysOf, restChannel } from '../../../../src/model/clip.ts';
 import type { Character } from '../../../../src/model/document.ts';
 import { openFiles } from '../../../../src/project/open/open-files.ts';
 import { dofState, toggleKey } from '../../../../src/ui/editors/inspector/dof-mark.ts';
+import { offerOverSamples } from '../../../../src/ui/editors/posing/auto-key-samples.ts';
 import { KEYING_ACTIONS } from '../../../../src/ui/editors/posing/keying-actions.ts';
 import { followOpened } from '../../../../src/ui/editors/posing/opened.ts';
 import { autoKey, jointDofs } from '../../../../src/ui/editors/posing/pose-edits.ts';
@@ -344,6 +345,21 @@ describe('keying a capture', () => {
     expect(wb.messages.passing.get()).toContain('Nothing to key');
     expect(wb.messages.passing.get()).not.toContain('keys the whole pose');
     expect(wb.messages.offer).toBeUndefined();
+  });
+
+  it('with auto-key on, a change over samples offers the same, and no other change does', async () => {
+    const { wb } = workbench(documentOf(captured), { timeSeconds: 0.5 });
+    offerOverSamples(wb);
+    const set = (key: ReturnType<typeof autoKey>) =>
+      wb.store.apply(setDofs, { characterId: 'c1', dofs: [{ index: LEG_RX, value: 1 }], timeSeconds: 0.5, key });
+    set(autoKey(wb));
+    wb.store.undo();
+    expect(wb.messages.count).toBe(0);
+    wb.timeline.autoKey.set(true);
+    set(autoKey(wb));
+    (await offered(wb)).run();
+    await vi.waitUntil(() => wb.store.undoLabel === 'Convert to keys and key leg', WHILE_LOADING);
+    expect(keysOf(wasp(wb).clips[0].channels[LEG_RX]).times).toContain(0.5);
   });
 
   it('the mark of a sampled DOF offers the same', async () => {
