@@ -109,7 +109,8 @@ function opened(paths: readonly string[]): readonly Character[] {
   return openFiles(EMPTY_DOCUMENT, files).document.characters.filter(({ skeleton }) => skeleton);
 }
 
-const MOST_BYTES = 3_000_000;
+/** Longer takes take minutes, and show nothing else. */
+const MOST_BYTES = 300_000;
 
 function filesIn(folder: string, ...ends: readonly string[]): string[] {
   if (!hasShared) return [];
