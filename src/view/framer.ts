@@ -3,9 +3,8 @@
  * known by then, and several requests become one move. The selection is framed at once.
  */
 import { Box3, Matrix4, Vector3 } from 'three';
-import { frontOf, isPerson } from '../evaluate/shapes/front.ts';
+import { frontOf, sideByRole } from '../evaluate/shapes/front.ts';
 import { hasBox } from '../model/boxes.ts';
-import { isBvh } from '../model/document.ts';
 import type { Selection } from '../model/session.ts';
 import type { CameraRig } from './camera.ts';
 import { sizesFor } from './drawn-skeletons.ts';
@@ -114,17 +113,17 @@ export class Framer {
 }
 
 /**
- * The quarter turn from +z, where most files have it, to where the persons among characters face in the poses of their
- * files. A capture turns anyway.
+ * The quarter turn from +z to where characters face in the poses of their files, by the parts of the body that these
+ * state: VRM 0 faces −z. Others are taken to face +z.
  */
 function quarterFaced(shown: readonly ShownCharacter[]): number {
   let x = 0;
   let z = 0;
   for (const { character, placements } of shown) {
     const { skeleton, space } = character;
-    if (!skeleton || isBvh(character) || !isPerson(skeleton)) continue;
+    if (!skeleton) continue;
     const isUpZ = space?.up === 'z';
-    const [across, ahead] = frontOf(skeleton, [], isUpZ ? 'z' : 'y');
+    const [across, ahead] = frontOf(skeleton, [], isUpZ ? 'z' : 'y', sideByRole);
     const own = isUpZ ? new Vector3(across, -ahead, 0) : new Vector3(across, 0, ahead);
     const length = own.length() || 1;
     own.transformDirection(new Matrix4().fromArray(placements));

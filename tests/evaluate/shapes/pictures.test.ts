@@ -1,5 +1,5 @@
 import { describe, expect, it } from 'vitest';
-import { frontOf } from '../../../src/evaluate/shapes/front.ts';
+import { frontOf, sideByRole } from '../../../src/evaluate/shapes/front.ts';
 import { look } from '../../../src/evaluate/shapes/look.ts';
 import { rasterise } from '../../../src/evaluate/shapes/rasterise.ts';
 import { solidOf } from '../../../src/evaluate/shapes/solids.ts';
@@ -92,18 +92,18 @@ describe('a character as solid', () => {
     }
   });
 
-  it('a character as solid is looked at from its front, as names of sides tell it', () => {
+  it('a character as solid is looked at from its front, as its left and right tell it', () => {
     const sided = (x: number) => ({
       name: 's',
       joints: [
         joint(-1),
-        joint(0, { name: 'arm_l', offset: [x, 0, 0] }),
-        joint(0, { name: 'arm_r', offset: [-x, 0, 0] }),
+        joint(0, { role: 'leftUpperArm', offset: [x, 0, 0] }),
+        joint(0, { role: 'rightUpperArm', offset: [-x, 0, 0] }),
       ],
     });
-    expect(frontOf(sided(1), [], 'y')[1]).toBeGreaterThan(0);
-    expect(frontOf(sided(-1), [], 'y')[1]).toBeLessThan(0);
-    expect(frontOf(skeleton(), [], 'y')).toEqual([0, 1]);
-    expect(frontOf(undefined, [], 'y')).toEqual([0, 1]);
+    expect(frontOf(sided(1), [], 'y', sideByRole)[1]).toBeGreaterThan(0);
+    expect(frontOf(sided(-1), [], 'y', sideByRole)[1]).toBeLessThan(0);
+    expect(frontOf(skeleton(), [], 'y', sideByRole)).toEqual([0, 1]);
+    expect(frontOf(undefined, [], 'y', sideByRole)).toEqual([0, 1]);
   });
 });
