@@ -11,7 +11,7 @@ import { type Character, shownClip, shownSkin } from '../model/document.ts';
 import type { Dump, DumpBlock, DumpHeading, DumpKind, DumpLabel } from '../model/dump.ts';
 import { vertexCount } from '../model/skin.ts';
 import { type Entry, entriesOf, evenly, isCount, isInRows, isUnit, Misfit, oddRow, widthOf } from './dump-entries.ts';
-import { foundText } from './dump-found.ts';
+import { counted, foundText } from './dump-found.ts';
 import { JointNames, withKnownLabels, withTimes } from './dump-labels.ts';
 import { placesOf } from './dump-places.ts';
 import { isOfOneTime, readSamples } from './dump-samples.ts';
@@ -124,6 +124,7 @@ class Fit {
     const isOther = holds !== 'channels' && this.names.length > 0 && [3, 12, 16].includes(width);
     const block = withKnownLabels(withTimes(given, this.channels, isOther), this.joints);
     this.headings = dump.headings ?? [];
+    this.tellLeftOut(given, block);
     const isTimed = block.columns?.some((name) => /^(time|t|seconds)$/.test(name)) ?? false;
     if (block.channel !== undefined || holds === 'channels' || isTimed) {
       this.samplesOf(block, time);
@@ -136,6 +137,17 @@ class Fit {
     else if (kind === 'joints') this.points('positions', entries, this.names.length, time, block);
     else if (kind === 'both') this.pairs(entries, time, block);
     else this.points(kind, entries, this.vertices, time, block);
+  }
+
+  /** Rows whose names are no joint's, beside those of all joints. */
+  private tellLeftOut(given: DumpBlock, { lines }: DumpBlock): void {
+    const count = given.lines.length - lines.length;
+    if (count === 0) return;
+    const kept = new Set(lines);
+    const line = given.lines.find((each) => !kept.has(each)) ?? 0;
+    const message = `Expected numbers of the ${counted(this.names.length, 'joint')} alone, found ${counted(count, 'row')} of other names.`;
+    const fileName = this.fileNames[this.fileNames.length - 1];
+    this.diagnostics.push({ ...withoutPlace('info', 'dump-others', message, fileName, 'left out'), line, column: 1 });
   }
 
   // ——— what it is ———

@@ -247,7 +247,6 @@ describe('what else programs print is read', () => {
     'vectors over several lines': `t = 1.2\n${each((name, [x, y, z]) => `${name} Vector3 {\n  x: ${x},\n  y: ${y},\n  z: ${z}\n}`)}`,
     'names behind the numbers': `time 1.2\n${each((name, p) => `${p.join(' ')} ${name}`)}`,
     'their number before them': `time 1.2\n${names.length}\n${each((_, p) => p.join(' '))}`,
-    'other names beside them': `time 1.2\nCamera (0.5, 1.0, 5.0)\n${each((name, p) => `${name} (${p.join(', ')})`)}\nLight (2.5, 3.5, 1.5)`,
     'parents beside them': `time 1.2\n${each((name, p, j) => `${name} (parent ${names[j - 1] ?? 'none'}): ${p.join(' ')}`)}`,
     'durations beside them': `Elapsed time: 0.0023 s\nt: 1.2\n${each((name, p) => `${name} ${p.join(' ')}`)}\nDone in 12 ms.`,
     'a table with bars': `time 1.2\n| joint | x | y | z |\n|---|---|---|---|\n${each((name, p) => `| ${name} | ${p.join(' | ')} |`)}`,
@@ -258,6 +257,16 @@ describe('what else programs print is read', () => {
   };
   it.each(Object.entries(POINTS))('with %s', (_, text) => {
     expectRead([text], '\n', { positions: names.length });
+  });
+
+  it('with other names beside them, which are told', () => {
+    const rows = each((name, p) => `${name} (${p.join(', ')})`);
+    const text = `time 1.2\nCamera (0.5, 1.0, 5.0)\n${rows}\nLight (2.5, 3.5, 1.5)`;
+    const { value } = readDump(text, 'mine.txt');
+    if (!value) throw new Error('Expected a dump.');
+    const { targets, diagnostics } = fitDumps(character, [{ fileName: 'mine.txt', dump: value }], undefined);
+    expect(diagnostics).toMatchObject([{ severity: 'info', line: 2, message: expect.stringContaining('2 rows') }]);
+    expect(targets && compared(character, targets)).toMatchObject({ agrees: true });
   });
 
   const channels = clip?.channels ?? [];
