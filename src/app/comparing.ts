@@ -22,7 +22,7 @@ export function compareDropped(wb: Parts, worker: Runs<'compare'>, files: readon
   }
   const before = comparing.get();
   if (before?.characterId === character.id) {
-    void before.add(dumps);
+    void addTo(before, dumps, messages);
     return;
   }
   before?.end();
@@ -33,6 +33,29 @@ export function compareDropped(wb: Parts, worker: Runs<'compare'>, files: readon
   comparing.set(made);
   timeline.change({ tab: 'compare' });
   void tryOthers(wb, made, dumps, run);
+}
+
+/** Compares further numbers, and says what becomes of those before. */
+async function addTo(
+  comparing: DumpComparison,
+  dumps: readonly NamedDump[],
+  messages: Parts['messages'],
+): Promise<void> {
+  const before = comparing.state.get().dumps.map(({ fileName }) => fileName);
+  await comparing.add(dumps);
+  const { phase, newest, dumps: after, replaced = [] } = comparing.state.get();
+  if (phase.kind !== 'done') return;
+  const names = newest.join(', ');
+  const again = newest.filter((name) => before.includes(name));
+  const others = after.map(({ fileName }) => fileName).filter((name) => !newest.includes(name));
+  const sentences = [
+    ...(replaced.length > 0
+      ? [`${names} took the place of ${replaced.join(', ')}, which had numbers of the same times.`]
+      : []),
+    ...(again.length > 0 ? [`${again.join(', ')} took the place of the earlier numbers of that name.`] : []),
+    ...(others.length > 0 ? [`Compared along with ${others.join(', ')}.`] : []),
+  ];
+  if (sentences.length > 0) messages.note(sentences.join(' '));
 }
 
 /** Another character takes the place of one that the dumps don't fit. */

@@ -65,14 +65,14 @@ async function expectDrawn(page: Page): Promise<void> {
   const moved = 6;
   await dropFiles(page, [{ name: 'moved.txt', bytes: printed([0.8], [moved]) }]);
   await legend(page).getByText('own error').waitFor();
-  await choose(page, 'Ours');
+  await choose(page, 'Marrow’s');
   const ours = (await page.evaluate(() => window.marrow.worldMatrices()))[moved];
   const theirs = [ours[12] + 1, ours[13], ours[14]];
   const drawn = bytesOf(await colourAt(page, ours.slice(12)));
   // Slightly shaded.
   bytesOf(OWN).forEach((byte, i) => void expect(Math.abs(byte - drawn[i])).toBeLessThan(12));
   const alone = await colourAt(page, theirs);
-  await choose(page, 'Theirs');
+  await choose(page, 'Yours');
   const ghost = await colourAt(page, theirs);
   expect(ghost).not.toBe(alone);
   expect(bytesOf(ghost)[2]).toBeGreaterThan(bytesOf(ghost)[0] + 40);
@@ -113,7 +113,7 @@ describeShared('another program’s numbers', () => {
 
       await panel.locator('.compare-row', { hasText: 'knee_03_r' }).click();
       await page.locator('[role=treeitem][aria-selected=true]', { hasText: 'knee_03_r' }).waitFor();
-      const ours = panel.locator('section[aria-label=Ours] .number');
+      const ours = panel.locator('section[aria-label=Marrow’s] .number');
       const drawn = await page.evaluate(() => window.marrow.worldMatrices()[8]);
       const numbers = (await ours.allTextContents()).map((text) => Number(text.replace('−', '-')));
       numbers.forEach((number, i) => {
@@ -132,6 +132,7 @@ describeShared('another program’s numbers', () => {
       // Of the same name: in its place.
       await dropFiles(page, [{ name: 'mine@1.5.txt', bytes: printed([1.5]) }]);
       await says(page, /^All agree: 23 world matrices at 1.5 s/);
+      await page.getByText('mine@1.5.txt took the place of the earlier numbers of that name.').waitFor();
       await dropFiles(page, [{ name: 'more.txt', bytes: printed([0.5, 1], [7, 8]) }]);
       await says(page, /^Agrees at 1.5 s\. First wrong in more\.txt at 0.5 s: hip_03_r\. No known mistake/);
       await banner(page).getByRole('button', { name: 'Details' }).click();
@@ -178,6 +179,15 @@ describeShared('another program’s numbers', () => {
       await expect
         .poll(async () => (await steps.allTextContents()).map((text) => Number(text.replace('−', '-'))).slice(0, 4))
         .toEqual([0, 4, 8, 12].map((at) => expect.closeTo(still[at], 2)));
+      await page.evaluate(() => window.marrow.run('compare.stop'));
+
+      // Of the same times under another name: which is compared is said.
+      await dropFiles(page, [{ name: 'mine@1.5.txt', bytes: printed([1.5]) }]);
+      await says(page, /^All agree: 23 world matrices/);
+      await dropFiles(page, [{ name: 'other.txt', bytes: printed([1.5], [8]) }]);
+      await says(page, /^other\.txt instead of mine@1\.5\.txt\. First wrong: /);
+      await page.locator('#timeline-tab-compare').click();
+      await panel.locator('.compare-files').getByText('instead of mine@1.5.txt').waitFor();
       await page.evaluate(() => window.marrow.run('compare.stop'));
 
       await expectDrawn(page);

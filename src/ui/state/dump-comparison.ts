@@ -89,6 +89,8 @@ export interface CompareState {
   readonly dumps: readonly NamedDump[];
   /** Names of those that were given last: the banner is about them. */
   readonly newest: readonly string[];
+  /** Names of those that the newest took the place of, being of the same times; absent rather than empty. */
+  readonly replaced?: readonly string[];
   readonly tolerance: number;
   readonly phase: ComparePhase;
   readonly result?: ComparedResult;
@@ -169,8 +171,13 @@ export class DumpComparison {
     const names = new Set(dumps.map(({ fileName }) => fileName));
     const others = this.state.get().dumps.filter(({ fileName }) => !names.has(fileName));
     this.fresh = this.timed(dumps);
+    this.forgetReplaced();
     this.change({ dumps: [...others, ...this.fresh], newest: [...names] });
     return this.start();
+  }
+
+  private forgetReplaced(): void {
+    this.state.update(({ replaced: _before, ...rest }) => rest);
   }
 
   /** Removes one of several dumps. */
@@ -273,8 +280,10 @@ export class DumpComparison {
     try {
       let output = await compare(dumps);
       const isRepeated = output.diagnostics.some(({ code }) => code === 'dump-repeated');
+      let replaced: readonly string[] = [];
       if (isRepeated && this.fresh.length > 0 && this.fresh.length < all.length) {
         dumps = this.fresh;
+        replaced = all.filter((dump) => !dumps.includes(dump)).map(({ fileName }) => fileName);
         output = await compare(dumps);
       }
       const rest = withoutMisfits(dumps, output.diagnostics);
@@ -286,6 +295,7 @@ export class DumpComparison {
       }
       if (this.running !== running) return;
       this.running = undefined;
+      if (replaced.length > 0 && output.targets) this.change({ replaced });
       this.finish(character, dumps, { ...output, diagnostics: [...problems, ...output.diagnostics] });
     } catch (error) {
       // Cancelled, or followed by another.

@@ -59,7 +59,8 @@ export function bannerText({ state, character, frame, time, isNamed = false }: B
   const share = phase.kind === 'working' ? { share: phase.share } : {};
   if (!result) return { tone: 'working', text: `Comparing with ${character.name}`, ...share };
   const told = resultText({ result, newest: state.newest }, frame, time);
-  return { ...told, ...(isNamed && { text: `${character.name}: ${told.text}` }), ...share };
+  const instead = state.replaced ? `${state.newest.join(', ')} instead of ${state.replaced.join(', ')}. ` : '';
+  return { ...told, text: `${isNamed ? `${character.name}: ` : ''}${instead}${told.text}`, ...share };
 }
 
 function resultText(

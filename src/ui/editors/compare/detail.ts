@@ -68,7 +68,7 @@ export class Detail {
 
   private showMatrix({ result, frame, index }: DetailSubject, numbers: 'world' | 'local'): void {
     this.build('matrix', () =>
-      ['Theirs', 'Ours', 'Theirs − ours'].map((label, i) =>
+      ['Yours', 'Marrow’s', 'Yours − Marrow’s'].map((label, i) =>
         cardOf(
           label,
           new NumberGrid({ label, rows: 4, columns: 4, ...(i === 2 && { text: differenceText }) }),
@@ -97,12 +97,12 @@ export class Detail {
   private showPoint({ result, frame, kind, index }: DetailSubject): void {
     this.build('point', () => [
       cardOf(
-        'Theirs and ours',
+        'Yours and Marrow’s',
         new NumberGrid({
-          label: 'Theirs and ours',
+          label: 'Yours and Marrow’s',
           rows: 3,
           columns: 3,
-          rowLabels: ['theirs', 'ours', 'difference'],
+          rowLabels: ['yours', 'Marrow’s', 'difference'],
           columnLabels: ['x', 'y', 'z'],
         }),
         'compare-point',
@@ -144,7 +144,7 @@ export class Detail {
           label: 'Samples',
           rows: samples.length,
           columns: 4,
-          columnLabels: ['time', 'theirs', 'ours', 'difference'],
+          columnLabels: ['time', 'yours', 'Marrow’s', 'difference'],
         }),
         'compare-samples',
       ),

@@ -48,7 +48,7 @@ export class Findings {
       this.times,
       this.facts,
       factRow('Tolerance', this.tolerance.element),
-      factRow('Dumps', this.files),
+      factRow('Numbers', this.files),
     );
   }
 
@@ -100,8 +100,11 @@ export class Findings {
     return made;
   }
 
-  private showDumps({ dumps, result }: CompareState, isMoved: boolean): void {
-    this.files.replaceChildren(...dumps.map((dump) => this.fileRow(dump, result, dumps.length > 1, isMoved)));
+  private showDumps({ dumps, result, replaced = [] }: CompareState, isMoved: boolean): void {
+    const rows = dumps.map((dump) => this.fileRow(dump, result, dumps.length > 1, isMoved));
+    const instead =
+      replaced.length > 0 ? [element('div', { class: 'faint' }, `instead of ${replaced.join(', ')}`)] : [];
+    this.files.replaceChildren(...rows, ...instead);
   }
 
   private fileRow(

@@ -11,7 +11,7 @@ import { setTooltip } from '../../kit/tooltip.ts';
 import { heatLegend } from '../../state/heat-legend.ts';
 import type { ComparedPart } from './drawn.ts';
 
-const SIDES: Readonly<Record<ComparedSide, string>> = { ours: 'Ours', both: 'Both', theirs: 'Theirs' };
+const SIDES: Readonly<Record<ComparedSide, string>> = { ours: 'Marrow’s', both: 'Both', theirs: 'Yours' };
 const SIDE_TIPS: Readonly<Record<ComparedSide, string>> = {
   ours: 'Draw only this character',
   both: 'Draw this character, and the other program’s as a ghost',
@@ -70,7 +70,7 @@ export class CompareLegend {
     this.inherited = look('inherited', MARK_TEXTS.inherited);
     setTooltip(this.inherited, 'Wrong only because a parent is');
     setTooltip(this.own, 'Wrong by itself, relative to its parent');
-    const theirs = look('theirs', 'theirs');
+    const theirs = look('theirs', 'yours');
     this.joints.append(
       look('agrees', MARK_TEXTS.agrees),
       element('li', {}, swatch('own'), this.own),

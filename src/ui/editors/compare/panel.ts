@@ -1,5 +1,5 @@
 /**
- * *Numbers*: where another program's numbers differ from ours, and which mistakes explain it. Follows the comparison at
+ * *Compare*: where another program's numbers differ from ours, and which mistakes explain it. Follows the comparison at
  * the time shown; where none was compared near it, the first that differs is told. Escape ends the comparison.
  */
 import type { FirstWrong, FrameComparison } from '../../../lesson/compare.ts';
@@ -111,7 +111,7 @@ class ComparePanel implements TimelineTab {
       'div',
       { class: 'compare-tools' },
       this.paste,
-      act('Stop comparing', 'Forgets the dumps (Escape)', () => endComparison(wb)),
+      act('Stop comparing', 'Forgets the numbers (Escape)', () => endComparison(wb)),
     );
     this.element.append(this.start, this.body);
     this.element.addEventListener('keydown', (event) => this.onKey(event));

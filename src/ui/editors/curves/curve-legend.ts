@@ -2,12 +2,14 @@
 import { element } from '../../kit/dom.ts';
 import type { CurveScene } from './scene/scene.ts';
 
+const LABELS = { ours: 'Marrow’s', theirs: 'yours', differs: 'differs' } as const;
+
 export class CurveLegend {
   readonly element = element(
     'div',
     { class: 'curve-legend', hidden: true },
-    ...['ours', 'theirs', 'differs'].map((name) =>
-      element('span', {}, element('span', { class: `curve-legend-line ${name}`, 'aria-hidden': 'true' }), name),
+    ...(['ours', 'theirs', 'differs'] as const).map((name) =>
+      element('span', {}, element('span', { class: `curve-legend-line ${name}`, 'aria-hidden': 'true' }), LABELS[name]),
     ),
   );
 

@@ -59,7 +59,7 @@ export class CurveReadout {
   private theirsAt({ theirs, space }: CurveScene, line: CurveLine, time: number): string {
     const channel = theirs?.get(line.channel);
     const sample = channel ? sampleNear(channel, time, THEIRS_REACH / pixelsPerSecond(space)) : -1;
-    return channel && sample >= 0 ? ` · theirs ${curveValueText(this.wb, line.unit, channel.values[sample])}` : '';
+    return channel && sample >= 0 ? ` · yours ${curveValueText(this.wb, line.unit, channel.values[sample])}` : '';
   }
 }
 

@@ -60,11 +60,11 @@ function channelOf(
   };
 }
 
-/** `theirs differs by up to 0.12, first at 0.4 s`, in model units. */
+/** `yours differs by up to 0.12, first at 0.4 s`, in model units. */
 export function theirsText({ largest, firstWrong }: TheirChannel): string {
-  if (firstWrong === undefined) return 'theirs agrees';
+  if (firstWrong === undefined) return 'yours agrees';
   const size = Number.isFinite(largest) ? ` by up to ${errorSize(largest)}` : ', with values that are no numbers';
-  return `theirs differs${size}, first at ${shown(firstWrong)} s`;
+  return `yours differs${size}, first at ${shown(firstWrong)} s`;
 }
 
 /** The sample nearest to a time; −1 if there is none within `reach` seconds. */
