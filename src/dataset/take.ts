@@ -1,10 +1,10 @@
 /** A take ready to be made numbers of: what is sampled, in which space, at which frames. */
 import { retargetedTo } from '../edit/commands/retarget.ts';
-import { frameRateOf } from '../edit/frame-rate.ts';
 import { mirroringTake } from '../edit/samples/take-mirror.ts';
 import { CommandError } from '../edit/store.ts';
 import { type Frames, framesOf, MAX_FRAMES, ownFrames, playedClip } from '../evaluate/bake.ts';
-import { keyFrames } from '../evaluate/key-frames.ts';
+import { frameRateOf } from '../evaluate/frame-rate.ts';
+import { framesOfClip } from '../evaluate/key-frames.ts';
 import { runToEnd } from '../evaluate/steps.ts';
 import type { Character } from '../model/document.ts';
 import type { Skeleton } from '../model/skeleton.ts';
@@ -107,13 +107,12 @@ function retargeted(from: Character, { character, map }: RetargetTarget): Charac
 
 function sampledAt(character: Character, asked: number | undefined): { readonly frames: Frames; readonly fps: number } {
   const clip = playedClip(character);
-  const own = ownFrames(character) ?? (clip && keyFrames(clip));
-  const range = clip?.range ?? [0, 0];
-  if (!own) {
+  const rate = clip && frameRateOf(clip);
+  if (!clip || rate === undefined) {
     const fps = asked ?? DEFAULT_FPS;
-    return { frames: framesOf(range, fps), fps };
+    return { frames: framesOf(clip?.range ?? [0, 0], fps), fps };
   }
-  const rate = frameRateOf(own);
+  const own = framesOfClip(clip, rate);
   if (asked === undefined) return { frames: own, fps: rate };
   // Frames of the file in a frame: whole where the rates allow it, so that nothing is interpolated. Not counted in
   // seconds: frames of 0.0333333 s are meant to be a thirtieth, and the last of them is part of the take.

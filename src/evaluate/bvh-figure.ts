@@ -22,10 +22,10 @@ import type { CapturedFigure } from '../model/files.ts';
 import { bvhChannelsOf, dofsOf, isOfBvh, replacesOffset, stretches } from '../model/joint-types.ts';
 import { columnOf } from '../model/samples.ts';
 import { type BvhChannel, type Joint, type Skeleton, UNLIMITED } from '../model/skeleton.ts';
-import { eachFrame, type Frames, framesOf, ownFrames, playedClip } from './bake.ts';
+import { eachFrame, type Frames, framesOf, playedClip } from './bake.ts';
 import { type JointPlan, MATRIX_CHANNELS, planJoints } from './bvh-joints.ts';
 import { zxyAngles } from './euler-angles.ts';
-import { keyFrames } from './key-frames.ts';
+import { framesOfClip } from './key-frames.ts';
 import { compileSkeleton, localMatrices, worldMatrices } from './kinematics.ts';
 
 export interface BvhFigure {
@@ -51,12 +51,12 @@ function representsEndSite({ joints }: Skeleton, j: number): boolean {
 }
 
 /**
- * The default frames for sampling a character: its clip's own, or those of its evenly spaced keys, or `framesPerSecond`
- * over its clip's range; a single frame without a clip.
+ * The default frames for sampling a character: those of its clip, or `framesPerSecond` over its range; a single frame
+ * without a clip.
  */
 export function framesFor(character: Character, framesPerSecond: number): Frames {
   const clip = playedClip(character);
-  return ownFrames(character) ?? (clip && keyFrames(clip)) ?? framesOf(clip?.range ?? [0, 0], framesPerSecond);
+  return clip ? framesOfClip(clip, framesPerSecond) : framesOf([0, 0], framesPerSecond);
 }
 
 /**

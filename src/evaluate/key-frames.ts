@@ -1,24 +1,39 @@
 /**
- * Finds the frame rate of a keyed clip, if its keys have one: motion capture converted to keys has a key at every
- * frame, and sampling it at that rate gives the original.
- *
- * A clip has a rate if one channel has evenly spaced keys over the whole range, and all other keys are at some of these
- * times. Keys set by hand, one per second or so, are evenly spaced too, but sampling at them would lose the curve in
- * between. So a rate counts from 10 per second if curves are straight between keys, and from 23 (film's 23.976) if not.
+ * The frames of a take. Motion capture converted to keys has a key at every frame, and sampling it at exactly these times
+ * gives the original: if one channel has evenly spaced keys over the whole range, and all other keys are at some of these
+ * times, they are the frames.
  */
-import { type ChannelClip, type KeyedChannel, LINEAR } from '../model/clip.ts';
+import type { ChannelClip, KeyedChannel } from '../model/clip.ts';
 import { perObject } from '../model/per-object.ts';
-import type { Frames } from './bake.ts';
+import { type Frames, framesOf } from './bake.ts';
+import { frameRateOf, isStraight, leastRate } from './frame-rate.ts';
 
-const MIN_STRAIGHT = 10;
-const MIN_CURVED = 23;
+/** Relative difference of frame rates that are the same. */
+const SAME_RATE = 1e-3;
 /** Tolerance of times, as a fraction of a frame: covers the rounding of decimals in files. */
 const SAME_FRAME = 1e-4;
 
-/** The frames of all keys of a clip; undefined if it has samples or no such rate. Cached per clip. */
+/**
+ * Frames over a take: those of its samples or keys, else at its frame rate.
+ * @param framesPerSecond of a take that has none
+ */
+export function framesOfClip(clip: ChannelClip, framesPerSecond: number): Frames {
+  const { samples, range } = clip;
+  if (samples) {
+    const { startSeconds, frameSeconds, frameCount } = samples;
+    return { startSeconds, frameSeconds, frameCount };
+  }
+  const rate = frameRateOf(clip);
+  const keyed = keyFrames(clip);
+  const isSame = keyed && rate !== undefined && Math.abs(rate * keyed.frameSeconds - 1) < SAME_RATE;
+  return isSame ? keyed : framesOf(range, rate ?? framesPerSecond);
+}
+
+/** The frames of all keys of a clip; undefined if it has samples or uneven keys. Cached per clip. */
 export const keyFrames = perObject(find);
 
-function find({ channels, range, samples }: ChannelClip): Frames | undefined {
+function find(clip: ChannelClip): Frames | undefined {
+  const { channels, range, samples } = clip;
   if (samples) return undefined;
   const keyed = channels.filter((channel) => channel.kind === 'keys');
   const longest = keyed.reduce<KeyedChannel | undefined>(
@@ -28,8 +43,7 @@ function find({ channels, range, samples }: ChannelClip): Frames | undefined {
   const frames = longest && evenTimes(longest.times);
   if (!frames) return undefined;
   const { startSeconds, frameSeconds, frameCount } = frames;
-  const least = keyed.every(isStraight) ? MIN_STRAIGHT : MIN_CURVED;
-  if (!(frameSeconds * least <= 1)) return undefined;
+  if (!(frameSeconds * leastRate(isStraight(clip)) <= 1)) return undefined;
   const frameOf = (seconds: number) => (seconds - startSeconds) / frameSeconds;
   const isFrame = (seconds: number) => {
     const frame = Math.round(frameOf(seconds));
@@ -50,8 +64,4 @@ function evenTimes(times: Float64Array): Frames | undefined {
   const first = times[1] - startSeconds;
   const isExact = times.every((t, f) => t === startSeconds + f * first);
   return { startSeconds, frameSeconds: isExact ? first : mean, frameCount };
-}
-
-function isStraight({ tangentsIn, tangentsOut }: KeyedChannel): boolean {
-  return tangentsIn.kinds.every((kind) => kind === LINEAR) && tangentsOut.kinds.every((kind) => kind === LINEAR);
 }

@@ -116,6 +116,8 @@ export interface SceneTake {
   readonly name: string;
   /** First and last second. */
   readonly range: readonly [number, number];
+  /** As the file states, else of its keys, which fitting adds to; absent for keys at uneven times. */
+  readonly framesPerSecond?: number;
   /** Of each node at most one. */
   readonly moves: readonly SceneMove[];
   readonly weights: readonly SceneWeight[];

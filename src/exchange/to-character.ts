@@ -72,6 +72,7 @@ export function toCharacter(scene: Scene): WholeCharacter | undefined {
     (take, t): ChannelClip => ({
       name: takeNames.add(cleanFileName(take.name) || `animation_${t}`),
       range: take.range,
+      ...(take.framesPerSecond !== undefined && { framesPerSecond: take.framesPerSecond }),
       channels: [...jointChannels(joints, slots, motions, take), ...weightsOf(take)],
     }),
   );

@@ -13,6 +13,8 @@ export interface ChannelClip {
   /** First and last second played; independent of the keys, and may be negative. */
   readonly range: readonly [number, number];
   readonly channels: readonly Channel[];
+  /** As the file states, or as its keys had it when they were read; absent: as the keys have it (`frame-rate.ts`). */
+  readonly framesPerSecond?: number;
   /** Drives the sampled channels. A channel with a column here is sampled or keyed, never at rest. */
   readonly samples?: Samples;
   /** Labels of times and spans, by time; absent rather than empty. */

@@ -1,6 +1,7 @@
 /** A take frame by frame, as points in metres with y up and the ground at 0. */
 import { playedClip } from '../evaluate/bake.ts';
 import { bareFigure } from '../evaluate/figure-frames.ts';
+import { framesOfClip } from '../evaluate/key-frames.ts';
 import { type CompiledSkeleton, compileSkeleton, worldMatrices } from '../evaluate/kinematics.ts';
 import { metresPerUnit } from '../evaluate/metres.ts';
 import { dofCountOf, type PoseSource, poseFrom, poseSource } from '../evaluate/pose.ts';
@@ -10,8 +11,8 @@ import type { Character } from '../model/document.ts';
 import type { Skeleton } from '../model/skeleton.ts';
 import { DEFAULT_SPACE, type Space } from '../model/space.ts';
 
-/** Frames per second of takes without samples. */
-const RATE = 60;
+/** Frames per second of takes that have none. */
+export const KEYED_RATE = 60;
 const MOST_KEYED_FRAMES = 100_000;
 
 export interface TakeFrames {
@@ -51,12 +52,9 @@ export function displayedFrames(character: Character): TakeFrames | undefined {
 
 /** @param offsetSeconds from the figure's time to that of the clip */
 function framesOfFigure(figure: Character, skeleton: Skeleton, clip: ChannelClip, offsetSeconds: number): TakeFrames {
-  const { samples, range } = clip;
   const space = figure.space ?? DEFAULT_SPACE;
   const source = poseSource(figure);
-  const frameSeconds = samples?.frameSeconds ?? 1 / RATE;
-  const keyed = Math.min(MOST_KEYED_FRAMES, Math.max(1, Math.round((range[1] - range[0]) / frameSeconds) + 1));
-  const startSeconds = samples?.startSeconds ?? range[0];
+  const { startSeconds, frameSeconds, frameCount } = framesOfClip(clip, KEYED_RATE);
   const compiled = compileSkeleton(skeleton);
   const ends = skeleton.joints.flatMap(({ endSites = [] }, joint) => endSites.map((at) => ({ joint, at })));
   const posing: Posing = {
@@ -74,7 +72,7 @@ function framesOfFigure(figure: Character, skeleton: Skeleton, clip: ChannelClip
   return {
     skeleton,
     clip,
-    count: samples?.frameCount ?? keyed,
+    count: clip.samples ? frameCount : Math.min(MOST_KEYED_FRAMES, frameCount),
     frameSeconds,
     startSeconds,
     pointCount: skeleton.joints.length + ends.length,

@@ -1,17 +1,16 @@
 /** What a list says about a take without anybody having looked at it. */
+import { frameRateOf } from '../evaluate/frame-rate.ts';
+import { framesOfClip } from '../evaluate/key-frames.ts';
 import type { ChannelClip } from '../model/clip.ts';
 import type { Skeleton } from '../model/skeleton.ts';
 import type { Space } from '../model/space.ts';
 import { checkTake } from './check-take.ts';
+import { KEYED_RATE } from './frames.ts';
 import type { TakeFacts } from './list.ts';
 
-/** Frames per second at which a take of keys is counted. */
-const RATE = 60;
-
 export function takeFacts(skeleton: Skeleton, clip: ChannelClip, space: Space | undefined): TakeFacts {
-  const { samples, range } = clip;
-  const seconds = range[1] - range[0];
-  const fps = samples ? 1 / samples.frameSeconds : RATE;
-  const frames = samples?.frameCount ?? Math.round(seconds * fps) + 1;
+  const seconds = clip.range[1] - clip.range[0];
+  const fps = frameRateOf(clip) ?? KEYED_RATE;
+  const frames = framesOfClip(clip, KEYED_RATE).frameCount;
   return { frames, fps, seconds, joints: skeleton.joints.length, flags: checkTake(skeleton, clip, space) };
 }

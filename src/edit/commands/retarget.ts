@@ -5,6 +5,7 @@
  * follows. Baking samples what is displayed.
  */
 import { bakeClip, framesOf } from '../../evaluate/bake.ts';
+import { frameRateOf } from '../../evaluate/frame-rate.ts';
 import '../../evaluate/retarget/driving.ts';
 import { automaticPairs } from '../../evaluate/retarget/match.ts';
 import { movedDofs } from '../../evaluate/retarget/moved-dofs.ts';
@@ -123,7 +124,7 @@ export const clearRetarget: Command<OfDriven> = {
 };
 
 export interface BakeRetarget extends OfDriven {
-  /** Default: the rate of the source's take, or 30 for keys. */
+  /** Default: the rate of the source's take, or 30 if it has none. */
   readonly framesPerSecond?: number | undefined;
   /** Default: the character's and the source take's name, `walker_dance`. A name in use gets a number. */
   readonly name?: string | undefined;
@@ -140,7 +141,7 @@ export const bakeRetarget: Command<BakeRetarget> = {
     changeCharacter(document, characterId, (c) => {
       const skeleton = requireSkeleton(c);
       const { clip, timeOffsetSeconds } = requireDriver(c).source;
-      const own = clip.samples ? 1 / clip.samples.frameSeconds : 30;
+      const own = clip.samples ? 1 / clip.samples.frameSeconds : (frameRateOf(clip) ?? 30);
       const rate = framesPerSecond === undefined ? own : finiteNumber(framesPerSecond, '"framesPerSecond"');
       if (!(rate > 0)) throw new CommandError(`Frames per second must be greater than 0, found ${rate}.`);
       // Frames are baked at times of the source's take, and shifted to those of this character's take.

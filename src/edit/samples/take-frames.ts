@@ -2,6 +2,7 @@
  * Takes as frames that can be joined, cut and blended: every DOF of the character sampled, from the first channel on.
  */
 import { bakeClip, framesOf, ownFrames } from '../../evaluate/bake.ts';
+import { frameRateOf } from '../../evaluate/frame-rate.ts';
 import { type ChannelClip, SAMPLED } from '../../model/clip.ts';
 import type { Character } from '../../model/document.ts';
 import { characterDofs, jointDofCount, rootDofCount } from '../../model/dofs.ts';
@@ -11,14 +12,18 @@ import { firstFrameFrom, framesBetween, lastFrameTo, requireSamples } from './fr
 import { refuseTooMany } from './most-frames.ts';
 import { takeAlone } from './take-alone.ts';
 
-/** Frames per second of takes that have only keys. */
+/** Frames per second of takes that have none. */
 export const KEYED_RATE = 60;
 
 /**
  * The frames of a take's playback range. Those of captures are the same numbers; keys, and takes with both, are sampled
  * at the take's own frame rate or at the given one.
  */
-export function takeFrames(character: Character, clip: ChannelClip, framesPerSecond = KEYED_RATE): Samples {
+export function takeFrames(
+  character: Character,
+  clip: ChannelClip,
+  framesPerSecond = frameRateOf(clip) ?? KEYED_RATE,
+): Samples {
   const { samples } = clip;
   const width = characterDofs(character.skeleton, character.morphs).length;
   const isAll =

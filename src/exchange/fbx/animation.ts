@@ -3,15 +3,19 @@
  * curve for each axis that moves.
  */
 
+import { rateOfTimes } from '../../evaluate/frame-rate.ts';
 import { NOISE } from '../noise.ts';
 import { curveOf, evaluateCurve, type FbxCurve, staysAt } from './curve.ts';
 import { type FbxDocument, type FbxObject, partsOfKind } from './document.ts';
 import type { FbxReport } from './failure.ts';
+import { timeModeRate } from './time-mode.ts';
 
 export interface FbxTake {
   readonly name: string;
   /** First and last second. */
   readonly range: readonly [number, number];
+  /** As the file states, else of its keys; absent if these are uneven. */
+  readonly framesPerSecond?: number;
   readonly layers: readonly FbxLayer[];
 }
 
@@ -45,7 +49,13 @@ export function takesOf(document: FbxDocument, report: FbxReport): FbxTake[] {
   const stacks = document.objects.filter(({ kind }) => kind === 'AnimationStack');
   return stacks.map((stack) => {
     const layers = partsOfKind(document, stack, 'AnimationLayer').map((layer) => layerOf(document, layer, report));
-    return { name: stack.name, range: rangeOf(stack, layers, document.ticks), layers };
+    const framesPerSecond = timeModeRate(document.settings) ?? rateOfTimes(timesOf(layers), false);
+    return {
+      name: stack.name,
+      range: rangeOf(stack, layers, document.ticks),
+      ...(framesPerSecond !== undefined && { framesPerSecond }),
+      layers,
+    };
   });
 }
 
@@ -113,6 +123,11 @@ function firstNumber({ record, properties }: FbxObject): number {
     }
   }
   return 0;
+}
+
+function timesOf(layers: readonly FbxLayer[]): readonly Float64Array[] {
+  const driven = layers.flatMap((layer) => [...layer.driven.values()]);
+  return driven.flatMap(({ curves }) => curves.flatMap((curve) => (curve ? [curve.times] : [])));
 }
 
 /** As the stack says; without that, from the first to the last key. */

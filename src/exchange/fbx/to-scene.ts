@@ -170,7 +170,8 @@ function takeOf(
   const weights = meshes.flatMap(({ sources }, mesh) =>
     sources.flatMap((source, target) => weightOf(take, source, mesh, target)),
   );
-  return { name: take.name, range: take.range, moves, weights };
+  const { name, range, framesPerSecond } = take;
+  return { name, range, ...(framesPerSecond !== undefined && { framesPerSecond }), moves, weights };
 }
 
 /** How a take drives the weight of a shape; nothing if it doesn't. */

@@ -5,6 +5,7 @@
  *     LINEAR        linear; quaternions by slerp
  *     CUBICSPLINE   the slopes of the file, per second
  */
+import { rateOfTimes } from '../../evaluate/frame-rate.ts';
 import { type Channel, FIXED_TANGENT, FLAT, type KeyedChannel, LINEAR, type Tangents } from '../../model/clip.ts';
 import type { Budget } from '../budget.ts';
 import { ImportError, type Remarks } from '../imported.ts';
@@ -45,6 +46,8 @@ export function readTakes(
     const moves = new Map<number, { -readonly [K in keyof SceneMove]: SceneMove[K] }>();
     const weights: SceneWeight[] = [];
     const weighted = new Set<number>();
+    const times: Float64Array[] = [];
+    let isStraight = true;
     let range: readonly [number, number] | undefined;
     for (const item of listOf(json.channels)) {
       const channel = objectOf(item) ?? {};
@@ -61,6 +64,8 @@ export function readTakes(
       const read = width > 0 ? readSampler(accessors, sampler, width, called, remarks) : undefined;
       if (!read) continue;
       budget.spend((path === 'rotation' ? PER_ROTATION : PER_VALUE * width) * read.times.length, called);
+      times.push(read.times);
+      isStraight &&= read.interpolation !== 'cubic';
       const [first, last] = [read.times[0], read.times[read.times.length - 1]];
       range = range ? [Math.min(range[0], first), Math.max(range[1], last)] : [first, last];
       if (node === undefined) continue;
@@ -85,7 +90,16 @@ export function readTakes(
       remarks.leaveOut(`animation ${a}, which moves nothing here`);
       return [];
     }
-    return [{ name: textOf(json.name) ?? '', range, moves: [...moves.values()], weights }];
+    const framesPerSecond = rateOfTimes(times, isStraight);
+    return [
+      {
+        name: textOf(json.name) ?? '',
+        range,
+        ...(framesPerSecond !== undefined && { framesPerSecond }),
+        moves: [...moves.values()],
+        weights,
+      },
+    ];
   });
 }
 

@@ -8,7 +8,7 @@ import { CommandError } from '../../edit/store.ts';
 import { framesOf, MAX_FRAMES, ownFrames, playedClip } from '../../evaluate/bake.ts';
 import type { BvhFigure } from '../../evaluate/bvh-figure.ts';
 import { framesFor, toBvhFigure } from '../../evaluate/bvh-figure.ts';
-import { keyFrames } from '../../evaluate/key-frames.ts';
+import { frameRateOf } from '../../evaluate/frame-rate.ts';
 import type { ChannelClip } from '../../model/clip.ts';
 import { type Diagnostic, withoutPlace } from '../../model/diagnostic.ts';
 import type { Character } from '../../model/document.ts';
@@ -69,9 +69,9 @@ function named(character: Character, framesPerSecond: number | undefined, name: 
   return { name, ...made, diagnostics: isAssumed ? [rateAssumed(clip, name), ...made.diagnostics] : made.diagnostics };
 }
 
-/** Whether a clip has a frame rate of its own: samples, or keys at a constant rate. */
+/** Whether a clip has a frame rate of its own. */
 export function hasOwnRate(clip: ChannelClip): boolean {
-  return clip.samples !== undefined || keyFrames(clip) !== undefined;
+  return frameRateOf(clip) !== undefined;
 }
 
 function rateAssumed(clip: ChannelClip, name: string): Diagnostic {

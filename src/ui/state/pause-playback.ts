@@ -4,7 +4,7 @@
  * stops on the nearest frame, as in Maya and Blender. What is shown then is what is keyed. (Continuing playback and
  * keying the nearest frame would key another pose than the one on screen.)
  */
-import { playsSamples, sharedFrameRate } from '../../edit/frame-rate.ts';
+import { playsFrames } from '../../edit/frame-rate.ts';
 import { pause } from '../../edit/playback.ts';
 import type { Uses, Workbench } from './workbench.ts';
 
@@ -15,9 +15,7 @@ type Parts = Pick<Workbench, 'store' | 'transport' | 'timeline'>;
  * Otherwise it rests at the exact time.
  */
 export function stopsOnFrame({ store, timeline }: Uses<'store' | 'timeline'>): boolean {
-  const { document } = store;
-  const hasFrames = sharedFrameRate(document) !== undefined || playsSamples(document);
-  return timeline.view.get().snapsToFrames || hasFrames;
+  return timeline.view.get().snapsToFrames || playsFrames(store.document);
 }
 
 /** Stops playback before a key is made at the current time. If paused, the time stays. */

@@ -1,5 +1,6 @@
 /** The take with the focus plays in the viewport, in place of the document's characters, without being opened. */
 import { countedAt, DEFAULT_PLAYBACK, pause, play } from '../../../edit/playback.ts';
+import { frameRateOf } from '../../../evaluate/frame-rate.ts';
 import { rangeOfClips, shownClip } from '../../../model/document.ts';
 import type { Workbench } from '../../state/workbench.ts';
 
@@ -39,7 +40,7 @@ export class ShownTake {
     const clip = shownClip(found);
     if (!clip) return;
     const isStill = window.matchMedia('(prefers-reduced-motion: reduce)').matches;
-    const fps = clip.samples && 1 / clip.samples.frameSeconds;
+    const fps = frameRateOf(clip);
     transport.update((now) => {
       const next = { ...countedAt(now, fps), range: clip.range, timeSeconds: clip.range[0] };
       return (before ? now.playing : !isStill) ? play(next) : pause(next, false);
