@@ -1,9 +1,10 @@
 /** `marrow convert IN… OUT.glb`: one character with its takes, for programs that read glTF. */
 import { resolve } from 'node:path';
+import { spaceText } from '../evaluate/space.ts';
 import type { GlbOptions } from '../exchange/glb/options.ts';
 import { diagnosticsOf } from '../exchange/glb/report.ts';
 import { TakeError } from '../exchange/glb/take-motion.ts';
-import type { Diagnostic } from '../model/diagnostic.ts';
+import { type Diagnostic, withoutPlace } from '../model/diagnostic.ts';
 import { type Character, type Document, EMPTY_DOCUMENT } from '../model/document.ts';
 import { byPath, type ParsedFile } from '../model/files.ts';
 import { openFiles } from '../project/open/open-files.ts';
@@ -12,7 +13,13 @@ import { type Arguments, numberOf, UsageError } from './arguments.ts';
 import { writeOutput } from './write-output.ts';
 
 /** Options of `convert` for `.glb` only. */
-export const GLB_OPTIONS = { keys: 'value', influences: 'value', take: 'value', 'no-body': 'flag' } as const;
+export const GLB_OPTIONS = {
+  keys: 'value',
+  influences: 'value',
+  take: 'value',
+  'no-body': 'flag',
+  raw: 'flag',
+} as const;
 
 export function isGlb(name: string): boolean {
   return /\.glb$/i.test(name);
@@ -21,7 +28,7 @@ export function isGlb(name: string): boolean {
 /** @throws UsageError if options for `.glb` are given with another output */
 export function refuseGlbOptions(given: Arguments): void {
   const own = (['keys', 'influences', 'take'] as const).find((name) => given.value(name) !== undefined);
-  const name = own ?? (given.flag('no-body') ? 'no-body' : undefined);
+  const name = own ?? (['no-body', 'raw'] as const).find((flag) => given.flag(flag));
   if (name) throw new UsageError(`--${name} is for .glb files; the output must end in .glb.`);
 }
 
@@ -58,7 +65,7 @@ export async function convertToGlb(
     );
   }
   try {
-    const written = await write(whole[0], options, name, resolve(folder, out));
+    const written = await write(whole[0], options, given.flag('raw'), name, resolve(folder, out));
     return { ...written, diagnostics: [...diagnostics, ...written.diagnostics] };
   } catch (error) {
     if (!(error instanceof TakeError)) throw error;
@@ -78,13 +85,31 @@ function leftOut({ characters, unused }: Document, whole: readonly Character[]):
   ];
 }
 
-async function write(character: Character, options: GlbOptions, name: string, path: string): Promise<WrittenGlb> {
+/** @param isRaw whether the file's own unit, axes and origin are kept, rather than glTF's metres and y up */
+async function write(
+  character: Character,
+  options: GlbOptions,
+  isRaw: boolean,
+  name: string,
+  path: string,
+): Promise<WrittenGlb> {
   const { writeGlb } = await import('../exchange/glb/write.ts');
-  const { pieces, report } = writeGlb(character, options, false);
+  const { pieces, report } = writeGlb(character, options, !isRaw);
   const written = writeOutput(path, pieces);
-  if ('bytes' in written) return { bytes: written.bytes, diagnostics: diagnosticsOf(report, name) };
+  if ('bytes' in written) {
+    return {
+      bytes: written.bytes,
+      diagnostics: [...(isRaw ? [] : spaceTold(character, name)), ...diagnosticsOf(report, name)],
+    };
+  }
   const message = `The file could not be written: ${written.failure}.`;
   return { bytes: 0, diagnostics: [refusal('file-not-written', message, name)] };
+}
+
+function spaceTold({ space }: Character, name: string): readonly Diagnostic[] {
+  if (space?.known !== 'guessed') return [];
+  const message = `The input is taken as ${spaceText(space)}, as guessed, and stands in metres; --raw keeps its numbers.`;
+  return [withoutPlace('info', 'space-guessed', message, name)];
 }
 
 function readOptions(

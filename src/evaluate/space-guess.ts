@@ -14,10 +14,17 @@ import { GROUND_PERCENTILE } from './space.ts';
 
 /** Assumed height of a person, metres; figures get the unit that brings them closest. */
 const PERSON = 1.7;
-/** A figure that no unit brings within this factor of a person's height is scaled to that height. */
-const MAX_DEVIATION = 2;
 /** Candidate units, most common first, for ties. */
 const GUESSED_UNITS = ['centimetres', 'metres', 'inches', 'millimetres', 'cmu', 'decimetres'] as const;
+type GuessedUnit = (typeof GUESSED_UNITS)[number];
+/** Units that most files are in. */
+export const COMMON_UNITS: ReadonlySet<GuessedUnit> = new Set(['centimetres', 'metres', 'millimetres']);
+/**
+ * How far from a person's height a unit may leave a figure, as a factor: people are children, too, but few are in inches,
+ * and figures that aren't recognised as people are animals of any size.
+ */
+const COMMON_DEVIATION = { person: 2, other: 5 } as const;
+const RARE_DEVIATION = { person: 1.3, other: 2 } as const;
 /** Percentile of the frames' heights: a figure that stands in one of ten frames is measured standing. */
 const STANDING = 0.9;
 /** A ground level off by less than this fraction of the height is kept. */
@@ -28,8 +35,9 @@ const BELIEVED = 0.006;
  *
  * - Up: see `upOf`.
  * - Unit: the one that brings the figure closest to 1.7 m, as a ratio: the sum of its bones from sole to head, or the
- *   height of its frames if its parts are not recognised. If none is within a factor of 2, the figure is made 1.7 m tall
- *   (`own`): its true size is unknown, but it can be seen beside others.
+ *   height of its frames if its parts are not recognised; of those too, a common unit that is near before a rare one that
+ *   is nearer. If none is near (`COMMON_DEVIATION`), the figure is made 1.7 m tall (`own`): its true size is unknown, but it
+ *   can be seen beside others.
  * - Lift: puts the lowest joint or End Site on the ground, at the 15th percentile of the frames.
  */
 export function guessSpace(skeleton: Skeleton, clip: ChannelClip | undefined): Space {
@@ -47,11 +55,17 @@ export function guessSharedSpace(figures: readonly CapturedFigure[]): FileSpace 
   return { space, standing };
 }
 
-/** Metres per unit that make a figure as tall as a person. */
-export function metresForPerson(skeleton: Skeleton, clip: ChannelClip | undefined, up: Space['up']): number {
+/** How tall a figure is, in its own units, and whether its parts are recognised as those of a person. */
+export function figureHeight(skeleton: Skeleton, clip: ChannelClip | undefined, up: Space['up']) {
   const body = bodyOf(skeleton);
   const frames = frameShapes(skeleton, clip);
   const height = heightOf(body, frames, clip !== undefined, up === 'z' ? 2 : 1);
+  return { height, isPerson: body !== undefined };
+}
+
+/** Metres per unit that make a figure as tall as a person. */
+export function metresForPerson(skeleton: Skeleton, clip: ChannelClip | undefined, up: Space['up']): number {
+  const { height } = figureHeight(skeleton, clip, up);
   return height > 0 && Number.isFinite(height) ? Number((PERSON / height).toPrecision(3)) : 1;
 }
 
@@ -63,7 +77,7 @@ function guessed(skeleton: Skeleton, clip: ChannelClip | undefined): FileSpace &
   const height = heightOf(body, frames, clip !== undefined, axis);
   if (!(height > 0) || !Number.isFinite(height))
     return { space: { ...DEFAULT_SPACE, up, known: 'guessed' }, standing: 0, height: 0 };
-  const sized = unitFor(height);
+  const sized = unitFor(height, body !== undefined || isTall(frames, axis));
   const metres = metresPerUnit({ ...sized, up, lift: 0 });
   const lows = frames.map(({ min }) => min[axis]);
   const low = metres * percentile(lows, GROUND_PERCENTILE);
@@ -161,17 +175,32 @@ function heightOf(body: Body | undefined, frames: readonly FrameShape[], moving:
   return Math.max(...[0, 1, 2].map((k) => extent(frames[0], k)));
 }
 
-function unitFor(height: number): Pick<Space, 'unit' | 'metres'> {
-  let best: (typeof GUESSED_UNITS)[number] = GUESSED_UNITS[0];
-  let least = Infinity;
-  for (const unit of GUESSED_UNITS) {
-    const off = Math.abs(Math.log((METRES[unit] * height) / PERSON));
-    if (off >= least) continue;
-    least = off;
-    best = unit;
-  }
-  if (least <= Math.log(MAX_DEVIATION)) return { unit: best };
-  return { unit: 'own', metres: Number((PERSON / height).toPrecision(3)) };
+/** Part of its width that the height of one must be who may be a person with arms held out. */
+const TALL = 0.8;
+
+/** Whether a figure is usually taller than it is long: animals seldom are. */
+function isTall(frames: readonly FrameShape[], axis: 1 | 2): boolean {
+  const ratios = frames.map(({ min, max }) => {
+    const [x, y, z] = [0, 1, 2].map((k) => max[k] - min[k]);
+    return axis === 2 ? z / Math.max(x, y) : y / Math.max(x, z);
+  });
+  return !(percentile(ratios, 0.5) < TALL);
+}
+
+function unitFor(height: number, isPerson: boolean): Pick<Space, 'unit' | 'metres'> {
+  const who = isPerson ? 'person' : 'other';
+  const units = unitsByHeight(height);
+  const near = units.filter(
+    ({ unit, off }) => off <= Math.log((COMMON_UNITS.has(unit) ? COMMON_DEVIATION : RARE_DEVIATION)[who]),
+  );
+  const best = isPerson ? near[0] : (near.find(({ unit }) => COMMON_UNITS.has(unit)) ?? near[0]);
+  return best ? { unit: best.unit } : { unit: 'own', metres: Number((PERSON / height).toPrecision(3)) };
+}
+
+/** Units by how near to a person's height they bring a figure, the nearest first; `off`: logarithm of the factor. */
+export function unitsByHeight(height: number): readonly { readonly unit: GuessedUnit; readonly off: number }[] {
+  const units = GUESSED_UNITS.map((unit) => ({ unit, off: Math.abs(Math.log((METRES[unit] * height) / PERSON)) }));
+  return units.sort((a, b) => a.off - b.off);
 }
 
 /** Cosine of the largest slant of one who stands: 37°. */
@@ -192,10 +221,12 @@ const CLEARLY = 0.05;
  *
  * The axis along which the file pose stands is believed, unless the take stands along the other one, and on a better
  * ground: one who lies does so too, but on a worse ground. Without a standing file pose (in LAFAN1 its bones lie along
- * x) the ground decides between axes along which the take stands, or between both. Most files are y up.
+ * x) the ground decides between axes along which the take stands, or between both. Most files are y up. Animals stand on
+ * their legs in their file pose, whatever their trunk does.
  *
- * Of figures whose parts are not recognised, up is from the feet (or else the hips) to the head by their names; without
- * names the axis along which the figure extends most, frame by frame.
+ * Of figures whose parts are not recognised, up is the axis along which nearly all is above the feet: along the others
+ * there is a tail behind them, and a head in front. Without two feet up is from the one or the hips to the head, by their names, and
+ * without names the axis along which the figure extends most, frame by frame.
  */
 function upOf(skeleton: Skeleton, body: Body | undefined, frames: readonly FrameShape[], moving: boolean) {
   if (!body) return { up: upByNames(skeleton, frames), standing: 0 };
@@ -207,10 +238,10 @@ function upOf(skeleton: Skeleton, body: Body | undefined, frames: readonly Frame
   );
   const [ground, groundZ] = ([1, 2] as const).map((axis) => unevenness(frames, axis, size));
   const rest = restOf(skeleton);
-  const restZ = stands(rest, body, 2);
+  const restZ = stands(rest, body, 2) || (onLegs(rest, body, 2) && !onLegs(rest, body, 1));
   const found = (up: Space['up']) => ({ up, standing: up === 'z' ? z : y });
   if (!moving) return found(restZ ? 'z' : 'y');
-  if (restZ || stands(rest, body, 1)) {
+  if (restZ || stands(rest, body, 1) || onLegs(rest, body, 1)) {
     const [own, other] = restZ ? [z, y] : [y, z];
     const [ownGround, otherGround] = restZ ? [groundZ, ground] : [ground, groundZ];
     const isOther = own < OFTEN && other >= OFTEN && otherGround + CLEARLY < ownGround;
@@ -220,17 +251,25 @@ function upOf(skeleton: Skeleton, body: Body | undefined, frames: readonly Frame
   return found(mayBeZ && groundZ + CLEARLY < ground ? 'z' : 'y');
 }
 
+/** Component along the axis of the direction from one joint to another. */
+function along(frame: FrameShape, axis: 1 | 2, a: number, b: number): number {
+  return (frame.points[3 * b + axis] - frame.points[3 * a + axis]) / (distance(frame, a, b) || 1);
+}
+
 function stands(frame: FrameShape, body: Body, axis: 1 | 2): boolean {
-  const along = (a: number, b: number) =>
-    (frame.points[3 * b + axis] - frame.points[3 * a + axis]) / (distance(frame, a, b) || 1);
   const { hips, head, legs } = body;
   return (
-    along(hips, head) > ALONG &&
-    legs.every(([thigh, shin, foot]) => {
-      const length = distance(frame, thigh, shin) + distance(frame, shin, foot);
-      return along(foot, thigh) > ALONG && distance(frame, foot, thigh) > STRETCHED * length;
-    })
+    along(frame, axis, hips, head) > ALONG &&
+    onLegs(frame, body, axis) &&
+    legs.every(
+      ([thigh, shin, foot]) =>
+        distance(frame, foot, thigh) > STRETCHED * (distance(frame, thigh, shin) + distance(frame, shin, foot)),
+    )
   );
+}
+
+function onLegs(frame: FrameShape, { legs }: Body, axis: 1 | 2): boolean {
+  return legs.every(([thigh, , foot]) => along(frame, axis, foot, thigh) > ALONG);
 }
 
 /** How little an axis has a ground: distance of the usual lowest point from 0, and its variation; in figure heights. */
@@ -241,31 +280,43 @@ function unevenness(frames: readonly FrameShape[], axis: 1 | 2, size: number): n
 }
 
 const HEAD = /head/i;
-const FOOT = /foot|ankle|toe/i;
+const FOOT = /foot|feet|ankle|toe|paw|hoof/i;
 const HIPS = /hip|pelvis/i;
+/** How much more of a figure must be above its feet along z than along y, of all of it. */
+const MORE = 0.1;
 
 function upByNames({ joints }: Skeleton, frames: readonly FrameShape[]): Space['up'] {
   const named = (pattern: RegExp) => joints.flatMap(({ name }, j) => (pattern.test(name) ? [j] : []));
-  const [head] = named(HEAD);
   const feet = named(FOOT);
-  const low = feet.length ? feet : named(HIPS).slice(0, 1);
+  if (feet.length > 1) {
+    const own = new Set(feet);
+    const others = joints.flatMap((_, j) => (own.has(j) ? [] : [j]));
+    const [y, z] = ([1, 2] as const).map((axis) => partAbove(frames, feet, others, axis));
+    return z > y + MORE ? 'z' : 'y';
+  }
+  const [head] = named(HEAD);
+  const [low] = [...feet, ...named(HIPS)];
   let y = 0;
   let z = 0;
-  if (head !== undefined && low.length) {
-    for (const frame of frames) {
-      for (const j of low) {
-        y += frame.points[3 * head + 1] - frame.points[3 * j + 1];
-        z += frame.points[3 * head + 2] - frame.points[3 * j + 2];
-      }
-    }
+  for (const { points } of head !== undefined && low !== undefined ? frames : []) {
+    y += points[3 * head + 1] - points[3 * low + 1];
+    z += points[3 * head + 2] - points[3 * low + 2];
   }
-  if (y === 0 && z === 0 && joints.length > 0) {
-    for (const { min, max } of frames) {
-      y += max[1] - min[1];
-      z += max[2] - min[2];
-    }
-    // Most files are y up, so z must be clearly larger.
-    return z > 1.2 * y ? 'z' : 'y';
+  if (y !== 0 || z !== 0) return Math.abs(z) > Math.abs(y) ? 'z' : 'y';
+  for (const { min, max } of joints.length > 0 ? frames : []) {
+    y += max[1] - min[1];
+    z += max[2] - min[2];
   }
-  return Math.abs(z) > Math.abs(y) ? 'z' : 'y';
+  // Most files are y up, so z must be clearly larger.
+  return z > 1.2 * y ? 'z' : 'y';
+}
+
+/** Part of these joints, over all frames, that are above the middle of the feet along an axis. */
+function partAbove(frames: readonly FrameShape[], feet: readonly number[], others: readonly number[], axis: 1 | 2) {
+  let above = 0;
+  for (const { points } of frames) {
+    const level = feet.reduce((sum, j) => sum + points[3 * j + axis], 0) / feet.length;
+    for (const j of others) if (points[3 * j + axis] > level) above++;
+  }
+  return above / Math.max(1, frames.length * others.length);
 }

@@ -11,6 +11,17 @@ import { DEFAULT_SPACE, type Space } from '../model/space.ts';
 import { frameShapes, percentile } from './frame-shapes.ts';
 import { metresPerUnit } from './metres.ts';
 
+/** `centimetres`, for messages. */
+export function unitText({ unit, ...space }: Space): string {
+  if (unit === 'own') return `units of ${Number(metresPerUnit({ unit, ...space }).toPrecision(3))} m`;
+  return unit === 'cmu' ? 'CMU units' : unit === 'asIs' ? 'units as they are' : unit;
+}
+
+/** `centimetres, y up`, for messages. */
+export function spaceText(space: Space): string {
+  return `${unitText(space)}, ${space.up} up`;
+}
+
 /** The up axis in the character's own space: 1 for y, 2 for z. */
 export function upAxis(space: Space = DEFAULT_SPACE): 1 | 2 {
   return space.up === 'z' ? 2 : 1;

@@ -104,7 +104,7 @@ describeShared('real takes', () => {
       const { skeleton, clips, space } = captured(file);
       if (!skeleton) throw new Error('No skeleton.');
       const lying = laidDown(skeleton, clips[0]);
-      expect(guessSpace(lying.skeleton, lying.clip)).toEqual({ up: 'y', unit: space?.unit, lift: 0 });
+      expect(guessSpace(lying.skeleton, lying.clip)).toEqual({ up: 'y', unit: space?.unit, lift: 0, known: 'guessed' });
     },
   );
 

@@ -3,6 +3,7 @@ import { describe, expect, it } from 'vitest';
 import { metresPerUnit } from '../../src/evaluate/metres.ts';
 import { applySpace, liftOntoGround } from '../../src/evaluate/space.ts';
 import { guessSpace, metresForPerson } from '../../src/evaluate/space-guess.ts';
+import type { Joint } from '../../src/model/skeleton.ts';
 import type { LengthUnit } from '../../src/model/space.ts';
 import { type FigureOptions, figure, take } from '../helpers/mocap.ts';
 
@@ -40,6 +41,26 @@ describe('the unit of a figure that does not say', () => {
     expect(metresForPerson(skeleton, clip, 'y')).toBe(space.metres);
   });
 
+  it.each([43, 44])('%d high is no unit’s: a person of 1.1 m in inches is unlikely', (height) => {
+    const { skeleton, clip } = standing({ height });
+    const space = guessSpace(skeleton, clip);
+    expect(space.unit).toBe('own');
+    expect(height * metresPerUnit(space)).toBeCloseTo(1.7, 2);
+  });
+
+  it('the unit of a figure that is no person is a common one, if that leaves it at any size of animals', () => {
+    for (const [height, unit] of [
+      [40, 'centimetres'],
+      [0.5, 'metres'],
+      [400, 'centimetres'],
+      [900, 'millimetres'],
+      [16, 'decimetres'],
+    ] as const) {
+      const { skeleton, clip } = animal(height, 'y');
+      expect(guessSpace(skeleton, clip).unit, String(height)).toBe(unit);
+    }
+  });
+
   it('leaves every figure between half a person’s height and twice of it', () => {
     fc.assert(
       fc.property(fc.double({ min: 0.01, max: 1e5, noNaN: true }), (height) => {
@@ -75,6 +96,44 @@ describe('the up axis of a figure that does not say', () => {
 
   it.each(['y', 'z'] as const)('%s is seen in a rest pose alone', (up) => {
     expect(guessSpace(figure({ up }), undefined).up).toBe(up);
+  });
+});
+
+/** A chicken that pecks: the head before and below its back, a tail behind, two feet with toes. */
+function animal(height: number, up: 'y' | 'z', isNamed = true, sunk = 0) {
+  const at = (x: number, y: number, z: number): readonly [number, number, number] =>
+    up === 'y' ? [x * height, y * height, z * height] : [x * height, -z * height, y * height];
+  const { joints } = figure({ height, up });
+  const [root, , leg] = joints;
+  const part = (name: string, parent: number, offset: readonly [number, number, number]): Joint => ({
+    ...leg,
+    name: isNamed ? name : `b${name.length}`,
+    parent,
+    offset,
+    endSites: [],
+  });
+  const skeleton = {
+    name: 'chicken',
+    joints: [
+      { ...root, name: isNamed ? 'pelvis' : 'r' },
+      part('neck', 0, at(0, 0.2, 0.5)),
+      part('head', 1, at(0, -0.4, 0.6)),
+      part('tail1', 0, at(0, 0.1, -0.3)),
+      part('tail2', 3, at(0, 0.2, -0.5)),
+      part('L_toe', 0, at(0.1, -0.6, 0.1)),
+      part('R_toe', 0, at(-0.1, -0.6, 0.1)),
+    ],
+  };
+  return { skeleton, clip: take(skeleton, [at(0, 0.6 - sunk, 0), at(0, 0.6 - sunk, 0.3)]) };
+}
+
+describe('the up axis of an animal', () => {
+  it.each(['y', 'z'] as const)('%s is where all is above its feet, wherever the head is', (up) => {
+    for (const sunk of [0, 0.6]) {
+      const { skeleton, clip } = animal(40, up, true, sunk);
+      expect(guessSpace(skeleton, clip).up).toBe(up);
+      expect(guessSpace(skeleton, undefined).up).toBe(up);
+    }
   });
 });
 

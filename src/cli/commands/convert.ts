@@ -29,7 +29,7 @@ import { writeOutput } from '../write-output.ts';
 export const convert: CliCommand = {
   name: 'convert',
   usage:
-    'IN… OUT [--fps N] [--tolerance T] [--json]  |  IN… OUT.glb [--keys linear|cubic] [--influences N] [--take NAME] [--no-body] …  |  IN… --to skel|anim|bvh|rig [--out FOLDER] [--force] …',
+    'IN… OUT [--fps N] [--tolerance T] [--json]  |  IN… OUT.glb [--keys linear|cubic] [--influences N] [--take NAME] [--no-body] [--raw] …  |  IN… --to skel|anim|bvh|rig [--out FOLDER] [--force] …',
   summary:
     'writes OUT in the format of its extension, or all of IN as files of one kind (skel: with its animations; rig: with all parts)',
   details: `what is done to takes before they are written

@@ -40,7 +40,7 @@ export interface GlbProgress {
 
 /**
  * A character as a GLB file.
- * @param isPlaced whether it is where it is in the scene, rather than in its own space
+ * @param isPlaced whether it is where it is in the scene, upright and in metres, rather than in its own space
  * @throws TakeError, in a sentence, if a take can't be written or isn't there
  */
 export function writeGlb(
