@@ -19,6 +19,7 @@ import { asksWhereToSave, pickTarget, versionOnDisk, writeTo } from './io/disk-f
 import { download } from './io/download.ts';
 import { onLaunched } from './io/launched.ts';
 import { trustOwnScripts } from './io/trusted-scripts.ts';
+import type { Character } from './model/document.ts';
 import type { DumpFile } from './project/open/open-files.ts';
 import { oncePerFrame } from './ui/kit/frame.ts';
 import { observable } from './ui/kit/observable.ts';
@@ -49,7 +50,21 @@ const viewport = viewportIn(viewportElement);
 const spawnWorker = () => new Worker(new URL('./worker/entry.ts', import.meta.url), { type: 'module' });
 const worker = new WorkerClient(spawnWorker);
 const reducesMotion = () => window.matchMedia('(prefers-reduced-motion: reduce)').matches;
-const opener = new Opener({ store, transport, messages, loading, viewport, worker, reducesMotion, compare });
+const offerSpaces = async (opened: readonly Character[]) => {
+  const offers = await import('./app/space-offers.ts').catch(() => undefined);
+  offers?.offerSpaces({ store, messages, viewport }, opened);
+};
+const opener = new Opener({
+  store,
+  transport,
+  messages,
+  loading,
+  viewport,
+  worker,
+  reducesMotion,
+  compare,
+  offerSpaces,
+});
 const timeline = new Timeline();
 const compareWorker = new WorkerClient(spawnWorker);
 const samples = listSamples(document.baseURI);

@@ -32,6 +32,8 @@ export interface OpeningParts {
   reducesMotion(): boolean;
   /** Takes dumps that were opened, once their character is; absent: nothing is compared. */
   compare?(dumps: readonly DumpFile[]): void;
+  /** Tells how new characters were taken whose file doesn't say; absent: nothing is told. */
+  offerSpaces?(opened: readonly Character[]): void;
 }
 
 /** What one opening added to the document. */
@@ -143,6 +145,9 @@ export class Opener {
         },
       );
       if (result.dumps.length > 0) this.parts.compare?.(result.dumps);
+      const fresh = result.opened.filter((id) => !findCharacter(before, id));
+      const known = fresh.flatMap((id) => findCharacter(store.document, id) ?? []).filter((c) => c.space?.known);
+      if (known.length > 0) this.parts.offerSpaces?.(known);
       const unseen =
         reloads === undefined ? unseenChanges(before, result.document, output.files, output.diagnostics) : undefined;
       // Errors stay in the line instead: they say themselves what became of their files.

@@ -24,12 +24,11 @@ export function messageLine(wb: Uses<'messages' | 'timeline' | 'settings'>): HTM
     const first = unread.at(-1);
     region.hidden = first === undefined && passing === undefined;
     if (passing !== undefined) {
-      const { offer } = messages;
       region.className = 'message-line severity-info';
       region.replaceChildren(
         icon('info'),
         element('span', { class: 'message-text' }, passing),
-        offer ? offerButton(offer) : '',
+        ...messages.offers.map(offerButton),
         button('Dismiss', { class: 'tool small' }, icon('close'), () => messages.passing.set(undefined)),
       );
       return;

@@ -42,8 +42,8 @@ export class Messages {
   readonly list: Observable<readonly Message[]> = observable<readonly Message[]>([]);
   /** A confirmation: shown briefly, never listed. */
   readonly passing: Observable<string | undefined> = observable<string | undefined>(undefined);
-  /** Of the passing confirmation. */
-  offer: Offer | undefined;
+  /** Of the passing message. */
+  offers: readonly Offer[] = [];
   private passingIsOver: IsOver | undefined;
   /** Counts requests to show the list. */
   readonly listAsked: Observable<number> = observable(0);
@@ -58,7 +58,7 @@ export class Messages {
    */
   note(text: string, severity: Severity = 'info', lasting: Lasting = 'until a step', isOver?: IsOver): void {
     this.given++;
-    this.offer = undefined;
+    this.offers = [];
     if (severity === 'info') {
       this.passingIsOver = isOver;
       this.passing.set(cutMessage(text));
@@ -71,18 +71,35 @@ export class Messages {
   /** Adds an error with buttons. It stays in the line until read. */
   fault(text: string, offers: readonly Offer[]): void {
     this.given++;
-    this.offer = undefined;
+    this.offers = [];
     this.add({ text, severity: 'error', diagnostics: [], offers });
   }
 
   /** Adds a confirmation with a button, for what has no key on a touch screen. */
   confirm(text: string, offer: Offer, isOver?: IsOver): void {
     this.given++;
-    this.offer = offer;
+    this.offers = [offer];
     this.passingIsOver = isOver;
     // Said again, it has another button.
     this.passing.set(undefined);
     this.passing.set(text);
+  }
+
+  /** Adds an info with buttons: listed, since it is of use later too, and shown briefly, unless a worse one is there. */
+  suggest(text: string, offers: readonly Offer[], isOver: IsOver): void {
+    this.given++;
+    this.add({ text, severity: 'info', diagnostics: [], offers }, false);
+    if (this.list.get().some((m) => m.unread)) return;
+    this.offers = offers;
+    this.passingIsOver = isOver;
+    this.passing.set(undefined);
+    this.passing.set(text);
+  }
+
+  /** Removes a message with that text: it was dealt with. */
+  withdraw(text: string): void {
+    if (this.passing.get() === text) this.passing.set(undefined);
+    this.keep((m) => m.text !== cutMessage(text));
   }
 
   /** Messages given so far, passing ones too. */

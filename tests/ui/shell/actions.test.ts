@@ -307,7 +307,7 @@ it('removing a character says so, and the button beside it brings the character 
     ?.run(wb);
   expect(wb.store.document.characters).toEqual([]);
   expect(wb.messages.passing.get()).toBe('wasp was removed.');
-  expect(wb.messages.offer?.label).toBe('Undo');
-  wb.messages.offer?.run();
+  expect(wb.messages.offers[0]?.label).toBe('Undo');
+  wb.messages.offers[0]?.run();
   expect(wb.store.document).toEqual(before);
 });

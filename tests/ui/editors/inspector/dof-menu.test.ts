@@ -11,7 +11,7 @@ it('a key on a sampled curve is offered with converting it by the menu of its va
   const entries = dofEntries(wb, before.characters[0], [4], () => {});
   for (const entry of entries) if (entry.kind === 'item' && entry.label === 'Key at current time') entry.run();
   expect(wb.store.document).toBe(before);
-  await vi.waitUntil(() => wb.messages.offer, { interval: 1, timeout: 20_000 });
+  await vi.waitUntil(() => wb.messages.offers[0], { interval: 1, timeout: 20_000 });
   expect(wb.messages.passing.get()).toContain('at every frame, and no single keys');
-  expect(wb.messages.offer?.label).toBe('Convert to keys and key');
+  expect(wb.messages.offers[0]?.label).toBe('Convert to keys and key');
 });

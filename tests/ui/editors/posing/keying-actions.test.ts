@@ -288,7 +288,7 @@ describe('keying a capture', () => {
     poseAt(wasp(wb), seconds, out);
     return out;
   };
-  const offered = (wb: Workbench) => vi.waitUntil(() => wb.messages.offer, WHILE_LOADING);
+  const offered = (wb: Workbench) => vi.waitUntil(() => wb.messages.offers[0], WHILE_LOADING);
 
   it('K on a capture says why not in one message, whose button converts the joint’s curves and keys, in one step', async () => {
     const wb = posed();
@@ -344,7 +344,7 @@ describe('keying a capture', () => {
     runAction(wb, 'key.changed');
     expect(wb.messages.passing.get()).toContain('Nothing to key');
     expect(wb.messages.passing.get()).not.toContain('keys the whole pose');
-    expect(wb.messages.offer).toBeUndefined();
+    expect(wb.messages.offers[0]).toBeUndefined();
   });
 
   it('with auto-key on, a change over samples offers the same, and no other change does', async () => {

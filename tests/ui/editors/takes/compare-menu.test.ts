@@ -64,7 +64,7 @@ it('a take without a joint in common says what to do when it is chosen', () => {
   if (chosen?.kind === 'item') chosen.refuse?.();
   expect(chosen).toMatchObject({ enabled: false });
   expect(wb.messages.passing.get()).toContain('Edit > Retarget take');
-  wb.messages.offer?.run();
+  wb.messages.offers[0]?.run();
   expect(wb.dialog.get()).toBe('retarget');
   expect(wb.timeline.takes.comparison.get()).toBeUndefined();
 });

@@ -92,9 +92,9 @@ describe('values set by hand and not keyed', () => {
     await expect
       .poll(() => wb.messages.passing.get())
       .toBe('Unkeyed change discarded. Ctrl+Z restores it, K keys such changes.');
-    expect(wb.messages.offer?.label).toBe('Undo');
+    expect(wb.messages.offers[0]?.label).toBe('Undo');
     const step = wb.store.undoLabel;
-    wb.messages.offer?.run();
+    wb.messages.offers[0]?.run();
     expect([step, wb.store.redoLabel]).toEqual([expect.any(String), step]);
     wb.store.redo();
   });

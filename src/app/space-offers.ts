@@ -1,0 +1,74 @@
+/**
+ * Tells how characters that were just opened were taken where their file states no unit and no up axis, or a unit that
+ * can hardly be, and offers each other way as a button.
+ */
+import { setSpace } from '../edit/commands/spaces.ts';
+import type { Store } from '../edit/store.ts';
+import { spaceText, unitText } from '../evaluate/space.ts';
+import { spaceChoices } from '../evaluate/space-choices.ts';
+import { type Character, findCharacter, shownClip } from '../model/document.ts';
+import { skeletonKey } from '../model/skeleton-key.ts';
+import type { Space } from '../model/space.ts';
+import { shown } from '../ui/kit/number-text.ts';
+import { attempt } from '../ui/state/attempt.ts';
+import type { Messages, Offer } from '../ui/state/messages.ts';
+import type { WorkbenchStage } from '../ui/state/workbench.ts';
+
+interface Parts {
+  readonly store: Store;
+  readonly messages: Messages;
+  readonly viewport: Pick<WorkbenchStage, 'reveal'>;
+}
+
+/** Skeletons told of; what is wrong with thousands is seen in a few. */
+const MOST_TOLD = 3;
+
+/** @param opened new characters; those of one skeleton have one space, and are told of once */
+export function offerSpaces(parts: Parts, opened: readonly Character[]): void {
+  const seen = new Set<string>();
+  for (const character of opened) {
+    const { skeleton, space } = character;
+    const key = skeleton && skeletonKey(skeleton);
+    if (!skeleton || !space || key === undefined || seen.has(key)) continue;
+    seen.add(key);
+    const choices = spaceChoices(skeleton, shownClip(character), space);
+    if (!choices) continue;
+    const tall = `${rough(choices.height)} m tall`;
+    const text =
+      space.known === 'stated'
+        ? `${character.name} is ${tall}, in ${unitText(space)} as its file states.`
+        : `${character.name} is taken as ${spaceText(space)}, as guessed: ${tall}.`;
+    parts.messages.suggest(
+      text,
+      choices.others.map((other) => offerOf(parts, character, other, text)),
+      () => findCharacter(parts.store.document, character.id)?.space !== space,
+    );
+    if (seen.size >= MOST_TOLD) return;
+  }
+}
+
+function offerOf({ store, messages, viewport }: Parts, character: Character, space: Space, text: string): Offer {
+  const { id, name } = character;
+  return {
+    label: labelOf(space, character.space),
+    run: () => {
+      if (!findCharacter(store.document, id)) {
+        messages.note(`${name} is not open any more.`, 'warning');
+        return;
+      }
+      attempt(messages, () => store.apply(setSpace, { characterId: id, space, ofSkeleton: true }));
+      messages.withdraw(text);
+      viewport.reveal(id);
+    },
+  };
+}
+
+/** What differs: `Z up`, `Inches`, `1.7 m tall`. */
+function labelOf(space: Space, now: Space | undefined): string {
+  if (space.up !== now?.up) return `${space.up.toUpperCase()} up`;
+  if (space.unit === 'own') return '1.7 m tall';
+  const [first, ...rest] = unitText(space);
+  return `${first.toUpperCase()}${rest.join('')}`;
+}
+
+const rough = (metres: number) => shown(Number(metres.toPrecision(3)));
