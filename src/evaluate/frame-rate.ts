@@ -52,7 +52,7 @@ const MIN_CURVED = 23;
 /** Rates at which a few keys may be on a grid of frames and leave most of it empty. */
 const COMMON = [24, 25, 30, 60].flatMap((rate) => [rate, rate / TELEVISION]);
 /** Fraction of the frames that have keys, at any other rate: times of two decimals are all on a grid of 100 per second. */
-const MIN_KEYED = 0.25;
+const MIN_KEYED = 0.5;
 /** Keys that are closer, in seconds, are one moment: a step. */
 const SAME_MOMENT = 4e-4;
 /** Lists of times of one length, start and end that another is compared with. */
