@@ -1,5 +1,6 @@
 /** `marrow convert IN… OUT.glb`: one character with its takes, for programs that read glTF. */
 import { resolve } from 'node:path';
+import { CommandError } from '../edit/store.ts';
 import { spaceText } from '../evaluate/space.ts';
 import type { GlbOptions } from '../exchange/glb/options.ts';
 import { diagnosticsOf } from '../exchange/glb/report.ts';
@@ -10,6 +11,7 @@ import { byPath, type ParsedFile } from '../model/files.ts';
 import { openFiles } from '../project/open/open-files.ts';
 import { refusal } from '../project/save/conversion.ts';
 import { type Arguments, numberOf, UsageError } from './arguments.ts';
+import type { PickOptions } from './convert-one.ts';
 import { writeOutput } from './write-output.ts';
 
 /** Options of `convert` for `.glb` only. */
@@ -43,7 +45,7 @@ export async function convertToGlb(
   files: readonly ParsedFile[],
   out: string,
   folder: string,
-  common: { readonly framesPerSecond?: number; readonly tolerance?: number },
+  { edit, ...common }: PickOptions,
 ): Promise<WrittenGlb> {
   const options = readOptions(given, common);
   const name = out.slice(Math.max(out.lastIndexOf('/'), out.lastIndexOf('\\')) + 1);
@@ -65,10 +67,12 @@ export async function convertToGlb(
     );
   }
   try {
-    const written = await write(whole[0], options, given.flag('raw'), name, resolve(folder, out));
+    const [character] = whole;
+    const edited = edit ? edit(character) : character;
+    const written = await write(edited, options, given.flag('raw'), name, resolve(folder, out));
     return { ...written, diagnostics: [...diagnostics, ...written.diagnostics] };
   } catch (error) {
-    if (!(error instanceof TakeError)) throw error;
+    if (!(error instanceof TakeError || error instanceof CommandError)) throw error;
     return failed('conversion-refused', error.message);
   }
 }

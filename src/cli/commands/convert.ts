@@ -5,20 +5,22 @@
  *
  * `marrow convert IN… OUT.glb`: a character with its takes (`convert-glb.ts`).
  *
- * `marrow convert IN… --to KIND`: everything in IN, files and folders, into files of their own (`convert-many.ts`).
+ * `marrow convert IN… --to KIND`: everything in IN, files and folders, into files of their own (`convert-many.ts`); takes
+ * that are edited, and GLB, one by one (`export/`).
  */
 import { basename, resolve } from 'node:path';
 import { withEditedTakes } from '../../dataset/edited-take.ts';
 import { type Diagnostic, hasErrors } from '../../model/diagnostic.ts';
 import { isSaved, WRITABLE_EXTENSIONS } from '../../project/kinds.ts';
 import { formatOf } from '../../project/readers.ts';
-import { refusal, TARGETS } from '../../project/save/conversion.ts';
+import { refusal } from '../../project/save/conversion.ts';
 import type { ConversionOptions } from '../../project/save/copies.ts';
 import { type Arguments, numberOf, parseArguments, UsageError } from '../arguments.ts';
 import { convertToGlb, GLB_OPTIONS, isGlb, refuseGlbOptions } from '../convert-glb.ts';
 import { convertMany, type WrittenFile } from '../convert-many.ts';
 import { type Edit, pickOrRefuse } from '../convert-one.ts';
 import { exportGiven } from '../export/export-given.ts';
+import { MOTION_KINDS } from '../export/motion-files.ts';
 import { EDITING, editingOf, firstGiven, SHARING } from '../export/switches.ts';
 import { inSpaceOf, loadTarget } from '../export/target.ts';
 import type { CliCommand, CommandIo, ExitCode } from '../io.ts';
@@ -29,11 +31,11 @@ import { writeOutput } from '../write-output.ts';
 export const convert: CliCommand = {
   name: 'convert',
   usage:
-    'IN… OUT [--fps N] [--tolerance T] [--json]  |  IN… OUT.glb [--keys linear|cubic] [--influences N] [--take NAME] [--no-body] [--raw] …  |  IN… --to skel|anim|bvh|rig [--out FOLDER] [--force] …',
+    'IN… OUT [--fps N] [--tolerance T] [--json]  |  IN… OUT.glb [--keys linear|cubic] [--influences N] [--take NAME] [--no-body] [--raw] …  |  IN… --to skel|anim|bvh|rig|glb [--out FOLDER] [--force] …',
   summary:
-    'writes OUT in the format of its extension, or all of IN as files of one kind (skel: with its animations; rig: with all parts)',
+    'writes OUT in the format of its extension, or all of IN as files of one kind (skel: with its animations; rig: with all parts; glb: a character for each take)',
   details: `what is done to takes before they are written
-  --retarget FILE        onto the skeleton in FILE
+  --retarget FILE        onto the character in FILE; given again, onto that in several files, its .skel and .skin
   --map FILE             joint pairs for it, lines "target,source"; default: matched by name and shape
   --space FILE           takes of the skeleton in FILE have its unit, up axis and ground; default: each its own
   --mirror               left and right exchanged, before --retarget
@@ -93,10 +95,10 @@ function readOptions(given: Arguments): ConversionOptions {
 }
 
 async function toKind(given: Arguments, to: string, io: CommandIo): Promise<ExitCode> {
-  const target = TARGETS.find((t) => t === to.replace(/^\./, '').toLowerCase());
-  if (!target) throw new UsageError(`--to takes one of ${TARGETS.join(', ')}, found "${to}".`);
+  const target = MOTION_KINDS.find((kind) => kind === to.replace(/^\./, '').toLowerCase());
+  if (!target) throw new UsageError(`--to takes one of ${MOTION_KINDS.join(', ')}, found "${to}".`);
   const out = given.value('out');
-  if (firstGiven(given, { ...EDITING, ...SHARING }) !== undefined) {
+  if (target === 'glb' || firstGiven(given, { ...EDITING, ...SHARING }) !== undefined) {
     const { tolerance } = readOptions(given);
     const own = {
       to: target,
@@ -132,9 +134,6 @@ function labelOf(path: string): string {
 async function toFile(given: Arguments, io: CommandIo): Promise<ExitCode> {
   const [ins, out] = [given.files.slice(0, -1), given.files.at(-1)];
   if (out === undefined || ins.length === 0) throw new UsageError('convert needs an input file and an output file.');
-  const editing = firstGiven(given, EDITING);
-  if (isGlb(out) && editing !== undefined)
-    throw new UsageError(`--${editing} is not for .glb files; convert to .bvh first.`);
   if (isGlb(out)) return toGlb(given, ins, out, io);
   const format = formatOf(out);
   if (!format || !isSaved(format.format)) {
@@ -167,11 +166,12 @@ async function toFile(given: Arguments, io: CommandIo): Promise<ExitCode> {
 }
 
 async function toGlb(given: Arguments, ins: readonly string[], out: string, io: CommandIo): Promise<ExitCode> {
+  const options = { ...readOptions(given), edit: await editOf(given, io) };
   const { files, diagnostics: read } = await loadAny(ins, io.folder);
   const diagnostics = [...read];
   let bytes = 0;
   if (!hasErrors(diagnostics)) {
-    const written = await convertToGlb(given, files, out, io.folder, readOptions(given));
+    const written = await convertToGlb(given, files, out, io.folder, options);
     diagnostics.push(...written.diagnostics);
     bytes = written.bytes;
   }

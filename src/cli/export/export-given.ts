@@ -41,7 +41,7 @@ async function exportAll(given: Arguments, io: CommandIo, own: OwnSettings): Pro
   const out = given.value('out');
   if (out === undefined) throw new UsageError('--out is missing: the folder for the exported files.');
   const editing = editingOf(given);
-  const { retarget, map, space } = editing;
+  const { retarget = [], map, space } = editing;
   const fps = positive(given, 'fps');
   const [shard, threads] = [shardOf(given), jobsOf(given)];
   const resumes = given.flag('resume');
@@ -61,7 +61,7 @@ async function exportAll(given: Arguments, io: CommandIo, own: OwnSettings): Pro
         isTimed: !given.flag('no-times'),
       },
       ...{ inputs, shard, resumes, threads },
-      dependsOn: [retarget, map, space].flatMap((path) => (path === undefined ? [] : resolve(io.folder, path))),
+      dependsOn: [...retarget, map, space].flatMap((path) => (path === undefined ? [] : resolve(io.folder, path))),
     },
     io.program,
     (done, of, failed) => io.progress?.(progressText(done, of, failed, left(done, of))),

@@ -40,6 +40,8 @@ export function metaOf(
     mirror: isMirrored ?? false,
     ...(fps !== undefined && { fps }),
     ...(crop && { crop: [crop.from ?? null, crop.to ?? null] }),
-    ...(retarget !== undefined && { retarget: { to: retarget, ...(map !== undefined && { map }) } }),
+    ...(retarget !== undefined && {
+      retarget: { to: retarget.length === 1 ? retarget[0] : retarget, ...(map !== undefined && { map }) },
+    }),
   };
 }

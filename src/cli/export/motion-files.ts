@@ -1,29 +1,44 @@
 /** Takes as files of motion, for `marrow convert`. */
 import { withEditedTakes } from '../../dataset/edited-take.ts';
 import type { TakeOptions } from '../../dataset/take.ts';
+import { CommandError } from '../../edit/store.ts';
+import { DEFAULT_GLB } from '../../exchange/glb/options.ts';
+import { TakeError } from '../../exchange/glb/take-motion.ts';
 import type { Character } from '../../model/document.ts';
-import { outputsOf, TARGETS, type Target } from '../../project/save/conversion.ts';
+import { outputsOf, TARGETS } from '../../project/save/conversion.ts';
 import type { ExportedFile } from './formats.ts';
 
-export function isMotion(to: string): to is Target {
-  return TARGETS.some((target) => target === to);
+/** What takes are written as, one by one: `glb` with all of the character. */
+export const MOTION_KINDS = [...TARGETS, 'glb'] as const;
+export type MotionKind = (typeof MOTION_KINDS)[number];
+
+export function isMotion(to: string): to is MotionKind {
+  return MOTION_KINDS.some((kind) => kind === to);
 }
 
 /** The files of the shown take: of `skel` the take comes after its skeleton. @throws CommandError */
-export function motionFiles(
+export async function motionFiles(
   character: Character,
-  to: Target,
+  to: MotionKind,
   { fps, tolerance, ...options }: TakeOptions & { readonly tolerance?: number },
-): readonly ExportedFile[] {
+): Promise<readonly ExportedFile[]> {
   const { clips, shownClip, parts, ...rest } = character;
   const own = { ...rest, clips: clips.slice(shownClip, shownClip + 1), shownClip: 0 };
   const edited = withEditedTakes(own, options);
-  const made = outputsOf([edited], to, {
-    ...(fps !== undefined && { framesPerSecond: fps }),
-    ...(tolerance !== undefined && { tolerance }),
-  });
-  return made.map((output) => ({
+  const asked = { ...(fps !== undefined && { framesPerSecond: fps }), ...(tolerance !== undefined && { tolerance }) };
+  if (to === 'glb') return [{ ending: 'glb', pieces: await glbPieces(edited, { ...DEFAULT_GLB, ...asked }) }];
+  return outputsOf([edited], to, asked).map((output) => ({
     ending: output.name.slice(output.name.lastIndexOf('.') + 1),
     pieces: output.pieces(),
   }));
+}
+
+async function glbPieces(character: Character, options: typeof DEFAULT_GLB) {
+  const { writeGlb } = await import('../../exchange/glb/write.ts');
+  try {
+    return writeGlb(character, options, true).pieces;
+  } catch (error) {
+    if (!(error instanceof TakeError)) throw error;
+    throw new CommandError(error.message);
+  }
 }

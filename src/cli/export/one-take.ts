@@ -136,7 +136,7 @@ async function takesOf(
     const { to } = settings;
     const check = settings.isChecked && !isMotion(to) ? checkOf(take, character) : undefined;
     const made = isMotion(to)
-      ? motionFiles(character, to, options)
+      ? await motionFiles(character, to, options)
       : FORMATS[to].write(takeArrays(take, pool, check), metaOf(character, take, input, hash, settings));
     const { output, bytes } = writeTake(stem, made, settings);
     const now = performance.now();

@@ -1,7 +1,7 @@
 import type { Precision } from '../../dataset/float-pool.ts';
 import type { TakeOptions } from '../../dataset/take.ts';
-import type { Target } from '../../project/save/conversion.ts';
 import type { ExportFormat } from './formats.ts';
+import type { MotionKind } from './motion-files.ts';
 import type { TargetFiles } from './target.ts';
 
 /** The same for all takes of an export. */
@@ -12,7 +12,7 @@ export interface ExportSettings extends TargetFiles, Omit<TakeOptions, 'target'>
   readonly out: string;
   readonly scratch: string;
   /** Numbers, or files of motion. */
-  readonly to: ExportFormat | Target;
+  readonly to: ExportFormat | MotionKind;
   /** Of keys made of samples; absent: the default. */
   readonly tolerance?: number;
   readonly precision: Precision;

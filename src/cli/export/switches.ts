@@ -25,11 +25,12 @@ export function firstGiven(given: Arguments, types: OptionTypes): string | undef
 
 /** What takes are edited by, with the target as its files. @throws UsageError */
 export function editingOf(given: Arguments): TargetFiles & Pick<TakeOptions, 'crop' | 'isMirrored'> {
-  const [retarget, map, space] = ['retarget', 'map', 'space'].map((name) => given.value(name));
-  if (map !== undefined && retarget === undefined) throw new UsageError('--map needs --retarget.');
+  const [map, space] = ['map', 'space'].map((name) => given.value(name));
+  const retarget = given.values('retarget');
+  if (map !== undefined && retarget.length === 0) throw new UsageError('--map needs --retarget.');
   const crop = cropOf(given);
   return {
-    ...(retarget !== undefined && { retarget }),
+    ...(retarget.length > 0 && { retarget }),
     ...(map !== undefined && { map }),
     ...(space !== undefined && { space }),
     ...(crop && { crop }),

@@ -16,7 +16,8 @@ import { describe } from '../report.ts';
 
 /** As written on the command line. */
 export interface TargetFiles {
-  readonly retarget?: string;
+  /** The files of one character: `.skel`, `.skin` and so on. */
+  readonly retarget?: readonly string[];
   readonly map?: string;
   readonly space?: string;
 }
@@ -33,7 +34,7 @@ export interface Target {
 /** @throws UsageError if a file can't be read, or is not what it should be */
 export async function loadTarget({ retarget, map, space }: TargetFiles, folder: string): Promise<Target> {
   const spaces = new Map<string, Space>();
-  for (const { skeleton, space: own } of space === undefined ? [] : await charactersIn(space, folder, '--space')) {
+  for (const { skeleton, space: own } of space === undefined ? [] : await charactersIn([space], folder, '--space')) {
     if (skeleton && own) spaces.set(skeletonKey(skeleton), own);
   }
   if (space !== undefined && spaces.size === 0) {
@@ -44,7 +45,7 @@ export async function loadTarget({ retarget, map, space }: TargetFiles, folder: 
   if (retarget === undefined) return { spaces };
   const characters = (await charactersIn(retarget, folder, '--retarget')).map((c) => inSpaceOf(c, spaces));
   const [first] = characters;
-  if (!first) throw new UsageError(`--retarget takes a file with a skeleton; ${retarget} has none.`);
+  if (!first) throw new UsageError(`--retarget takes a file with a skeleton; ${retarget.join(', ')} has none.`);
   const read = map === undefined ? undefined : readMap(map, folder);
   return {
     retargetOf(take) {
@@ -65,9 +66,9 @@ export function inSpaceOf(character: Character, spaces: Spaces): Character {
   return space ? { ...character, space } : character;
 }
 
-async function charactersIn(path: string, folder: string, option: string): Promise<readonly Character[]> {
-  refuseOthers(path, folder, option);
-  const { document, diagnostics } = openLoaded(await loadAny([path], folder));
+async function charactersIn(paths: readonly string[], folder: string, option: string): Promise<readonly Character[]> {
+  for (const path of paths) refuseOthers(path, folder, option);
+  const { document, diagnostics } = openLoaded(await loadAny(paths, folder));
   const error = diagnostics.find(({ severity }) => severity === 'error');
   if (error) throw new UsageError(`${option}: ${describe(error)}`);
   return document.characters.filter(({ skeleton }) => skeleton);
