@@ -17,6 +17,7 @@ import { Jitter } from './checks/jitter.ts';
 import { Limits } from './checks/limits.ts';
 import { Spikes } from './checks/spikes.ts';
 import { stillFrames } from './checks/still.ts';
+import { Turned } from './checks/turned.ts';
 import type { Flag } from './flags.ts';
 import { displayedFrames, type TakeFrames, takeFrames } from './frames.ts';
 import { survey } from './survey.ts';
@@ -39,6 +40,7 @@ export class TakeCheck {
       new FootSliding(frames, surveyed),
       new Floor(frames),
       new Limits(frames, surveyed, metresPerUnit(space)),
+      new Turned(frames, surveyed),
       new Bones(frames, surveyed),
     ];
   }

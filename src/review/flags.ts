@@ -8,9 +8,20 @@
  * - `frozen`: no value changes for a while.
  * - `duplicate`: frames repeat the one before, within a movement.
  * - `limit`: a joint is beyond its limits, or an elbow or a knee bends as none can.
+ * - `turned`: a foot or a hand points where none can, against the body or up from the floor.
  * - `bone`: a bone changes its length, or differs from that of the other side.
  */
-export const FLAG_KINDS = ['spike', 'jitter', 'slide', 'floor', 'frozen', 'duplicate', 'limit', 'bone'] as const;
+export const FLAG_KINDS = [
+  'spike',
+  'jitter',
+  'slide',
+  'floor',
+  'frozen',
+  'duplicate',
+  'limit',
+  'turned',
+  'bone',
+] as const;
 export type FlagKind = (typeof FLAG_KINDS)[number];
 
 export interface Flag {
@@ -21,7 +32,7 @@ export interface Flag {
   /** The joint that it is about, if it is about one. */
   readonly joint?: string;
   /**
-   * How much: metres; of `frozen` seconds, of `duplicate` the number of frames, of `limit` radians.
+   * How much: metres; of `frozen` seconds, of `duplicate` the number of frames, of `limit` and `turned` radians.
    */
   readonly amount: number;
 }
@@ -37,6 +48,7 @@ const UNITS: Readonly<Record<FlagKind, FlagUnit>> = {
   frozen: 's',
   duplicate: 'frames',
   limit: 'deg',
+  turned: 'deg',
   bone: 'm',
 };
 
@@ -49,6 +61,7 @@ const EQUALLY_BAD: Readonly<Record<FlagKind, number>> = {
   frozen: 1,
   duplicate: 5,
   limit: Math.PI / 6,
+  turned: Math.PI / 6,
   bone: 0.05,
 };
 

@@ -1,5 +1,6 @@
 /** Faults planted in real takes are found at their moment, and takes without faults have no flags. */
 import { describe, expect, it } from 'vitest';
+import { bakeRetarget } from '../../src/edit/commands/retarget.ts';
 import { guessSpace } from '../../src/evaluate/space-guess.ts';
 
 import type { ChannelClip } from '../../src/model/clip.ts';
@@ -10,7 +11,9 @@ import type { BvhChannel, Skeleton } from '../../src/model/skeleton.ts';
 import type { Space } from '../../src/model/space.ts';
 import { checkTake } from '../../src/review/check-take.ts';
 import { type Flag, type FlagKind, flagText } from '../../src/review/flags.ts';
-import { sharedFigures } from '../helpers/bvh-files.ts';
+import { captured, retargeted } from '../evaluate/retarget/captures.ts';
+import { documentOf } from '../helpers/builders.ts';
+import { BVH_FILES, sharedFigures } from '../helpers/bvh-files.ts';
 import { figure } from '../helpers/mocap.ts';
 import { describeShared } from '../helpers/shared.ts';
 
@@ -62,6 +65,44 @@ function newFlags(take: Take, clip: ChannelClip, kind: FlagKind): readonly Flag[
 }
 
 describeShared('faults planted in real takes', () => {
+  const mixamo = takeOf('mixamo-names.bvh');
+  const whole = (take: Take) => [0, take.clip.samples.frameCount - 1] as const;
+
+  it.each([
+    ['toes up the shin', 'LeftFoot', 'rx', -90],
+    ['toes to the back', 'RightFoot', 'rx', 100],
+    ['heels in front', 'LeftFoot', 'ry', 180],
+    ['a hand folded back', 'RightHand', 'rz', 140],
+  ] as const)('a foot or a hand that points where none can is found: %s', (_, joint, channel, degrees) => {
+    const name = `mixamorig:${joint}`;
+    const clip = planted(mixamo, name, channel, whole(mixamo), (_f, was) => was + degrees);
+    expect(newFlags(mixamo, clip, 'turned').map((flag) => flag.joint)).toContain(name);
+    // A heel strikes for a moment only.
+    const short = planted(mixamo, name, channel, [10, 20], (_f, was) => was + degrees);
+    expect(newFlags(mixamo, short, 'turned')).toEqual([]);
+  });
+
+  it.each(['lafan1-dance-10frames.bvh', 'rokoko-dance.bvh'])(
+    'a retarget that takes a lying file pose for a standing one is found from its start, a right one is not: %s',
+    (file) => {
+      const source = captured('cmu-01_01.bvh');
+      const document = documentOf(source, retargeted(source, captured(file)));
+      const [, { skeleton, clips, space }] = bakeRetarget.run(document, { characterId: file }).characters;
+      const clip = clips.at(-1);
+      if (!skeleton || !space || !clip?.samples) throw new Error(`${file} is not baked.`);
+      const right: Take = { skeleton, clip: { ...clip, samples: clip.samples }, space };
+      expect(checkTake(skeleton, clip, space).filter(({ kind }) => kind === 'turned')).toEqual([]);
+      // The bone from ankle to toe is in line with the shin there, so that toes come out up the shin.
+      const wrong = planted(right, 'LeftFoot', 'rz', whole(right), (_f, was) => was + 2.2);
+      expect(newFlags(right, wrong, 'turned')[0]).toMatchObject({ joint: 'LeftFoot', from: 0 });
+    },
+  );
+
+  it.each(BVH_FILES)('no foot or hand of a real capture is called turned: %s', (file) => {
+    const { skeleton, clip, space } = takeOf(file);
+    expect(checkTake(skeleton, clip, space).filter(({ kind }) => kind === 'turned')).toEqual([]);
+  });
+
   const bow = takeOf('bandai-namco-bow-normal.bvh');
   const chair = takeOf('xsens-armchair.bvh');
   const walk = takeOf('cmu-01_01.bvh');

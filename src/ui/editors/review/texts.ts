@@ -11,6 +11,7 @@ export const FLAG_NAMES: Readonly<Record<FlagKind, string>> = {
   frozen: 'Frozen',
   duplicate: 'Duplicate frames',
   limit: 'Beyond limit',
+  turned: 'Turned foot or hand',
   bone: 'Bone length',
 };
 
@@ -28,7 +29,7 @@ export function flagsText(flags: readonly Flag[]): string {
 export function amountText({ kind, amount }: Pick<Flag, 'kind' | 'amount'>): string {
   if (kind === 'frozen') return `${shown(amount, 2)} s`;
   if (kind === 'duplicate') return plural(amount, 'frame');
-  if (kind === 'limit') return `${shown((amount * 180) / Math.PI, 0)}°`;
+  if (kind === 'limit' || kind === 'turned') return `${shown((amount * 180) / Math.PI, 0)}°`;
   return amount < 1 ? `${shown(100 * amount, 1)} cm` : `${shown(amount, 2)} m`;
 }
 
