@@ -13,10 +13,11 @@ import { metresPerUnit } from '../metres.ts';
 import { alignment, type Bodies, bodiesOf, bodyFrame, driven, sourceFigure } from './align.ts';
 import { footTracks } from './contacts.ts';
 import { upRotation } from './figure.ts';
+import { fingerBases } from './fingers.ts';
 import { jointFit } from './fit.ts';
 import { automaticScale } from './leg-length.ts';
 import { type Limb, limbsOf } from './limbs.ts';
-import type { Carrier, CopiedDof, RetargetPlan, Slide, SpaceRule } from './plan.ts';
+import type { Carrier, CopiedDof, RetargetPlan, Slide, SpaceRule, Tip } from './plan.ts';
 import { asksTake, ownReference, type PlayedTake, sourceReference } from './reference.ts';
 import { LIMB_SIDES } from './roles.ts';
 import { sameBones } from './same-bones.ts';
@@ -110,6 +111,7 @@ export function planRetarget(
     bones: bonesOf(bodies, limbs),
     fronts: frontsOf(bodies),
     limbs,
+    tips: tipsOf(bodies),
     slides: slidesOf(bodies, target, carrier.joint),
     copied: copiedDofs(bodies, target, compiledSource, (scale * sourceSpace.metres) / targetSpace.metres),
     carrier,
@@ -206,6 +208,21 @@ function copiedDofs(
       return [{ target: compiled.firstDof[j] + d, source: compiledSource.firstDof[s] + d, factor }];
     });
   });
+}
+
+function tipsOf({ feet, roles, sourceOf, sourceParts, target, source }: Bodies): Tip[] {
+  const toes = feet.flatMap(({ own, source: other }): Tip[] =>
+    typeof own.tip === 'number' && typeof other.tip === 'number'
+      ? [[own.joints[0], own.tip, other.joints[0], other.tip]]
+      : [],
+  );
+  const fingers = LIMB_SIDES.flatMap((side): Tip[] => {
+    const hand = driven({ roles, sourceOf }, `${side} hand`);
+    const finger = hand < 0 ? undefined : fingerBases(target, roles, hand).get('middle');
+    const other = finger === undefined ? undefined : fingerBases(source, sourceParts, sourceOf[hand]).get('middle');
+    return finger === undefined || other === undefined ? [] : [[hand, finger, sourceOf[hand], other]];
+  });
+  return [...toes, ...fingers];
 }
 
 /** In each joint's own space at the reference pose; constant for joints that only rotate. */

@@ -8,7 +8,7 @@ import type { Character } from '../../model/document.ts';
 import { worldMatrices } from '../kinematics.ts';
 import { type PoseSource, poseFrom, poseSource } from '../pose.ts';
 import { retargetPlan } from './make-plan.ts';
-import type { FootTrack, RetargetPlan } from './plan.ts';
+import type { FootTrack, RetargetPlan, Tip } from './plan.ts';
 import { sourcePose } from './source-pose.ts';
 import { toScene } from './travel.ts';
 
@@ -17,6 +17,10 @@ export interface Measured {
   readonly limbsMean: number;
   readonly limbsWorst: number;
   readonly limbs: number;
+  /** The same from ankles to toes and from wrists to middle fingers, where both have these joints. */
+  readonly tipsMean: number;
+  readonly tipsWorst: number;
+  readonly tips: number;
   /** Metres: the maximum over all contacts. */
   readonly worst: number;
   /** Metres: the maximum per contact, averaged. */
@@ -88,25 +92,36 @@ export function measureRetarget(character: Character, mostContacts = Infinity): 
   return { ...measureLimbs(pair), ...measureFeet(pair, mostContacts) };
 }
 
-function measureLimbs(pair: Pair): Pick<Measured, 'limbs' | 'limbsMean' | 'limbsWorst' | 'departure'> {
+function measureLimbs(pair: Pair): Omit<Measured, keyof ReturnType<typeof measureFeet>> {
   const { plan } = pair;
+  const { tips } = plan;
   const bones = plan.limbs.flatMap(({ upper, lower, end }) => [[upper, lower] as const, [lower, end] as const]);
   const [start, end] = plan.range;
   const count = end > start ? MOMENTS : 1;
   const [a, b, c, d] = [0, 1, 2, 3].map(() => new Float64Array(3));
+  const angleOf = ([from, to, sourceFrom, sourceTo]: Tip) => {
+    pair.own(from, a);
+    pair.own(to, b);
+    pair.source(sourceFrom, c);
+    pair.source(sourceTo, d);
+    return degreesBetween(a, b, c, d);
+  };
   let sum = 0;
   let limbsWorst = 0;
+  let tipsSum = 0;
+  let tipsWorst = 0;
   let departure = 0;
   for (let i = 0; i < count; i++) {
     pair.pose(start + ((end - start) * i) / Math.max(1, count - 1));
     for (const [from, to] of bones) {
-      pair.own(from, a);
-      pair.own(to, b);
-      pair.source(plan.sourceOf[from], c);
-      pair.source(plan.sourceOf[to], d);
-      const angle = degreesBetween(a, b, c, d);
+      const angle = angleOf([from, to, plan.sourceOf[from], plan.sourceOf[to]]);
       sum += angle;
       limbsWorst = Math.max(limbsWorst, angle);
+    }
+    for (const tip of tips) {
+      const angle = angleOf(tip);
+      tipsSum += angle;
+      tipsWorst = Math.max(tipsWorst, angle);
     }
     if (!plan.sameBones.lengths) continue;
     plan.sourceOf.forEach((s, j) => {
@@ -121,6 +136,9 @@ function measureLimbs(pair: Pair): Pick<Measured, 'limbs' | 'limbsMean' | 'limbs
     limbs: plan.limbs.length,
     limbsMean: sum / Math.max(1, count * bones.length),
     limbsWorst,
+    tips: tips.length,
+    tipsMean: tipsSum / Math.max(1, count * tips.length),
+    tipsWorst,
     ...(plan.sameBones.lengths && { departure }),
   };
 }

@@ -32,6 +32,8 @@ export interface RetargetPlan {
   /** Towards the front of the body, in each joint's own space; x y z per target joint. */
   readonly fronts: Float64Array;
   readonly limbs: readonly Limb[];
+  /** From ankles to toes and from wrists to middle fingers. */
+  readonly tips: readonly Tip[];
   /** By target joint; undefined for those that don't slide. */
   readonly slides: readonly (Slide | undefined)[];
   /** DOFs that are no rotation and no position, like scales: target, source, and factor. */
@@ -60,6 +62,9 @@ export interface RetargetPlan {
   /** Nine numbers per target joint: its wanted rotation, in its own space. */
   readonly wanted: Float64Array;
 }
+
+/** Joints at both ends of a bone: the target's, and the source's. */
+export type Tip = readonly [own: number, ownTip: number, source: number, sourceTip: number];
 
 export interface SpaceRule {
   /** To the scene's axes. */

@@ -64,6 +64,16 @@ describeShared('feet of real takes on the walker', () => {
     expect(measureRetarget(pinned).departure).toBeCloseTo(departure(pinned, source).metres, 9);
   });
 
+  it('measures feet and hands, whose soles are parallel rather than their bones', () => {
+    const result = measureRetarget(retargeted(captured('mixamo-names.bvh'), captured('perception-neuron-course.bvh')));
+    expect(result.tips).toBe(2);
+    expect(result.tipsWorst).toBeLessThan(1);
+    const soles = measureRetarget(retargeted(captured('mixamo-names.bvh'), captured('cmu-01_01.bvh')));
+    expect(soles.tips).toBe(2);
+    expect(soles.tipsMean).toBeGreaterThan(20);
+    expect(soles.tipsWorst).toBeLessThan(31);
+  });
+
   it('measures contacts all over the take if it may not measure all', () => {
     const some = measureRetarget(retargeted(captured('boxing-extra-line.bvh'), walker()), 4);
     expect(some.contacts).toBe(8);

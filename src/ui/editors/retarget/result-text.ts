@@ -9,10 +9,11 @@ export function retargetText(driver: Driver, skeleton: Skeleton, measured: Measu
   return [following, likenessText(measured), feetText(driver, measured)].filter(Boolean).join(' ');
 }
 
-function likenessText({ departure, limbs, limbsMean, limbsWorst }: Measured): string {
+function likenessText({ departure, limbs, limbsMean, limbsWorst, tips, tipsMean, tipsWorst }: Measured): string {
   if (departure !== undefined) return `The skeletons are the same: joints are ${centimetres(departure)} off at most.`;
   if (limbs === 0) return '';
-  return `Arms and legs point like the source’s within ${degrees(limbsMean)} on average, ${degrees(limbsWorst)} at most.`;
+  const ends = tips > 0 ? `; feet and hands within ${degrees(tipsMean)}, ${degrees(tipsWorst)} at most` : '';
+  return `Arms and legs point like the source’s within ${degrees(limbsMean)} on average, ${degrees(limbsWorst)} at most${ends}.`;
 }
 
 function feetText({ options }: Driver, measured: Measured): string {

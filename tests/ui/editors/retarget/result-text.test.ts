@@ -7,7 +7,7 @@ const skeleton = person();
 const driver = driverOf(skeleton, take(skeleton, [[]]), [{ target: 0, source: 0 }]);
 const NOTHING = {
   ...{ limbs: 0, limbsMean: 0, limbsWorst: 0, worst: 0, mean: 0, sourceWorst: 0, sourceMean: 0 },
-  ...{ contacts: 0, allContacts: 0, lowest: 0, highest: 0 },
+  ...{ contacts: 0, allContacts: 0, lowest: 0, highest: 0, tips: 0, tipsMean: 0, tipsWorst: 0 },
 };
 
 describe('what a take on another character comes to', () => {
@@ -29,6 +29,8 @@ describe('what a take on another character comes to', () => {
   it('tells how well arms and legs point, or how far the joints of the same skeleton are off', () => {
     const limbs = { ...NOTHING, limbs: 4, limbsMean: 1.23, limbsWorst: 17 };
     expect(retargetText(driver, skeleton, limbs)).toContain('within 1.2° on average, 17° at most.');
+    const tips = { ...limbs, tips: 2, tipsMean: 12.34, tipsWorst: 20 };
+    expect(retargetText(driver, skeleton, tips)).toContain('17° at most; feet and hands within 12.3°, 20° at most.');
     const same = retargetText(driver, skeleton, { ...limbs, departure: 0.0123 });
     expect(same).toContain('The skeletons are the same: joints are 1.2 cm off at most.');
     expect(same).not.toContain('Arms');
