@@ -25,6 +25,7 @@ const MAX_PIECES = 64;
  * Calls `full` whenever `rows` has that many rows, and at the end; what it has then is a stretch of the take, whose last
  * row is the first one of the next.
  * @param tolerance how far points may be off
+ * @param swings whether what is between two rows on a straight line matters: splines go their own way there
  */
 export function sampleTake(
   motion: TakeMotion,
@@ -32,6 +33,7 @@ export function sampleTake(
   tolerance: number,
   rows: Rows,
   rowsPerStretch: number,
+  swings: boolean,
   full: () => void,
 ): void {
   const { width } = rows;
@@ -66,6 +68,7 @@ export function sampleTake(
         refine(middle, row, b, rowB);
         return;
       }
+      if (swings) add(middle, row);
     }
     add(b, rowB);
   };
@@ -76,6 +79,7 @@ export function sampleTake(
     const time = breaks[i];
     const after = justAfter(time);
     if (isStraight && turnsLittle(tracks, row, after)) {
+      if (swings) add((from + time) / 2, at((from + time) / 2));
       add(time, after);
       row = after;
       from = time;
