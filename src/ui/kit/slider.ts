@@ -9,9 +9,10 @@ import type { GUI } from 'lil-gui';
 import { NumberController } from 'lil-gui';
 import type { Units } from './arithmetic.ts';
 import { element } from './dom.ts';
-import { isTypedIn, leaveField } from './focus.ts';
+import { leaveField } from './focus.ts';
 import { exact, notANumber, parseNumber, shown } from './number-text.ts';
 import { setTooltip } from './tooltip.ts';
+import { isTypedIn } from './typing.ts';
 
 export interface SliderOptions {
   /** Span of the slider; absent for a field without a slider. */

@@ -7,7 +7,8 @@
  *     timeline: curves, dope sheet and lists collapses; closed at first on a narrow page
  */
 import { element } from '../kit/dom.ts';
-import { REGION, returnFocus } from '../kit/focus.ts';
+import { REGION } from '../kit/focus.ts';
+import { returnFocus } from '../kit/focus-regions.ts';
 import { isPanelOpen, NARROW, openPanel } from '../state/panels.ts';
 import { splitter } from '../state/splitter.ts';
 import type { Uses } from '../state/workbench.ts';

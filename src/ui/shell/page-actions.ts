@@ -1,7 +1,7 @@
 /** Actions for panels, theme, units and help. */
 import { jointName } from '../../model/joint-name.ts';
 import { VERSION } from '../../model/version.ts';
-import { enterRegion, focusNextRegion, focusSection } from '../kit/focus.ts';
+import { enterRegion, focusNextRegion, focusSection } from '../kit/focus-regions.ts';
 import { currentCharacter } from '../state/action.ts';
 import { NO_CHARACTER, needs } from '../state/needs.ts';
 import { isPanelOpen, openPanel } from '../state/panels.ts';

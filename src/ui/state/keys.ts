@@ -1,14 +1,8 @@
 /** Keyboard listener of the page; `shortcuts.ts` decides what keys mean. */
-import {
-  continuesTyping,
-  elementWithKeys,
-  isTextField,
-  isTypedIn,
-  letGoOfClicked,
-  rescueFocus,
-  watchTyping,
-} from '../kit/focus.ts';
+import { elementWithKeys, isTextField, letGoOfClicked } from '../kit/focus.ts';
+import { rescueFocus } from '../kit/focus-regions.ts';
 import { isMac } from '../kit/keyboard.ts';
+import { continuesTyping, isTypedIn, watchTyping } from '../kit/typing.ts';
 import { actionLabel, actionsOf, isEnabled, tryAction } from './action.ts';
 import { activePanel, isNowhere, panelOf, watchActivePanel } from './active-panel.ts';
 import { actionFor, type FocusKind, shortcutsOf, swallows } from './shortcuts.ts';

@@ -1,9 +1,10 @@
 /** The outliner's tree, a windowed list: mouse and keys, and what all rows share. */
 import { element, setAttribute } from '../../kit/dom.ts';
-import { continuesTyping, HAS_KEYS, isCharacter, noteTyped } from '../../kit/focus.ts';
+import { HAS_KEYS } from '../../kit/focus.ts';
 import { icon } from '../../kit/icons.ts';
 import type { MenuPlace } from '../../kit/menu.ts';
 import { setTooltip } from '../../kit/tooltip.ts';
+import { continuesTyping, isCharacter, noteTyped } from '../../kit/typing.ts';
 import { rowAfterKey, WindowedList, type WindowedRow } from '../../kit/windowed-list.ts';
 import type { OutlineRow } from './outline-rows.ts';
 

@@ -1,0 +1,55 @@
+/** What is being typed: whether a field was changed since it got the focus, and whether a key belongs to a word. */
+import { isTextField } from './focus.ts';
+
+let typedIn: EventTarget | null | undefined;
+
+/** Characters typed within this time of each other belong together; milliseconds. */
+const TYPING_MS = 1000;
+/** When the last character was typed into a field or a list; milliseconds. */
+let typedAt = Number.NEGATIVE_INFINITY;
+
+/** Tracks typing in fields until aborted. */
+export function watchTyping(signal: AbortSignal): void {
+  const options = { capture: true, signal };
+  window.addEventListener('focusin', () => (typedIn = undefined), options);
+  window.addEventListener('input', (event) => (typedIn = event.target), options);
+  window.addEventListener(
+    'keydown',
+    (event) => {
+      // Enter, Escape and Tab end a word; a modifier alone doesn't.
+      if (!isCharacter(event)) typedAt = MODIFIER.test(event.key) ? typedAt : Number.NEGATIVE_INFINITY;
+      else if (event.target instanceof Element && isTextField(event.target)) noteTyped(event);
+    },
+    options,
+  );
+  window.addEventListener('pointerdown', () => (typedAt = Number.NEGATIVE_INFINITY), options);
+}
+const MODIFIER = /^(Shift|AltGraph|Alt|Control|Meta|CapsLock|Dead)$/;
+
+/** A list goes to its rows by what is typed: until a pause, characters are text. */
+export function noteTyped({ timeStamp }: Pick<Event, 'timeStamp'>): void {
+  typedAt = timeStamp;
+}
+
+/**
+ * Whether a key types on what was begun in a field or a list. While that has the focus it uses the key itself; if it has
+ * vanished meanwhile, the rest of a word would run commands.
+ */
+export function continuesTyping(event: TypedKey): boolean {
+  const continues = isCharacter(event) && event.timeStamp - typedAt <= TYPING_MS;
+  if (continues) noteTyped(event);
+  return continues;
+}
+
+type TypedKey = Pick<KeyboardEvent, 'key' | 'ctrlKey' | 'metaKey' | 'altKey' | 'timeStamp'>;
+
+/** Whether it types a character. */
+export function isCharacter({ key, ctrlKey, metaKey, altKey }: TypedKey): boolean {
+  // AltGr types characters, and browsers report it as Ctrl+Alt.
+  return [...key].length === 1 && !metaKey && ctrlKey === altKey;
+}
+
+/** Whether something was typed in this field since it got the focus. */
+export function isTypedIn(field: Element): boolean {
+  return typedIn === field;
+}
