@@ -53,11 +53,15 @@ describeShared('a capture in an FBX file as Mixamo writes it', () => {
     }
   });
 
-  it('its channels have about as many keys as the file', () => {
-    const count = whole.clips[0].channels.reduce((sum, channel) => sum + keysOf(channel).times.length, 0);
-    const before = FRAMES * (3 * whole.skeleton.joints.length + 3);
-    expect(count).toBeGreaterThan(before / 2);
-    expect(count).toBeLessThan(before * 1.1);
+  it('its channels have about as many keys as the file, but for joints that only tremble by rounding', () => {
+    const counts = whole.clips[0].channels.map((channel) => keysOf(channel).times.length);
+    const moving = counts.filter((count) => count > 0);
+    // Without fingers, eyes and the ends of bones.
+    expect(moving.length).toBeGreaterThan(60);
+    for (const count of moving) {
+      expect(count).toBeGreaterThanOrEqual(FRAMES);
+      expect(count).toBeLessThan(FRAMES * 1.1);
+    }
   });
 
   it('its parts of the body are found by their names, as those of the capture', () => {
