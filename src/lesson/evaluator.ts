@@ -14,7 +14,7 @@ import { restPose, rootDofCount } from '../model/dofs.ts';
 import { dofsOf, replacesOffset } from '../model/joint-types.ts';
 import { type CurveRules, channelValue, RIGHT_CURVES } from './curve-rules.ts';
 import { inFilePose } from './file-pose.ts';
-import { sidesOf } from './jumps.ts';
+import { mayBeSame, sidesOf } from './jumps.ts';
 import type { Breadth, JointRules, Program, Wanted, WorldMap } from './program.ts';
 import { hasThreeAngles, isFor, ProgramSkeletons, turns } from './skeleton-rules.ts';
 import { SkinRun } from './skin-run.ts';
@@ -139,7 +139,7 @@ export class Evaluator {
   private makeDofs(curves: CurveRules, time: FrameTime): Float64Array {
     const { character } = this;
     const out = new Float64Array(this.dofs.length);
-    const source = poseSource(time === undefined ? inFilePose(character) : character);
+    const source = poseSource(time === undefined ? inFilePose(character) : unkeyedBeside(character, time));
     // Without a skeleton nothing is limited yet.
     poseFrom({ ...source, skeleton: undefined }, time ?? 0, out);
     const clip = shownClip(character);
@@ -358,6 +358,13 @@ function transpose3(m: Float64Array, o: number): void {
   exchange(m, o + 1, o + 4);
   exchange(m, o + 2, o + 8);
   exchange(m, o + 6, o + 9);
+}
+
+/** The character with its unkeyed changes at that time, if it is theirs or beside it: they make no jump. */
+function unkeyedBeside(character: Character, time: number): Character {
+  const { unkeyed } = character;
+  if (!unkeyed || !mayBeSame(time, unkeyed.timeSeconds)) return character;
+  return { ...character, unkeyed: { ...unkeyed, timeSeconds: time } };
 }
 
 /** By depth, and in one depth as in the file. */

@@ -16,6 +16,11 @@ export function sidesOf(time: number): readonly [before: number, after: number] 
   return [time - rounding, time + rounding];
 }
 
+/** Whether a time is another or may be on either side of it, the other being off by rounding, too. */
+export function mayBeSame(time: number, other: number): boolean {
+  return Math.abs(time - other) <= 2 * Math.max(ROUNDING, FLOAT_EPSILON * Math.abs(other));
+}
+
 /** The value at a time, or, where that differs from theirs, on the side that is nearest theirs. */
 export function nearestSide(
   time: number,

@@ -90,11 +90,11 @@ describe('a sample at a jump', () => {
 
 describe('a frame at a jump', () => {
   const evaluator = new Evaluator(character);
-  const frameOf = (program: Program, time: number): Targets => ({
+  const frameOf = (program: Program, time: number, of = evaluator): Targets => ({
     frames: [
       {
         time: CYCLE_AT,
-        world: evaluator
+        world: of
           .frame(program, time, { local: false, vertices: false, normals: false })
           .world.map((value) => Number(value.toFixed(6))),
       },
@@ -108,6 +108,14 @@ describe('a frame at a jump', () => {
 
   it('is wrong of a time beside', () => {
     expect(compared(character, frameOf(RIGHT_PROGRAM, CYCLE_AT - 0.01)).agrees).toBe(false);
+  });
+
+  it.each([CYCLE_AT, CYCLE_AT + 1e-11])('has the unkeyed changes of its time on either side: %d s', (timeSeconds) => {
+    const changed = { ...character, unkeyed: { timeSeconds, dofs: [2, 3, 7], values: [3, 1, 0.5] } };
+    for (const beside of [-1e-8, 1e-8]) {
+      const agrees = (of: Evaluator) => compared(changed, frameOf(RIGHT_PROGRAM, CYCLE_AT + beside, of)).agrees;
+      expect([agrees(evaluator), agrees(new Evaluator(changed))]).toEqual([false, true]);
+    }
   });
 
   it.each(['rotation-order', 'no-parent', 'tangent-smooth-mean', 'no-root-translation'])(
