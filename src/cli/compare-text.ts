@@ -7,7 +7,7 @@ import {
   type FrameComparison,
   isExplained,
 } from '../lesson/compare.ts';
-import { areEqual, comparedText, explainedNoun, subjectText } from '../lesson/compared-text.ts';
+import { areEqual, comparedText, explainedNoun, subjectText, unexplainedSentences } from '../lesson/compared-text.ts';
 import type { NamedDump } from '../lesson/fit-dump.ts';
 import type { Cause } from '../lesson/found-causes.ts';
 import type { Targets } from '../lesson/targets.ts';
@@ -70,8 +70,7 @@ export function comparisonJson(told: ToldComparison) {
 export function comparisonText(told: ToldComparison): string {
   const { comparison, character, dumps, isNamed } = told;
   const isOfSeveral = dumps.length > 1;
-  const { agrees, compared, layout, worst, first, frames, largest, own, inherited, causes, unexplained, pattern } =
-    comparison;
+  const { agrees, compared, layout, worst, first, frames, largest, own, inherited, causes } = comparison;
   const lines = [`Compared${isNamed ? ` with ${character.name}` : ''}: ${comparedText(compared, frames.length)}.`];
   if (layout) lines.push(`Matrices of ${layout.numbers} numbers, ${layout.order}.`);
   lines.push(...dumpTimeLines(told));
@@ -92,12 +91,8 @@ export function comparisonText(told: ToldComparison): string {
       lines.push('', `Each of these ${causes.length} mistakes explains it; these numbers can't tell them apart.`);
     }
     for (const cause of causes) lines.push('', ...causeLines(cause, compared, isOfSeveral));
-    if (unexplained) {
-      const what = subjectText(unexplained, isOfSeveral);
-      lines.push('', `No known mistake, nor two together, explains all of the ${what}.`);
-    }
-    if (causes.length === 0) lines.push('', 'No known mistake, nor two together, explains these numbers.');
-    if (pattern) lines.push(`What differs: ${pattern}`);
+    const rest = unexplainedSentences(comparison, isOfSeveral);
+    if (rest.length > 0) lines.push('', ...rest);
   }
   const hints = hintsOf(told);
   if (hints.length > 0) lines.push('', ...hints);

@@ -1,5 +1,5 @@
 /** What was compared, and what a cause is about, in words. */
-import type { Compared } from './compare.ts';
+import type { Compared, Comparison } from './compare.ts';
 import type { Cause, CauseSubject } from './found-causes.ts';
 
 const NAMES: Readonly<Record<keyof Compared, readonly [one: string, many: string]>> = {
@@ -22,6 +22,22 @@ export function explainedNoun({ about }: Cause, compared: Compared): 'joint' | '
   const has = (kind: keyof Compared) => (about ? about.kinds.includes(kind) : compared[kind] > 0);
   if (has('world') || has('local') || has('positions')) return 'joint';
   return has('vertices') || has('normals') ? 'vertex' : 'channel';
+}
+
+/**
+ * What no mistake explains, and how the numbers differ, in sentences of which each may be a line; none where all agrees
+ * or is explained.
+ */
+export function unexplainedSentences(
+  { agrees, causes, unexplained, pattern }: Pick<Comparison, 'agrees' | 'causes' | 'unexplained' | 'pattern'>,
+  hasSeveral: boolean,
+): readonly string[] {
+  const isOfNone = causes.length === 0 && !agrees;
+  const what = unexplained ? `all of the ${subjectText(unexplained, hasSeveral)}` : 'these numbers';
+  return [
+    ...(unexplained || isOfNone ? [`No known mistake, nor two together, explains ${what}.`] : []),
+    ...(pattern ? [`What differs: ${pattern}`] : []),
+  ];
 }
 
 /** Whether causes explain the same numbers, all of them: these can't tell them apart. */

@@ -136,6 +136,7 @@ describeShared('another program’s numbers', () => {
       await dropFiles(page, [{ name: 'more.txt', bytes: printed([0.5, 1], [7, 8]) }]);
       await says(page, /^Agrees at 1.5 s\. First wrong in more\.txt at 0.5 s: hip_03_r\. No known mistake/);
       await banner(page).getByRole('button', { name: 'Details' }).click();
+      await panel.getByText('What differs: Joint hip_03_r and all below it at 2 of 3 times').waitFor();
       await panel.getByRole('button', { name: '1 s, differs' }).click();
       await marked(page, 'knee_03_r', 'inherited');
 

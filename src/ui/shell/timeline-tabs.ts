@@ -45,7 +45,7 @@ export const TABS: Readonly<Record<TimelineTabName, TabRecord>> = {
     load: async (wb) => (await import('../editors/source/panel.ts')).sourcePanel(wb),
   },
   compare: {
-    label: 'Numbers',
+    label: 'Compare',
     load: async (wb) => (await import('../editors/compare/panel.ts')).comparePanel(wb),
   },
 };

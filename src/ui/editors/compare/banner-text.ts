@@ -1,6 +1,6 @@
 /** What the banner says: whether all agrees, what is wrong first, and which mistake explains it. */
 import type { Comparison, FirstWrong, FrameComparison } from '../../../lesson/compare.ts';
-import { comparedText, explainedNoun, subjectText } from '../../../lesson/compared-text.ts';
+import { comparedText, explainedNoun, subjectText, unexplainedSentences } from '../../../lesson/compared-text.ts';
 import { firstWrongOf, type PlacedFirst } from '../../../lesson/first-wrong.ts';
 import type { Cause } from '../../../lesson/found-causes.ts';
 import { type Diagnostic, hasErrors } from '../../../model/diagnostic.ts';
@@ -99,7 +99,8 @@ function resultText(
           `First wrong${of}${whereFirst(comparison, firstTime, hereAgrees, wrong)}: ${placeText(placed.first, character)}.`,
         ]
       : []),
-    causeText(comparison, placed, placed && names[placed.dump]),
+    ...causeSentences(comparison, placed, placed && names[placed.dump]),
+    ...unexplainedSentences(comparison, isOfSeveral),
   ];
   const channelTime = placed?.frame === -1 && placed.first.time !== time ? placed.first.time : undefined;
   return {
@@ -148,24 +149,25 @@ export function placeText({ what, index, name, time }: FirstWrong, { skeleton }:
  *
  * @param file the dump that it is in, of several
  */
-function causeText(comparison: Comparison, placed: PlacedFirst | undefined, file: string | undefined): string {
-  const { causes, own, inherited } = comparison;
+function causeSentences(
+  comparison: Comparison,
+  placed: PlacedFirst | undefined,
+  file: string | undefined,
+): readonly string[] {
+  const { causes } = comparison;
   const isOfPlaced = ({ about }: Cause) =>
     !about ||
     (about.kinds.some((kind) => placed?.kinds.includes(kind)) &&
       (file === undefined || about.files.length === 0 || about.files.includes(file)));
   const best = causes.find(isOfPlaced);
   const others = causes.filter(({ about }) => !best || subjectKey(about) !== subjectKey(best.about)).length;
-  const more = others > 0 ? ` ${plural(others, 'more cause')} in Compare.` : '';
-  if (best) {
-    // The dump was just named.
-    const isNamed = file !== undefined && best.about?.files.join() === file;
-    const about = best.about && !isNamed ? `In the ${subjectText(best.about, best.about.files.length > 0)}: ` : '';
-    return `${about}${best.sentences.join(' ')} ${explainsText(best, comparison)}${equalText(best, causes)}${more}`;
-  }
-  const isTold = own.length + inherited.length > 1 && placed?.first.what === 'joint';
-  const of = isTold ? ` Wrong by themselves: ${plural(own.length, 'joint')}; only inherited: ${inherited.length}.` : '';
-  return `No known mistake, nor two together, explains it.${of}${more}`;
+  const more = others > 0 ? [`${plural(others, 'more cause')} in Compare.`] : [];
+  if (!best) return more;
+  // The dump was just named.
+  const isNamed = file !== undefined && best.about?.files.join() === file;
+  const about = best.about && !isNamed ? `In the ${subjectText(best.about, best.about.files.length > 0)}: ` : '';
+  const explains = `${explainsText(best, comparison)}${equalText(best, causes)}`;
+  return [`${about}${best.sentences.join(' ')}`, explains, ...more];
 }
 
 function subjectKey(about: Cause['about']): string {

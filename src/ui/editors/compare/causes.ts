@@ -1,30 +1,33 @@
 /** The mistakes that explain what was found: what was done, what should be done, and how much it explains. */
 import type { Comparison } from '../../../lesson/compare.ts';
-import { areEqual, subjectText } from '../../../lesson/compared-text.ts';
+import { areEqual, subjectText, unexplainedSentences } from '../../../lesson/compared-text.ts';
 import type { Cause } from '../../../lesson/found-causes.ts';
 import { element } from '../../kit/dom.ts';
 import { explainsText, numberText } from './banner-text.ts';
 
-/** @param newest names of the dumps that were given last: what is about them comes first */
-export function causesList(comparison: Comparison, newest: readonly string[]): HTMLElement {
+/**
+ * @param newest names of the dumps that were given last: what is about them comes first
+ * @param hasSeveral dumps, so that they are named
+ */
+export function causesList(comparison: Comparison, newest: readonly string[], hasSeveral: boolean): HTMLElement {
   const list = element('div', { class: 'compare-causes' });
-  const { agrees } = comparison;
   const isNew = ({ about }: Cause) => about?.files.some((file) => newest.includes(file)) ?? false;
   const causes = [...comparison.causes.filter(isNew), ...comparison.causes.filter((cause) => !isNew(cause))];
   if (areEqual(causes)) {
     list.append(element('p', { class: 'faint' }, 'Each of these explains it; these numbers can’t tell them apart.'));
   }
   list.append(...causes.map((cause) => causeBlock(cause, comparison)));
-  if (causes.length === 0 && !agrees) {
-    list.append(element('p', { class: 'faint' }, noCauseText(comparison)));
+  const unexplained = unexplainedSentences(comparison, hasSeveral);
+  list.append(...unexplained.map((sentence) => element('p', { class: 'compare-sentence' }, sentence)));
+  if (causes.length === 0 && unexplained.length > 0) {
+    list.append(element('p', { class: 'faint' }, beginText(comparison)));
   }
   return list;
 }
 
 /** Only of joints it is known which are wrong by themselves. */
-export function noCauseText({ own }: Pick<Comparison, 'own'>): string {
-  const first = own.length > 0 ? 'the first joint that is wrong by itself' : 'the first that differs';
-  return `No known mistake, nor two together, explains these numbers. Begin with ${first}.`;
+export function beginText({ own }: Pick<Comparison, 'own'>): string {
+  return `Begin with ${own.length > 0 ? 'the first joint that is wrong by itself' : 'the first that differs'}.`;
 }
 
 function causeBlock(cause: Cause, comparison: Comparison): HTMLElement {

@@ -76,9 +76,10 @@ export class Findings {
     this.times.replaceChildren();
     this.facts.replaceChildren();
     if (!result) return;
-    const { comparison } = result;
+    const { comparison, targets } = result;
     const { frames, layout, compared } = comparison;
-    this.found.append(causesList(comparison, newest));
+    const hasSeveral = (targets.origins?.fileNames.length ?? 1) > 1;
+    this.found.append(causesList(comparison, newest, hasSeveral));
     this.element.scrollTop = 0;
     if (frames.length > 1)
       this.times.append(...frames.slice(0, MAX_TIMES).map((_, i) => this.timeButton(comparison, i)));

@@ -1,7 +1,11 @@
+import { mkdtempSync, rmSync, writeFileSync } from 'node:fs';
+import { tmpdir } from 'node:os';
+import { join } from 'node:path';
 import { describe, expect, it } from 'vitest';
 import type { Cause } from '../../../../src/lesson/found-causes.ts';
 import { bannerText, explainsText, numberText } from '../../../../src/ui/editors/compare/banner-text.ts';
-import { describeShared } from '../../../helpers/shared.ts';
+import { command } from '../../../helpers/command.ts';
+import { describeShared, sharedBytes, sharedPath } from '../../../helpers/shared.ts';
 import { comparedCase, comparedDumps, printedMatrices } from './compare-cases.ts';
 
 const WASP = ['cse169/wasp.skel', 'cse169/wasp_walk.anim'];
@@ -106,11 +110,41 @@ describeShared('the banner of a comparison', () => {
     expect(channels.goTo).toBe(0.2727);
   });
 
-  it('the banner does not guess where no mistake explains the numbers', () => {
+  it('the banner does not guess where no mistake explains the numbers, and says how they differ', () => {
     expect(bannerText(comparedCase(WASP, 'd039.json', 1.5)).text).toBe(
-      'First wrong: hip_03_r. No known mistake, nor two together, explains it. ' +
-        'Wrong by themselves: 1 joint; only inherited: 1.',
+      'First wrong: hip_03_r. No known mistake, nor two together, explains these numbers. ' +
+        'What differs: Joint hip_03_r and all below it, in places alone, by a constant offset (0.2, 0, 0).',
     );
+  });
+
+  it('the banner says what is not explained, and how it differs, in the words of the command', async () => {
+    const folder = mkdtempSync(join(tmpdir(), 'marrow-'));
+    try {
+      const bytesOf = (name: string) => sharedBytes(`conformance/compare/${name}`);
+      const { character } = comparedCase(WASP, 'd008.txt', 1.5);
+      const dumps = {
+        'd039.json': bytesOf('d039.json'),
+        'd008.txt': bytesOf('d008.txt'),
+        'moved.txt': printedMatrices(character, [0.5], 7),
+      };
+      for (const [name, bytes] of Object.entries(dumps)) writeFileSync(join(folder, name), bytes);
+      const cases = [
+        [['d039.json'], 2],
+        [['d008.txt', 'moved.txt'], 2],
+        [['d008.txt'], 0],
+      ] as const;
+      for (const [names, count] of cases) {
+        const files = WASP.map((file) => sharedPath(`data/${file}`));
+        const { out } = await command(['compare', ...files, ...names, '--time', '1.5'], folder);
+        const given = names.map((name) => ({ name, bytes: dumps[name], time: 1.5 }));
+        const { text } = bannerText(comparedDumps(WASP, given, 1.5));
+        const lines = out.split('\n').filter((line) => /^(No known|What differs)/.test(line));
+        expect(lines).toHaveLength(count);
+        expect(text.slice(/No known|What differs|$/.exec(text)?.index)).toBe(lines.join(' '));
+      }
+    } finally {
+      rmSync(folder, { recursive: true, force: true });
+    }
   });
 
   it('the banner tells the problem of a dump that does not fit', () => {
