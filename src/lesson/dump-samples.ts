@@ -66,15 +66,21 @@ export function readSamples(
     for (let c = 0; c < channels; c++) put(each === 2 ? known(values[2 * c], c) : c, time, values[each * (c + 1) - 1]);
     return;
   }
-  const numbered = columns?.slice(1).map(lastDigitsIn);
-  const isNumbered = numbered?.every((n) => n !== undefined) && new Set(numbered).size === numbered.length;
-  const listed = isNumbered ? numbered?.map(Number) : undefined;
+  const listed = numbersOfColumns(columns?.slice(1) ?? [], channels);
   const each = listed ? listed.length + 1 : channels + 1;
   if (!isInRows(block, each)) throw misfitOf(block, 0, channels);
   for (let i = 0; i < values.length; i += each) {
     for (let c = 0; c + 1 < each; c++)
       put(known(listed ? listed[c] : c, Math.floor(i / each)), values[i], values[i + 1 + c]);
   }
+}
+
+/** The channels that columns are of by their numbers. Undefined: they are in order, as those of all counted from 1 are. */
+function numbersOfColumns(names: readonly string[], channels: number): readonly number[] | undefined {
+  const numbered = names.map((name) => Number(lastDigitsIn(name) ?? Number.NaN));
+  const isNumbered = numbered.length > 0 && new Set(numbered).size === names.length && !numbered.some(Number.isNaN);
+  const areOthers = names.length === channels && numbered.some((n) => n >= channels);
+  return isNumbered && !areOthers ? numbered : undefined;
 }
 
 /** Whether it states its time, and has a value for each channel, or its index and a value. */

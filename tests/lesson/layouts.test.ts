@@ -206,6 +206,18 @@ describe('what a program prints is read', () => {
         header(['frame', 't', ...numbered], separator),
         ...times.map((time, i) => `${i}${separator}${row(time)}`),
       ],
+      ...[
+        (c: number) => `ch ${c}`,
+        (c: number) => `"Channel ${c} (rad)"`,
+        (c: number) => `joint ${Math.floor(c / 3)} r${'xyz'[c % 3]}`,
+        (c: number) => `DOF ${c + 1} of the left upper arm's ball joint`,
+      ].flatMap((cell): readonly Rows[] => [
+        (_, row) => [['time', ...channels.map((_, c) => cell(c))].join(','), ...times.map(row)],
+        (separator, row) => [
+          ['frame', 'time', ...channels.map((_, c) => cell(c))].join(separator.trim() === '' ? ',' : separator),
+          ...times.map((time, i) => `${i}${separator}${row(time)}`),
+        ],
+      ]),
       (_separator, _row, list) => times.map((time) => `${time}: ${list(valuesAt(time))}`),
       (_separator, _row, list) => times.map((time) => `t=${time}: ${list(valuesAt(time))}`),
       (_separator, _row, list) => times.map((time) => `time ${time.toFixed(4)} | ${list(valuesAt(time))}`),

@@ -1,8 +1,8 @@
 /** Tables: what the columns are that a header names. */
 import type { DumpLabel } from '../../model/dump.ts';
 import { labelWith } from './labels.ts';
-import { numberOfWord } from './numbers.ts';
-import { isLabelColumn, isTimeColumn } from './vocabulary.ts';
+import { numberOfWord, numbersIn, timeIn } from './numbers.ts';
+import { isLabelColumn, isPlainColumn, isTimeColumn } from './vocabulary.ts';
 
 /** `skip`: counts rows beside their times. */
 type Role = 'time' | 'index' | 'name' | 'value' | 'skip';
@@ -13,8 +13,39 @@ export interface Table {
   readonly roles: readonly Role[];
 }
 
+/** A line that names columns, or may. */
+export interface Header {
+  readonly names: readonly string[];
+  readonly delimiter: RegExp;
+}
+
+/** By commas and the like, else by blanks. */
+export function headerOf(text: string): Header {
+  const delimiter = DELIMITED.test(text) ? /[,;\t|]\s*/ : /\s+/;
+  return { names: namesIn(text, delimiter), delimiter };
+}
+
+/**
+ * Whether a line is a header whatever else is in it, blanks and digits, too: between commas, each cell has a word and no
+ * fraction, and one is the name of a column.
+ */
+export function hasNamesInCells(text: string): boolean {
+  if (text.length > MAX_HEADER_LENGTH || !DELIMITED.test(text)) return false;
+  const { names } = headerOf(text);
+  return names.some(isPlainColumn) && names.every(isNameInCell);
+}
+
+function isNameInCell(name: string): boolean {
+  return !numbersIn(name) && !FRACTION.test(name) && timeIn(name) === undefined;
+}
+
+const DELIMITED = /[,;\t|]/;
+const FRACTION = /(?<![\w.])[-+]?\d*\.\d/;
+/** Of hundreds of columns with long names. */
+const MAX_HEADER_LENGTH = 1 << 16;
+
 /** The fields of a header in lower case, without units behind them and quotes around them. */
-export function namesIn(text: string, delimiter: RegExp): readonly string[] {
+function namesIn(text: string, delimiter: RegExp): readonly string[] {
   return text
     .replace(/^[#%/\s|]+/, '')
     .split(delimiter)
@@ -23,7 +54,8 @@ export function namesIn(text: string, delimiter: RegExp): readonly string[] {
         .trim()
         .toLowerCase()
         .replace(/^["']|["']$/g, '')
-        .replace(/\s*[([][a-z]*[\])]$/, ''),
+        .replace(/[([][a-z]*[\])]$/, '')
+        .trimEnd(),
     )
     .filter((name) => name !== '');
 }

@@ -5,7 +5,7 @@
  *     label numbers            `hip: …`, `hip (…)`, `hip vec3(…)`, `7: …`, `joint 7 (hip): …`, `hip,…`, `vertex[3] = …`
  *     label                    of the rows that follow, up to the next one
  *     time T, channel N        for the rows that follow, in a comment too
- *     columns                  `time,ch0,ch1`: names of the numbers of a row, as many as it has
+ *     columns                  `time,ch 0,ch 1`: names of the numbers of a row, as many as it has
  *     heading                  `local matrices:`, `normals 120 {`, `Project 3`; its numbers are no values
  *     anything else            skipped; a text with more of it than of numbers is no dump
  *
@@ -14,7 +14,16 @@
 import type { DumpLabel } from '../../model/dump.ts';
 import type { Report } from '../report.ts';
 import type { Blocks } from './blocks.ts';
-import { columnsOf, labelOfFields, namesIn, type Table, tableOf, valuesOf } from './columns.ts';
+import {
+  columnsOf,
+  type Header,
+  hasNamesInCells,
+  headerOf,
+  labelOfFields,
+  type Table,
+  tableOf,
+  valuesOf,
+} from './columns.ts';
 import { labelledNumbers, MAX_LABEL_TOKENS, MAX_NAME_WORDS, nameOf } from './labels.ts';
 import { linesOf, numberOfWord, numbersIn, timeIn } from './numbers.ts';
 import { isWhole, type LineTokens, lastWord, numbersOf, tokensOf, wordsOf } from './tokens.ts';
@@ -34,6 +43,7 @@ const MAX_WORDS_LENGTH = 400;
 /** Of a few rows, sentences beside them tell a readme; of more, only many. */
 const FEW_ROWS = 3;
 const MANY_TIMES = 4;
+const NO_HEADER: Header = { names: [], delimiter: /\s+/ };
 
 export function readText(text: string, blocks: Blocks, report: Report): void {
   const lines = new Lines(blocks, report);
@@ -47,8 +57,8 @@ class Lines {
   prose = 0;
   private label: DumpLabel | null = null;
   private table: Table | undefined;
-  /** Names that may be those of columns, if the next row has as many numbers. */
-  private names: readonly string[] = [];
+  /** What may be a header: it is, if the next row has as many numbers. */
+  private header = NO_HEADER;
   /** Whether a bracket around the numbers of a row is open: what follows belongs to the row, or begins it. */
   private open: 'no' | 'before' | 'within' = 'no';
 
@@ -80,7 +90,7 @@ class Lines {
       this.blocks.extend(numbers, line);
       return;
     }
-    this.useNames(numbers.length);
+    this.useHeader(numbers.length);
     const isIndexed = numbers.length > 3 && /^\[\d+\]\s*[^\s\],]/.test(text);
     if (isIndexed) this.row(numbers.slice(1), line, { index: numbers[0] });
     else if (this.table) this.ofTable(this.table, numbers, line);
@@ -104,14 +114,14 @@ class Lines {
   }
 
   /** The names of the line before become columns if the row has as many numbers, or one more, its index. */
-  private useNames(count: number): void {
-    const { names } = this;
-    this.names = [];
-    if (names.length < 2 || (names.length !== count && names.length !== count - 1)) return;
-    this.setTable(names, /\s+/);
+  private useHeader(count: number): void {
+    const { header } = this;
+    this.header = NO_HEADER;
+    const { length } = header.names;
+    if (length > 1 && (length === count || length === count - 1)) this.setTable(header);
   }
 
-  private setTable(names: readonly string[], delimiter: RegExp): void {
+  private setTable({ names, delimiter }: Header): void {
     this.table = tableOf(names, delimiter);
     this.label = null;
     this.blocks.say({ columns: columnsOf(this.table, names) });
@@ -135,20 +145,22 @@ class Lines {
     const isComment = /^(#(?!\d)|\/\/|%|\/\*)/.test(text);
     const found = tokensOf(text.replace(/^(#(?!\d)|\/\/+|%+|\/\*|-{2,}|={2,}|\*{2,})\s*/, ''));
     const first = found.tokens.findIndex(({ kind }) => kind === 'number');
-    const isProse = first < 0 ? text.length > MAX_WORDS_LENGTH : first > MAX_LABEL_TOKENS;
-    if (isProse) this.prose++;
-    else if (first < 0) this.wordsOnly(text, wordsOf(found.tokens), isComment);
+    if (first < 0 && text.length <= MAX_WORDS_LENGTH) this.wordsOnly(text, wordsOf(found.tokens), isComment);
+    else if (hasNamesInCells(text)) this.named(headerOf(text));
+    else if (first < 0 || first > MAX_LABEL_TOKENS) this.prose++;
     else if (!this.stated(text, found, line) && !isComment) this.labelled(found, line);
   }
 
+  /** Whether the names alone tell a header; if only some are those of columns, the next row does. */
+  private named(header: Header): boolean {
+    const isTold = areColumns(header.names);
+    if (isTold) this.setTable(header);
+    else this.header = header.names.some(isPlainColumn) ? header : NO_HEADER;
+    return isTold;
+  }
+
   private wordsOnly(text: string, words: readonly string[], isComment: boolean): void {
-    const delimiter = /[,;\t|]/.test(text) ? /\s*[,;\t|]\s*/ : /\s+/;
-    const names = namesIn(text, delimiter);
-    if (areColumns(names)) {
-      this.setTable(names, delimiter);
-      return;
-    }
-    this.names = names.some(isPlainColumn) ? names : [];
+    if (this.named(headerOf(text))) return;
     if (words.every(isPlain) || (words.length <= MAX_NAME_WORDS && words.some(isPluralNoun))) {
       const holds = kindOf(words);
       if (holds) this.say({ holds });
@@ -204,7 +216,8 @@ class Lines {
     const isCount = numbers.length > 2 && numbers.every(({ value }, i) => value === i);
     if (isPlainLine && isCount && words.length === 1) {
       // Numbered columns beside that of times.
-      this.setTable(['time', ...numbers.map(({ text: digits }) => digits)], /\s*[,;\t|\s]\s*/);
+      const names = ['time', ...numbers.map(({ text: digits }) => digits)];
+      this.setTable({ names, delimiter: /\s*[,;\t|\s]\s*/ });
       return true;
     }
     const isOfFrame = words.some((word) => !/^(time|t|s|sec|secs|seconds?)$/.test(word));
@@ -228,7 +241,7 @@ class Lines {
       this.prose++;
       return;
     }
-    if (!mayBeHeading) this.useNames(numbers.length + (label ? 1 : 0));
+    if (!mayBeHeading) this.useHeader(numbers.length + (label ? 1 : 0));
     const holds = words.every(isPlain) || words.some(isIndexWord) ? kindOf(words.filter(isPlain)) : undefined;
     if (holds && holds !== 'positions') this.say({ holds });
     if (numbers.length > 0) this.row(numbers, line, label, mayBeHeading);
