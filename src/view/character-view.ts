@@ -69,6 +69,8 @@ export class CharacterView {
   private boneSet: Bones | undefined;
   private groups: readonly Group[] = [];
   private skin: ShownSkin | undefined;
+  /** See `drawnVertices`; undefined until they are asked for in this pose. */
+  private verticesNow: Float64Array | undefined;
   /** A skin being built: at once, or in slices by `prepare`. */
   private building: Steps<void> | undefined;
   private preparing: Promise<void> | undefined;
@@ -193,6 +195,7 @@ export class CharacterView {
   seek(timeSeconds: number): void {
     const { player, boneSet, skin, shown } = this;
     this.timeSeconds = timeSeconds;
+    this.verticesNow = undefined;
     if (!player || !shown) return;
     player.seek(timeSeconds);
     const { dofs } = player;
@@ -252,8 +255,21 @@ export class CharacterView {
     return group ? out.copy(this.localBox).applyMatrix4(group.matrix) : out.makeEmpty();
   }
 
-  /** The skin's vertices as drawn, x y z each, in the character's own space; empty without a skin. */
+  /** A copy of `drawnVertices`. */
   vertices(): Float64Array {
+    return this.drawnVertices.slice();
+  }
+
+  /**
+   * The skin's vertices as drawn, x y z each, in the character's own space; empty without a skin. Computed once in each
+   * pose: read-only.
+   */
+  get drawnVertices(): Float64Array {
+    this.verticesNow ??= this.computeVertices();
+    return this.verticesNow;
+  }
+
+  private computeVertices(): Float64Array {
     if (this.building) runToEnd(this.building);
     const mesh = this.skin?.meshes[0];
     if (!mesh) return new Float64Array(0);

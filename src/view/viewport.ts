@@ -24,6 +24,7 @@ import { type CharacterFacts, factsOf } from './character-facts.ts';
 import type { JointRef } from './drawn-skeletons.ts';
 import { Eye } from './eye.ts';
 import { Framer } from './framer.ts';
+import { middleUnder, QUICK_TRIANGLES } from './inside-skin.ts';
 import { JointFollower } from './joint-follower.ts';
 import type { LabelCover } from './label-cover.ts';
 import type { Look } from './look.ts';
@@ -284,6 +285,24 @@ export class Viewport {
     const entry = this.shown.characters.seen(characterId);
     this.update();
     return entry && vertexPosition(entry, vertex, placement, this.point) ? this.point.toArray() : undefined;
+  }
+
+  /**
+   * World position in the middle of the limb of a character's skin under a point of the page, as drawn; undefined off the
+   * skin, where that is open, or if it isn't drawn.
+   */
+  insideSkin(characterId: string, placement: number, clientX: number, clientY: number): Vec3 | undefined {
+    const { characters, skins } = this.shown;
+    const entry = characters.seen(characterId);
+    if (!entry || !skins.some((skin) => skin.characterId === characterId)) return undefined;
+    this.update();
+    return middleUnder(entry, placement, this.eye.rayAt(clientX, clientY));
+  }
+
+  /** Whether `insideSkin` takes a few milliseconds at most, for every move of the pointer. */
+  isInsideQuick(characterId: string): boolean {
+    const skin = this.shown.skins.find((one) => one.characterId === characterId)?.mesh.gpu.skin;
+    return !skin || skin.triangles.length <= 3 * QUICK_TRIANGLES;
   }
 
   /** The instance of a character that is edited, as an index into its placements. */

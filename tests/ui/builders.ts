@@ -114,6 +114,8 @@ export function workbench(document: Document = EMPTY_DOCUMENT, playback: Partial
     setTheme: () => {},
     character: () => undefined,
     freezeRootMotion: () => () => {},
+    insideSkin: () => undefined,
+    isInsideQuick: () => true,
   };
   // The canvas and its element need a browser, and no test uses them.
   const wb: Workbench = {

@@ -13,9 +13,10 @@
  * hidden by anything counts: bones may run beside the mesh.
  */
 import type { Steps } from '../steps.ts';
+import { Hits } from '../triangle-hits.ts';
 import { type BoneSegments, endsAt, nearest, squareToBone } from './bones.ts';
 import type { SurfaceSides } from './surface-sides.ts';
-import { Hits, hitsBetween, type TriangleTree } from './triangle-tree.ts';
+import { hitsBetween, type TriangleTree } from './triangle-tree.ts';
 
 /** Bones tested per vertex, nearest first. */
 const MAX_CANDIDATES = 12;

@@ -52,6 +52,8 @@ export type WorkbenchStage = Pick<
   | 'sizeOf'
   | 'freezeRootMotion'
   | 'vertexAt'
+  | 'insideSkin'
+  | 'isInsideQuick'
   | 'turnView'
   | 'turnCharacter'
   | 'eye'

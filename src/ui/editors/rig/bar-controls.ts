@@ -63,7 +63,7 @@ function rigHintText(wb: Uses<'store' | 'posing'>): string {
   if (wb.posing.rig.adding.get()) {
     if (!isAny) return 'Click to place the first joint.';
     if (!hasJoint) return 'Click the parent of the new joint.';
-    return 'Click to add a joint, or on a joint to branch from it. Esc to finish.';
+    return 'Click to add a joint, on a skin inside it, or on a joint to branch from it. Esc to finish.';
   }
   if (!isAny) return 'Choose Add joints and click to place the first one.';
   if (!hasJoint) return 'Click a joint to edit it, drag to move it.';

@@ -13,7 +13,6 @@ import {
   offsetMoved,
   ontoGrid,
   opposite,
-  parentToScene,
   snapped,
   snappedPoint,
   withoutDust,
@@ -27,14 +26,12 @@ import type { RigChildren } from '../../state/rig-hand.ts';
 import { jointsText, selectedJointsOf } from '../../state/selected-joint.ts';
 import type { Uses } from '../../state/workbench.ts';
 import type { BegunDrag, CanvasPointer } from '../viewport/canvas-tools.ts';
-import { gridSnap } from './grid-snap.ts';
+import { gridSnap, SNAP_PIXELS } from './grid-snap.ts';
 import { outermostJoints } from './outermost.ts';
-import { editOfRig, inSpaceOf, meanScale, type Rigged, scenePivot, spaceOfOffset } from './rigged.ts';
+import { editOfRig, meanScale, type Rigged, scenePivot, spaceOfOffset } from './rigged.ts';
 import { rigging } from './rigging-args.ts';
 import { SteadyHand } from './steady-hand.ts';
 
-/** Minimum size of a snapping step in pixels. */
-export const SNAP_PIXELS = 8;
 /** Snap distance to a mirrored joint on screen. */
 const OPPOSITE_PIXELS = 12;
 
@@ -214,22 +211,6 @@ function oppositePlace(
     best = { at, name: jointName(skeleton, j) };
   }
   return best;
-}
-
-/** Where a click would add a child: in the camera-facing plane through its parent. */
-export function placeForChild(wb: Uses<'viewport' | 'settings'>, rigged: Rigged, parent: number, at: CanvasPointer) {
-  const { eye } = wb.viewport;
-  const start = scenePivot(rigged, parent);
-  const pointed = eye.inPlaneOf(start, at.clientX, at.clientY);
-  const step = gridSnap(wb, at);
-  const offset = inSpaceOf(rigged, parent, step === undefined ? pointed : ontoGrid(pointed, start, step));
-  if (!offset) return undefined;
-  const space = parentToScene(rigged.placement, rigged.world, parent);
-  const unit = eye.unitsPerPixel(start) / meanScale(space);
-  const snaps = step === undefined && (at.ctrlKey || at.metaKey);
-  const dust = step === undefined ? unit : 1e-4 * unit;
-  const round = snaps ? snappedPoint(offset, roundStep(SNAP_PIXELS * unit)) : withoutDust(offset, dust);
-  return { offset: round, scene: transformPoint(space, round) };
 }
 
 function gridNote(step: number): string {

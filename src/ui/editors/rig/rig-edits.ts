@@ -2,12 +2,12 @@
 import { addJoint, createRig, mirrorJoint, removeJoint, reparentJoint } from '../../../edit/commands/rig.ts';
 import { keysLostBy, renameJoint, setFilePose, setMotion, setOffset } from '../../../edit/commands/rig-joint.ts';
 import { inTurn } from '../../../edit/in-turn.ts';
-import { inverseOf, ontoGrid, snappedPoint, withoutDust } from '../../../edit/rig/dragged-places.ts';
+import { snappedPoint } from '../../../edit/rig/dragged-places.ts';
 import type { NamedAxis, ReparentJoint, SetFilePose } from '../../../edit/rig/rigging.ts';
 import { CommandError, documentIn, type Edit } from '../../../edit/store.ts';
 import { boxOf } from '../../../evaluate/bounds.ts';
 import { roundStep } from '../../../math/round-steps.ts';
-import { transformPoint, type Vec3, ZERO } from '../../../math/vec3.ts';
+import type { Vec3 } from '../../../math/vec3.ts';
 import { type Character, type Document, findCharacter, shownSkin } from '../../../model/document.ts';
 import { isSameType, type MotionKind, motionOfKind } from '../../../model/joint-types.ts';
 import type { Motion, Skeleton } from '../../../model/skeleton.ts';
@@ -17,7 +17,7 @@ import { NO_JOINT } from '../../state/needs.ts';
 import { pausePlayback } from '../../state/pause-playback.ts';
 import { jointsText, selectedJointsOf } from '../../state/selected-joint.ts';
 import type { Uses, Workbench } from '../../state/workbench.ts';
-import { gridSnap } from './grid-snap.ts';
+import { type ClickedAt, placeForRoot } from './clicked-places.ts';
 import { nameNote } from './joint-names.ts';
 import { outermostJoints } from './outermost.ts';
 import { riggedNow, scenePivot } from './rigged.ts';
@@ -53,22 +53,11 @@ function middleOf(waiting: Character): Vec3 {
   return snappedPoint([(box[0] + box[3]) / 2, (box[1] + box[4]) / 2, (box[2] + box[5]) / 2], step);
 }
 
-/** Page position of a press or click, and modifiers for rounding. */
-type At = Pick<PointerEvent, 'clientX' | 'clientY' | 'shiftKey' | 'ctrlKey' | 'metaKey'>;
-
-/** The same at the pointer, while joints are being added and there is no skeleton yet. */
-export function startSkeletonAt(wb: Workbench, at: At): void {
-  const { eye } = wb.viewport;
-  const pointed = eye.inPlaneOf(ZERO, at.clientX, at.clientY);
-  const step = gridSnap(wb, at);
-  const scene = step === undefined ? pointed : ontoGrid(pointed, ZERO, step);
-  const unit = eye.unitsPerPixel(scene);
-  const waiting = waitingCharacter(wb);
-  const placement = waiting && wb.viewport.placementOf(waiting.id, wb.viewport.pickedCopy(waiting));
-  const inverse = placement && inverseOf(placement);
-  const own = inverse ? transformPoint(inverse, scene) : scene;
-  const rounds = step === undefined && (at.ctrlKey || at.metaKey);
-  start(wb, rounds ? snappedPoint(own, roundStep(8 * unit)) : withoutDust(own, unit));
+/** The same where a click is, while joints are being added and there is no skeleton yet. */
+export function startSkeletonAt(wb: Workbench, at: ClickedAt): void {
+  const place = placeForRoot(wb, waitingCharacter(wb), at);
+  if (place) start(wb, place);
+  else wb.messages.note('The character is scaled to zero, so nothing can be placed in it.', 'warning');
 }
 
 /** A skin without a skeleton, which gets the first joint. */

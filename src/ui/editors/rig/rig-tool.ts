@@ -1,7 +1,7 @@
 /**
  * The rig tool: joints are handles. A click selects one, a drag moves it; arrows move it along axes, handles on its
- * box's faces resize that. While adding joints, a click on the ground adds a child to the selected joint and selects
- * it, so that the next click continues the chain; a click on a joint starts a branch.
+ * box's faces resize that. While adding joints, a click on the ground, or on the skin inside it, adds a child to the
+ * selected joint and selects it, so that the next click continues the chain; a click on a joint starts a branch.
  */
 import { addJoint } from '../../../edit/commands/rig.ts';
 import type { Vec3 } from '../../../math/vec3.ts';
@@ -20,8 +20,9 @@ import { type BegunDrag, type CanvasDrag, type CanvasPointer, CLICK_PIXELS } fro
 import type { ModeTool } from '../viewport/mode-tool.ts';
 import { rigControls } from './bar-controls.ts';
 import { dragFace } from './box-drag.ts';
+import { placeForChild } from './clicked-places.ts';
 import { partAt } from './hits.ts';
-import { dragAlong, dragFreely, placeForChild } from './joint-drags.ts';
+import { dragAlong, dragFreely } from './joint-drags.ts';
 import { jointOfOtherCopy } from './other-copies.ts';
 import { startSkeletonAt } from './rig-edits.ts';
 import { type Rigged, riggedNow } from './rigged.ts';
@@ -63,12 +64,19 @@ export function rigTool(wb: Workbench): ModeTool {
     return partAt(screen, at.clientX - left, at.clientY - top, hand);
   };
 
-  /** Preview of the joint that a click would add; none over a joint, which it would select. */
+  /**
+   * Preview of the joint that a click would add; none over a joint, which it would select, and of a skin too large to be
+   * looked through as the pointer moves.
+   */
   const showGhost = () => {
     const parent = selectedJoint(wb)?.joint;
     const rigged = pointer && parent !== undefined && wantsJoint(pointer) ? riggedNow(wb) : undefined;
     const place =
-      pointer && rigged && parent !== undefined && partUnder(pointer)?.kind !== 'joint'
+      pointer &&
+      rigged &&
+      parent !== undefined &&
+      partUnder(pointer)?.kind !== 'joint' &&
+      viewport.isInsideQuick(rigged.character.id)
         ? placeForChild(wb, rigged, parent, pointer)
         : undefined;
     overlay?.showGhost(place && parent !== undefined ? { from: parent, at: place.scene } : undefined);

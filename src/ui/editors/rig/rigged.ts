@@ -1,5 +1,5 @@
 /** The character being rigged, at the picked instance, with the matrices to convert scene positions to its space. */
-import { inverseOf, parentToScene } from '../../../edit/rig/dragged-places.ts';
+import { parentToScene } from '../../../edit/rig/dragged-places.ts';
 import { transformPoint, type Vec3, ZERO } from '../../../math/vec3.ts';
 import { type Character, findCharacter } from '../../../model/document.ts';
 import type { Skeleton } from '../../../model/skeleton.ts';
@@ -47,10 +47,4 @@ export function meanScale(m: Float64Array): number {
     m[0] * (m[5] * m[10] - m[6] * m[9]) - m[4] * (m[1] * m[10] - m[2] * m[9]) + m[8] * (m[1] * m[6] - m[2] * m[5]),
   );
   return volume > 0 ? Math.cbrt(volume) : 1;
-}
-
-/** Converts a scene position to the space of a joint's children's offsets. */
-export function inSpaceOf({ world, placement }: Rigged, joint: number, point: Vec3): Vec3 | undefined {
-  const inverse = inverseOf(parentToScene(placement, world, joint));
-  return inverse && transformPoint(inverse, point);
 }
