@@ -40,17 +40,7 @@ export function comparisonJson(told: ToldComparison) {
     ...(first && { first: placeJson(first) }),
     own,
     inherited,
-    causes: causes.map(({ code, detail, alternatives, explains, of, residual, sentences, formulas, about }) => ({
-      code,
-      detail,
-      ...(alternatives.length > 0 && { alternatives }),
-      ...(about && { kinds: about.kinds, files: about.files }),
-      explains,
-      of,
-      residual,
-      sentence: sentences.join(' '),
-      formula: formulas.join('; '),
-    })),
+    causes: causes.map(causeJson),
     ...(pattern && { pattern }),
     ...(hints.length > 0 && { hints }),
     ...(frames.length > 1 && {
@@ -63,6 +53,21 @@ export function comparisonJson(told: ToldComparison) {
         inherited: frame.inherited,
       })),
     }),
+  };
+}
+
+export function causeJson(cause: Cause) {
+  const { code, detail, alternatives, explains, of, residual, sentences, formulas, about } = cause;
+  return {
+    code,
+    detail,
+    ...(alternatives.length > 0 && { alternatives }),
+    ...(about && { kinds: about.kinds, files: about.files }),
+    explains,
+    of,
+    residual,
+    sentence: sentences.join(' '),
+    formula: formulas.join('; '),
   };
 }
 
@@ -87,16 +92,19 @@ export function comparisonText(told: ToldComparison): string {
     };
     if (own.length > 0) lines.push(`Wrong by themselves: ${list(own)}.`);
     if (inherited.length > 0) lines.push(`Wrong only because a parent is: ${list(inherited)}.`);
-    if (areEqual(causes)) {
-      lines.push('', `Each of these ${causes.length} mistakes explains it; these numbers can't tell them apart.`);
-    }
-    for (const cause of causes) lines.push('', ...causeLines(cause, compared, isOfSeveral));
+    lines.push(...causesLines(causes, compared, isOfSeveral));
     const rest = unexplainedSentences(comparison, isOfSeveral);
     if (rest.length > 0) lines.push('', ...rest);
   }
   const hints = hintsOf(told);
   if (hints.length > 0) lines.push('', ...hints);
   return `${lines.join('\n')}\n`;
+}
+
+export function causesLines(causes: readonly Cause[], compared: Compared, isOfSeveral: boolean): readonly string[] {
+  const equal = `Each of these ${causes.length} mistakes explains it; these numbers can't tell them apart.`;
+  const each = causes.flatMap((cause) => ['', ...causeLines(cause, compared, isOfSeveral)]);
+  return areEqual(causes) ? ['', equal, ...each] : each;
 }
 
 function causeLines(cause: Cause, compared: Compared, isOfSeveral: boolean): readonly string[] {
@@ -189,6 +197,6 @@ function nameOf({ skeleton }: Character, joint: number): string {
   return skeleton?.joints[joint]?.name || `joint ${joint}`;
 }
 
-function short(value: number): string {
+export function short(value: number): string {
   return Number.isFinite(value) ? String(Number(value.toPrecision(3))) : 'not a number';
 }

@@ -150,7 +150,8 @@ function sizeOf(target: FrameTarget, own: FrameNumbers): number {
   return target.vertices ? diagonalOf(own.vertices, 3, 0) : diagonalOf(own.world, 16, 12);
 }
 
-function countOf(frames: readonly FrameTarget[], channels: Uint32Array): Compared {
+/** @param channels of each sample */
+export function countOf(frames: readonly FrameTarget[], channels: Uint32Array): Compared {
   const counts = { world: 0, local: 0, positions: 0, vertices: 0, normals: 0, channels: new Set(channels).size };
   for (const frame of frames) {
     for (const kind of FRAME_KINDS) {

@@ -445,3 +445,107 @@ describe('marrow compare', () => {
     }
   });
 });
+
+describe('marrow compare of inverse kinematics', () => {
+  let folder = '';
+  // Three bones in a plane, from 20°, 30° and 40°.
+  const LENGTHS = [1, 0.8, 0.6];
+  const START = [20, 30, 40].map((angle) => (angle * Math.PI) / 180);
+  const [X, Y] = [0.4, 1.7];
+  const pin = ['--pin', `#2=${X},${Y},0`];
+  beforeAll(() => {
+    folder = mkdtempSync(join(tmpdir(), 'marrow-compare-ik-'));
+    const bones = LENGTHS.map((length, j) => `${length} 0 0 1 ${20 + 10 * j} ${j < 2 ? 1 : 0}\n`);
+    writeFileSync(join(folder, 'arm.axskel'), bones.join(''));
+  });
+  afterAll(() => rmSync(folder, { recursive: true }));
+
+  /** Origins of the joints, and the tip. */
+  function pointsOf(angles: readonly number[]): readonly (readonly [x: number, y: number])[] {
+    let [x, y, turn] = [0, 0, 0];
+    return [...LENGTHS, 0].map((length, j) => {
+      const point = [x, y] as const;
+      turn += angles[j] ?? 0;
+      x -= length * Math.sin(turn);
+      y += length * Math.cos(turn);
+      return point;
+    });
+  }
+
+  /** Jᵀe of a point: 2 is the last joint's origin, 3 the tip. */
+  function stepOf(angles: readonly number[], point: number): readonly number[] {
+    const points = pointsOf(angles);
+    const [px, py] = points[point];
+    return angles.map((_, j) => {
+      const [ox, oy] = points[j];
+      return j < point ? -(py - oy) * (X - px) + (px - ox) * (Y - py) : 0;
+    });
+  }
+
+  const stepped = (angles: readonly number[], step: readonly number[], by: number) =>
+    angles.map((angle, j) => angle + by * step[j]);
+
+  /** World matrices by rows, as the program prints them. */
+  function print(name: string, angles: readonly number[]): string {
+    let turn = 0;
+    const rows = LENGTHS.map((_, j) => {
+      turn += angles[j];
+      const [c, s] = [Math.cos(turn), Math.sin(turn)];
+      const [x, y] = pointsOf(angles)[j];
+      return [c, -s, 0, x, s, c, 0, y, 0, 0, 1, 0, 0, 0, 0, 1].map((value) => value.toFixed(6)).join(' ');
+    });
+    writeFileSync(join(folder, name), `${rows.join('\n')}\n`);
+    return name;
+  }
+
+  function solved(point: number): readonly number[] {
+    let angles: readonly number[] = START;
+    for (let i = 0; i < 2000; i++) angles = stepped(angles, stepOf(angles, point), 0.1);
+    return angles;
+  }
+
+  it('agrees with any solution, and names the wrong end effector in a sentence with its formula', async () => {
+    const right = await command(['compare', 'arm.axskel', print('right.txt', solved(3)), ...pin], folder);
+    expect([right.code, right.out]).toEqual([0, expect.stringContaining('The tip of joint 2 is at its target')]);
+    const wrong = await command(['compare', 'arm.axskel', print('wrong.txt', solved(2)), ...pin], folder);
+    expect(wrong.code).toBe(1);
+    expect(wrong.out).toContain('ik-end-effector (the tip of joint 1)');
+    expect(wrong.out).toContain('You bring the tip of joint 1 to the target; it should be the tip of joint 2.');
+    expect(wrong.out).toContain('J = ∂p/∂φ');
+    // The same numbers are right of that tip.
+    const args = ['compare', 'arm.axskel', 'wrong.txt', '--pin', `#1=${X},${Y},0`];
+    expect(await commandJson(args, folder)).toMatchObject({ agrees: true, causes: [] });
+  });
+
+  it('tells steps of one solver from another after one of them', async () => {
+    const step = stepOf(START, 3);
+    const [first, second, third] = step.map((_, i) => pointsOf(START)[i]);
+    const [px, py] = pointsOf(START)[3];
+    // Three bones, so J is 3 × 3, and J·e can be computed for Jᵀe.
+    const columns = [first, second, third].map(([ox, oy]) => [-(py - oy), px - ox, 0]);
+    const untransposed = [0, 1, 2].map((r) => columns[0][r] * (X - px) + columns[1][r] * (Y - py));
+    for (const [name, moved, by, code] of [
+      ['right', step, 0.1, undefined],
+      ['unscaled', step, 1, 'ik-step-unscaled'],
+      ['transposed', untransposed, 0.1, 'ik-jacobian-transposed'],
+      ['effector', stepOf(START, 2), 0.1, 'ik-end-effector'],
+    ] as const) {
+      const dump = print(`${name}.txt`, stepped(START, moved, by));
+      const args = ['compare', 'arm.axskel', dump, ...pin, '--one-step'];
+      const found = await commandJson<CompareJson>(args, folder, code ? 1 : 0);
+      expect([name, found.agrees, found.causes.map((cause) => cause.code)]).toEqual([name, !code, code ? [code] : []]);
+    }
+  });
+
+  it('says what it needs', async () => {
+    const dump = print('right.txt', START);
+    for (const [args, says] of [
+      [['--one-step'], '--one-step goes with --pin'],
+      [['--pin', 'elbow=1,2,3'], 'There is no joint "elbow"'],
+      [[...pin, ...pin], 'compare takes one --pin, not 2'],
+    ] as const) {
+      const { code, err } = await command(['compare', 'arm.axskel', dump, ...args], folder);
+      expect([code, err]).toEqual([2, expect.stringContaining(says)]);
+    }
+  });
+});

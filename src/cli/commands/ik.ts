@@ -5,19 +5,18 @@
  *
  * within the joints' limits. As in `marrow pose`: doubles, radians, the character's own space.
  */
-import { type IkPin, ikStiffness } from '../../evaluate/ik/pins.ts';
+import { ikStiffness } from '../../evaluate/ik/pins.ts';
 import { ikProblem } from '../../evaluate/ik/problem.ts';
 import { solve } from '../../evaluate/ik/solve.ts';
 import { compileSkeleton } from '../../evaluate/kinematics.ts';
 import { dofCountOf, poseAt } from '../../evaluate/pose.ts';
-import type { Vec3 } from '../../math/vec3.ts';
 import { hasErrors } from '../../model/diagnostic.ts';
 import type { Character } from '../../model/document.ts';
 import { jointDofCount, rootDofCount } from '../../model/dofs.ts';
-import type { Skeleton } from '../../model/skeleton.ts';
 import { numbersOf, parseArguments, UsageError } from '../arguments.ts';
 import { type CliCommand, FILE_EXITS } from '../io.ts';
 import { loadAny, openLoaded } from '../load.ts';
+import { type AskedPin, readPin, resolvePin } from '../pin-argument.ts';
 import { printJson, report } from '../report.ts';
 
 export const ik: CliCommand = {
@@ -48,55 +47,6 @@ export const ik: CliCommand = {
     return hasErrors(diagnostics) ? 1 : 0;
   },
 };
-
-/** A parsed `--pin`, before the skeleton is known. */
-interface AskedPin {
-  readonly text: string;
-  readonly target: Vec3;
-  readonly weight: number;
-  /** The part before the `=`: a joint, optionally with a point. */
-  readonly what: string;
-}
-
-function readPin(text: string): AskedPin {
-  // The last one: a name may contain `=`, numbers don't.
-  const equals = text.lastIndexOf('=');
-  if (equals < 0) throw new UsageError(`--pin takes JOINT=x,y,z; "${text}" has no "=".`);
-  const numbers = numbersOf('pin', text.slice(equals + 1));
-  if (numbers.length !== 3 && numbers.length !== 4) {
-    throw new UsageError(`--pin takes 3 numbers and an optional weight after "="; "${text}" has ${numbers.length}.`);
-  }
-  const [x, y, z, weight = 1] = numbers;
-  if (!(weight > 0)) throw new UsageError(`--pin takes weights greater than 0; "${text}" has ${weight}.`);
-  return { text, target: [x, y, z], weight, what: text.slice(0, equals) };
-}
-
-function resolvePin(skeleton: Skeleton, { what, target, weight, text }: AskedPin): IkPin {
-  const at = what.lastIndexOf('@');
-  const hasPoint = at >= 0 && !skeleton.joints.some(({ name }) => name === what);
-  const joint = jointCalled(skeleton, hasPoint ? what.slice(0, at) : what);
-  const point = hasPoint ? numbersOf('pin', what.slice(at + 1)) : [0, skeleton.joints[joint].length ?? 0, 0];
-  if (point.length !== 3)
-    throw new UsageError(`--pin takes a point as JOINT@x,y,z; "${text}" has ${point.length} numbers there.`);
-  const [x, y, z] = point;
-  return { joint, point: [x, y, z], target, weight };
-}
-
-/** `#index`, or a name that is unique in the skeleton. */
-function jointCalled({ name: skeleton, joints }: Skeleton, called: string): number {
-  if (/^#\d+$/.test(called)) {
-    const index = Number(called.slice(1));
-    if (index < joints.length) return index;
-    throw new UsageError(`There is no joint ${called} in "${skeleton}", only #0 to #${joints.length - 1}.`);
-  }
-  const fits = joints.flatMap(({ name }, j) => (name === called ? [j] : []));
-  if (fits.length === 1 && called !== '') return fits[0];
-  if (fits.length > 1 && called !== '')
-    throw new UsageError(`"${called}" is the name of ${fits.length} joints: use #${fits.join(' or #')}.`);
-  const names = joints.map(({ name }, j) => name || `#${j}`);
-  const some = names.length > 12 ? `${names.slice(0, 12).join(', ')} … #${names.length - 1}` : names.join(', ');
-  throw new UsageError(`There is no joint "${called}" in "${skeleton}". There are: ${some}.`);
-}
 
 interface Posed {
   /** Of all joints, in the order that `marrow pose --dofs` takes. */

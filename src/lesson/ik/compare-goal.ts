@@ -1,0 +1,242 @@
+/**
+ * Compares what a program of inverse kinematics printed with the target that it was given. Any pose that reaches it is
+ * right, or, after one step, any usual step that brings the point nearer. Else the mistakes are tried: one is named
+ * only if its numbers are those of the program.
+ */
+import { length3, subtract } from '../../math/vec3.ts';
+import type { Character } from '../../model/document.ts';
+import type { Skeleton } from '../../model/skeleton.ts';
+import { diagonalOf } from '../errors.ts';
+import type { Cause } from '../found-causes.ts';
+import { shortNumber } from '../short-number.ts';
+import type { FrameTarget } from '../targets.ts';
+import { type FittedStep, fitStep } from './fit-step.ts';
+import { type EndEffector, effectorText, endEffectorsOf, type Goal, placeIn } from './goal.ts';
+import { IK_FORMULAS, type IkMistake } from './mistakes.ts';
+import { pinsOf, remaining } from './solved.ts';
+import { type SeenPoint, SolverStart } from './start.ts';
+import { bestLength, kindAlong, misread, rightKinds, type StepKind, transposed, transposeKind } from './steps.ts';
+
+export interface GoalComparison {
+  readonly agrees: boolean;
+  /** Distances from the target: in the pose from which the program started, and in its numbers, if they tell. */
+  readonly before: number;
+  readonly after?: number;
+  /** Whether the numbers differ from those of the pose from which the program started. */
+  readonly hasMoved: boolean;
+  /** Whether the joints stand as the skeleton can have them; not asked of one step. */
+  readonly isPose: boolean;
+  readonly causes: readonly Cause[];
+}
+
+/** A step must move something by so many tolerances, so that others can't be taken for it. */
+const EVIDENCE = 50;
+/** Of a solver that never comes nearer. */
+const MOST_STEPS = 60;
+
+/**
+ * @param frame world matrices or joint positions, or, of one step, local matrices
+ * @param isOneStep whether the program made one step only
+ */
+export function compareGoal(
+  character: Character,
+  skeleton: Skeleton,
+  frame: FrameTarget,
+  goal: Goal,
+  isOneStep: boolean,
+  tolerance: number,
+): GoalComparison {
+  const start = new SolverStart(character, skeleton, frame.time);
+  const size = diagonalOf(start.matrices(start.pose), 16, 12);
+  const trial = new GoalTrial(start, frame, goal, size, tolerance);
+  const place = placeIn(frame, goal);
+  const distances = {
+    before: start.distance(start.pose, goal),
+    ...(place && { after: length3(...subtract(goal.target, place)) }),
+  };
+  return { ...distances, hasMoved: trial.hasMoved, ...(isOneStep ? trial.oneStep() : trial.solution()) };
+}
+
+type Judged = Pick<GoalComparison, 'agrees' | 'isPose' | 'causes'>;
+
+class GoalTrial {
+  private readonly near: number;
+  readonly hasMoved: boolean;
+  /** Whether so far that mistakes can be told from each other. */
+  private readonly isTelling: boolean;
+
+  constructor(
+    private readonly start: SolverStart,
+    private readonly frame: FrameTarget,
+    private readonly goal: Goal,
+    private readonly size: number,
+    private readonly tolerance: number,
+  ) {
+    this.near = tolerance * size;
+    const moved = start.error(frame, start.pose, size);
+    this.hasMoved = moved > tolerance;
+    this.isTelling = moved > EVIDENCE * tolerance;
+  }
+
+  oneStep(): Judged {
+    const { start, goal } = this;
+    const [own] = start.see([goal], goal.target);
+    const isRight = this.hasMoved && rightKinds(own).some((kind) => this.rightStep(kind, goal));
+    if (isRight) return { agrees: true, isPose: true, causes: [] };
+    const unscaled = this.unscaledStep(own);
+    const causes = unscaled ? [unscaled] : [...merged(this.misreadSteps(own)), ...merged(this.stepsOfOthers())];
+    return { agrees: false, isPose: true, causes };
+  }
+
+  solution(): Judged {
+    const { frame, goal, near, size, start } = this;
+    const held = pinsOf(frame, start.skeleton.joints.length, size);
+    if (remaining(start, held) > near) return { agrees: false, isPose: false, causes: [] };
+    const place = placeIn(frame, goal);
+    const off = place ? length3(...subtract(goal.target, place)) : undefined;
+    // Of targets out of reach the nearest place is right.
+    const agrees =
+      off === undefined
+        ? remaining(start, [...held, goal]) <= near
+        : off <= near || off <= remaining(start, [goal]) + near;
+    if (agrees) return { agrees, isPose: true, causes: [] };
+    const unscaled = this.unscaledSteps();
+    return { agrees, isPose: true, causes: unscaled ? [unscaled] : merged(this.othersAtTarget()) };
+  }
+
+  /** The step of a kind that gives the numbers, if it is right for the point. */
+  private rightStep(kind: StepKind, effector: EndEffector): FittedStep | undefined {
+    const fitted = this.fitted(kind);
+    const isRight = fitted.error <= this.tolerance && (!kind.mustGain || this.gain(fitted.step, effector) > 0);
+    return isRight ? fitted : undefined;
+  }
+
+  private fitted(kind: StepKind) {
+    const { start, frame, size } = this;
+    return fitStep(kind, (step) => start.error(frame, start.after(step), size));
+  }
+
+  /** How much nearer the step brings the point to the target. */
+  private gain(step: readonly number[], { joint, point }: EndEffector): number {
+    const { start, goal } = this;
+    const own: Goal = { joint, point, target: goal.target };
+    return start.distance(start.pose, own) - start.distance(start.after(step), own);
+  }
+
+  /** α·Jᵀe, so far that the point isn't nearer. */
+  private unscaledStep(own: SeenPoint): Cause | undefined {
+    const { relative, step, error } = this.fitted(transposeKind(own));
+    if (!(error <= this.tolerance) || !this.isTold(step)) return undefined;
+    const best = bestLength(own);
+    const alpha = relative * best;
+    const isOne = this.errorAfter(transposed(own)) <= this.tolerance;
+    const detail = isOne ? 'α = 1' : `α = ${shortNumber(alpha)}`;
+    return this.cause(
+      'ik-step-unscaled',
+      detail,
+      `You add ${isOne ? 'Jᵀe itself' : `${shortNumber(alpha)}·Jᵀe`} to the DOFs, which doesn't bring ${this.text(this.goal)} nearer; it should be α·Jᵀe with α at most about ${shortNumber(best)} here.`,
+      error,
+    );
+  }
+
+  private misreadSteps(own: SeenPoint): readonly Cause[] {
+    return misread(own).flatMap(([detail, direction]) => {
+      const { step, error } = this.fitted(kindAlong(direction, bestLength(own)));
+      if (!(error <= this.tolerance) || !this.isTold(step)) return [];
+      const sentence = `You read the numbers of J in the wrong order: ${detail}; it should be read as it is stored, so that each DOF's change is its own column of J times e.`;
+      return [this.cause('ik-jacobian-transposed', detail, sentence, error)];
+    });
+  }
+
+  private stepsOfOthers(): readonly Cause[] {
+    const { start, goal } = this;
+    return start.see(this.others(endEffectorsOf(start.skeleton)), goal.target).flatMap((seen) => {
+      const fits = rightKinds(seen)
+        .flatMap((kind) => this.rightStep(kind, seen.effector) ?? [])
+        .filter(({ step }) => this.isTold(step));
+      return fits.length > 0 ? [this.wrongEffector(seen.effector, Math.min(...fits.map(({ error }) => error)))] : [];
+    });
+  }
+
+  /** Points that came to the target instead. */
+  private othersAtTarget(): readonly Cause[] {
+    const { frame, goal, near, size, start } = this;
+    const known = endEffectorsOf(start.skeleton).filter((effector) => placeIn(frame, effector));
+    return this.others(known).flatMap((effector) => {
+      const place = placeIn(frame, effector);
+      const off = place ? length3(...subtract(goal.target, place)) : Infinity;
+      const wasThere = start.distance(start.pose, { ...effector, target: goal.target }) <= EVIDENCE * near;
+      return off <= near && !wasThere ? [this.wrongEffector(effector, off / size)] : [];
+    });
+  }
+
+  /** A number of steps of Jᵀe itself, one of which takes the point away from the target. */
+  private unscaledSteps(): Cause | undefined {
+    const { start, goal, tolerance, frame, size } = this;
+    if (!this.isTelling) return undefined;
+    let pose = start.pose;
+    let distance = start.distance(pose, goal);
+    let hasOvershot = false;
+    for (let steps = 1; steps <= MOST_STEPS; steps++) {
+      const [seen] = start.see([goal], goal.target, pose);
+      pose = start.after(transposed(seen), pose).slice();
+      const now = start.distance(pose, goal);
+      hasOvershot ||= now >= distance;
+      distance = now;
+      const error = start.error(frame, pose, size);
+      if (!(error <= tolerance) || !hasOvershot) continue;
+      const sentence = `You add Jᵀe itself to the DOFs in each step, which goes past the target; it should be α·Jᵀe with α at most about ${shortNumber(bestLength(seen))} here.`;
+      return this.cause('ik-step-unscaled', `α = 1, ${steps} ${steps === 1 ? 'step' : 'steps'}`, sentence, error);
+    }
+    return undefined;
+  }
+
+  /** Those that aren't the goal's, each place once: the tip of a bone is often the next one's origin. */
+  private others(effectors: readonly EndEffector[]): readonly EndEffector[] {
+    const { start, goal, near } = this;
+    const all = [goal, ...effectors];
+    const seen = start.see(all, goal.target);
+    return all.filter((_, i) => {
+      const isSame = (j: number) =>
+        length3(...subtract(seen[i].position, seen[j].position)) <= near &&
+        seen[i].columns.every((column, v) => length3(...subtract(column, seen[j].columns[v])) <= near);
+      return !all.slice(0, i).some((_each, j) => isSame(j)) && i > 0;
+    });
+  }
+
+  /** One DOF alone goes with any direction. */
+  private isTold(step: readonly number[]): boolean {
+    return this.isTelling && step.filter((part) => part !== 0).length > 1;
+  }
+
+  private errorAfter(step: readonly number[]): number {
+    const { start, frame, size } = this;
+    return start.error(frame, start.after(step), size);
+  }
+
+  private wrongEffector(effector: EndEffector, error: number): Cause {
+    const detail = this.text(effector);
+    const sentence = `You bring ${detail} to the target; it should be ${this.text(this.goal)}.`;
+    return this.cause('ik-end-effector', detail, sentence, error);
+  }
+
+  private text(effector: EndEffector): string {
+    return effectorText(this.start.skeleton, effector);
+  }
+
+  private cause(code: IkMistake, detail: string, sentence: string, residual: number): Cause {
+    const { length } = this.start.skeleton.joints;
+    const formulas = [IK_FORMULAS[code]];
+    const told = { code, detail, alternatives: [], sentences: [sentence], formulas };
+    return { ...told, explains: length, of: length, frames: [0], residual };
+  }
+}
+
+/** Causes of one code as the nearest, and the others as alternatives to it. */
+function merged(causes: readonly Cause[]): readonly Cause[] {
+  const [best, ...others] = [...causes].sort((a, b) => a.residual - b.residual);
+  if (!best) return [];
+  const details = new Set(others.map(({ detail }) => detail));
+  details.delete(best.detail);
+  return [{ ...best, alternatives: [...details] }];
+}
