@@ -176,16 +176,17 @@ class GoalTrial {
     if (!this.isTelling) return undefined;
     let pose = start.pose;
     let distance = start.distance(pose, goal);
-    let hasOvershot = false;
+    // The best α of steps that go too far.
+    let best = Infinity;
     for (let steps = 1; steps <= MOST_STEPS; steps++) {
       const [seen] = start.see([goal], goal.target, pose);
       pose = start.after(transposed(seen), pose).slice();
       const now = start.distance(pose, goal);
-      hasOvershot ||= now >= distance;
+      if (now >= distance) best = Math.min(best, bestLength(seen));
       distance = now;
       const error = start.error(frame, pose, size);
-      if (!(error <= tolerance) || !hasOvershot) continue;
-      const sentence = `You add Jᵀe itself to the DOFs in each step, which goes past the target; it should be α·Jᵀe with α at most about ${shortNumber(bestLength(seen))} here.`;
+      if (!(error <= tolerance) || best === Infinity) continue;
+      const sentence = `You add Jᵀe itself to the DOFs in each step, which goes past the target; it should be α·Jᵀe with α at most about ${shortNumber(best)} there.`;
       return this.cause('ik-step-unscaled', `α = 1, ${steps} ${steps === 1 ? 'step' : 'steps'}`, sentence, error);
     }
     return undefined;
