@@ -24,7 +24,6 @@ import { type CharacterFacts, factsOf } from './character-facts.ts';
 import type { JointRef } from './drawn-skeletons.ts';
 import { Eye } from './eye.ts';
 import { Framer } from './framer.ts';
-import { middleUnder, QUICK_TRIANGLES } from './inside-skin.ts';
 import { JointFollower } from './joint-follower.ts';
 import type { LabelCover } from './label-cover.ts';
 import type { Look } from './look.ts';
@@ -35,7 +34,7 @@ import { Pointing } from './pointing.ts';
 import { Redraw } from './redraw.ts';
 import { type FrameStats, Screen } from './screen.ts';
 import type { ShotParts } from './shots.ts';
-import { vertexPosition } from './shown-characters.ts';
+import { type ShownCharacter, vertexPosition } from './shown-characters.ts';
 import { ShownDocument } from './shown-document.ts';
 import { NO_TINTS, STAGE_THEMES, type ThemeName } from './theme.ts';
 
@@ -287,22 +286,12 @@ export class Viewport {
     return entry && vertexPosition(entry, vertex, placement, this.point) ? this.point.toArray() : undefined;
   }
 
-  /**
-   * World position in the middle of the limb of a character's skin under a point of the page, as drawn; undefined off the
-   * skin, where that is open, or if it isn't drawn.
-   */
-  insideSkin(characterId: string, placement: number, clientX: number, clientY: number): Vec3 | undefined {
+  /** A character whose skin is drawn, as it is now, for `insideSkin`: the first picture on screen does without that. */
+  withDrawnSkin(characterId: string): ShownCharacter | undefined {
     const { characters, skins } = this.shown;
-    const entry = characters.seen(characterId);
-    if (!entry || !skins.some((skin) => skin.characterId === characterId)) return undefined;
+    if (!skins.some((skin) => skin.characterId === characterId)) return undefined;
     this.update();
-    return middleUnder(entry, placement, this.eye.rayAt(clientX, clientY));
-  }
-
-  /** Whether `insideSkin` takes a few milliseconds at most, for every move of the pointer. */
-  isInsideQuick(characterId: string): boolean {
-    const skin = this.shown.skins.find((one) => one.characterId === characterId)?.mesh.gpu.skin;
-    return !skin || skin.triangles.length <= 3 * QUICK_TRIANGLES;
+    return characters.seen(characterId);
   }
 
   /** The instance of a character that is edited, as an index into its placements. */

@@ -114,8 +114,7 @@ export function workbench(document: Document = EMPTY_DOCUMENT, playback: Partial
     setTheme: () => {},
     character: () => undefined,
     freezeRootMotion: () => () => {},
-    insideSkin: () => undefined,
-    isInsideQuick: () => true,
+    withDrawnSkin: () => undefined,
   };
   // The canvas and its element need a browser, and no test uses them.
   const wb: Workbench = {

@@ -12,6 +12,7 @@ import { setIdentity } from '../../../math/mat4.ts';
 import { roundStep } from '../../../math/round-steps.ts';
 import { transformPoint, type Vec3, ZERO } from '../../../math/vec3.ts';
 import type { Character } from '../../../model/document.ts';
+import { insideSkin } from '../../../view/inside-skin.ts';
 import type { Uses } from '../../state/workbench.ts';
 import type { CanvasPointer } from '../viewport/canvas-tools.ts';
 import { gridSnap, SNAP_PIXELS } from './grid-snap.ts';
@@ -66,7 +67,7 @@ function clickedPlace(
   const toSpace = inverseOf(space);
   if (!toSpace) return undefined;
   const unit = viewport.eye.unitsPerPixel(anchor) / meanScale(space);
-  const inside = character && viewport.insideSkin(character.id, viewport.pickedCopy(character), at.clientX, at.clientY);
+  const inside = character && insideSkin(viewport, character, at.clientX, at.clientY);
   if (inside) return withoutDust(transformPoint(toSpace, inside), unit);
   const pointed = viewport.eye.inPlaneOf(anchor, at.clientX, at.clientY);
   const step = gridSnap(wb, at);

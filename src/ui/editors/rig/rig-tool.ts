@@ -7,6 +7,7 @@ import { addJoint } from '../../../edit/commands/rig.ts';
 import type { Vec3 } from '../../../math/vec3.ts';
 import type { Character } from '../../../model/document.ts';
 import type { Selection } from '../../../model/session.ts';
+import { isInsideQuick } from '../../../view/inside-skin.ts';
 import { RigOverlay } from '../../../view/rig/rig-overlay.ts';
 import type { RigPart } from '../../../view/rig/rig-screen.ts';
 import { isTextField } from '../../kit/focus.ts';
@@ -76,7 +77,7 @@ export function rigTool(wb: Workbench): ModeTool {
       rigged &&
       parent !== undefined &&
       partUnder(pointer)?.kind !== 'joint' &&
-      viewport.isInsideQuick(rigged.character.id)
+      isInsideQuick(viewport, rigged.character.id)
         ? placeForChild(wb, rigged, parent, pointer)
         : undefined;
     overlay?.showGhost(place && parent !== undefined ? { from: parent, at: place.scene } : undefined);

@@ -5,7 +5,6 @@ import { DEFAULT_DISPLAY } from '../../../../src/model/session.ts';
 import type { Skin } from '../../../../src/model/skin.ts';
 import { rigTool } from '../../../../src/ui/editors/rig/rig-tool.ts';
 import { CharacterView } from '../../../../src/view/character-view.ts';
-import { middleUnder } from '../../../../src/view/inside-skin.ts';
 import { limbSkin } from '../../../helpers/limb.ts';
 import { character, documentOf, skeleton } from '../../builders.ts';
 import { ikPage, PIXELS_PER_UNIT } from '../ik/ik-page.ts';
@@ -26,22 +25,24 @@ function limb(z = 0): Skin {
 
 afterEach(() => void vi.unstubAllGlobals());
 
+const rayAt = (x: number, y: number) => ({
+  origin: [x / PIXELS_PER_UNIT, -y / PIXELS_PER_UNIT, 10],
+  direction: [0, 0, -1],
+});
+
 /** Rig mode with the grid shown, where clicks add joints; places are in the scene. */
 function adding(what: Partial<Character>) {
   const { wb, placeOf } = ikPage(documentOf(character(what)));
-  const insideSkin = (id: string, placement: number, x: number, y: number) => {
+  const withDrawnSkin = (id: string) => {
     const shown = findCharacter(wb.store.document, id);
+    const placements = wb.viewport.placementOf(id, 0);
+    if (!shown || !placements) return undefined;
     const view = new CharacterView();
-    if (!shown) return undefined;
     view.show(shown, DEFAULT_DISPLAY, undefined);
-    const placements = wb.viewport.placementOf(id, placement) ?? new Float64Array(16);
-    const origin: Vec3 = [x / PIXELS_PER_UNIT, -y / PIXELS_PER_UNIT, 10];
-    return middleUnder({ view, character: shown, placements, placedFor: shown }, placement, {
-      origin,
-      direction: [0, 0, -1],
-    });
+    return { view, character: shown, placements, placedFor: shown };
   };
-  Object.assign(wb.viewport, { insideSkin, gridStep: 1 });
+  const eye = { ...wb.viewport.eye, rayAt };
+  Object.assign(wb.viewport, { withDrawnSkin, eye, gridStep: 1 });
   wb.posing.mode.set('rig');
   wb.posing.rig.adding.set(true);
   if (what.skeleton) wb.store.select({ characterId: 'c1', joint: 0 });
