@@ -199,8 +199,18 @@ export function checkCount(t: Tokens, what: string, { count, place }: Declared, 
   t.report.warn('count-mismatch', message, t.placeOf(place, 'warning'), `used ${found}`);
 }
 
-/** Skips a token that is not valid in `where`; equal ones share one warning. */
-export function* skipStrange(t: Tokens, where: string, expected: string): GrammarPart<void> {
+/**
+ * Skips a token that is not valid in `where`; equal ones share one warning. A keyword with a number right behind it is
+ * no such token, but these two.
+ *
+ * @param blocks keywords of blocks that are valid there
+ */
+export function* skipStrange(t: Tokens, where: string, expected: string, blocks = NO_BLOCKS): GrammarPart<void> {
+  const keyword = t.keyword().replace(/\d+$/, '');
+  if (keyword !== t.keyword() && blocks.has(keyword)) {
+    t.splitAt(keyword.length);
+    return;
+  }
   const message = () => `Expected ${expected} in ${where}, found ${t.found()}.`;
   if (t.kind === '{') {
     t.warn('brace-unexpected', message(), 'skipped to its "}"');
@@ -211,6 +221,8 @@ export function* skipStrange(t: Tokens, where: string, expected: string): Gramma
   else t.warnOnce('number-unexpected', '', message, 'skipped');
   yield* t.skipUnknown();
 }
+
+const NO_BLOCKS: Keywords = new Set();
 
 /** At an unmatched `}`. */
 export function braceTooMany(t: Tokens): void {

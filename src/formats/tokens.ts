@@ -364,6 +364,13 @@ export class Tokens {
     }
   }
 
+  /** Ends the current word after so many bytes. It is the next token again, and the rest the one after it. */
+  splitAt(length: number): void {
+    this.stop = this.at = this.start + length;
+    this.lowered = undefined;
+    this.again();
+  }
+
   /** Ends the current word after the first such byte in it; the rest is the next token. */
   endBehind(byte: number): void {
     for (let i = this.start; i < this.stop; i++) {

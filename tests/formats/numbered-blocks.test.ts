@@ -51,6 +51,24 @@ describe('numbers between the keyword of a block and its brace', () => {
     }
   });
 
+  it.each(FILES)(
+    '%s: right behind the keyword, an index or count costs nothing, and nothing is said of it',
+    (name, text) => {
+      const glued = (head: string, index: number) => head.replace(/^\w+/, (keyword) => `${keyword}${index}`);
+      const counted = withHeads(text, glued).replace(/^(keys|positions|bindings) (?=\d)/gm, '$1');
+      const expected = read(name, bytesOf(withHeads(text, numbered())));
+      const found = read(name, bytesOf(counted));
+      expect(found).toEqual(expected);
+      expect(
+        readInPieces(
+          name,
+          bytesOf(counted),
+          Array.from(counted, (_, i) => i),
+        ),
+      ).toEqual(expected);
+    },
+  );
+
   it.each(FILES)('%s: a number that is not the index is one warning for a keyword, and no more', (name, text) => {
     const { value, diagnostics } = readAsOpened(name, withHeads(text, numbered(1)));
     expect(value).toEqual(read(name, bytesOf(plain(text))).value);
@@ -104,6 +122,15 @@ describe('numbers between the keyword of a block and its brace', () => {
     const { value, diagnostics } = readAsOpened('x.anim', text.replace(' keys of', ' of it'));
     expect(told({ diagnostics })).toEqual(['warning name-unexpected 5:6']);
     expect(value?.kind === 'anim' && value.clip.channels).toHaveLength(1);
+  });
+
+  it('channels of another keyword are told on their lines, and no braces, which agree', () => {
+    const channel = (c: number) =>
+      `\tchan${c} {\n\t\textrapolate constant constant\n\t\tkeys 2 {\n\t\t\t0 ${c} linear linear\n\t\t\t1 2 linear linear\n\t\t}\n\t}\n`;
+    const text = `animation {\n\trange 0 1\n\tnumchannels 3\n${[0, 1, 2].map(channel).join('')}}\n`;
+    const { diagnostics } = readAsOpened('x.anim', text);
+    expect(told({ diagnostics })).toContain('error keyword-unknown 4:2');
+    expect(diagnostics.map(({ code }) => code)).not.toContain('brace-missing');
   });
 
   it('a channel without its brace is still told on its line', () => {

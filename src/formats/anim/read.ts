@@ -42,6 +42,10 @@ export function readAnim(bytes: Uint8Array | string, fileName: string): ReadResu
 }
 
 const KEYWORDS = new Set(['animation', 'range', 'numchannels', 'channel', 'extrapolate', 'keys']);
+/** Keywords of blocks. */
+const IN_FILE = new Set(['animation']);
+const IN_ANIMATION = new Set(['channel']);
+const IN_CHANNEL = new Set(['keys']);
 
 interface Parts {
   range?: readonly [number, number];
@@ -59,7 +63,7 @@ function* animFile(t: Tokens): GrammarPart<ChannelClip> {
       if (parts) warnRepeated(t, 'animation');
       place = t.mark();
       parts = yield* body(t, place);
-    } else yield* skipStrange(t, 'an .anim file', 'animation');
+    } else yield* skipStrange(t, 'an .anim file', 'animation', IN_FILE);
   }
   if (!parts) t.report.error('animation-missing', 'Expected animation { … }, found none.', WHOLE_FILE);
   else if (parts.channels.length === 0) {
@@ -111,7 +115,7 @@ function* body(t: Tokens, opened: Mark): GrammarPart<Parts> {
         parts.channels.push(yield* channel(t, sink, parts.channels.length));
         break;
       default:
-        yield* skipStrange(t, 'an animation', 'range, numchannels or channel');
+        yield* skipStrange(t, 'an animation', 'range, numchannels or channel', IN_ANIMATION);
     }
   }
   if (declared) checkCount(t, 'channels', declared, parts.channels.length);
@@ -150,7 +154,7 @@ function* channel(t: Tokens, sink: KeySink, index: number): GrammarPart<Channel>
     } else if (word === 'channel' || word === 'numchannels' || word === 'range') {
       t.braceMissing(`channel ${index}`);
       break;
-    } else yield* skipStrange(t, 'a channel', 'extrapolate or keys');
+    } else yield* skipStrange(t, 'a channel', 'extrapolate or keys', IN_CHANNEL);
   }
   if (!keys) {
     t.warnOnce('keys-missing', '', () => 'Expected keys in a channel, found none.', 'the channel stays at 0');

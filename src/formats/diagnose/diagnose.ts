@@ -147,6 +147,9 @@ function tried(
   const first = Math.min(...rest.filter((d) => d.severity === 'error' && d.line > 0).map(({ line }) => line));
   if (errors.some((d) => d.line > 0 && d.line < first && !known.has(keyOf(d)))) return undefined;
   // Errors that were not there before: more likely, the edit hides part of the file.
+  // Where all braces agreed, an edit that opens a block to the end of the file only hides what is in it.
+  const isOfBraces = ({ code }: Diagnostic) => code === 'brace-missing' || code === 'brace-unexpected';
+  if (errors.some(isOfBraces) && !rest.some(isOfBraces)) return undefined;
   const cost = left.length + errors.filter((d) => !known.has(keyOf(d))).length;
   return cost < before ? { guess, text: mended, after, cost } : undefined;
 }

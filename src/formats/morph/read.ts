@@ -49,7 +49,7 @@ function* morphFile(t: Tokens): GrammarPart<Morph> {
     } else if (word === 'normals') {
       if (normals) warnRepeated(t, word);
       normals = yield* rowsOf(t, word);
-    } else yield* skipStrange(t, 'a .morph file', 'positions or normals');
+    } else yield* skipStrange(t, 'a .morph file', 'positions or normals', KEYWORDS);
   }
   if (!positions?.indices.length && !normals?.indices.length) {
     t.report.error('vertex-missing', 'Expected at least one replaced vertex, found none.', WHOLE_FILE);

@@ -36,6 +36,8 @@ export function readPoses(bytes: Uint8Array | string, fileName: string): ReadRes
 }
 
 const DOFS: ReadonlySet<string> = new Set(DOF_NAMES);
+const IN_FILE = new Set(['pose']);
+const IN_POSE = new Set(['joint']);
 const KEYWORDS = new Set(['pose', 'root', 'joint', 'weight', ...DOF_NAMES]);
 
 function* poseFile(t: Tokens): GrammarPart<readonly PoseByNames[]> {
@@ -45,7 +47,7 @@ function* poseFile(t: Tokens): GrammarPart<readonly PoseByNames[]> {
     if (kind === 'end') break;
     if (kind === '}') braceTooMany(t);
     else if (t.keyword() === 'pose') poses.push(yield* pose(t, poses.length));
-    else yield* skipStrange(t, 'a .pose file', 'pose');
+    else yield* skipStrange(t, 'a .pose file', 'pose', IN_FILE);
   }
   if (poses.length === 0) t.report.error('pose-missing', 'Expected pose NAME { … }, found none.', WHOLE_FILE);
   return poses;
@@ -72,7 +74,7 @@ function* pose(t: Tokens, index: number): GrammarPart<PoseByNames> {
     else if (word === 'weight') {
       const value = yield* number(t, 'a weight', KEYWORDS);
       if (value !== undefined) weights.push({ name: yield* t.restOfLine(), value });
-    } else yield* skipStrange(t, 'a pose', 'root, joint or weight');
+    } else yield* skipStrange(t, 'a pose', 'root, joint or weight', IN_POSE);
   }
   t.forgetFrom(opened);
   return { name, ...(root && { root }), joints, weights };

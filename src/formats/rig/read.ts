@@ -37,6 +37,7 @@ const RIG_EXTENSIONS = {
   animation: /\.anim$/i,
 } as const;
 
+const RIG = new Set(['rig']);
 const KEYWORDS = new Set(Object.keys(RIG_EXTENSIONS));
 
 interface Parts {
@@ -55,7 +56,7 @@ function* rigFile(t: Tokens): GrammarPart<Rig | undefined> {
     else if (t.keyword() === 'rig') {
       if (rig) warnRepeated(t, 'rig');
       rig = yield* body(t);
-    } else yield* skipStrange(t, 'a .rig file', 'rig');
+    } else yield* skipStrange(t, 'a .rig file', 'rig', RIG);
   }
   if (!rig) t.report.error('rig-missing', 'Expected rig NAME { … }, found none.', WHOLE_FILE);
   return rig;

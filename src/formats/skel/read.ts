@@ -50,6 +50,7 @@ export function readSkel(bytes: Uint8Array | string, fileName: string): ReadResu
 
 const LIMITS_BY_TOKEN = new Map(Object.entries(LIMIT_TOKENS).map(([dof, token]) => [token, dof]));
 
+const JOINTS = new Set(SKEL_TYPES.map(({ keyword }) => keyword));
 const KEYWORDS = new Set([
   ...['offset', 'boxmin', 'boxmax', 'pose', 'limit', 'length', 'role', 'couple'],
   ...LIMITS_BY_TOKEN.keys(),
@@ -120,7 +121,7 @@ function* skeletons(t: Tokens): GrammarPart<readonly Skeleton[]> {
       roots.push(yield* tree(t, type, open));
     } else if (isFirst && beginsAxisAngle(t)) {
       return [{ name: stemOfName(t.fileName), joints: yield* axisAngleTree(t), form: 'axis-angle' }];
-    } else yield* skipStrange(t, 'a .skel file', 'a joint such as balljoint');
+    } else yield* skipStrange(t, 'a .skel file', 'a joint such as balljoint', JOINTS);
   }
   if (roots.length === 0) t.report.error('joint-missing', 'Expected at least one joint, found none.', WHOLE_FILE);
   const stem = stemOfName(t.fileName);
@@ -143,7 +144,7 @@ function* tree(t: Tokens, rootType: SkelType, open: OpenTree): GrammarPart<reado
       const type = skelTypeOf(word);
       if (type) yield* open.open(t, type);
       else if (!(yield* token(t, joint, word, couples)))
-        yield* skipStrange(t, describe(joint), 'a joint or its tokens');
+        yield* skipStrange(t, describe(joint), 'a joint or its tokens', JOINTS);
     }
   }
   return open.close(t);

@@ -43,10 +43,9 @@ export function readSkin(bytes: Uint8Array | string, fileName: string): ReadResu
   return readWhole(skinReader(fileName), bytes);
 }
 
-const KEYWORDS = new Set([
-  ...['positions', 'normals', 'texcoords', 'skinweights', 'triangles', 'bindings', 'material', 'matrix', 'texture'],
-  'color',
-]);
+const BLOCKS = new Set(['positions', 'normals', 'texcoords', 'skinweights', 'triangles', 'bindings', 'material']);
+const IN_BINDINGS = new Set(['matrix']);
+const KEYWORDS = new Set([...BLOCKS, ...IN_BINDINGS, 'texture', 'color']);
 
 /** A name with blanks ends with one of these. */
 const TEXTURE = /\.(bmp|png|jpe?g|webp|gif|tga|tiff?)$/i;
@@ -109,7 +108,7 @@ function* block(t: Tokens, parts: Parts): GrammarPart<void> {
       parts.surfaces.endMaterial(yield* material(t, parts.materials++));
       return;
     default:
-      yield* skipStrange(t, 'a .skin file', 'positions, normals, skinweights, triangles, bindings or material');
+      yield* skipStrange(t, 'a .skin file', 'positions, normals, skinweights, triangles, bindings or material', BLOCKS);
   }
 }
 
@@ -156,7 +155,7 @@ function* bindings(t: Tokens): GrammarPart<Float64Array> {
     else if (KEYWORDS.has(t.keyword())) {
       t.braceMissing('bindings');
       break;
-    } else yield* skipStrange(t, 'the bindings', 'matrix');
+    } else yield* skipStrange(t, 'the bindings', 'matrix', IN_BINDINGS);
   }
   if (t.kind === '}') checkCount(t, 'bindings', declared, all.length);
   const flat = new Float64Array(16 * all.length);
