@@ -220,7 +220,8 @@ const FOREIGN: readonly Foreign[] = [
   {
     name: 'binary data',
     now: 'Export it as text, or give it the extension of its kind.',
-    start: /^[^␀]*␀/,
+    // A name in a text may have some.
+    start: /^(?:[^␀-␟]*[␀-␟]){12}/,
     of: ['gltf', 'fbx', 'texture', 'dump'],
   },
 ];

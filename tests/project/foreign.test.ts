@@ -56,7 +56,7 @@ const LIST: readonly (readonly [start: string, called: RegExp, own?: readonly st
   ['{ "asset": { "version": "2.0" } }', /JSON/, ['gltf', 'markers', 'dump']],
   ['\xff\xfeH\0I\0E\0R\0', /UTF-16/, ['dump']],
   ['H\0I\0E\0R\0A\0', /UTF-16/, ['dump']],
-  ['balljoint\0\x01\x02', /binary/, ['gltf', 'fbx', 'texture', 'dump']],
+  ['balljoint\0\x01\x02\0\0\0\0\x03\0\0\0\x04', /binary/, ['gltf', 'fbx', 'texture', 'dump']],
   ['HIERARCHY\r\nROOT Hips\r\n{', /BVH.*\.bvh/, ['skel', 'axskel', 'skin', 'morph', 'anim', 'rig', 'bvh', 'pose']],
 ];
 

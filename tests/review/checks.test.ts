@@ -200,6 +200,16 @@ describeShared('faults planted in real takes', () => {
     for (const { from } of folded) expect(Math.abs(from - 2.5)).toBeLessThan(0.3);
   });
 
+  it('hips that move below a root that stays have no bone to it', () => {
+    // Bandai Namco's: the root stays at the origin of the studio.
+    const take = takeOf('bandai-namco-bow-normal.bvh');
+    const { joints } = take.skeleton;
+    const hips = joints.findIndex(({ parent }) => parent === 0);
+    expect(hips).toBe(1);
+    const travelling = planted(take, joints[hips].name, 'tz', [0, 60], (frame, was) => was + frame);
+    expect(newFlags(take, travelling, 'bone')).toEqual([]);
+  });
+
   it('a bone that is stretched has a flag while it is', () => {
     const clip = planted(neuron, 'LeftForeArm', 'tx', [100, 110], (_f, was) => was * 1.3);
     const found = newFlags(neuron, clip, 'bone').filter(({ joint }) => joint === 'LeftForeArm');

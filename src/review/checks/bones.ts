@@ -22,9 +22,13 @@ export class Bones implements Check {
     private readonly survey: Survey,
   ) {
     const { joints } = frames.skeleton;
+    // The hips and all above them carry the body over the ground: what is between them is no bone.
+    const moving = new Set<number>();
+    for (let j = survey.hips; j >= 0; j = joints[j].parent) moving.add(j);
     // Bones of joints that only rotate have one length.
     this.spans = joints.flatMap(({ parent, motion }, joint) => {
-      return parent >= 0 && displaces(motion) ? [{ joint, length: survey.lengthOf(joint), span: new Span(1) }] : [];
+      if (moving.has(joint) || parent < 0 || !displaces(motion)) return [];
+      return [{ joint, length: survey.lengthOf(joint), span: new Span(1) }];
     });
   }
 
