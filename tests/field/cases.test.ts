@@ -5,10 +5,9 @@
 import { mkdtempSync, rmSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
-import { afterAll, expect, it } from 'vitest';
+import { afterAll, it } from 'vitest';
 import { describeShared, sharedBytes, sharedPath } from '../helpers/shared.ts';
 import { CHECKS, type FieldCase } from './checks.ts';
-import { OPEN_CASES } from './open-cases.ts';
 
 describeShared('files from the field', () => {
   const folder = sharedPath('data/field/');
@@ -18,11 +17,7 @@ describeShared('files from the field', () => {
   // The file is fixed; each check reads its own members.
   const cases = JSON.parse(new TextDecoder().decode(sharedBytes('data/field/cases.json'))) as FieldCase[];
 
-  it.each(cases.map((one) => [one.case, one] as const))('%s', async (name, one) => {
-    const check = CHECKS[one.check];
-    const out = mkdtempSync(join(scratch, 'case-'));
-    const checked = Promise.resolve(check(one, folder, out));
-    if (OPEN_CASES.has(name)) await expect(checked).rejects.toThrow();
-    else await checked;
+  it.each(cases.map((one) => [one.case, one] as const))('%s', async (_, one) => {
+    await CHECKS[one.check](one, folder, mkdtempSync(join(scratch, 'case-')));
   });
 });
