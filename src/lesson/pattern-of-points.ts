@@ -36,7 +36,8 @@ export function pointPattern(pairs: readonly PointPair[], wrong: readonly number
   ) {
     return `scaled by ${shortNumber(scale)}`;
   }
-  const largest = Math.max(...pairs.flatMap((each) => wrong.map((p) => distance(each, 3 * p))));
+  let largest = 0;
+  for (const each of pairs) for (const p of wrong) largest = Math.max(largest, distance(each, 3 * p));
   const only = differing.length < 3 ? `only in ${differing.map((k) => AXES[k]).join(' and ')}, ` : '';
   return `${only}by up to ${shortNumber(largest)}`;
 }

@@ -6,7 +6,7 @@ import { type Character, shownClip } from '../model/document.ts';
 import { nameOfChannel } from './channel-name.ts';
 import type { FrameNumbers, FrameTime } from './evaluator.ts';
 import { channelPattern } from './pattern-of-channel.ts';
-import { pointPattern } from './pattern-of-points.ts';
+import { type PointPair, pointPattern } from './pattern-of-points.ts';
 import type { FrameTarget, Targets } from './targets.ts';
 
 /** Groups of channels that are told. */
@@ -106,27 +106,48 @@ function jointSentences(differing: Differing): readonly string[] {
   const { differ, wrong, when } = framesWith(differing, (frame) => frame.jointErrors);
   if (wrong.length === 0) return [];
   const pairs = differ.map(({ frame: { ours, size }, target }) => ({
-    theirs: placesOf(target),
-    ours: placesOf({ time: undefined, world: target.local && !target.world ? ours.local : ours.world }),
+    ...jointsThatDiffer(ours, target, tolerance, tolerance * size),
     tolerance: tolerance * size,
   }));
   const how = pointPattern(pairs, wrong);
-  const isTurned = differ.some((pair) => turns(pair, tolerance));
+  const isTurned = pairs.some((pair) => pair.isTurned);
   const hasMatrices = differ.some(({ target }) => target.world ?? target.local);
   const words = isTurned
     ? how
-      ? `in rotations, and ${how}`
-      : 'in rotations alone'
-    : hasMatrices
-      ? `in places alone, ${how}`
-      : how;
-  return [`${whichJoints(character.skeleton?.joints ?? [], wrong)}${when}, ${words}.`];
+      ? `, in rotations, and ${how}`
+      : ', in rotations alone'
+    : how
+      ? `, ${hasMatrices ? 'in places alone, ' : ''}${how}`
+      : '';
+  return [`${whichJoints(character.skeleton?.joints ?? [], wrong)}${when}${words}.`];
 }
 
-/** Whether a rotation differs. */
-function turns({ frame: { ours }, target: { world, local } }: FramePair, tolerance: number): boolean {
-  const [theirs, own] = world ? [world, ours.world] : [local ?? new Float64Array(0), ours.local];
-  return theirs.some((value, i) => i % 16 < 12 && !(Math.abs(value - own[i]) <= tolerance));
+interface JointPlaces extends PointPair {
+  readonly isTurned: boolean;
+}
+
+/** Places by the first kind of numbers that differs, since a frame may have several: world, local or positions. */
+function jointsThatDiffer(ours: FrameNumbers, target: FrameTarget, tolerance: number, near: number): JointPlaces {
+  const { world, local, positions = new Float64Array(0) } = target;
+  const ofWorld = world && matrixPlaces(world, ours.world, tolerance, near);
+  const ofLocal = local && matrixPlaces(local, ours.local, tolerance, near);
+  const isOff = ({ theirs, ours: own, isTurned }: JointPlaces) => isTurned || !areNear(theirs, own, near);
+  const found = [ofWorld, ofLocal].find((each) => each && isOff(each));
+  if (found) return found;
+  if (positions.length === 0 && (ofWorld ?? ofLocal)) return ofWorld ?? ofLocal ?? NO_PLACES;
+  return { theirs: positions, ours: placesOf(ours.world), tolerance: near, isTurned: false };
+}
+const NO_PLACES: JointPlaces = {
+  ...{ theirs: new Float64Array(0), ours: new Float64Array(0), tolerance: 0, isTurned: false },
+};
+
+function matrixPlaces(theirs: Float64Array, ours: Float64Array, tolerance: number, near: number): JointPlaces {
+  const isTurned = theirs.some((value, i) => i % 16 < 12 && !(Math.abs(value - ours[i]) <= tolerance));
+  return { theirs: placesOf(theirs), ours: placesOf(ours), tolerance: near, isTurned };
+}
+
+function areNear(theirs: Float64Array, ours: Float64Array, near: number): boolean {
+  return theirs.every((value, i) => Math.abs(value - ours[i]) <= near);
 }
 
 function vertexSentences(differing: Differing, kind: 'vertices' | 'normals'): readonly string[] {
@@ -166,10 +187,8 @@ function attachedTo(character: Character, wrong: readonly number[]): string {
   return `, those attached to ${character.skeleton?.joints[joint]?.name || `joint ${joint}`}`;
 }
 
-/** Of joints. */
-function placesOf({ world, local, positions }: FrameTarget): Float64Array {
-  const matrices = world ?? local;
-  if (!matrices) return positions ?? new Float64Array(0);
+/** x y z of each matrix. */
+function placesOf(matrices: Float64Array): Float64Array {
   return Float64Array.from(
     { length: (3 * matrices.length) / 16 },
     (_, i) => matrices[16 * Math.floor(i / 3) + 12 + (i % 3)],

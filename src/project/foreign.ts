@@ -197,7 +197,7 @@ const FOREIGN: readonly Foreign[] = [
     start: /^\s*balljoint\s+\S+\s*\{\s*(offset|boxmin|boxmax|pose|rot[xyz]limit|balljoint)\b/i,
     of: TEXTS,
   },
-  { name: 'a skin (.skin)', now: renamed('skin'), start: /^\s*positions\s+\d+\s*\{/i, of: TEXTS },
+  { name: 'a skin (.skin)', now: renamed('skin'), start: /^\s*positions\s+\d+\s*\{/i, of: [...TEXTS, 'dump'] },
   {
     name: 'text in UTF-16',
     now: `Save it as UTF-8 ${OPEN_AGAIN}.`,

@@ -507,6 +507,8 @@ describe('marrow compare of inverse kinematics', () => {
   it('agrees with any solution, and names the wrong end effector in a sentence with its formula', async () => {
     const right = await command(['compare', 'arm.axskel', print('right.txt', solved(3)), ...pin], folder);
     expect([right.code, right.out]).toEqual([0, expect.stringContaining('The tip of joint 2 is at its target')]);
+    const diverged = await command(['compare', 'arm.axskel', print('nan.txt', [1, Number.NaN, 2]), ...pin], folder);
+    expect([diverged.code, diverged.err]).toEqual([1, '']);
     const wrong = await command(['compare', 'arm.axskel', print('wrong.txt', solved(2)), ...pin], folder);
     expect(wrong.code).toBe(1);
     expect(wrong.out).toContain('ik-end-effector (the tip of joint 1)');

@@ -97,6 +97,8 @@ describe('zips', () => {
     expect((await command(['convert', 'pack.zip', '--to', 'bvh'], folder)).code).toBe(0);
     expect(filesIn('.')).toEqual(['pack.zip', 'walk.bvh']);
     expect((await command(['convert', 'pack.zip', 'hero.glb'], folder)).code).toBe(0);
+    const exported = await command(['export', 'pack.zip', '--to', 'json', '--out', 'out'], folder);
+    expect([exported.code, exported.err]).toEqual([1, expect.stringContaining('Unpack it, and give its folder')]);
   });
 
   it.each([

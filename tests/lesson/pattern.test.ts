@@ -40,6 +40,14 @@ const moveBy = (point: Float64Array, ...by: readonly number[]) => {
   });
 };
 
+/** The same with positions, of which one joint's is off in x. */
+function withPlaces(targets: Targets, joint: number, by: number): Targets {
+  const [frame] = targets.frames;
+  const [{ positions = new Float64Array(0) }] = numbersBy(tree, RIGHT_PROGRAM, 'positions').frames;
+  positions[3 * joint] += by;
+  return { ...targets, frames: [{ ...frame, positions }] };
+}
+
 describe('the pattern of joints and vertices', () => {
   it.each<[string, Targets, string]>([
     [
@@ -75,6 +83,15 @@ describe('the pattern of joints and vertices', () => {
       'rotations of matrices',
       changed(tree, 'world', (m, j) => (j === 2 || j === 5 ? m.copyWithin(0, 4, 7) : undefined)),
       '2 of 6 joints (twig_l, leaf_r), in rotations alone.',
+    ],
+    [
+      'of several kinds, the one that differs',
+      withPlaces(
+        changed(tree, 'world', () => undefined),
+        3,
+        0.5,
+      ),
+      'Joint bough_r only, in places alone, by a constant offset (0.5, 0, 0).',
     ],
     [
       'what is no number',

@@ -243,3 +243,8 @@ describe('a zip on the command line', () => {
     expect(empty.codes).toEqual([1, 1]);
   });
 });
+
+it('numbers of another program may look like a .skin', async () => {
+  const text = new TextEncoder().encode('positions 2 {\n1 2 3\n4 5 6\n}\n');
+  expect(await onPage('mine.txt', text)).toEqual([]);
+});

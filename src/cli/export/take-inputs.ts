@@ -8,6 +8,7 @@
 import { dirname, extname, relative, resolve, sep } from 'node:path';
 import { openingOf } from '../../project/kinds.ts';
 import { formatOf } from '../../project/readers.ts';
+import { isZip } from '../../project/zip-content.ts';
 import { UsageError } from '../arguments.ts';
 import { findGiven, type GivenPath, isFolder } from '../paths.ts';
 import { groupsIn, isWhole } from '../together.ts';
@@ -45,7 +46,10 @@ export function takeInputs(args: readonly string[], folder: string): readonly Ta
     // The manifest is the same wherever it is made.
     why: code === 'file-missing' ? 'There is no file of this name.' : why,
   }));
-  const all = [...whole, ...animations, ...absent].sort((a, b) => compareBytes(a.path, b.path));
+  const zips = files
+    .filter(({ path }) => isZip(path))
+    .map((file) => ({ ...file, why: 'Takes in zips are not read here. Unpack it, and give its folder.' }));
+  const all = [...whole, ...animations, ...zips, ...absent].sort((a, b) => compareBytes(a.path, b.path));
   const folders = args.map((arg) => resolve(folder, arg)).filter(isFolder);
   return withStems(all, folders, folder);
 }

@@ -105,10 +105,11 @@ export function withFlatFeet(
   const flat = feet.map((foot) => lowest(all, foot));
   if (flat.some((figures) => figures.length === 0)) return undefined;
   flatten(out, feet, flat, USUAL);
+  const withToes = feet.flatMap(({ toes }, i) => (toes ? [{ toes, flat: flat[i] }] : []));
   flatten(
     out,
-    feet.flatMap(({ toes }) => toes ?? []),
-    flat,
+    withToes.map(({ toes }) => toes),
+    withToes.map((foot) => foot.flat),
     USUAL_TOES,
   );
   return out;

@@ -54,10 +54,15 @@ export function compareGoal(
     before: start.distance(start.pose, goal),
     ...(place && { after: length3(...subtract(goal.target, place)) }),
   };
-  return { ...distances, hasMoved: trial.hasMoved, ...(isOneStep ? trial.oneStep() : trial.solution()) };
+  // A solver that diverged prints what no pose has.
+  const numbers = frame.world ?? frame.positions ?? frame.local;
+  const judged = isOneStep ? () => trial.oneStep() : () => trial.solution();
+  return { ...distances, hasMoved: trial.hasMoved, ...(numbers?.every(Number.isFinite) ? judged() : NO_POSE) };
 }
 
 type Judged = Pick<GoalComparison, 'agrees' | 'isPose' | 'causes'>;
+
+const NO_POSE: Judged = { agrees: false, isPose: false, causes: [] };
 
 class GoalTrial {
   private readonly near: number;
@@ -91,7 +96,7 @@ class GoalTrial {
   solution(): Judged {
     const { frame, goal, near, size, start } = this;
     const held = pinsOf(frame, start.skeleton.joints.length, size);
-    if (remaining(start, held) > near) return { agrees: false, isPose: false, causes: [] };
+    if (remaining(start, held) > near) return NO_POSE;
     const place = placeIn(frame, goal);
     const off = place ? length3(...subtract(goal.target, place)) : undefined;
     // Of targets out of reach the nearest place is right.

@@ -83,10 +83,11 @@ export function withOwnNames(character: Character, target: Target): Character {
 
 /** The character with another name for its skeleton, and for what is named after that. */
 export function renamedTo(character: Character, skeleton: Skeleton, name: string): Character {
+  const own = skeleton.name.toLowerCase();
+  const isNamedAfter = (part: string) =>
+    own !== '' && part.toLowerCase().startsWith(own) && /^(?:[_.\- ]|$)/.test(part.slice(own.length));
   const renamed = <T extends { readonly name: string }>(part: T): T =>
-    part.name.toLowerCase().startsWith(skeleton.name.toLowerCase())
-      ? { ...part, name: name + part.name.slice(skeleton.name.length) }
-      : part;
+    isNamedAfter(part.name) ? { ...part, name: name + part.name.slice(skeleton.name.length) } : part;
   const { skins, morphs, clips } = character;
   return {
     ...renamed(character),

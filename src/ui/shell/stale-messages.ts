@@ -45,4 +45,5 @@ function leaveProblemsOfRemoved(messages: Uses<'messages'>['messages'], now: Doc
   messages.leaveLine(({ diagnostics }) => diagnostics.length > 0 && diagnostics.every(({ file }) => files.has(file)));
 }
 
-const filesOf = ({ sources }: Character) => sources.flatMap(({ name, path }) => [name, path]);
+const filesOf = ({ sources, unread = [] }: Character) =>
+  [...sources, ...unread].flatMap(({ name, path }) => [name, path]);
