@@ -151,6 +151,14 @@ describe('reading x y z parent', () => {
     expect(joints).toEqual([0, 4, 1, 3, 2].map((joint) => ({ kind: 'joint', root: 0, joint })));
   });
 
+  it.each(['3\n0 0 0 -1\n1 0 0 0\n2 0 0 1\n', '0 0 0 -1 hip\n1 0 0 0 leg\n'])(
+    'no wrong lines are found in %j',
+    (text) => {
+      const map = mapSource(bytesOf(text), 'x.skel');
+      expect([1, 2, 3, 4].map((line) => targetAt(map, line)?.kind)).not.toContain('joint');
+    },
+  );
+
   it('is written in the hierarchy form, which reads back the same', () => {
     const [skeleton] = readSkel(TEXT, 'x.skel').value ?? [];
     const { text, diagnostics } = writeSkel([skeleton]);

@@ -16,6 +16,8 @@ export class JointRows {
   private tokens = 0;
   /** As written; undefined in the axis-angle form. */
   private parents: number[] | undefined;
+  /** Joints of the axis-angle form that are announced and haven't come. */
+  private missing = 1;
 
   constructor(private readonly found: Located) {}
 
@@ -30,8 +32,9 @@ export class JointRows {
     const { parents, found } = this;
     const rows = this.rows ?? this.begin();
     const indices = parents && depthFirst(parents);
-    if (!parents) found.rows.push({ of: 'joint', lines: rows.done() });
-    // Rows of several roots, or that make no tree, are left out.
+    const isWhole = this.missing === 0 && this.tokens === this.width;
+    // Rows of several roots, or that make no tree, are left out, as are those of forms that only look alike.
+    if (!parents && isWhole) found.rows.push({ of: 'joint', lines: rows.done() });
     else if (indices) found.rows.push({ of: 'joint', lines: rows.done(), indices });
   }
 
@@ -49,7 +52,9 @@ export class JointRows {
   private take(rows: RowsBuilder, line: number, read: () => number): void {
     rows.token(line, read);
     this.tokens = (this.tokens % this.width) + 1;
-    if (this.tokens === this.width) this.parents?.push(read());
+    if (this.tokens !== this.width) return;
+    if (this.parents) this.parents.push(read());
+    else this.missing += read() - 1;
   }
 }
 
