@@ -12,7 +12,7 @@ const cause = (code: string, explains = 23): GradedCause => ({
 });
 
 /** The report about a submission with these causes. */
-function report(causes: readonly GradedCause[]): string {
+function report(causes: readonly GradedCause[], unexplained: readonly string[] = []): string {
   const part: PartGrade = {
     files: ['ann/wasp.skel'],
     agrees: false,
@@ -30,6 +30,7 @@ function report(causes: readonly GradedCause[]): string {
     own: ['hip'],
     inherited: [],
     causes,
+    unexplained,
     shown: { what: 'Position', yours: [[1, 2, 3.5]], marrows: [[1, 2, 3]] },
   };
   const { agrees: _, ...facts } = part;

@@ -341,6 +341,28 @@ describe('marrow grade', () => {
     );
   });
 
+  it('its report describes what no mistake explains as compare does', async () => {
+    const files = ['ref/test.skel', 'ref/test.skin', 'ref/test.anim'];
+    const { out } = await command(['pose', ...files, '--time', '0.7', '--json'], folder);
+    const { joints } = (JSON.parse(out) as PoseJson).characters[0];
+    const moved = joints.map(({ world = [] }, j) => world.map((value, i) => (j > 0 && i === 12 ? value + 0.5 : value)));
+    write('unknown/ann/moved.txt', `time 0.7\n${moved.map((world) => world.join(' ')).join('\n')}`);
+    const args = ['grade', 'unknown', '--reference', 'ref'];
+    const [{ parts }] = (await commandJson<{ submissions: readonly Grade[] }>([...args, '--json'], folder)).submissions;
+    const [none, pattern] = parts[0].unexplained;
+    expect(parts[0].causes).toEqual([]);
+    expect([none, pattern]).toEqual([
+      'No known mistake, nor two together, explains these numbers.',
+      expect.stringMatching(/^What differs: /),
+    ]);
+    const compared = await command(['compare', ...files, 'unknown/ann/moved.txt'], folder);
+    const html = (await command([...args, '--html'], folder)).out;
+    for (const sentence of parts[0].unexplained) {
+      expect(compared.out).toContain(sentence);
+      expect(html).toContain(`<p>${sentence.replaceAll('"', '&quot;')}</p>`);
+    }
+  });
+
   it('its help says what a submission is, explains every option, and has an example that runs', async () => {
     const { out } = await command(['grade', '--help'], folder);
     const usage = out.split('\n')[0];

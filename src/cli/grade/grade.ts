@@ -60,6 +60,8 @@ export interface PartGrade {
   readonly own: readonly string[];
   readonly inherited: readonly string[];
   readonly causes: readonly GradedCause[];
+  /** What no mistake explains, and how it differs, in sentences. */
+  readonly unexplained: readonly string[];
   /** Of what is wrong first; absent if all agrees, or if nothing could be compared. */
   readonly shown?: SideBySide;
 }

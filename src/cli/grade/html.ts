@@ -101,7 +101,8 @@ ${problemsOf(grade)}
 }
 
 function partOf(part: PartGrade): string {
-  const { files, agrees, jointError, vertexError, channels, own, inherited, causes, mismatches, first } = part;
+  const { files, agrees, jointError, vertexError, channels, own, inherited, causes, unexplained, mismatches, first } =
+    part;
   const facts: (readonly [string, string])[] = [
     ['Compared', gradedText(part)],
     ['Largest joint error', errorText(jointError)],
@@ -128,14 +129,13 @@ function partOf(part: PartGrade): string {
 <p class="faint">Explains ${explains} of ${of}${about ? ` ${escaped(about)}` : ''}.</p>
 </div>`,
   );
-  const none =
-    agrees || causes.length > 0 ? '' : '<p class="faint">No known mistake, nor two together, explains it.</p>';
+  const rest = unexplained.map((sentence) => `<p>${escaped(sentence)}</p>`).join('\n');
   return `<article>
 <h3>${files.map((file) => escaped(file)).join('<br>')}</h3>
 <p>${agrees ? 'All of it agrees.' : escaped(verdictText(part))}</p>
 <dl>${shown.join('')}</dl>
 ${part.shown ? numbersOf(part.shown, part.first) : ''}
-${explained.join('\n')}${none}
+${explained.join('\n')}${rest}
 </article>`;
 }
 

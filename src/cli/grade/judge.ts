@@ -11,7 +11,7 @@ import { assumeTime, statesNoTime } from '../../lesson/assumed-times.ts';
 import { bestFit } from '../../lesson/best-fit.ts';
 import { type Compared, type Comparison, compare } from '../../lesson/compare.ts';
 import { compareDumps } from '../../lesson/compare-dumps.ts';
-import { subjectText } from '../../lesson/compared-text.ts';
+import { subjectText, unexplainedSentences } from '../../lesson/compared-text.ts';
 import { fitDumpsAt } from '../../lesson/dump-times.ts';
 import { Evaluator } from '../../lesson/evaluator.ts';
 import { fitDumps, type NamedDump } from '../../lesson/fit-dump.ts';
@@ -332,6 +332,7 @@ function uncompared(path: string, mismatches: readonly string[], worst: number |
     own: [],
     inherited: [],
     causes: [],
+    unexplained: [],
   };
 }
 
@@ -376,6 +377,7 @@ function gradeOf(
       explains,
       of,
     })),
+    unexplained: unexplainedSentences(comparison, false),
   };
 }
 
