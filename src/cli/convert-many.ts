@@ -1,6 +1,6 @@
 /**
  * `marrow convert FILE… --to KIND`: converts everything given to another format, each file next to its source or at the
- * same path below another folder.
+ * same path below another folder. Those in a zip go to a folder with its name.
  *
  * Motion capture is read one file at a time, so that memory is bounded by the largest take; all other files are read
  * together, since a skeleton and its clips are separate files. Broken files are reported and skipped.
@@ -19,6 +19,7 @@ import { findFiles, loadFound } from './load.ts';
 import { type GivenPath, isFolder } from './paths.ts';
 import { openedTogether } from './together.ts';
 import { writeInFolder } from './write-output.ts';
+import { unpackedPath } from './zips.ts';
 
 export interface ManyOptions extends ConversionOptions {
   readonly target: Target;
@@ -43,7 +44,7 @@ export interface ConversionProgress {
 }
 
 /**
- * @param args files and folders, relative to `folder`
+ * @param args files, folders and zips, relative to `folder`
  * @returns whether everything could be converted
  */
 export async function convertMany(
@@ -53,7 +54,7 @@ export async function convertMany(
   progress: ConversionProgress,
 ): Promise<boolean> {
   const { files, problems } = findFiles(args, folder);
-  const many = new Many(args, folder, options, progress);
+  const many = new Many(args, files, folder, options, progress);
   const groups = openedTogether(files);
   if (problems.length) many.tell(problems);
   many.isOfMany = groups.length > 1;
@@ -80,14 +81,18 @@ class Many {
   /** Names of characters by the folder that their files are written to. */
   private readonly named = new Map<string, DistinctNames>();
   private readonly folders: readonly string[];
+  /** Files of archives by their absolute paths. */
+  private readonly packed: ReadonlyMap<string, GivenPath>;
 
   constructor(
     args: readonly string[],
+    private readonly files: readonly GivenPath[],
     private readonly folder: string,
     private readonly options: ManyOptions,
     private readonly progress: ConversionProgress,
   ) {
     this.folders = args.map((arg) => resolve(folder, arg)).filter(isFolder);
+    this.packed = new Map(files.filter(({ zip }) => zip !== undefined).map((file) => [file.absolute, file]));
   }
 
   tell(diagnostics: readonly Diagnostic[]): void {
@@ -96,7 +101,7 @@ class Many {
   }
 
   async convert(files: readonly GivenPath[]): Promise<void> {
-    const loaded = await loadFound(files, this.folder);
+    const loaded = await loadFound(files, this.folder, this.files);
     const { document, diagnostics } = openFiles(EMPTY_DOCUMENT, loaded.files, loaded.broken);
     this.tell([...loaded.diagnostics, ...diagnostics]);
     const { characters } = document;
@@ -190,12 +195,12 @@ class Many {
   /** Next to the source, or at the same path below the output folder. */
   private folderFor(read: string): string {
     const { out } = this.options;
-    let own = dirname(read);
-    // Of a file in a zip: that of the zip.
-    while (!isFolder(own) && dirname(own) !== own) own = dirname(own);
+    const packed = this.packed.get(read);
+    const own = dirname(packed ? unpackedPath(packed) : read);
     if (out === undefined) return own;
     const target = resolve(this.folder, out);
-    const given = this.folders.find((f) => own === f || own.startsWith(f + sep));
+    const named = this.folders.find((f) => own === f || own.startsWith(f + sep));
+    const given = named ?? (packed?.zip === undefined ? undefined : dirname(packed.zip));
     return given === undefined ? target : join(target, relative(given, own));
   }
 }

@@ -18,6 +18,7 @@ import {
   type ParsedFile,
   type SourceFile,
 } from '../model/files.ts';
+import { perObject } from '../model/per-object.ts';
 import { unreadMessage } from '../project/foreign.ts';
 import { type OpenResult, openFiles } from '../project/open/open-files.ts';
 import { type Format, formatOf } from '../project/readers.ts';
@@ -95,17 +96,22 @@ export async function loadAny(args: readonly string[], folder: string, otherwise
   return loadAll(found, otherwise, await importGiven(found.files, folder));
 }
 
-/** As `loadAny`, of files that were found already. */
-export async function loadFound(given: readonly GivenPath[], folder: string): Promise<Loaded> {
-  return loadGiven(given, undefined, await importGiven(given, folder));
+/**
+ * As `loadAny`, of files that were found already.
+ *
+ * @param near where those of an archive look for further files
+ */
+export async function loadFound(given: readonly GivenPath[], folder: string, near = given): Promise<Loaded> {
+  return loadGiven(given, undefined, await importGiven(given, folder, near));
 }
 
 /** Files that were imported, and those that are parts of them, by their paths. */
 type ImportedPaths = ReadonlyMap<string, LoadedOne | 'part'>;
 
-async function importGiven(given: readonly GivenPath[], folder: string): Promise<ImportedPaths> {
+async function importGiven(given: readonly GivenPath[], folder: string, near = given): Promise<ImportedPaths> {
   const out = new Map<string, LoadedOne | 'part'>();
-  for (const { path, absolute, bytes: held } of given) {
+  for (const file of given) {
+    const { path, absolute, bytes: held } = file;
     const name = basename(path);
     const format = formatOf(name);
     if (!format?.imports) continue;
@@ -115,7 +121,7 @@ async function importGiven(given: readonly GivenPath[], folder: string): Promise
         fileName: name,
         bytes,
         beside: async (wanted) =>
-          isFile(absolute) ? besideOnDisk(absolute, wanted, folder) : besideInZip(path, wanted, given),
+          isFile(absolute) ? besideOnDisk(absolute, wanted, folder) : besideInZip(file, wanted, near),
       });
       out.set(path, { bytes: bytes.length, diagnostics, ...(value && { content: value }), beside });
       for (const part of beside) out.set(part.path, 'part');
@@ -136,14 +142,25 @@ function besideOnDisk(absolute: string, wanted: string, folder: string): Beside 
   return { bytes, source: { name: basename(found), path, bytes: bytes.length } };
 }
 
-/** A file among others that were unpacked with this one. */
-async function besideInZip(path: string, wanted: string, given: readonly GivenPath[]): Promise<Beside | undefined> {
+/** For each archive, what finds its files. */
+const findersIn = perObject(async (near: readonly GivenPath[]) => {
   const { besideIn } = await import('../project/imports.ts');
-  const found = besideIn(
-    path,
-    given.filter(({ bytes }) => bytes),
-    (file) => file.path,
-  )(wanted);
+  const byZip = new Map<string | undefined, GivenPath[]>();
+  for (const file of near) {
+    const others = byZip.get(file.zip);
+    if (others) others.push(file);
+    else byZip.set(file.zip, [file]);
+  }
+  return new Map([...byZip].map(([zip, files]) => [zip, besideIn(files)]));
+});
+
+/** A file of the archive that this one is in. */
+async function besideInZip(
+  { path, zip }: GivenPath,
+  wanted: string,
+  near: readonly GivenPath[],
+): Promise<Beside | undefined> {
+  const found = (await findersIn(near)).get(zip)?.(path, wanted);
   if (!found?.bytes) return undefined;
   const bytes = new Uint8Array(found.bytes);
   return { bytes, source: { name: basename(found.path), path: found.path, bytes: bytes.length } };

@@ -12,6 +12,8 @@ export interface GivenPath {
   readonly absolute: string;
   /** Of a file in an archive; absent: on disk. */
   readonly bytes?: Uint8Array;
+  /** The archive, absolute. */
+  readonly zip?: string;
 }
 
 export interface GivenPaths {

@@ -83,7 +83,7 @@ function help(): string {
   const lines = COMMANDS.map((c) => `  marrow ${c.name} ${c.usage}\n      ${c.summary}\n      exits: ${exitsOf(c)}`);
   return `usage:\n${lines.join('\n')}
 
-FILE may be a folder: all files in it. Options as "--x v" or "--x=v"; values may begin with a minus.
+FILE may be a folder or a zip: all files in it. Options as "--x v" or "--x=v"; values may begin with a minus.
 Paths are relative to the caller's folder; angles are radians, times seconds.
 Exit code 3 of any command: the standard output could not be written.
 `;

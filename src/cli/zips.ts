@@ -1,11 +1,11 @@
 /** Zips among the files that a command is given. */
-import { join } from 'node:path';
+import { dirname, join, resolve } from 'node:path';
 import { type Diagnostic, withoutPlace } from '../model/diagnostic.ts';
 import { otherContent } from '../project/foreign.ts';
 import { isBuffer } from '../project/kinds.ts';
 import { formatOf } from '../project/readers.ts';
 import { isZip, zipContent } from '../project/zip-content.ts';
-import type { GivenPath } from './paths.ts';
+import { type GivenPath, isFile } from './paths.ts';
 import { fileBytes } from './read-file.ts';
 import { reasonOf } from './reason.ts';
 
@@ -49,11 +49,24 @@ export function withZipsUnpacked(given: readonly GivenPath[], maxBytes = MAX_BYT
   return { files, problems };
 }
 
+/** Where a file would be if its archive had been unpacked next to it: `pack/hero.skel`. Of others where it is. */
+export function unpackedPath({ absolute, zip }: GivenPath): string {
+  return zip === undefined ? absolute : join(zip.slice(0, -'.zip'.length), absolute.slice(zip.length));
+}
+
+/** The archive that a path leads into, as in `takes/pack.zip/walk.bvh`; the path itself where it leads into none. */
+export function zipOf(path: string, folder: string): string {
+  for (let above = dirname(path); above !== dirname(above); above = dirname(above)) {
+    if (isZip(above) && isFile(resolve(folder, above))) return above;
+  }
+  return path;
+}
+
 function contentOf({ absolute, path }: GivenPath, packed: Uint8Array, room: number): readonly GivenPath[] {
   const isWanted = (name: string) => !name.split(/[/\\]/).some(isOfSystem) && isRead(name);
   const { files } = zipContent(path, packed, isWanted, { maxBytes: room });
   return files
-    .map((file): GivenPath => ({ ...file, absolute: join(absolute, file.path.slice(path.length)) }))
+    .map((file): GivenPath => ({ ...file, absolute: join(absolute, file.path.slice(path.length)), zip: absolute }))
     .sort((a, b) => byPath.compare(a.path, b.path));
 }
 

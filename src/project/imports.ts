@@ -5,7 +5,7 @@ import { type Import, ImportError, type Imported } from '../exchange/imported.ts
 import { toCharacter } from '../exchange/to-character.ts';
 import { readWhole } from '../formats/reader.ts';
 import { type Diagnostic, withoutPlace } from '../model/diagnostic.ts';
-import type { ContentOf, SourceFile } from '../model/files.ts';
+import { baseName, type ContentOf, type SourceFile } from '../model/files.ts';
 
 export type ImportedKind = 'gltf' | 'fbx';
 
@@ -42,22 +42,22 @@ export async function importFile(kind: ImportedKind, given: Import): Promise<Imp
   return failed('file-empty', 'Expected a mesh, a skin or an animation, found none.');
 }
 
-/** How a file that names others finds them among those that were given with it. */
-export function besideIn<T>(
-  path: string,
+/** How a file at a path finds those that it names among others that were given with it: all may be thousands. */
+export function besideIn<T extends { readonly path: string }>(
   given: readonly T[],
-  pathOf: (file: T) => string,
-): (relative: string) => T | undefined {
-  const folder = path.slice(0, path.lastIndexOf('/') + 1);
-  return (relative) => {
+): (path: string, relative: string) => T | undefined {
+  const byPath = new Map<string, T>();
+  const byName = new Map<string, T>();
+  for (const file of given.toReversed()) {
+    const path = resolved(file.path).toLowerCase();
+    byPath.set(path, file);
+    byName.set(baseName(path), file);
+  }
+  return (path, relative) => {
+    const folder = path.slice(0, path.lastIndexOf('/') + 1);
     const wanted = resolved(folder + relative.replaceAll('\\', '/')).toLowerCase();
-    const name = wanted.slice(wanted.lastIndexOf('/') + 1);
-    const nameOf = (file: T) => pathOf(file).toLowerCase().split('/').at(-1);
     // Files picked one by one have no folders.
-    return (
-      given.find((file) => resolved(pathOf(file)).toLowerCase() === wanted) ??
-      given.find((file) => nameOf(file) === name)
-    );
+    return byPath.get(wanted) ?? byName.get(baseName(wanted));
   };
 }
 

@@ -4,6 +4,7 @@
  */
 import { type Diagnostic, withoutPlace } from '../model/diagnostic.ts';
 import { type BrokenFile, baseName, folderOf, type ParsedFile, type SourceFile } from '../model/files.ts';
+import { perObject } from '../model/per-object.ts';
 import { isBuffer } from '../project/kinds.ts';
 import { type Format, formatOf } from '../project/readers.ts';
 import { sourceOf, tooLargeToPost, unreadable } from './parsed-blob.ts';
@@ -77,6 +78,11 @@ interface ReadBlob extends ImportedBlob {
   readonly diagnostics: readonly Diagnostic[];
 }
 
+const finderIn = perObject(async (place: readonly GivenBlob[]) => {
+  const { besideIn } = await import('../project/imports.ts');
+  return besideIn(place);
+});
+
 /** @param places where its parts are looked for, one after the other */
 async function importOne(
   { path, blob }: GivenBlob,
@@ -87,14 +93,13 @@ async function importOne(
   const broken = { files: [], broken: [{ kind, source }] };
   const parts: SourceFile[] = [];
   try {
-    const { besideIn } = await import('../project/imports.ts');
-    const finds = places.map((place) => besideIn(path, place, (file) => file.path));
+    const finds = await Promise.all(places.map(finderIn));
     const read = await imports?.({
       fileName: source.name,
       bytes: new Uint8Array(await blob.arrayBuffer()),
       beside: async (relative) => {
         for (const find of finds) {
-          const found = find(relative);
+          const found = find(path, relative);
           const bytes = found && (await bytesOf(found));
           if (!bytes) continue;
           const part = sourceOf(found.path, bytes.length);

@@ -1,6 +1,7 @@
 /** `marrow export`. Threads and processes are tested with the built command. */
 import { existsSync, mkdirSync, readdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
+import { strToU8, zipSync } from 'fflate';
 import { afterEach, beforeEach, describe, expect, it } from 'vitest';
 import { readNpz } from '../dataset/read-npz.ts';
 import { command } from '../helpers/command.ts';
@@ -123,6 +124,28 @@ describe('marrow export', () => {
     rmSync(join(folder, 'waves/wave.bin'));
     const gone = await exported(...args);
     expect([gone.code, gone.err]).toEqual([1, expect.stringContaining('wave.bin')]);
+    // As in a zip, of which another has a file of that name.
+    const zip = (name: string, z?: number) => {
+      const files = z === undefined ? {} : { 'wave.bin': buffer(z) };
+      writeFileSync(join(folder, name), zipSync({ 'wave.gltf': strToU8(JSON.stringify(gltf)), ...files }));
+    };
+    zip('a.zip', 0.5);
+    zip('b.zip', 0.25);
+    const packed = ['a.zip', 'b.zip', '--to', 'npz', '--out', 'packed', '--float64', '--resume'];
+    expect(await exported(...packed)).toMatchObject({ code: 0, err: '' });
+    for (const [name, z] of [
+      ['a', 0.5],
+      ['b', 0.25],
+    ] as const) {
+      expect(npz(`packed/${name}/wave.npz`).local_quat.values.at(-2)).toBeCloseTo(z, 6);
+    }
+    expect((await exported(...packed)).out).toContain('nothing to do');
+    zip('a.zip', 0.25);
+    expect((await exported(...packed)).out).toContain('1 take exported');
+    expect((await command(['review', 'a.zip', 'b.zip'], folder)).code).toBe(0);
+    zip('a.zip');
+    const without = await exported(...packed);
+    expect([without.code, without.err]).toEqual([1, expect.stringContaining('wave.bin')]);
   });
 
   it('files that exist are kept without --resume or --force, and the take fails in words', async () => {

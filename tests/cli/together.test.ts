@@ -1,5 +1,5 @@
 /** What the command opens together, from folders and zips, and what it calls the files that it writes. */
-import { mkdirSync, mkdtempSync, readdirSync, rmSync, writeFileSync } from 'node:fs';
+import { mkdirSync, mkdtempSync, readdirSync, rmSync, statSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { strToU8, zipSync } from 'fflate';
@@ -24,6 +24,12 @@ const write = (path: string, content: string | Uint8Array) => {
   mkdirSync(join(folder, path, '..'), { recursive: true });
   writeFileSync(join(folder, path), content);
 };
+const zipped = (files: Readonly<Record<string, string>>) =>
+  zipSync(Object.fromEntries(Object.entries(files).map(([name, text]) => [name, strToU8(text)])));
+const allIn = (path: string) =>
+  readdirSync(join(folder, path), { recursive: true, encoding: 'utf8' })
+    .filter((name) => statSync(join(folder, path, name)).isFile())
+    .sort();
 const filesIn = (path: string) => readdirSync(join(folder, path)).sort();
 const json = async (...args: string[]) => JSON.parse((await command([...args, '--json'], folder)).out);
 
@@ -88,17 +94,56 @@ describe('a take of a .skel for another kind of character', () => {
 describe('zips', () => {
   it('are read as folders are', async () => {
     const files = { 'hero.skel': SKEL, 'moves/walk.anim': ANIM, 'readme.md': 'x', '__MACOSX/._hero.skel': 'x' };
-    write('pack.zip', zipSync(Object.fromEntries(Object.entries(files).map(([name, text]) => [name, strToU8(text)]))));
+    write('pack.zip', zipped(files));
     const { characters, diagnostics } = await json('info', 'pack.zip');
     expect(diagnostics).toEqual([]);
     expect(characters).toMatchObject([{ name: 'hero', clips: ['walk'] }]);
     expect((await json('pose', 'pack.zip', '--time', '0.5')).characters).toHaveLength(1);
     expect((await command(['review', 'pack.zip'], folder)).out).toContain('pack.zip/moves/walk.anim,');
-    expect((await command(['convert', 'pack.zip', '--to', 'bvh'], folder)).code).toBe(0);
-    expect(filesIn('.')).toEqual(['pack.zip', 'walk.bvh']);
     expect((await command(['convert', 'pack.zip', 'hero.glb'], folder)).code).toBe(0);
-    const exported = await command(['export', 'pack.zip', '--to', 'json', '--out', 'out'], folder);
-    expect([exported.code, exported.err]).toEqual([1, expect.stringContaining('Unpack it, and give its folder')]);
+    expect(filesIn('.')).toEqual(['hero.glb', 'pack.zip']);
+  });
+
+  it.each([[], ['--mirror'], ['--crop', '0,0.05'], ['--retarget', 'target.bvh']])(
+    'are converted below a folder of their name, with or without edits: %s',
+    async (...edit) => {
+      write('target.bvh', BVH);
+      write('in/pack.zip', zipped({ 'hero.skel': SKEL, 'moves/walk.anim': ANIM, 'captures/fig.bvh': BVH }));
+      const both = ['pack/captures/fig.bvh', 'pack/moves/walk.bvh'];
+      const { code, err } = await command(['convert', 'in', '--to', 'bvh', ...edit, '--out', 'out'], folder);
+      expect([code, err]).toEqual([0, expect.not.stringContaining('error')]);
+      expect(allIn('out').filter((name) => name !== 'manifest.ndjson')).toEqual(both);
+      if (edit.length > 0) return;
+      // Next to the zip, as if it had been unpacked there.
+      expect((await command(['convert', 'in/pack.zip', '--to', 'bvh'], folder)).code).toBe(0);
+      expect(allIn('in')).toEqual(['pack.zip', ...both]);
+    },
+  );
+
+  it('are exported by bytes, which --resume compares, and by the paths of a list', async () => {
+    const pack = (anim: string) => write('pack.zip', zipped({ 'hero.skel': SKEL, 'walk.anim': anim, 'fig.bvh': BVH }));
+    pack(ANIM);
+    write('pack/fig.bvh', BVH);
+    const args = ['export', 'pack.zip', 'pack/fig.bvh', '--to', 'json', '--out', 'out', '--resume'];
+    expect(await command(args, folder)).toMatchObject({ code: 0, err: '' });
+    // Next to what was unpacked from it, a zip keeps its ending.
+    const outputs = ['pack.zip/fig.json', 'pack.zip/walk.json', 'pack/fig.json'];
+    expect(allIn('out')).toEqual(['manifest.ndjson', ...outputs]);
+    expect((await command(args, folder)).out).toContain('nothing to do');
+    pack(`${ANIM}\n`);
+    expect((await command(args, folder)).out).toContain('1 take exported');
+    await command(['review', 'pack.zip', '--out', 'list.csv'], folder);
+    const listed = await command(['export', '--only', 'list.csv', '--to', 'json', '--out', 'listed'], folder);
+    expect(listed).toMatchObject({ code: 0, err: '' });
+    expect(allIn('listed')).toEqual(['manifest.ndjson', 'pack/fig.json', 'pack/walk.json']);
+  });
+
+  it('that are damaged are failures of an export, which goes on', async () => {
+    write('in/pack.zip', 'PK is missing');
+    write('in/fig.bvh', BVH);
+    const { code, err } = await command(['export', 'in', '--to', 'json', '--out', 'out'], folder);
+    expect([code, err]).toEqual([1, expect.stringContaining("in/pack.zip: The archive can't be unpacked")]);
+    expect(allIn('out')).toEqual(['fig.json', 'manifest.ndjson']);
   });
 
   it.each([

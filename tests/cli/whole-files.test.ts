@@ -42,10 +42,10 @@ it('inputs have the hash of their bytes, which are given unless they are too man
   for (const size of [90, 3, 0, 100, 101, 20]) {
     const bytes = Uint8Array.from({ length: size }, (_, i) => (7 * i) & 0xff);
     writeFileSync(path, bytes);
-    const read = reader.read(path);
+    const read = reader.read({ path, absolute: path });
     expect(read.hash).toBe(createHash('sha256').update(bytes).digest('hex'));
     expect(read.bytes && [...read.bytes]).toEqual(size > 100 ? undefined : [...bytes]);
   }
   appendFileSync(path, 'more');
-  expect(reader.read(path).bytes).toHaveLength(24);
+  expect(reader.read({ path, absolute: path }).bytes).toHaveLength(24);
 });

@@ -13,7 +13,7 @@ export const exportCommand: CliCommand = {
   summary: 'the takes of files and folders as arrays of numbers, a file each, with a manifest; options: export --help',
   details: `PATHS are motion capture, glTF, FBX, or skeletons with their animations. Each take becomes DIR/PATH.npz, at its path below
 the folder that was named, or, where that would be the same for two, below the folder that all share; several in one file
-become PATH.1.npz, PATH.2.npz. DIR/manifest.ndjson has a line for each.
+become PATH.1.npz, PATH.2.npz. Those in walks.zip are in DIR/walks. DIR/manifest.ndjson has a line for each.
 
 what is exported
   --to FORMAT            npz: numpy arrays; parquet, csv: a row a frame, world positions and quaternions of each joint, the

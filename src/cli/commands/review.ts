@@ -72,7 +72,7 @@ async function takesIn(args: readonly string[], io: CommandIo) {
   if (problems.length > 0) tell(problems);
   const takes: ListedTake[] = [];
   for (const group of openedTogether(files)) {
-    const opened = openLoaded(await loadFound(group, io.folder));
+    const opened = openLoaded(await loadFound(group, io.folder, files));
     tell(opened.diagnostics);
     takes.push(...takesOf(opened.document.characters));
   }

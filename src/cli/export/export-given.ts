@@ -45,7 +45,7 @@ async function exportAll(given: Arguments, io: CommandIo, own: OwnSettings): Pro
   const fps = positive(given, 'fps');
   const [shard, threads] = [shardOf(given), jobsOf(given)];
   const resumes = given.flag('resume');
-  const inputs = await inputsOf(given, io);
+  const { inputs, parts } = await inputsOf(given, io);
   // Also by each thread; here so that a wrong file is told before anything is written.
   await loadTarget(editing, io.folder);
   makeFolder(out, io.folder);
@@ -55,7 +55,7 @@ async function exportAll(given: Arguments, io: CommandIo, own: OwnSettings): Pro
       settings: {
         ...editing,
         ...own,
-        ...{ folder: io.folder, out: resolve(io.folder, out) },
+        ...{ folder: io.folder, out: resolve(io.folder, out), parts },
         ...(fps !== undefined && { fps }),
         replaces: resumes || given.flag('force'),
         isTimed: !given.flag('no-times'),

@@ -7,20 +7,22 @@ import type { CommandIo } from '../io.ts';
 import { fileText } from '../read-file.ts';
 import { reasonOf } from '../reason.ts';
 import { takeListOf } from '../take-list.ts';
-import { type TakeInput, takeInputs } from './take-inputs.ts';
+import { zipOf } from '../zips.ts';
+import { type TakeInput, type TakeInputs, takeInputs } from './take-inputs.ts';
 
-/** Sorted by path. @throws UsageError if there are none */
-export async function inputsOf(given: Arguments, io: CommandIo): Promise<readonly TakeInput[]> {
+/** @throws UsageError if there are none */
+export async function inputsOf(given: Arguments, io: CommandIo): Promise<TakeInputs> {
   const only = given.value('only');
   const list = only === undefined ? undefined : takeListOf(only, 'only', io);
   const wanted = list?.filter(isWanted);
   if (wanted?.length === 0) throw new UsageError(`--only: all takes of ${only} have the verdict bad.`);
   const named = await pathsOf(given, io);
-  const paths = named.length === 0 && wanted ? wanted.map(({ path }) => path) : named;
+  const listed = wanted && new Set(wanted.map(({ path }) => zipOf(path, io.folder)));
+  const paths = named.length === 0 && listed ? [...listed] : named;
   if (paths.length === 0) throw new UsageError('Give files or folders with takes, --files-from or --only.');
-  const inputs = takeInputs(paths, io.folder);
+  const { inputs, parts } = takeInputs(paths, io.folder);
   if (inputs.length === 0) throw new UsageError(`There are no takes in ${paths.join(' ')}.`);
-  return list ? listedIn(inputs, list, only ?? '', io) : inputs;
+  return { inputs: list ? listedIn(inputs, list, only ?? '', io) : inputs, parts };
 }
 
 function isWanted({ verdict }: ListedTake): boolean {

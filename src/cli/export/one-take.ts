@@ -10,14 +10,14 @@ import type { Diagnostic } from '../../model/diagnostic.ts';
 import type { Character } from '../../model/document.ts';
 import { flagText } from '../../review/flags.ts';
 import { loadFound, openLoaded } from '../load.ts';
-import { isFile } from '../paths.ts';
+import { type GivenPath, isFile } from '../paths.ts';
 import { reasonOf } from '../reason.ts';
 import type { Work } from '../threads.ts';
 import { writeInFolder } from '../write-output.ts';
 import { type ExportedFile, FORMATS } from './formats.ts';
 import { metaOf } from './meta.ts';
 import { isMotion, motionFiles } from './motion-files.ts';
-import { hashOf, InputReader, type ReadInput } from './read-input.ts';
+import { hashOfGiven, InputReader, type ReadInput } from './read-input.ts';
 import { isWritten, type PartHash, type TakeRecord, type WrittenTake } from './records.ts';
 import type { ExportSettings } from './settings.ts';
 import { checkOf, flagsOf } from './take-check.ts';
@@ -41,7 +41,8 @@ export const exportWork: Work<ExportSettings, ExportPiece, ExportResult> = (sett
   const loading = loadTarget(settings, settings.folder);
   const pool = new FloatPool(settings.precision);
   const inputs = new InputReader();
-  return async (piece) => exportInput(piece, { settings, target: await loading, pool, inputs });
+  const parts = new Map(settings.parts.map((part) => [part.path, part]));
+  return async (piece) => exportInput(piece, { settings, target: await loading, pool, inputs, parts });
 };
 
 /** What a thread keeps from one input to the next. */
@@ -50,6 +51,8 @@ interface Exporter {
   readonly target: Target;
   readonly pool: FloatPool;
   readonly inputs: InputReader;
+  /** Of the settings, by path. */
+  readonly parts: ReadonlyMap<string, GivenPath>;
 }
 
 async function exportInput({ input, before }: ExportPiece, exporter: Exporter): Promise<ExportResult> {
@@ -61,12 +64,12 @@ async function exportInput({ input, before }: ExportPiece, exporter: Exporter): 
   let hash: string | undefined;
   try {
     if (input.why !== undefined) return failed(input.why);
-    const read = exporter.inputs.read(input.absolute);
+    const read = exporter.inputs.read(input);
     hash = read.hash;
     const key = keyOf(settings.key, hash, input);
     const written = before.filter(isWritten);
     const isWhole = written.length > 0 && written.length === before.length;
-    if (isWhole && written.every((take) => isThere(take, input, key, settings))) {
+    if (isWhole && written.every((take) => isThere(take, input, key, exporter))) {
       return { records: written, isKept: true };
     }
     return { records: await takesOf(input, { ...read, key }, exporter), isKept: false };
@@ -86,18 +89,18 @@ function isThere(
   { output, bytes, key: own, beside = [] }: WrittenTake,
   { stem }: TakeInput,
   key: string,
-  { out, folder }: ExportSettings,
+  { settings: { out, folder }, parts }: Exporter,
 ): boolean {
   if (own !== key || !output.startsWith(`${stem}.`)) return false;
   const isSame = ({ path, hash }: PartHash) => {
-    const absolute = resolve(folder, path);
-    return isFile(absolute) && hashOf(absolute) === hash;
+    const part = parts.get(path) ?? { absolute: resolve(folder, path) };
+    return ('bytes' in part || isFile(part.absolute)) && hashOfGiven(part) === hash;
   };
   return statSync(join(out, output), { throwIfNoEntry: false })?.size === bytes && beside.every(isSame);
 }
 
 function keyOf(options: string, hash: string, { skeleton }: TakeInput): string {
-  const parts = [options, hash, ...(skeleton ? [hashOf(skeleton.absolute)] : [])];
+  const parts = [options, hash, ...(skeleton ? [hashOfGiven(skeleton)] : [])];
   return createHash('sha256').update(parts.join('\n')).digest('hex').slice(0, 32);
 }
 
@@ -105,12 +108,12 @@ function keyOf(options: string, hash: string, { skeleton }: TakeInput): string {
 async function takesOf(
   input: TakeInput,
   { hash, key, bytes: content }: Identity,
-  { settings, target, pool }: Exporter,
+  { settings, target, pool, parts }: Exporter,
 ): Promise<readonly TakeRecord[]> {
   const begun = performance.now();
-  const { path, absolute, skeleton } = input;
-  const files = [...(skeleton ? [skeleton] : []), { path, absolute, ...(content && { bytes: content }) }];
-  const loaded = await loadFound(files, settings.folder);
+  const { path, skeleton } = input;
+  const files = [...(skeleton ? [skeleton] : []), { ...input, ...(content && { bytes: content }) }];
+  const loaded = await loadFound(files, settings.folder, settings.parts);
   const { document, diagnostics } = openLoaded(loaded);
   const error = diagnostics.find(({ severity }) => severity === 'error');
   if (error) throw new CommandError(sentenceOf(error));
@@ -126,7 +129,10 @@ async function takesOf(
   const warnings = diagnostics.filter(({ severity }) => severity === 'warning').map(sentenceOf);
   const beside = loaded.files
     .flatMap((file) => file.beside ?? [])
-    .map((part): PartHash => ({ path: part.path, hash: hashOf(resolve(settings.folder, part.path)) }));
+    .map(({ path: part }): PartHash => {
+      const given = parts.get(part) ?? { absolute: resolve(settings.folder, part) };
+      return { path: part, hash: hashOfGiven(given) };
+    });
   const records: WrittenTake[] = [];
   let since = begun;
   for (const [i, character] of takes.entries()) {

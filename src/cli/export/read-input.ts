@@ -1,6 +1,7 @@
 /** Reads inputs once, for their hash and for what is made of them. */
 import { createHash } from 'node:crypto';
 import { closeSync, fstatSync, openSync, readSync, statSync } from 'node:fs';
+import type { GivenPath } from '../paths.ts';
 import { fileBytes, readPieces } from '../read-file.ts';
 
 export interface ReadInput {
@@ -20,12 +21,13 @@ export class InputReader {
   /** @param most larger files are not held; bytes */
   constructor(private readonly most = MOST_HELD) {}
 
-  read(path: string): ReadInput {
+  read({ absolute: path, bytes: unpacked }: GivenPath): ReadInput {
+    if (unpacked) return { hash: hashOfBytes(unpacked), bytes: unpacked };
     const stats = statSync(path);
     if (!stats.isFile() || stats.size === 0) {
       // A pipe can't be read twice; files of /proc don't say how large they are.
       const bytes = fileBytes(path);
-      return { hash: createHash('sha256').update(bytes).digest('hex'), bytes };
+      return { hash: hashOfBytes(bytes), bytes };
     }
     const file = openSync(path, 'r');
     try {
@@ -39,11 +41,20 @@ export class InputReader {
       }
       if (length !== size) throw new Error('it changed while it was read; try again');
       const bytes = this.held.subarray(0, length);
-      return { hash: createHash('sha256').update(bytes).digest('hex'), bytes };
+      return { hash: hashOfBytes(bytes), bytes };
     } finally {
       closeSync(file);
     }
   }
+}
+
+function hashOfBytes(bytes: Uint8Array): string {
+  return createHash('sha256').update(bytes).digest('hex');
+}
+
+/** SHA-256 of a file on disk or in an archive, hexadecimal. @throws Error as `hashOf` */
+export function hashOfGiven({ absolute, bytes }: Pick<GivenPath, 'absolute' | 'bytes'>): string {
+  return bytes ? hashOfBytes(bytes) : hashOf(absolute);
 }
 
 /** SHA-256 of a file, hexadecimal. @throws Error if it can't be read, or is no file, and so can't be read again */

@@ -1,5 +1,6 @@
 import type { Precision } from '../../dataset/float-pool.ts';
 import type { TakeOptions } from '../../dataset/take.ts';
+import type { GivenPath } from '../paths.ts';
 import type { ExportFormat } from './formats.ts';
 import type { MotionKind } from './motion-files.ts';
 import type { TargetFiles } from './target.ts';
@@ -11,6 +12,8 @@ export interface ExportSettings extends TargetFiles, Omit<TakeOptions, 'target'>
   /** Output folder, and one in it for files that are not finished; absolute. */
   readonly out: string;
   readonly scratch: string;
+  /** Files of archives that inputs of the same archive may name. */
+  readonly parts: readonly GivenPath[];
   /** Numbers, or files of motion. */
   readonly to: ExportFormat | MotionKind;
   /** Of keys made of samples; absent: the default. */

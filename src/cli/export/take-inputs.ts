@@ -1,38 +1,44 @@
 /**
- * The takes among files and folders: motion capture and other files with whole characters, each by itself, and
+ * The takes among files, folders and zips: motion capture and other files with whole characters, each by itself, and
  * animations with the skeleton that they belong to.
  *
  * A list is the same wherever it is made of the same arguments: sorted, with the names of the outputs decided for all,
  * so that several processes can share it.
  */
 import { dirname, extname, relative, resolve, sep } from 'node:path';
-import { openingOf } from '../../project/kinds.ts';
+import { isBuffer, openingOf } from '../../project/kinds.ts';
 import { formatOf } from '../../project/readers.ts';
-import { isZip } from '../../project/zip-content.ts';
 import { UsageError } from '../arguments.ts';
 import { findGiven, type GivenPath, isFolder } from '../paths.ts';
 import { groupsIn, isWhole } from '../together.ts';
+import { unpackedPath, withZipsUnpacked } from '../zips.ts';
 
 /** A file with a take, or with several. */
-export interface TakeInput {
-  /** Relative to the caller's folder. */
-  readonly path: string;
-  readonly absolute: string;
+export interface TakeInput extends GivenPath {
   /** Of an animation. */
-  readonly skeleton?: Pick<GivenPath, 'path' | 'absolute'>;
+  readonly skeleton?: GivenPath;
   /** Of one that can't be read: a sentence. */
   readonly why?: string;
   /** Its output below the output folder, without the ending. */
   readonly stem: string;
 }
 
+export interface TakeInputs {
+  /** Sorted by path. */
+  readonly inputs: readonly TakeInput[];
+  /** Files of archives that others may name, such as the buffers of a `.gltf`. */
+  readonly parts: readonly GivenPath[];
+}
+
 /**
- * @param args files and folders, relative to `folder`; those that are missing are inputs too, which then fail
- * @returns sorted by path
+ * @param args files, folders and zips, relative to `folder`; those that are missing, and zips that can't be unpacked, are
+ *   inputs too, which then fail
  * @throws UsageError if two would have one output
  */
-export function takeInputs(args: readonly string[], folder: string): readonly TakeInput[] {
-  const { files, missing } = findGiven(args, folder);
+export function takeInputs(args: readonly string[], folder: string): TakeInputs {
+  const { files: given, missing } = findGiven(args, folder);
+  const { files: found, problems } = withZipsUnpacked(given);
+  const files = found.map((file) => (file.bytes ? { ...file, bytes: sharedAmongThreads(file.bytes) } : file));
   const whole = files.filter(({ path }) => isWhole(path));
   const animations = animationsIn(
     files.filter(({ path }) => {
@@ -46,12 +52,20 @@ export function takeInputs(args: readonly string[], folder: string): readonly Ta
     // The manifest is the same wherever it is made.
     why: code === 'file-missing' ? 'There is no file of this name.' : why,
   }));
-  const zips = files
-    .filter(({ path }) => isZip(path))
-    .map((file) => ({ ...file, why: 'Takes in zips are not read here. Unpack it, and give its folder.' }));
-  const all = [...whole, ...animations, ...zips, ...absent].sort((a, b) => compareBytes(a.path, b.path));
+  const damaged = problems
+    .filter(({ severity }) => severity === 'error')
+    .map(({ file: path, message: why }) => ({ path, absolute: resolve(folder, path), why }));
+  const all = [...whole, ...animations, ...damaged, ...absent].sort((a, b) => compareBytes(a.path, b.path));
   const folders = args.map((arg) => resolve(folder, arg)).filter(isFolder);
-  return withStems(all, folders, folder);
+  const parts = files.filter(({ path, bytes }) => bytes && (isBuffer(path) || formatOf(path)?.kind === 'texture'));
+  return { inputs: withStems(all, folders, folder), parts };
+}
+
+/** The same bytes in memory that threads share instead of each getting a copy. */
+function sharedAmongThreads(bytes: Uint8Array): Uint8Array {
+  const shared = new Uint8Array(new SharedArrayBuffer(bytes.length));
+  shared.set(bytes);
+  return shared;
 }
 
 /** By their bytes in UTF-8, as `LC_ALL=C sort` does. */
@@ -68,13 +82,13 @@ function animationsIn(files: readonly GivenPath[]): Omit<TakeInput, 'stem'>[] {
   return files.flatMap((file) => {
     if (formatOf(file.path)?.kind !== 'anim') return [];
     const skeleton = byPath.get(skeletons.get(file.path) ?? '');
-    return [{ path: file.path, absolute: file.absolute, ...(skeleton && { skeleton }) }];
+    return [{ ...file, ...(skeleton && { skeleton }) }];
   });
 }
 
 /**
  * Names the outputs after the inputs: the path below the folder that was named; of a file that was named itself, below
- * the caller's, or, outside it, below the folder that all such files share. Where two would be the same, all are named by
+ * the caller's, or, outside it, below the folder that all such files share. A zip is a folder with its name. Where two would be the same, all are named by
  * their paths below the folder that all inputs share: `day1/walk.npz`, `day2/walk.npz`. Where two differ only in their
  * endings, these are kept: `walk.bvh.npz`, `walk.anim.npz`.
  */
@@ -85,9 +99,11 @@ function withStems(
 ): readonly TakeInput[] {
   const isIn = (folder: string, path: string) => path.startsWith(folder.endsWith(sep) ? folder : folder + sep);
   const homes = [...folders, callers];
-  const strays = inputs.map(({ absolute }) => absolute).filter((path) => !homes.some((folder) => isIn(folder, path)));
+  const unpacked = inputs.map(unpackedPath);
+  // A zip next to what was unpacked from it keeps its ending.
+  const paths = new Set(unpacked).size === inputs.length ? unpacked : inputs.map(({ absolute }) => absolute);
+  const strays = paths.filter((path) => !homes.some((folder) => isIn(folder, path)));
   if (strays.length > 0) homes.push(sharedFolder(strays));
-  const paths = inputs.map(({ absolute }) => absolute);
   const belowHomes = paths.map((path) => pathBelow(homes.find((folder) => isIn(folder, path)) ?? dirname(path), path));
   const areDistinct = new Set(belowHomes).size === paths.length;
   const shared = areDistinct ? '' : sharedFolder(paths);
