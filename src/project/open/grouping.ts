@@ -3,7 +3,8 @@
  *
  * 1. a `.rig` binds the files that it names, looked up by base name (its own folder first);
  * 2. any other skin, morph or anim belongs to the skeleton in the same folder whose stem is the longest prefix of its
- * own (`wasp_walk.anim` → `wasp.skel`), or to the only skeleton; an anim to the only character of another kind, too;
+ * own (`wasp_walk.anim` → `wasp.skel`), else to the one in the closest folder around it that is called like it
+ * (`skins/wasp.skin` → `skeletons/wasp.skel`), or to the only skeleton; an anim to the only character of another kind, too;
  * 3. the rest has no skeleton here; `open-files.ts` assigns it to characters of the document.
  *
  * Files with errors take part, so that what depends on them is known.
@@ -144,6 +145,8 @@ function takesParts({ kind }: ReadFile): boolean {
 /** Skeletons of a folder, or all, by their stems: there may be thousands, of as many parts. */
 export class ByStem<T> {
   private readonly items = new Map<string, T>();
+  /** Stems of several. */
+  private readonly shared = new Set<string>();
   private first: T | undefined;
   private count = 0;
 
@@ -152,7 +155,8 @@ export class ByStem<T> {
     const stem = stemOf(source).toLowerCase();
     this.first ??= item;
     this.count++;
-    if (!this.items.has(stem)) this.items.set(stem, item);
+    if (this.items.has(stem)) this.shared.add(stem);
+    else this.items.set(stem, item);
   }
 
   /** The one with the longest stem that begins the file's. */
@@ -161,6 +165,17 @@ export class ByStem<T> {
     for (let length = stem.length; length > 0; length--) {
       const item = this.items.get(stem.slice(0, length));
       if (item) return item;
+    }
+    return undefined;
+  }
+
+  /** The same, of whole words of its name, and if no other has that stem. */
+  called(source: SourceFile): T | undefined {
+    const stem = stemOf(source).toLowerCase();
+    for (let length = stem.length; length > 0; length--) {
+      const item = this.items.get(stem.slice(0, length));
+      const isWhole = !/^\p{L}/u.test(stem.slice(length));
+      if (item && isWhole) return this.shared.has(stem.slice(0, length)) ? undefined : item;
     }
     return undefined;
   }
@@ -182,30 +197,56 @@ function skeletonsFor<G extends FileGroup>(groups: readonly G[]): (part: ReadFil
     const opening = openingOf(kind);
     const places = opening.as === 'part' && opening.onAny ? [made, any] : [made];
     const near = places.flatMap((all) => all.in(source) ?? []);
+    const own = firstOf(near, (all) => all.named(source) ?? all.only);
+    if (own) return own;
+    const around = foldersAround(source).flatMap((folder) => places.flatMap((all) => all.below(folder) ?? []));
+    const found = firstOf(around, (all) => all.called(source));
     // None in its own folder: the only one given.
-    const list = near.length > 0 ? near : places.map(({ everywhere }) => everywhere);
-    for (const skeletons of list) {
-      const group = (near.length > 0 ? skeletons.named(source) : undefined) ?? skeletons.only;
-      if (group) return group;
-    }
-    return undefined;
+    return found ?? (near.length > 0 ? undefined : firstOf(places, ({ everywhere }) => everywhere.only));
   };
+}
+
+function firstOf<T, R>(list: readonly T[], find: (item: T) => R | undefined): R | undefined {
+  for (const item of list) {
+    const found = find(item);
+    if (found !== undefined) return found;
+  }
+  return undefined;
+}
+
+/** The folders around the one of a file, the closest first, up to that of the whole drop. */
+function foldersAround(source: SourceFile): readonly string[] {
+  const parts = folderOf(source).split('/');
+  return parts.map((_, i) => parts.slice(0, parts.length - 1 - i).join('/'));
 }
 
 class InFolders<T> {
   readonly everywhere = new ByStem<T>();
   private readonly folders = new Map<string, ByStem<T>>();
+  /** Those in a folder and all folders in it. */
+  private readonly trees = new Map<string, ByStem<T>>();
 
   add(item: T, source: SourceFile): void {
-    const there = this.in(source) ?? new ByStem<T>();
-    this.folders.set(folderOf(source), there);
-    for (const place of [there, this.everywhere]) place.add(item, source);
+    placeIn(this.folders, folderOf(source)).add(item, source);
+    for (const folder of foldersAround(source)) placeIn(this.trees, folder).add(item, source);
+    this.everywhere.add(item, source);
+  }
+
+  /** Those in the folders of a folder; undefined if there are none. */
+  below(folder: string): ByStem<T> | undefined {
+    return this.trees.get(folder);
   }
 
   /** Those in the folder of a file; undefined if it has none. */
   in(source: SourceFile): ByStem<T> | undefined {
     return this.folders.get(folderOf(source));
   }
+}
+
+function placeIn<T>(places: Map<string, ByStem<T>>, folder: string): ByStem<T> {
+  const place = places.get(folder) ?? new ByStem<T>();
+  places.set(folder, place);
+  return place;
 }
 
 type FilesByName = ReadonlyMap<string, readonly ReadFile[]>;
