@@ -1,10 +1,10 @@
-/** Names of takes that came inside files of whole characters, which may all call them the same. */
+/** Names of characters and takes of several files, which may all call them the same. */
 import type { ChannelClip } from '../../model/clip.ts';
-import { type Character, type Document, findCharacter } from '../../model/document.ts';
+import { type Character, findCharacter } from '../../model/document.ts';
 import type { SourceFile } from '../../model/files.ts';
 import { NO_MARKS } from '../../model/part.ts';
 import { tellingNames } from '../../model/telling-names.ts';
-import type { OpenCharacters } from './open-characters.ts';
+import type { Opening } from './opening.ts';
 
 interface NewTake {
   readonly clip: ChannelClip;
@@ -12,14 +12,26 @@ interface NewTake {
   readonly isOnly: boolean;
 }
 
-/**
- * Gives new takes that share a name with another file's the name of their file.
- *
- * @param before the document without what was opened
- * @param opened ids of new and changed characters
- */
-export function nameTakesApart(characters: OpenCharacters, before: Document, opened: ReadonlySet<string>): void {
-  const fresh = characters.all.flatMap((c) => (opened.has(c.id) ? newTakes(c, findCharacter(before, c.id)) : []));
+/** Tells new characters, and new takes that came inside files of whole characters, from others of the same name. */
+export function nameApart(opening: Opening): void {
+  nameCharactersApart(opening);
+  nameTakesApart(opening);
+}
+
+function nameCharactersApart({ characters, base, opened }: Opening): void {
+  const fresh = characters.all.filter((c) => opened.has(c.id) && !findCharacter(base, c.id) && c.sources.length > 0);
+  const names = tellingNames(
+    fresh.map(({ name, sources: [input] }) => ({ name, input, isOnly: true })),
+    base.characters.map(({ name }) => name),
+  );
+  for (const [i, character] of fresh.entries()) {
+    if (names[i] !== character.name) characters.replace({ ...character, name: names[i] });
+  }
+}
+
+/** Gives new takes that share a name with another file's the name of their file. */
+function nameTakesApart({ characters, base, opened }: Opening): void {
+  const fresh = characters.all.flatMap((c) => (opened.has(c.id) ? newTakes(c, findCharacter(base, c.id)) : []));
   if (fresh.length === 0) return;
   const isNew = new Set(fresh.map(({ clip }) => clip));
   const others = characters.all.flatMap(({ clips }) => clips.filter((clip) => !isNew.has(clip)));
