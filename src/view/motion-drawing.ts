@@ -8,10 +8,6 @@ import { Trail } from './trail.ts';
 
 export class MotionDrawing {
   readonly object = new Group();
-  /** Seconds of the transport. */
-  playedRange: readonly [number, number] = [0, 0];
-  /** Of clips without frames of their own: for ghosts that are frames apart. */
-  framesPerSecond = 30;
   private readonly trail: Trail;
   private readonly ghosts = new Ghosts();
 
@@ -29,15 +25,26 @@ export class MotionDrawing {
     this.ghosts.setTheme(theme);
   }
 
-  /** After an edit, or with another range. */
-  show({ characterId, joint }: Selection, { trail, inPlace }: Display): void {
+  /** After an edit, or with another range. @param playedRange seconds of the transport */
+  show({ characterId, joint }: Selection, { trail, inPlace }: Display, playedRange: readonly [number, number]): void {
     const entry = this.characters.seen(characterId);
-    this.trail.show(trail ? entry?.character : undefined, joint, this.playedRange, inPlace);
+    this.trail.show(trail ? entry?.character : undefined, joint, playedRange, inPlace);
   }
 
-  /** Every frame. Ghosts are of the selected character, or of the only one if none is selected. */
-  fill({ characterId }: Selection, display: Display, timeSeconds: number): void {
-    const { characters, playedRange, framesPerSecond } = this;
+  /**
+   * Every frame. Ghosts are of the selected character, or of the only one if none is selected.
+   *
+   * @param playedRange seconds of the transport
+   * @param framesPerSecond of clips without frames of their own: for ghosts that are frames apart
+   */
+  fill(
+    { characterId }: Selection,
+    display: Display,
+    timeSeconds: number,
+    playedRange: readonly [number, number],
+    framesPerSecond: number,
+  ): void {
+    const { characters } = this;
     const { visible } = characters;
     const entry: ShownCharacter | undefined =
       characters.seen(characterId) ?? (visible.length === 1 ? visible[0] : undefined);

@@ -40,7 +40,7 @@ export class Pointing {
     const scene = this.scene();
     if (!scene) return undefined;
     const { left, top } = this.screen.canvas.getBoundingClientRect();
-    const named = this.shown.labels.characterAt(clientX - left, clientY - top);
+    const named = this.shown.annotations?.labels.characterAt(clientX - left, clientY - top);
     const hit =
       named === undefined
         ? this.picker.pick(scene, clientX - left, clientY - top)
@@ -64,8 +64,8 @@ export class Pointing {
     const { pointer, shown } = this;
     this.pointer = undefined;
     if (!pointer || this.isTaken || this.rig.handling || !shown.canBePointedAt) return;
-    const named = shown.labels.characterAt(pointer.x, pointer.y);
-    shown.labels.hoverCharacter(named);
+    const named = shown.annotations?.labels.characterAt(pointer.x, pointer.y);
+    shown.annotations?.labels.hoverCharacter(named);
     const scene = named === undefined ? this.scene() : undefined;
     shown.highlight(scene && this.jointAt(scene, pointer.x, pointer.y));
   }
@@ -82,7 +82,7 @@ export class Pointing {
 
   private leave(): void {
     this.pointer = undefined;
-    this.shown.labels.hoverCharacter(undefined);
+    this.shown.annotations?.labels.hoverCharacter(undefined);
     this.hover(undefined);
     this.events.redraw();
   }

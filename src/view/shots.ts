@@ -65,7 +65,7 @@ export function beginShots({ screen, shown, rig, redraw, update }: ShotParts, op
     );
   }
   return {
-    canvases: options.hasTools ? [canvas, shown.labels.canvas] : [canvas],
+    canvases: options.hasTools ? [canvas, ...(shown.annotations ? [shown.annotations.labels.canvas] : [])] : [canvas],
     draw: (seconds) => {
       shown.seek(seconds);
       redraw.now(performance.now());

@@ -9,14 +9,12 @@ import { Group, type OrthographicCamera, type PerspectiveCamera } from 'three';
 import type { Document } from '../model/document.ts';
 import type { Texture } from '../model/files.ts';
 import { DEFAULT_DISPLAY, type Display, NOTHING_SELECTED, type Selection } from '../model/session.ts';
+import type { Annotations } from './annotations.ts';
 import { CharacterView } from './character-view.ts';
 import { haveSameJoints, type JointRef, type PosedSkeleton } from './drawn-skeletons.ts';
 import { Grid } from './grid.ts';
 import { Highlight } from './highlight.ts';
-import type { LabelCover } from './label-cover.ts';
-import { Labels } from './labels.ts';
 import type { Look } from './look.ts';
-import { MotionDrawing } from './motion-drawing.ts';
 import { type Overlay, Overlays } from './overlay.ts';
 import { PickedCopy } from './picked-copy.ts';
 import type { DrawnSkin } from './picking.ts';
@@ -51,23 +49,25 @@ export class ShownDocument {
   display: Display = DEFAULT_DISPLAY;
   selection: Selection = NOTHING_SELECTED;
   timeSeconds = 0;
+  /** Seconds of the transport. */
+  playedRange: readonly [number, number] = [0, 0];
+  /** Absent in the first picture. */
+  annotations: Annotations | undefined;
   readonly stage: Stage;
   readonly grid = new Grid();
   readonly characters: ShownCharacters;
   readonly skeletons = new SkeletonDrawing();
-  readonly motion: MotionDrawing;
   readonly picked = new PickedCopy();
-  readonly labels = new Labels();
   readonly highlighted = new Highlight();
   private readonly overlays: Overlays;
   private readonly vertexMarker = new VertexMarker();
   /** What tools draw, and the marked vertex. */
   private readonly tools = new Group();
-  private labelCover: LabelCover | undefined;
   private tints: Tints = NO_TINTS;
   private look: Look | undefined;
   private themeName: ThemeName = 'dark';
   private surroundings = EVERYTHING;
+  private framesPerSecond = 30;
   /** Poses or the set of characters have changed since the last update. */
   private hasMoved = true;
 
@@ -83,9 +83,8 @@ export class ShownDocument {
       (id) => this.createView(id),
       (entry) => this.prepare(entry),
     );
-    this.motion = new MotionDrawing(this.characters, () => this.events.redraw());
     this.tools.add(this.vertexMarker.object);
-    scene.add(this.grid.object, this.skeletons.object, this.motion.object, this.tools);
+    scene.add(this.grid.object, this.skeletons.object, this.tools);
   }
 
   /** Whether none of the characters shown so far is in `document`, which has some. */
@@ -110,7 +109,7 @@ export class ShownDocument {
     this.stage.setShadow(display.shadow);
     this.grid.object.visible = display.grid;
     this.showSkeletons();
-    this.motion.show(selection, display);
+    this.showMotion();
   }
 
   /** Draws a character in another way than the display says; undefined: all as it says. */
@@ -149,24 +148,25 @@ export class ShownDocument {
     const theme = STAGE_THEMES[name];
     this.themeName = name;
     this.stage.setTheme(theme, this.screen.renderer);
-    for (const part of [this.grid, this.labels, this.motion, this.vertexMarker, this.overlays]) part.setTheme(theme);
+    for (const part of [this.grid, this.vertexMarker, this.overlays]) part.setTheme(theme);
+    this.annotations?.setTheme(theme);
     for (const { view } of this.characters.all) view.setTheme(name);
     this.showSkeletons();
   }
 
   /** Playback range in seconds of the transport. */
   setPlayedRange(range: readonly [number, number]): void {
-    const { motion } = this;
-    if (range[0] === motion.playedRange[0] && range[1] === motion.playedRange[1]) return;
-    motion.playedRange = range;
-    motion.show(this.selection, this.display);
+    const { playedRange } = this;
+    if (range[0] === playedRange[0] && range[1] === playedRange[1]) return;
+    this.playedRange = range;
+    this.showMotion();
     this.move();
   }
 
   /** Frame rate for clips without frames of their own. */
   setFramesPerSecond(framesPerSecond: number): void {
-    if (framesPerSecond === this.motion.framesPerSecond) return;
-    this.motion.framesPerSecond = framesPerSecond;
+    if (framesPerSecond === this.framesPerSecond) return;
+    this.framesPerSecond = framesPerSecond;
     this.move();
   }
 
@@ -180,17 +180,22 @@ export class ShownDocument {
     };
   }
 
-  /** Sets what finds the names of joints behind skins and boxes. */
-  coverLabels(cover: LabelCover): void {
-    this.labelCover = cover;
-    this.events.redraw();
+  /** Draws names, paths and ghosts from now on. @param annotations of these `characters`; disposed of with this */
+  annotate(annotations: Annotations): void {
+    const { stage, skeletons, display, selection, highlighted } = this;
+    this.annotations = annotations;
+    annotations.setTheme(STAGE_THEMES[this.themeName]);
+    stage.scene.add(annotations.motion.object);
+    annotations.labels.show(skeletons.drawn, display, selection, highlighted.joint);
+    this.showMotion();
+    this.move();
   }
 
   /** Highlights a joint; undefined: none. Returns whether that changed anything. */
   highlight(joint: JointRef | undefined): boolean {
-    const { skeletons, labels, characters, highlighted } = this;
+    const { skeletons, annotations, characters, highlighted } = this;
     if (!skeletons.hover(joint)) return false;
-    labels.show(skeletons.drawn, this.display, this.selection, joint);
+    annotations?.labels.show(skeletons.drawn, this.display, this.selection, joint);
     for (const { view, character } of characters.all) {
       view.hoveredPart.hoveredJoint.value = character.id === joint?.characterId ? joint.joint : -1;
     }
@@ -217,7 +222,7 @@ export class ShownDocument {
     characters.place(display.inPlace);
     this.skeletons.fill();
     this.vertexMarker.mark(characters.seen(selection.characterId), selection.vertex);
-    this.motion.fill(selection, display, this.timeSeconds);
+    this.annotations?.motion.fill(selection, display, this.timeSeconds, this.playedRange, this.framesPerSecond);
     return true;
   }
 
@@ -228,15 +233,17 @@ export class ShownDocument {
 
   /** Every frame, once the scene is drawn. */
   drawLabels(camera: PerspectiveCamera | OrthographicCamera): void {
-    const { display, skeletons, labels, labelCover } = this;
-    if (display.names) labelCover?.fill(skeletons.drawn, camera, isOpaque(display.skin), skeletons.hasSolidBoxes);
-    labels.draw(camera, skeletons.positions, display.names ? labelCover : undefined);
+    const { display, skeletons, annotations } = this;
+    if (!annotations) return;
+    const { labels, cover } = annotations;
+    if (display.names) cover.fill(skeletons.drawn, camera, isOpaque(display.skin), skeletons.hasSolidBoxes);
+    labels.draw(camera, skeletons.positions, display.names ? cover : undefined);
   }
 
   dispose(): void {
-    const { characters, grid, skeletons, motion, vertexMarker, overlays, stage } = this;
-    for (const part of [characters, grid, skeletons, motion, vertexMarker, overlays, stage]) part.dispose();
-    this.labels.canvas.remove();
+    const { characters, grid, skeletons, vertexMarker, overlays, stage } = this;
+    for (const part of [characters, grid, skeletons, vertexMarker, overlays, stage]) part.dispose();
+    this.annotations?.dispose();
   }
 
   private createView(id: string): CharacterView {
@@ -256,6 +263,10 @@ export class ShownDocument {
     );
   }
 
+  private showMotion(): void {
+    this.annotations?.motion.show(this.selection, this.display, this.playedRange);
+  }
+
   private showSkeletons(): void {
     const { skeletons, display, selection, highlighted } = this;
     const hovered = highlighted.joint;
@@ -268,7 +279,7 @@ export class ShownDocument {
     }
     const marked = this.surroundings.hasTools ? selection : NOTHING_SELECTED;
     skeletons.show(posed, display, marked, STAGE_THEMES[this.themeName]);
-    this.labels.show(skeletons.drawn, display, selection, highlighted.joint);
+    this.annotations?.labels.show(skeletons.drawn, display, selection, highlighted.joint);
     this.move();
   }
 }

@@ -19,13 +19,13 @@ import type { Character, Document } from '../model/document.ts';
 import { characterIdOf } from '../model/drawn-id.ts';
 import type { Texture } from '../model/files.ts';
 import type { Display, Selection } from '../model/session.ts';
+import type { Annotations } from './annotations.ts';
 import { CameraRig, type CameraView, type ViewDirection } from './camera.ts';
 import { type CharacterFacts, factsOf } from './character-facts.ts';
 import type { JointRef } from './drawn-skeletons.ts';
 import { Eye } from './eye.ts';
 import { Framer } from './framer.ts';
 import { JointFollower } from './joint-follower.ts';
-import type { LabelCover } from './label-cover.ts';
 import type { Look } from './look.ts';
 import { Orientation } from './orientation.ts';
 import type { Overlay } from './overlay.ts';
@@ -101,7 +101,7 @@ export class Viewport {
     this.orientation = new Orientation((side) => this.lookFrom(side));
     this.pointing = new Pointing(screen, shown, this.rig, { update: () => this.update(), redraw });
     if (getComputedStyle(container).position === 'static') container.style.position = 'relative';
-    container.append(this.canvas, shown.labels.canvas, this.orientation.element);
+    container.append(this.canvas, this.orientation.element);
     this.setTheme('dark');
     screen.fill();
   }
@@ -165,9 +165,13 @@ export class Viewport {
     this.pointing.take(isTaken);
   }
 
-  /** Sets what finds the names of joints behind skins and boxes. Given, not made here: the first picture does without. */
-  coverLabels(cover: LabelCover): void {
-    this.shown.coverLabels(cover);
+  /** Draws names, motion paths and ghosts from now on. Given, not made here: the first picture does without. */
+  annotate(create: (...parts: ConstructorParameters<typeof Annotations>) => Annotations): void {
+    const { shown, screen } = this;
+    const annotations = create(shown.characters, () => this.requestRender());
+    this.canvas.after(annotations.labels.canvas);
+    annotations.labels.resize(screen.width, screen.height, screen.renderer.getPixelRatio());
+    shown.annotate(annotations);
   }
 
   /** Sets the function that returns how many CSS pixels at the top are covered by overlays, for framing. */
@@ -184,7 +188,7 @@ export class Viewport {
   /** Frames the selected vertex or joint of the picked instance, or the character with its motion; else everything. */
   frameSelection(selection: Selection): void {
     this.update();
-    this.framer.frameSelection(selection, this.shown.motion.playedRange, this.shown.timeSeconds);
+    this.framer.frameSelection(selection, this.shown.playedRange, this.shown.timeSeconds);
     this.requestRender();
   }
 
@@ -347,9 +351,9 @@ export class Viewport {
   }
 
   private resize(width: number, height: number, ratio: number): void {
-    const { grid, labels } = this.shown;
+    const { grid, annotations } = this.shown;
     grid.setPixelRatio(ratio);
-    labels.resize(width, height, ratio);
+    annotations?.labels.resize(width, height, ratio);
     this.rig.resize(width, height);
   }
 
@@ -365,10 +369,10 @@ export class Viewport {
   /** @throws whatever three.js does */
   private draw(nowMs: number): void {
     const { screen, shown, rig, framer, orientation } = this;
-    const { stage, grid, display, characters, motion } = shown;
+    const { stage, grid, display, characters } = shown;
     if (!screen.canDraw) return;
     this.update();
-    framer.settle(motion.playedRange, shown.timeSeconds);
+    framer.settle(shown.playedRange, shown.timeSeconds);
     rig.tick(nowMs);
     rig.fitDepth(characters.content, display.grid);
     const { camera } = rig;

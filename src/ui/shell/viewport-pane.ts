@@ -4,7 +4,7 @@
  */
 import { type Character, type Document, shownSkin } from '../../model/document.ts';
 import type { Display, Selection, SkinStyle } from '../../model/session.ts';
-import { LabelCover } from '../../view/label-cover.ts';
+import { Annotations } from '../../view/annotations.ts';
 import { stageBanner } from '../editors/compare/stage-banner.ts';
 import { modeBar } from '../editors/posing/mode-bar.ts';
 import {
@@ -62,7 +62,7 @@ export function viewportPane(wb: Workbench, signal: AbortSignal): HTMLElement {
   setAttribute(viewport.canvas, 'aria-describedby', keys.id);
   // The view's own buttons have labels, but it knows no tooltips.
   for (const made of viewportElement.querySelectorAll('button')) setTooltip(made, made.ariaLabel ?? undefined);
-  viewport.coverLabels(new LabelCover());
+  viewport.annotate((characters, redraw) => new Annotations(characters, redraw));
   handTools(wb, signal);
   pinsInFk(wb, signal);
   const head = element('div', { class: 'stage-head' }, modeBar(wb), displayStrip(wb));

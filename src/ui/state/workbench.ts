@@ -36,7 +36,7 @@ export type WorkbenchStage = Pick<
   | 'frameSelection'
   | 'reveal'
   | 'keepClear'
-  | 'coverLabels'
+  | 'annotate'
   | 'lookFrom'
   | 'cameraView'
   | 'setTheme'
