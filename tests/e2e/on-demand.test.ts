@@ -10,7 +10,7 @@ import { dropFiles, withPage } from '../helpers/page.ts';
 
 const DIST = fileURLToPath(new URL('../../dist/', import.meta.url));
 /** Script before the first character is visible, gzipped, without the worker that reads its files. */
-const MAX_BYTES = 240_000;
+const MAX_BYTES = 260_000;
 
 const shown = (page: Page, name: string) =>
   page.waitForFunction((wanted) => window.marrow?.characters().some((c) => c.name === wanted), name);
@@ -28,7 +28,7 @@ function firstScripts(): readonly string[] {
 }
 
 describe('the page', () => {
-  it('begins with less than 240 kB of script, gzipped', () => {
+  it('begins with less than 260 kB of script, gzipped', () => {
     const scripts = firstScripts();
     expect(scripts.some((file) => file.includes('three'))).toBe(true);
     const bytes = scripts.reduce((sum, file) => sum + gzipSync(readFileSync(join(DIST, file))).length, 0);
