@@ -24,7 +24,7 @@ export const frameRateOf = perObject((clip: ChannelClip): number | undefined => 
 });
 
 /** Frames per second, greater than 0. */
-export function rateOfSamples({ frameSeconds, frameCount }: Pick<Samples, 'frameSeconds' | 'frameCount'>): number {
+function rateOfSamples({ frameSeconds, frameCount }: Pick<Samples, 'frameSeconds' | 'frameCount'>): number {
   const decimals = String(frameSeconds).split('.')[1]?.length ?? 0;
   const rounding = Math.min(Math.max(10 ** -decimals, MIN_ROUNDED * frameSeconds), MAX_ROUNDED * frameSeconds);
   const rate = 1 / frameSeconds;

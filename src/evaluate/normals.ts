@@ -5,6 +5,7 @@
  *
  * The cross product's length is twice the area, so large triangles weigh more.
  */
+import { areaNormal } from '../math/triangle.ts';
 import { normalizeAt } from '../math/vec3.ts';
 import { perObject } from '../model/per-object.ts';
 import { type Skin, vertexCount } from '../model/skin.ts';
@@ -24,19 +25,15 @@ export function adoptNormals(skin: Skin, normals: Float64Array): void {
 /** Area-weighted normals. A vertex without triangles, or whose triangles cancel out, points up. */
 export function computeNormals(positions: Float64Array, triangles: Uint32Array): Float64Array {
   const normals = new Float64Array(positions.length);
+  const area = new Float64Array(3);
   for (let t = 0; t + 2 < triangles.length; t += 3) {
     const a = 3 * triangles[t];
     const b = 3 * triangles[t + 1];
     const c = 3 * triangles[t + 2];
-    const ux = positions[b] - positions[a];
-    const uy = positions[b + 1] - positions[a + 1];
-    const uz = positions[b + 2] - positions[a + 2];
-    const vx = positions[c] - positions[a];
-    const vy = positions[c + 1] - positions[a + 1];
-    const vz = positions[c + 2] - positions[a + 2];
-    const x = uy * vz - uz * vy;
-    const y = uz * vx - ux * vz;
-    const z = ux * vy - uy * vx;
+    areaNormal(positions, a, b, c, area);
+    const x = area[0];
+    const y = area[1];
+    const z = area[2];
     normals[a] += x;
     normals[a + 1] += y;
     normals[a + 2] += z;

@@ -13,6 +13,7 @@
  * triangle to triangle; recomputed normals, which lose the author's smoothing.
  */
 import type { Steps } from '../evaluate/steps.ts';
+import { areaNormal } from '../math/triangle.ts';
 
 /** Triangles, vertices or edges between two yields: under a millisecond's work. */
 const STRIDE = 16384;
@@ -37,19 +38,15 @@ export function* facingOf(triangles: Uint32Array, positions: Float64Array, norma
   // Twice each triangle's area, times its normal.
   const area = new Float32Array(3 * count);
   const agreement = new Float64Array(count);
+  const normal = new Float64Array(3);
   for (let t = 0; t < count; t++) {
     const a = 3 * triangles[3 * t];
     const b = 3 * triangles[3 * t + 1];
     const c = 3 * triangles[3 * t + 2];
-    const ux = positions[b] - positions[a];
-    const uy = positions[b + 1] - positions[a + 1];
-    const uz = positions[b + 2] - positions[a + 2];
-    const vx = positions[c] - positions[a];
-    const vy = positions[c + 1] - positions[a + 1];
-    const vz = positions[c + 2] - positions[a + 2];
-    const x = uy * vz - uz * vy;
-    const y = uz * vx - ux * vz;
-    const z = ux * vy - uy * vx;
+    areaNormal(positions, a, b, c, normal);
+    const x = normal[0];
+    const y = normal[1];
+    const z = normal[2];
     area[3 * t] = x;
     area[3 * t + 1] = y;
     area[3 * t + 2] = z;

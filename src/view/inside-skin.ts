@@ -3,7 +3,7 @@ import { Matrix4, Ray, Vector3 } from 'three';
 import { middleOfFirstPassage } from '../evaluate/first-passage.ts';
 import type { Vec3 } from '../math/vec3.ts';
 import type { Character } from '../model/document.ts';
-import type { Ray as SceneRay } from './eye.ts';
+import type { Eye, Ray as SceneRay } from './eye.ts';
 import type { ShownCharacter } from './shown-characters.ts';
 import type { Viewport } from './viewport.ts';
 
@@ -20,7 +20,7 @@ const way = new Vector3();
  * drawn; undefined off the skin, where that is open, or if it isn't drawn.
  */
 export function insideSkin(
-  viewport: Pick<Viewport, 'withDrawnSkin' | 'pickedCopy' | 'eye'>,
+  viewport: Pick<Viewport, 'withDrawnSkin' | 'pickedCopy'> & { readonly eye: Pick<Eye, 'rayAt'> },
   character: Pick<Character, 'id' | 'placements'>,
   clientX: number,
   clientY: number,
@@ -39,7 +39,7 @@ export function isInsideQuick(viewport: Pick<Viewport, 'withDrawnSkin'>, charact
  * The scene point midway through the limb that a ray meets first, of a skin as it is drawn: posed, with morphs.
  * Undefined if the ray misses it or never leaves it.
  */
-export function middleUnder(
+function middleUnder(
   { view, placements }: ShownCharacter,
   placement: number,
   { origin, direction }: SceneRay,

@@ -1,11 +1,24 @@
 /** Frame rates of samples, of keys, and as files state them. */
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
-import { frameRateOf, rateOfSamples, rateOfTimes, statedRate } from '../../src/evaluate/frame-rate.ts';
+import { frameRateOf, rateOfTimes, statedRate } from '../../src/evaluate/frame-rate.ts';
 import { framesOfClip } from '../../src/evaluate/key-frames.ts';
 import { clip } from '../helpers/builders.ts';
 
-const rateOf = (frameSeconds: number, frameCount = 100) => rateOfSamples({ frameSeconds, frameCount });
+/** Of a take of samples without channels. */
+const rateOf = (frameSeconds: number, frameCount = 100) =>
+  frameRateOf({
+    ...clip('sampled', []),
+    samples: {
+      frameCount,
+      frameSeconds,
+      startSeconds: 0,
+      firstChannel: 0,
+      values: new Float64Array(0),
+      scales: new Float64Array(0),
+      interpolation: 'linear',
+    },
+  }) ?? Number.NaN;
 
 describe('the frame rate', () => {
   it.each([

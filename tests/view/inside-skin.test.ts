@@ -4,7 +4,8 @@ import { type Character, DEFAULT_PLACEMENT } from '../../src/model/document.ts';
 import { filePose } from '../../src/model/dofs.ts';
 import { DEFAULT_DISPLAY } from '../../src/model/session.ts';
 import { CharacterView } from '../../src/view/character-view.ts';
-import { middleUnder } from '../../src/view/inside-skin.ts';
+import type { Ray } from '../../src/view/eye.ts';
+import { insideSkin } from '../../src/view/inside-skin.ts';
 import { character, morph, skeleton } from '../helpers/builders.ts';
 import { limbSkin } from '../helpers/limb.ts';
 
@@ -22,11 +23,12 @@ function found(what: Character, x: number, y: number) {
   view.show(what, DEFAULT_DISPLAY, undefined);
   const placements = new Float64Array(16);
   placementMatrix(what.placements[0], what.space, new Float64Array(3), placements, 0);
-  const at = (px: number, py: number) =>
-    middleUnder({ view, character: what, placements, placedFor: what }, 0, {
-      origin: [px, py, 50],
-      direction: [0, 0, -1],
-    });
+  const viewport = {
+    withDrawnSkin: () => ({ view, character: what, placements, placedFor: what }),
+    pickedCopy: () => 0,
+    eye: { rayAt: (px: number, py: number): Ray => ({ origin: [px, py, 50], direction: [0, 0, -1] }) },
+  };
+  const at = (px: number, py: number) => insideSkin(viewport, what, px, py);
   return { now: at(x, y), view, at };
 }
 

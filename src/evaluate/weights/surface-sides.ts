@@ -1,5 +1,6 @@
 /** Finds the outside of a mesh. */
 
+import { areaNormal } from '../../math/triangle.ts';
 import { normalizeAt } from '../../math/vec3.ts';
 import type { Steps } from '../steps.ts';
 import type { WeldedMesh } from './weld.ts';
@@ -32,20 +33,16 @@ export function* surfaceSides(mesh: WeldedMesh): Steps<SurfaceSides> {
   const volumes = new Float64Array(partCount);
   const partAreas = new Float64Array(partCount);
   const areas = new Float64Array(vertexCount);
+  const normal = new Float64Array(3);
   for (let t = 0; t < triangles.length; t += 3) {
     if (t % A_STEP === 0) yield 0;
     const a = 3 * triangles[t];
     const b = 3 * triangles[t + 1];
     const c = 3 * triangles[t + 2];
-    const ux = p[b] - p[a];
-    const uy = p[b + 1] - p[a + 1];
-    const uz = p[b + 2] - p[a + 2];
-    const vx = p[c] - p[a];
-    const vy = p[c + 1] - p[a + 1];
-    const vz = p[c + 2] - p[a + 2];
-    const x = uy * vz - uz * vy;
-    const y = uz * vx - ux * vz;
-    const z = ux * vy - uy * vx;
+    areaNormal(p, a, b, c, normal);
+    const x = normal[0];
+    const y = normal[1];
+    const z = normal[2];
     const part = parts[triangles[t]];
     const m = 3 * part;
     volumes[part] += ((p[a] - middles[m]) * x + (p[a + 1] - middles[m + 1]) * y + (p[a + 2] - middles[m + 2]) * z) / 6;

@@ -10,6 +10,7 @@
  * materials, each followed by its triangles, and colours are an extension: see `surfaces.ts`.
  */
 import { isSingular } from '../../math/mat4.ts';
+import { areaNormal } from '../../math/triangle.ts';
 import type { Vec3 } from '../../math/vec3.ts';
 import type { Material, Skin } from '../../model/skin.ts';
 import {
@@ -282,20 +283,16 @@ const FEW_IN = 1000;
 
 /** Says how many triangles have their normals on the side from which their vertices run clockwise. */
 function tellWinding(t: Tokens, positions: Float64Array, normals: Float64Array, triangles: Uint32Array): void {
+  const area = new Float64Array(3);
   let against = 0;
   for (let i = 0; i + 2 < triangles.length; i += 3) {
     const a = 3 * triangles[i];
     const b = 3 * triangles[i + 1];
     const c = 3 * triangles[i + 2];
-    const ux = positions[b] - positions[a];
-    const uy = positions[b + 1] - positions[a + 1];
-    const uz = positions[b + 2] - positions[a + 2];
-    const vx = positions[c] - positions[a];
-    const vy = positions[c + 1] - positions[a + 1];
-    const vz = positions[c + 2] - positions[a + 2];
-    const x = (uy * vz - uz * vy) * (normals[a] + normals[b] + normals[c]);
-    const y = (uz * vx - ux * vz) * (normals[a + 1] + normals[b + 1] + normals[c + 1]);
-    const z = (ux * vy - uy * vx) * (normals[a + 2] + normals[b + 2] + normals[c + 2]);
+    areaNormal(positions, a, b, c, area);
+    const x = area[0] * (normals[a] + normals[b] + normals[c]);
+    const y = area[1] * (normals[a + 1] + normals[b + 1] + normals[c + 1]);
+    const z = area[2] * (normals[a + 2] + normals[b + 2] + normals[c + 2]);
     if (x + y + z < 0) against++;
   }
   const all = Math.floor(triangles.length / 3);

@@ -4,7 +4,7 @@ import type { CharacterDof } from '../../../src/model/dofs.ts';
 import { lengthStep, reachOf } from '../../../src/model/reach.ts';
 import { UNLIMITED } from '../../../src/model/skeleton.ts';
 import { markLabel } from '../../../src/ui/editors/inspector/dof-mark.ts';
-import { coupleText, limitText, sliderOptions, storedAs } from '../../../src/ui/editors/inspector/dof-rows.ts';
+import { coupleText, limitText, sliderOptions, typedValues } from '../../../src/ui/editors/inspector/dof-rows.ts';
 import { typedLimit } from '../../../src/ui/editors/rig/limit-editor.ts';
 import { exact, shown } from '../../../src/ui/kit/number-text.ts';
 import { numberTyped, refusalOf } from '../../../src/ui/kit/slider.ts';
@@ -172,8 +172,8 @@ describe('a typed number', () => {
       fc.property(fc.double({ min: -4, max: 4, noNaN: true }), fc.constantFrom(1, 180 / Math.PI), (value, perUnit) => {
         const displayed = withoutNoise(value * perUnit);
         for (const text of [exact(displayed), shown(displayed, 2)]) {
-          const typed = numberTyped(text, displayed, { decimals: 2 });
-          expect(typed !== undefined && storedAs([value], 0, typed, perUnit).value).toBe(value);
+          const typed = typedValues({ text, from: displayed }, [value], { index: 0 }, [0], perUnit, { decimals: 2 });
+          expect(typed).toEqual([{ index: 0, value }]);
         }
       }),
     );

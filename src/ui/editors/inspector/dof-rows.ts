@@ -166,7 +166,7 @@ export function typedValues(
 }
 
 /** A displayed value as its DOF stores it: the very number that it had if it is displayed as before. */
-export function storedAs(from: ArrayLike<number>, index: number, value: number, perUnit: number): DofValue {
+function storedAs(from: ArrayLike<number>, index: number, value: number, perUnit: number): DofValue {
   const isSame = withoutNoise(from[index] * perUnit) === withoutNoise(value);
   return { index, value: isSame ? from[index] : value / perUnit };
 }
