@@ -253,7 +253,14 @@ function turnWorld(
   return true;
 }
 
-function writeLocal(skeleton: CompiledSkeleton, j: number, dofs: Float64Array, out: Float64Array, o: number): void {
+/** A joint's matrix relative to its parent, as 16 numbers at `out[o]`. */
+export function writeLocal(
+  skeleton: CompiledSkeleton,
+  j: number,
+  dofs: Float64Array,
+  out: Float64Array,
+  o: number,
+): void {
   const { offsets } = skeleton;
   skeleton.motions[j].write(dofs, skeleton.firstDof[j], out, o);
   out[o + 12] += offsets[3 * j];

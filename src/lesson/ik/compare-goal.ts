@@ -10,11 +10,14 @@ import { diagonalOf } from '../errors.ts';
 import type { Cause } from '../found-causes.ts';
 import { shortNumber } from '../short-number.ts';
 import type { FrameTarget } from '../targets.ts';
+import { isPose } from './dumped-pose.ts';
 import { type FittedStep, fitStep } from './fit-step.ts';
 import { type EndEffector, effectorText, endEffectorsOf, type Goal, placeIn } from './goal.ts';
+import type { SeenPoint } from './jacobian.ts';
+import { LikelyEffectors } from './likely.ts';
 import { IK_FORMULAS, type IkMistake } from './mistakes.ts';
-import { pinsOf, remaining } from './solved.ts';
-import { type SeenPoint, SolverStart } from './start.ts';
+import { remaining } from './solved.ts';
+import { SolverStart } from './start.ts';
 import { bestLength, kindAlong, misread, rightKinds, type StepKind, transposed, transposeKind } from './steps.ts';
 
 export interface GoalComparison {
@@ -85,7 +88,7 @@ class GoalTrial {
 
   oneStep(): Judged {
     const { start, goal } = this;
-    const [own] = start.see([goal], goal.target);
+    const own = start.see(goal, goal.target);
     const isRight = this.hasMoved && rightKinds(own).some((kind) => this.rightStep(kind, goal));
     if (isRight) return { agrees: true, isPose: true, causes: [] };
     const unscaled = this.unscaledStep(own);
@@ -95,15 +98,12 @@ class GoalTrial {
 
   solution(): Judged {
     const { frame, goal, near, size, start } = this;
-    const held = pinsOf(frame, start.skeleton.joints.length, size);
-    if (remaining(start, held) > near) return NO_POSE;
+    if (!isPose(start, frame, size, near)) return NO_POSE;
     const place = placeIn(frame, goal);
     const off = place ? length3(...subtract(goal.target, place)) : undefined;
     // Of targets out of reach the nearest place is right.
     const agrees =
-      off === undefined
-        ? remaining(start, [...held, goal]) <= near
-        : off <= near || off <= remaining(start, [goal]) + near;
+      off === undefined ? isPose(start, frame, size, near, goal) : off <= near || off <= remaining(start, goal) + near;
     if (agrees) return { agrees, isPose: true, causes: [] };
     const unscaled = this.unscaledSteps();
     return { agrees, isPose: true, causes: unscaled ? [unscaled] : merged(this.othersAtTarget()) };
@@ -154,8 +154,9 @@ class GoalTrial {
   }
 
   private stepsOfOthers(): readonly Cause[] {
-    const { start, goal } = this;
-    return start.see(this.others(endEffectorsOf(start.skeleton)), goal.target).flatMap((seen) => {
+    const { start, goal, frame, size, tolerance } = this;
+    const likely = new LikelyEffectors(start, frame, size, tolerance).of(endEffectorsOf(start.skeleton), goal.target);
+    return this.others(likely).flatMap((seen) => {
       const fits = rightKinds(seen)
         .flatMap((kind) => this.rightStep(kind, seen.effector) ?? [])
         .filter(({ step }) => this.isTold(step));
@@ -166,13 +167,14 @@ class GoalTrial {
   /** Points that came to the target instead. */
   private othersAtTarget(): readonly Cause[] {
     const { frame, goal, near, size, start } = this;
-    const known = endEffectorsOf(start.skeleton).filter((effector) => placeIn(frame, effector));
-    return this.others(known).flatMap((effector) => {
+    const offOf = (effector: EndEffector) => {
       const place = placeIn(frame, effector);
-      const off = place ? length3(...subtract(goal.target, place)) : Infinity;
-      const wasThere = start.distance(start.pose, { ...effector, target: goal.target }) <= EVIDENCE * near;
-      return off <= near && !wasThere ? [this.wrongEffector(effector, off / size)] : [];
-    });
+      return place ? length3(...subtract(goal.target, place)) : Infinity;
+    };
+    const there = endEffectorsOf(start.skeleton).filter((effector) => offOf(effector) <= near);
+    return this.others(there.map((effector) => start.see(effector, goal.target))).flatMap(({ effector, error }) =>
+      length3(...error) <= EVIDENCE * near ? [] : [this.wrongEffector(effector, offOf(effector) / size)],
+    );
   }
 
   /** A number of steps of Jᵀe itself, one of which takes the point away from the target. */
@@ -184,7 +186,7 @@ class GoalTrial {
     // The best α of steps that go too far.
     let best = Infinity;
     for (let steps = 1; steps <= MOST_STEPS; steps++) {
-      const [seen] = start.see([goal], goal.target, pose);
+      const seen = start.see(goal, goal.target, pose);
       pose = start.after(transposed(seen), pose).slice();
       const now = start.distance(pose, goal);
       if (now >= distance) best = Math.min(best, bestLength(seen));
@@ -198,16 +200,14 @@ class GoalTrial {
   }
 
   /** Those that aren't the goal's, each place once: the tip of a bone is often the next one's origin. */
-  private others(effectors: readonly EndEffector[]): readonly EndEffector[] {
+  private others(effectors: readonly SeenPoint[]): readonly SeenPoint[] {
     const { start, goal, near } = this;
-    const all = [goal, ...effectors];
-    const seen = start.see(all, goal.target);
-    return all.filter((_, i) => {
-      const isSame = (j: number) =>
-        length3(...subtract(seen[i].position, seen[j].position)) <= near &&
-        seen[i].columns.every((column, v) => length3(...subtract(column, seen[j].columns[v])) <= near);
-      return !all.slice(0, i).some((_each, j) => isSame(j)) && i > 0;
-    });
+    const isSame = (a: SeenPoint, b: SeenPoint) =>
+      length3(...subtract(a.position, b.position)) <= near &&
+      a.columns.every((column, v) => length3(...subtract(column, b.columns[v])) <= near);
+    const kept = [start.see(goal, goal.target)];
+    for (const seen of effectors) if (!kept.some((one) => isSame(one, seen))) kept.push(seen);
+    return kept.slice(1);
   }
 
   /** One DOF alone goes with any direction. */

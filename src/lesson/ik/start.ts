@@ -2,7 +2,7 @@
 import { ikStiffness } from '../../evaluate/ik/pins.ts';
 import { applyConstraints, type CompiledSkeleton, compileSkeleton, worldMatrices } from '../../evaluate/kinematics.ts';
 import { dofCountOf, poseAt } from '../../evaluate/pose.ts';
-import { length3, scaled, subtract, transformPoint, type Vec3 } from '../../math/vec3.ts';
+import { length3, subtract, transformPoint, type Vec3 } from '../../math/vec3.ts';
 import type { Character } from '../../model/document.ts';
 import type { Skeleton } from '../../model/skeleton.ts';
 import { matrixError, pointError } from '../errors.ts';
@@ -11,25 +11,16 @@ import { inFilePose } from '../file-pose.ts';
 import { relativeMatrices } from '../relative.ts';
 import type { FrameTarget } from '../targets.ts';
 import type { EndEffector, Goal } from './goal.ts';
-
-/** Radians or lengths: the derivative of a rotation by central differences is exact to twelve digits then. */
-const DIFFERENCE = 1e-6;
-
-/** A point before a step. */
-export interface SeenPoint {
-  readonly effector: EndEffector;
-  readonly position: Vec3;
-  /** e = target − p. */
-  readonly error: Vec3;
-  /** J: ∂p/∂φ of each variable. */
-  readonly columns: readonly Vec3[];
-}
+import { Jacobian, type SeenPoint } from './jacobian.ts';
 
 export class SolverStart {
   readonly pose: Float64Array;
   /** DOFs that a solver may change: all but root translation and bone lengths. */
   readonly variables: readonly number[];
-  private readonly compiled: CompiledSkeleton;
+  /** Of each variable. */
+  readonly jointOf: readonly number[];
+  readonly compiled: CompiledSkeleton;
+  private readonly jacobian: Jacobian;
   private readonly world: Float64Array;
   private readonly moved: Float64Array;
 
@@ -44,8 +35,12 @@ export class SolverStart {
     poseAt(time === undefined ? inFilePose(character) : character, time ?? 0, this.pose);
     const stiffness = ikStiffness(skeleton, false);
     this.variables = [...stiffness.keys()].filter((dof) => stiffness[dof] < Infinity);
+    const { firstDof } = this.compiled;
+    const joints = skeleton.joints.flatMap((_, j) => Array.from({ length: firstDof[j + 1] - firstDof[j] }, () => j));
+    this.jointOf = this.variables.map((dof) => joints[dof - firstDof[0]]);
     this.world = new Float64Array(16 * this.compiled.jointCount);
     this.moved = new Float64Array(this.pose.length);
+    this.jacobian = new Jacobian(this.compiled, this.pose, this.variables);
   }
 
   /** The pose after a step, within the limits. @param step the change of each variable */
@@ -59,6 +54,19 @@ export class SolverStart {
     return moved;
   }
 
+  /** A DOF that follows none after a step, within its limits. */
+  clamped(dof: number, by: number): number {
+    const { lower, upper, firstDof } = this.compiled;
+    const value = this.pose[dof] + by;
+    const limit = dof - firstDof[0];
+    return this.character.clampsToLimits ? Math.min(upper[limit], Math.max(lower[limit], value)) : value;
+  }
+
+  /** A joint's place in its parent's space; undefined if its own DOFs move it. */
+  fixedOffset(joint: number): Vec3 | undefined {
+    return this.jacobian.offsetOf(joint);
+  }
+
   /** The next call overwrites them. */
   matrices(pose: Float64Array): Float64Array {
     worldMatrices(this.compiled, pose, this.world);
@@ -70,34 +78,11 @@ export class SolverStart {
     return length3(...subtract(target, transformPoint(this.matrices(pose), point, 16 * joint)));
   }
 
-  /** Points, and J of each, at a pose. */
-  see(effectors: readonly EndEffector[], target: Vec3, pose: Float64Array = this.pose): readonly SeenPoint[] {
-    const at = (shifted: Float64Array) => {
-      const world = this.matrices(shifted);
-      return effectors.map(({ joint, point }) => transformPoint(world, point, 16 * joint));
-    };
-    const positions = at(pose);
-    const columns = effectors.map((): Vec3[] => []);
-    for (const dof of this.variables) {
-      const [more, less] = [DIFFERENCE, -DIFFERENCE].map((by) => at(this.shifted(pose, dof, by)));
-      columns.forEach((column, i) => {
-        column.push(scaled(subtract(more[i], less[i]), 0.5 / DIFFERENCE));
-      });
-    }
-    return effectors.map((effector, i) => ({
-      effector,
-      position: positions[i],
-      error: subtract(target, positions[i]),
-      columns: columns[i],
-    }));
-  }
-
-  private shifted(pose: Float64Array, dof: number, by: number): Float64Array {
-    const { moved, compiled } = this;
-    moved.set(pose);
-    moved[dof] += by;
-    applyConstraints(compiled, moved, false);
-    return moved;
+  /** A point, and its J, at a pose. */
+  see(effector: EndEffector, target: Vec3, pose: Float64Array = this.pose): SeenPoint {
+    const { compiled, variables } = this;
+    const jacobian = pose === this.pose ? this.jacobian : new Jacobian(compiled, pose, variables);
+    return jacobian.see(effector, target);
   }
 
   /** How far a dump is from a pose, as `compare` measures it. */

@@ -6,7 +6,7 @@
  *     pseudo-inverse   Δφ = α·J⁺e                      0 < α ≤ 1
  */
 import { add, cross, dot, scaled, type Vec3 } from '../../math/vec3.ts';
-import type { SeenPoint } from './start.ts';
+import type { SeenPoint } from './jacobian.ts';
 
 /** Steps of a kind: the number is relative to what is usual here. */
 export interface StepKind {
@@ -21,16 +21,16 @@ export interface StepKind {
 const LEAST_DAMPING = 1e-6;
 const MOST = 1e3;
 
-/** All that are right for the point. */
-export function rightKinds(seen: SeenPoint): readonly StepKind[] {
-  const { error, columns } = seen;
-  const rows = rowsOf(columns);
+/** All that are right for the point. @param columns of J that steps are of; all by default */
+export function rightKinds(seen: SeenPoint, columns: readonly Vec3[] = seen.columns): readonly StepKind[] {
+  const { error } = seen;
+  const rows = rowsOf(seen.columns);
   const mean = (rows[0][0] + rows[1][1] + rows[2][2]) / 3;
   if (!(mean > 0)) return [];
   const damped = (relative: number) => along(columns, solved(rows, relative * mean, error));
   const inverse = damped(LEAST_DAMPING);
   return [
-    transposeKind(seen),
+    kindAlong(along(columns, error), bestLength(seen)),
     { step: damped, most: MOST, mustGain: false },
     { step: (relative) => inverse.map((part) => relative * part), most: 1, mustGain: false },
   ];

@@ -26,7 +26,7 @@ export function causesList(comparison: Comparison, newest: readonly string[], ha
 }
 
 /** Only of joints it is known which are wrong by themselves. */
-export function beginText({ own }: Pick<Comparison, 'own'>): string {
+function beginText({ own }: Pick<Comparison, 'own'>): string {
   return `Begin with ${own.length > 0 ? 'the first joint that is wrong by itself' : 'the first that differs'}.`;
 }
 
