@@ -15,6 +15,11 @@ export interface Diagnostic {
   readonly column: number;
   /** What was used instead, if loading continued: "used 3". */
   readonly assumed?: string;
+  /**
+   * Name of a file that was not given, without folders: this is over once the character that has `file` has that one,
+   * too.
+   */
+  readonly missing?: string;
   /** The offending line, cut to 200 characters. */
   readonly excerpt?: Excerpt;
 }

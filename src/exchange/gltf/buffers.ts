@@ -1,7 +1,7 @@
 /** Buffers and the views into them: where the numbers of a glTF file are. */
 import type { SourceFile } from '../../model/files.ts';
 import { Budget } from '../budget.ts';
-import { type Beside, counted, type Import, ImportError, type Remarks } from '../imported.ts';
+import { counted, type Import, ImportError } from '../imported.ts';
 import type { Container } from './container.ts';
 import { readDataUri, unescaped } from './data-uri.ts';
 import { countOf, type Document, extensionOf, type Json, shown, textOf } from './json.ts';
@@ -139,15 +139,6 @@ function notGiven(uris: readonly string[]): ImportError {
 const MOST_NAMED = 4;
 
 /** Of a URI in messages. */
-export function shortened(uri: string): string {
+function shortened(uri: string): string {
   return uri.length > 80 ? `${uri.slice(0, 77)}…` : uri;
-}
-
-/** A file that may be absent, with a warning. */
-export async function optional(uri: string, given: Import, remarks: Remarks): Promise<Beside | undefined> {
-  const found = await given.beside(unescaped(uri));
-  if (!found) {
-    remarks.warn('texture-not-given', `The texture "${shortened(uri)}" was not among the files.`, 'drawn without it');
-  }
-  return found;
 }

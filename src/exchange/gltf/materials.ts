@@ -10,7 +10,7 @@ import { isBlack } from '../black.ts';
 import { cleanName } from '../clean-names.ts';
 import { counted, type Import, ImportError, type Remarks } from '../imported.ts';
 import type { SceneMaterial } from '../scene.ts';
-import { type Buffers, optional } from './buffers.ts';
+import type { Buffers } from './buffers.ts';
 import { readDataUri, unescaped } from './data-uri.ts';
 import { countOf, type Document, extensionOf, type Json, numberOf, numbersOf, objectOf, textOf } from './json.ts';
 
@@ -73,8 +73,8 @@ export async function readMaterials(
         bytes = inside.bytes;
         stated ??= inside.mime;
       } else {
-        const found = await optional(uri, given, remarks);
-        // Named all the same: it may be opened later.
+        const found = await given.beside(unescaped(uri));
+        // Named all the same: it may be opened later. That it is missing is told with the character.
         if (!found) return baseName(unescaped(uri));
         bytes = found.bytes;
         sources.push(found.source);

@@ -187,6 +187,8 @@ export function checkParts(before: Character | undefined, after: Character, nami
   const problems: Diagnostic[] = [];
   const newSkeleton = before?.skeleton !== after.skeleton;
   const { parts = NO_MARKS } = after;
+  // Several skins of one file may name the same.
+  const missing = new Set<string>();
   const called = (mark: PartMark | undefined, otherwise: string) => (mark?.file ? naming(mark.file.source) : otherwise);
   if (before && newSkeleton && after.skeleton) {
     problems.push(...lostOver(before, after, called(parts.skeleton, `${after.skeleton.name}.skel`)));
@@ -196,9 +198,12 @@ export function checkParts(before: Character | undefined, after: Character, nami
     const file = called(parts.skins[i], `${skin.name}.skin`);
     if (after.skeleton && (isNew || newSkeleton)) problems.push(...checkSkin(skin, after.skeleton, file));
     for (const texture of isNew ? textureNames(skin) : []) {
-      if (after.textures.some((t) => sameName(t.name, baseName(texture)))) continue;
+      const key = `${file} ${texture}`;
+      if (missing.has(key) || after.textures.some((t) => sameName(t.name, baseName(texture)))) continue;
+      missing.add(key);
       const message = `The texture "${texture}" named by the skin was not among the files.`;
-      problems.push(withoutPlace('warning', 'texture-not-given', message, file, 'drawn without texture'));
+      const problem = withoutPlace('warning', 'texture-not-given', message, file, 'drawn without texture');
+      problems.push({ ...problem, missing: baseName(texture) });
     }
   });
   const skin = shownSkin(after);

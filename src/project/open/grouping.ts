@@ -276,5 +276,5 @@ function lookUp(files: FilesByName, rig: ReadFile, kind: FileKind, name: string)
 function partNotGiven(rig: string, kind: FormatKind, name: string): Diagnostic {
   const message = `The ${KINDS[kind].label} "${name}" named by the rig was not among the files.`;
   const assumed = kind === 'morph' ? 'later morphs move up by one' : 'opened without it';
-  return withoutPlace('warning', 'part-not-given', message, rig, assumed);
+  return { ...withoutPlace('warning', 'part-not-given', message, rig, assumed), missing: baseName(name) };
 }

@@ -38,7 +38,7 @@ export interface Offer {
 type Lasting = 'until a step' | 'until read';
 
 export class Messages {
-  /** Oldest first. */
+  /** Oldest first, without problems that are over; changed by methods only. */
   readonly list: Observable<readonly Message[]> = observable<readonly Message[]>([]);
   /** A confirmation: shown briefly, never listed. */
   readonly passing: Observable<string | undefined> = observable<string | undefined>(undefined);
@@ -47,6 +47,9 @@ export class Messages {
   private passingIsOver: IsOver | undefined;
   /** Counts requests to show the list. */
   readonly listAsked: Observable<number> = observable(0);
+  /** With problems that are over, which undo may bring back. */
+  private all: readonly Message[] = [];
+  private isSettled: (problem: Diagnostic) => boolean = () => false;
   private nextId = 1;
   private given = 0;
 
@@ -89,7 +92,7 @@ export class Messages {
   suggest(text: string, offers: readonly Offer[], isOver: IsOver): void {
     this.given++;
     this.add({ text, severity: 'info', diagnostics: [], offers }, false);
-    if (this.list.get().some((m) => m.unread)) return;
+    if (this.all.some((m) => m.unread)) return;
     this.offers = offers;
     this.passingIsOver = isOver;
     this.passing.set(undefined);
@@ -127,8 +130,17 @@ export class Messages {
   /** Removes unread messages from the line; they stay in the list. */
   leaveLine(isLeft: (message: Message) => boolean): void {
     const leaves = (m: Message) => m.unread && isLeft(m);
-    if (!this.list.get().some(leaves)) return;
-    this.list.update((all) => all.map((m) => (leaves(m) ? { ...m, unread: false } : m)));
+    if (this.all.some(leaves)) this.show(this.all.map((m) => (leaves(m) ? { ...m, unread: false } : m)));
+  }
+
+  /**
+   * Removes problems that are over, or brings back those that no longer are.
+   *
+   * @param isSettled asked again about all problems with each call, and about new ones until the next
+   */
+  settle(isSettled: (problem: Diagnostic) => boolean): void {
+    this.isSettled = isSettled;
+    this.show(this.all);
   }
 
   /**
@@ -175,7 +187,7 @@ export class Messages {
   }
 
   dismissAll(): void {
-    if (this.list.get().length) this.list.set([]);
+    this.keep(() => false);
   }
 
   /** Removes a message from the line; it stays in the list. */
@@ -193,27 +205,41 @@ export class Messages {
     if (unread) this.passing.set(undefined);
     // A new refusal replaces an earlier one in the line.
     const isLeft = (m: Message) => message.isRefusal === true && m.isRefusal === true && m.unread;
-    const others = this.list.get().map((m) => (isLeft(m) ? { ...m, unread: false } : m));
+    const others = this.all.map((m) => (isLeft(m) ? { ...m, unread: false } : m));
     // The same notice isn't repeated, and a file that is read again replaces its message.
-    this.list.set([...others.filter((m) => !isAbout(m, message)), { ...message, id, unread }]);
+    this.show([...others.filter((m) => !isAbout(m, message)), { ...message, id, unread }]);
   }
 
   /** Removes what was said about these files. */
   private forget(files: ReadonlySet<string>): void {
-    if (!this.list.get().some((m) => m.diagnostics.some(({ file }) => files.has(file)))) return;
-    this.list.update((all) =>
-      all.flatMap((m) => {
-        if (m.diagnostics.length === 0) return [m];
-        const diagnostics = m.diagnostics.filter(({ file }) => !files.has(file));
-        if (diagnostics.length === m.diagnostics.length) return [m];
-        return diagnostics.length ? [{ ...m, ...messageAbout(diagnostics, m.severity, m.fate) }] : [];
-      }),
-    );
+    this.show(this.all.flatMap((m) => without(m, ({ file }) => files.has(file))));
   }
 
   private keep(wanted: (message: Message) => boolean): void {
-    if (!this.list.get().every(wanted)) this.list.update((all) => all.filter(wanted));
+    this.show(this.all.filter(wanted));
   }
+
+  private show(all: readonly Message[]): void {
+    this.all = all;
+    const before = this.list.get();
+    const list = all
+      .flatMap((m) => without(m, this.isSettled))
+      .map((m, i) => (isShownAs(m, before[i]) ? before[i] : m));
+    if (list.length !== before.length || list.some((m, i) => m !== before[i])) this.list.set(list);
+  }
+}
+
+/** Whether a message that lost some problems was shown like this before. */
+function isShownAs({ id, text, unread }: Message, before: Message | undefined): boolean {
+  return before?.id === id && before.text === text && before.unread === unread;
+}
+
+/** A message without some of its problems; none if nothing is left of it, the same object if it has none of them. */
+function without(message: Message, isGone: (problem: Diagnostic) => boolean): readonly Message[] {
+  const { diagnostics, fate } = message;
+  const left = diagnostics.filter((problem) => !isGone(problem));
+  if (left.length === diagnostics.length) return [message];
+  return left.length > 0 ? [{ ...message, ...messageAbout(left, fate) }] : [];
 }
 
 /** A point in the sequence of messages. */
@@ -252,7 +278,8 @@ function foldedMessage(all: readonly FileProblems[], severity: Severity): Omit<M
 }
 
 /** Of what is left of several files' problems. */
-function messageAbout(diagnostics: readonly Diagnostic[], severity: Severity, fate: string | undefined) {
+function messageAbout(diagnostics: readonly Diagnostic[], fate: string | undefined) {
+  const severity = worst(diagnostics);
   const all = [...groupByFile(diagnostics)].map(([file, found]) => ({ file, found, fate }));
   return all.length > 1
     ? foldedMessage(all, severity)
