@@ -4,8 +4,9 @@
  */
 import { setSpace } from '../edit/commands/spaces.ts';
 import type { Store } from '../edit/store.ts';
+import { metresPerUnit } from '../evaluate/metres.ts';
 import { spaceText, unitText } from '../evaluate/space.ts';
-import { spaceChoices } from '../evaluate/space-choices.ts';
+import { type SpaceChoices, spaceChoices } from '../evaluate/space-choices.ts';
 import { type Character, findCharacter, shownClip } from '../model/document.ts';
 import { skeletonKey } from '../model/skeleton-key.ts';
 import type { Space } from '../model/space.ts';
@@ -40,17 +41,23 @@ export function offerSpaces(parts: Parts, opened: readonly Character[]): void {
         : `${character.name} is taken as ${spaceText(space)}, as guessed: ${tall}.`;
     parts.messages.suggest(
       text,
-      choices.others.map((other) => offerOf(parts, character, other, text)),
+      choices.others.map((other) => offerOf(parts, character, other, choices, text)),
       () => findCharacter(parts.store.document, character.id)?.space !== space,
     );
     if (seen.size >= MOST_TOLD) return;
   }
 }
 
-function offerOf({ store, messages, viewport }: Parts, character: Character, space: Space, text: string): Offer {
-  const { id, name } = character;
+function offerOf(
+  { store, messages, viewport }: Parts,
+  character: Character,
+  space: Space,
+  { height }: SpaceChoices,
+  text: string,
+): Offer {
+  const { id, name, space: now } = character;
   return {
-    label: labelOf(space, character.space),
+    label: labelOf(space, now, now ? (height / metresPerUnit(now)) * metresPerUnit(space) : height),
     run: () => {
       if (!findCharacter(store.document, id)) {
         messages.note(`${name} is not open any more.`, 'warning');
@@ -63,10 +70,10 @@ function offerOf({ store, messages, viewport }: Parts, character: Character, spa
   };
 }
 
-/** What differs: `Z up`, `Inches`, `1.7 m tall`. */
-function labelOf(space: Space, now: Space | undefined): string {
+/** What differs: `Z up`, `Inches`, `1.7 m tall`. @param height that the figure would have, metres */
+function labelOf(space: Space, now: Space | undefined, height: number): string {
   if (space.up !== now?.up) return `${space.up.toUpperCase()} up`;
-  if (space.unit === 'own') return '1.7 m tall';
+  if (space.unit === 'own') return `${shown(Number(height.toPrecision(2)))} m tall`;
   const [first, ...rest] = unitText(space);
   return `${first.toUpperCase()}${rest.join('')}`;
 }

@@ -55,17 +55,32 @@ export function guessSharedSpace(figures: readonly CapturedFigure[]): FileSpace 
   return { space, standing };
 }
 
-/** How tall a figure is, in its own units, and whether its parts are recognised as those of a person. */
-export function figureHeight(skeleton: Skeleton, clip: ChannelClip | undefined, up: Space['up']) {
-  const body = bodyOf(skeleton);
+/**
+ * How tall a figure is, in its own units, and whether its parts are recognised as those of a person.
+ *
+ * @param isUpKnown whether one whose trunk lies, in its file pose and in the take, is an animal with a person's names
+ */
+export function figureHeight(skeleton: Skeleton, clip: ChannelClip | undefined, up: Space['up'], isUpKnown = false) {
+  const axis = up === 'z' ? 2 : 1;
+  const named = bodyOf(skeleton);
   const frames = frameShapes(skeleton, clip);
-  const height = heightOf(body, frames, clip !== undefined, up === 'z' ? 2 : 1);
+  const body = named && isUpKnown && lies(skeleton, named, frames, axis) ? undefined : named;
+  const height = heightOf(body, frames, clip !== undefined, axis);
   return { height, isPerson: body !== undefined };
 }
 
-/** Metres per unit that make a figure as tall as a person. */
-export function metresForPerson(skeleton: Skeleton, clip: ChannelClip | undefined, up: Space['up']): number {
-  const { height } = figureHeight(skeleton, clip, up);
+/** Cosine of the slant from which a trunk lies. */
+const LYING = 0.7;
+
+function lies(skeleton: Skeleton, { hips, head }: Body, frames: readonly FrameShape[], axis: 1 | 2): boolean {
+  const upright = (frame: FrameShape) =>
+    (frame.points[3 * head + axis] - frame.points[3 * hips + axis]) / distance(frame, head, hips);
+  return upright(restOf(skeleton)) < LYING && percentile(frames.map(upright), 0.5) < LYING;
+}
+
+/** Metres per unit that make a figure as tall as a person; parameters as of `figureHeight`. */
+export function metresForPerson(...figure: Parameters<typeof figureHeight>): number {
+  const { height } = figureHeight(...figure);
   return height > 0 && Number.isFinite(height) ? Number((PERSON / height).toPrecision(3)) : 1;
 }
 

@@ -1,6 +1,7 @@
 /** What is told of characters whose file states no unit, or one that can hardly be, and the buttons that mend it. */
 import { describe, expect, it } from 'vitest';
 import { offerSpaces } from '../../src/app/space-offers.ts';
+import { loadAny } from '../../src/cli/load.ts';
 import { Store } from '../../src/edit/store.ts';
 import { statedSpace } from '../../src/evaluate/metres.ts';
 import { EMPTY_DOCUMENT } from '../../src/model/document.ts';
@@ -10,6 +11,7 @@ import { openFiles } from '../../src/project/open/open-files.ts';
 import { Messages } from '../../src/ui/state/messages.ts';
 import { file } from '../helpers/builders.ts';
 import { figure, take } from '../helpers/mocap.ts';
+import { describeShared, sharedPath } from '../helpers/shared.ts';
 
 function capture(name: string, height = 150): ParsedFile {
   const skeleton = { ...figure({ height }), name };
@@ -86,5 +88,15 @@ describe('a unit that a file states', () => {
     expect(store.document.characters[0].space?.unit).toBe('metres');
     press('Centimetres');
     expect(store.document.characters[0].space).toEqual({ up: 'y', unit: 'centimetres', lift: 0 });
+  });
+});
+
+describeShared('real files whose unit can hardly be', () => {
+  it.each([
+    ['fbx/91_48.fbx', '91_48 is 169 m tall, in centimetres as its file states.', ['1.7 m tall']],
+    ['gltf/Fox.glb', 'Fox is 60.5 m tall, in metres as its file states.', ['Centimetres', '1.7 m tall']],
+  ])('the file %s is offered what it can be', async (path, text, labels) => {
+    const { files } = await loadAny([sharedPath(`data/${path}`)], '/');
+    expect(opened(...files).told()).toEqual([[text, labels]]);
   });
 });
