@@ -63,7 +63,7 @@ export function footTracks(plain: RetargetPlan, bodies: Bodies, reference: Retar
   const raised = areSame ? usual.map(() => 0) : unevenness(usual, LEVEL_FEET * length);
   const feet = standing.map(({ track, soles }, i): FootTrack => {
     const level = areSame ? 0 : LEVEL * length;
-    return { ...track, ...offsetsOf(plain, track, soles, raised[i], level, depths) };
+    return { ...track, ...offsetsOf(plain, track, soles, raised[i], level, depths), turns: Math.PI };
   });
   return { ...plain, feet, shift: feet.length ? median(depths) : depthOfLowest(plain, soles) };
 }
@@ -113,7 +113,7 @@ function sampleWays(plan: RetargetPlan, joints: readonly number[]): JointPaths {
  */
 function offsetsOf(
   plan: RetargetPlan,
-  { ball, sourceBall, contacts, sourceHeight }: Omit<FootTrack, 'offsets' | 'rises'>,
+  { ball, sourceBall, contacts, sourceHeight }: Omit<FootTrack, 'offsets' | 'rises' | 'turns'>,
   soles: Soles,
   raised: number,
   level: number,

@@ -4,74 +4,93 @@
  *
  *     hip ─ l₁ ─ knee ─ l₂ ─ ankle        knee = hip + x·u + y·k        x = (l₁² − l₂² + D²)/2D        y = √(l₁² − x²)
  *
- * with u the direction to the ankle at distance D, and k perpendicular to it. The foot keeps its rotation. If a foot in
- * contact is out of reach, the hips are lowered; a foot in the air is not placed instead. A leg whose foot is in place
- * already is left exactly as it is.
+ * with u the direction to the ankle at distance D, and k perpendicular to it. The foot keeps its rotation. The hips have gone
+ * to meet both feet before (`hips.ts`). A leg whose foot is in place already is left exactly as it is.
  */
 import { copy3, multiply3, swing, turnVector } from '../../math/mat3.ts';
-import { offsetAt, riseAt, standing } from './contacts.ts';
+import { smoothstep } from '../../math/smoothstep.ts';
+import { riseAt, standing } from './contacts.ts';
+import { median } from './ground.ts';
+import { hipsMovedAt } from './hips.ts';
 import { type Limb, rollLimb } from './limbs.ts';
+import { wayOfFoot } from './places.ts';
 import type { FootTrack, RetargetPlan } from './plan.ts';
-import { fitRange } from './solve.ts';
-import { fromScene, inProportion, moveBy, toScene } from './travel.ts';
+import { fitRange, solveFreely } from './solve.ts';
+import { moveBy } from './travel.ts';
 
 /** Fraction of the leg's length: never quite straight, or the knee would snap at the end; unless the source's is. */
 const REACH = 0.9995;
-/**
- * How far a foot may be above or below where it belongs, as a fraction of the leg's length: 5 mm, to reach which a straight
- * knee would have to bend by 12°.
- */
-const SLACK = 0.006;
 /** How far the front of the thigh counts for the side of a knee that has to bend, in lengths of the thigh. */
 const FRONT = 0.02;
 
-/** Scratch; never escapes: target positions of ankles, x y z per leg. */
-const ankles = new Float64Array(6);
+/** To which fraction of its way a foot is brought as far as that allows. */
+const EXACTLY = 1e-4;
+
+/** Scratch; never escapes. */
 const point = new Float64Array(3);
-const offset = new Float64Array(3);
+/** From where the foot is to where it belongs. */
+const off = new Float64Array(3);
 const u = new Float64Array(3);
 const k = new Float64Array(3);
 const bone = new Float64Array(3);
 const toBone = new Float64Array(3);
+let thighLength = 0;
+let shinLength = 0;
+/** Unit vectors along thigh and shin, as they have to be. */
+const thighWay = new Float64Array(3);
+const shinWay = new Float64Array(3);
 const turn = new Float64Array(9);
 const before = new Float64Array(9);
 
-/** Adjusts the DOFs of the legs and the height of the hips, after a pose without foot placement. */
+/** Moves the hips and bends the legs, after a pose without foot placement. */
 export function plantFeet(plan: RetargetPlan, clipSeconds: number, out: Float64Array): void {
   const { feet, wanted, bones, target } = plan;
-  for (let i = 0; i < feet.length; i++) ankleOf(plan, feet[i], clipSeconds, 3 * i);
-  lower(plan, clipSeconds, out);
+  moveHips(plan, clipSeconds, out);
   for (let i = 0; i < feet.length; i++) {
     const { limb } = feet[i];
-    if (!bendLeg(plan, feet[i], 3 * i)) continue;
+    if (!bendLeg(plan, feet[i], clipSeconds)) continue;
     rollLimb(limb, bones, wanted);
     fitRange(plan, limb.upper, target.subtreeEnd[limb.upper], out);
   }
 }
 
-/** The target of the ball, and from it that of the ankle; the foot's rotation must be final. */
-function ankleOf(plan: RetargetPlan, foot: FootTrack, seconds: number, o: number): void {
-  const { sourceWorld, targetWorld } = plan;
-  const { up } = plan.targetSpace;
-  for (let i = 0; i < 3; i++) point[i] = sourceWorld[16 * foot.sourceBall + 12 + i];
-  toScene(plan.sourceSpace, point);
-  inProportion(plan, point);
-  offsetAt(foot, seconds, offset);
-  for (let i = 0; i < 3; i++) point[i] += offset[i];
-  point[1] += riseAt(foot, seconds);
-  fromScene(plan.targetSpace, point);
-  const ball = 16 * foot.ball + 12;
-  const ankle = 16 * foot.limb.end + 12;
-  let off = 0;
-  for (let i = 0; i < 3; i++) {
-    point[i] -= targetWorld[ball + i];
-    off += point[i] * up[3 * i + 1];
+function moveHips(plan: RetargetPlan, seconds: number, out: Float64Array): void {
+  if (!plan.hips) return;
+  hipsMovedAt(plan.hips, seconds, point);
+  moveBy(plan, point[0], point[1], point[2], out);
+}
+
+/** Number of times examined, evenly over the take. */
+const MOMENTS = 128;
+/** The angle that thighs and shins may be off in half of a take, and for a foot that stands once in a while; radians. */
+const USUAL = Math.PI / 36;
+const MOST = Math.PI / 4;
+/** In the air, where a foot has no place to keep. */
+const IN_THE_AIR = Math.PI / 60;
+
+/**
+ * The feet, each with how far the bones of its leg may turn for it: the less the more they would have to all the time. Once
+ * in a while a knee may bend for a foot; one that did so in half of the take would be another way of walking.
+ * @param plan with its hips
+ */
+export function limitedTurns(plan: RetargetPlan): readonly FootTrack[] {
+  const [start, end] = plan.range;
+  const count = end > start ? MOMENTS : 1;
+  const dofs = Float64Array.from(plan.restDofs);
+  const turned = plan.feet.map(() => new Float64Array(count));
+  for (let i = 0; i < count; i++) {
+    const seconds = start + ((end - start) * i) / Math.max(1, count - 1);
+    solveFreely(plan, seconds, dofs);
+    moveHips(plan, seconds, dofs);
+    plan.feet.forEach((foot, f) => {
+      const angle = measureLeg(plan, foot, seconds) ? Math.acos(Math.min(1, aim(plan, foot.limb, 2))) : 0;
+      turned[f][i] = standing(foot, seconds) > 0 ? angle : Math.min(IN_THE_AIR, angle);
+    });
   }
-  // What is nearly high enough stays as high as it is.
-  const { upper, lower: knee, end } = foot.limb;
-  const slack = SLACK * (lengthOf(targetWorld, upper, knee) + lengthOf(targetWorld, knee, end));
-  const kept = Math.min(slack, Math.max(-slack, off));
-  for (let i = 0; i < 3; i++) ankles[o + i] = targetWorld[ankle + i] + point[i] - kept * up[3 * i + 1];
+  return plan.feet.map((foot, f) => {
+    const usual = median(Array.from(turned[f]));
+    return { ...foot, turns: USUAL + (MOST - USUAL) * (1 - smoothstep(IN_THE_AIR, USUAL, usual)) };
+  });
 }
 
 function lengthOf(w: Float64Array, from: number, to: number): number {
@@ -87,86 +106,99 @@ function reachOf({ sourceOf, sourceWorld }: RetargetPlan, { upper, lower: knee, 
   return length > 0 ? Math.max(REACH, lengthOf(sourceWorld, a, c) / length) : REACH;
 }
 
-/** Lowers the hips until feet in contact can be reached. */
-function lower(plan: RetargetPlan, seconds: number, out: Float64Array): void {
-  const { feet, targetWorld, targetSpace } = plan;
-  const up = targetSpace.up;
-  let drop = 0;
-  for (let i = 0; i < feet.length; i++) {
-    const stands = standing(feet[i], seconds);
-    if (stands === 0) continue;
-    const { upper, lower: knee, end } = feet[i].limb;
-    const length = lengthOf(targetWorld, upper, knee) + lengthOf(targetWorld, knee, end);
-    const reach = reachOf(plan, feet[i].limb) * length;
-    let height = 0;
-    let square = 0;
-    for (let c = 0; c < 3; c++) {
-      const way = targetWorld[16 * upper + 12 + c] - ankles[3 * i + c];
-      // The scene's y in the target's own axes is row 1 of Up.
-      height += way * up[3 * c + 1];
-      square += way * way;
-    }
-    const across = square - height * height;
-    if (square <= reach * reach || across >= reach * reach || height <= 0) continue;
-    drop = Math.max(drop, stands * (height - Math.sqrt(reach * reach - across)));
-  }
-  if (drop > 0) moveBy(plan, -drop * up[1], -drop * up[4], -drop * up[7], out);
-}
-
 /** A foot closer than this to where it belongs is there; fraction of the leg's length. */
 const THERE = 1e-9;
 
 /** Whether the leg changes. */
-function bendLeg(plan: RetargetPlan, { limb }: FootTrack, o: number): boolean {
-  const { wanted, targetWorld } = plan;
-  const { upper, lower: shin, end } = limb;
-  const hip = 16 * upper + 12;
-  const l1 = lengthOf(targetWorld, upper, shin);
-  const l2 = lengthOf(targetWorld, shin, end);
-  let off = 0;
-  for (let i = 0; i < 3; i++) off = Math.max(off, Math.abs(ankles[o + i] - targetWorld[16 * end + 12 + i]));
-  if (off < THERE * (l1 + l2)) return false;
-  let far = 0;
-  for (let i = 0; i < 3; i++) {
-    u[i] = ankles[o + i] - targetWorld[hip + i];
-    far += u[i] * u[i];
+function bendLeg(plan: RetargetPlan, foot: FootTrack, seconds: number): boolean {
+  const { wanted } = plan;
+  const { limb } = foot;
+  if (!measureLeg(plan, foot, seconds)) return false;
+  const turns = Math.cos(IN_THE_AIR + standing(foot, seconds) * (foot.turns - IN_THE_AIR));
+  if (aim(plan, limb, 2) < turns) {
+    // A foot that bones would have to turn too far for stays above or below its place, and only then beside it.
+    let way = 0;
+    for (let step = 1; step > EXACTLY; step /= 2) if (aim(plan, limb, way + step) >= turns) way += step;
+    aim(plan, limb, way);
   }
-  far = Math.sqrt(far);
-  if (!(far > 0 && l1 > 0 && l2 > 0)) return false;
+  turnTo(wanted, limb.upper, bone, thighWay);
+  turnTo(wanted, limb.lower, toBone, shinWay);
+  return true;
+}
+
+/** Finds the bones of a leg, and its foot's way; false if there is none to go. */
+function measureLeg(plan: RetargetPlan, foot: FootTrack, seconds: number): boolean {
+  const { targetWorld } = plan;
+  const { upper, lower: shin, end } = foot.limb;
+  thighLength = lengthOf(targetWorld, upper, shin);
+  shinLength = lengthOf(targetWorld, shin, end);
+  if (!(thighLength > 0 && shinLength > 0)) return false;
+  wayOfFoot(plan, foot, seconds, riseAt(foot, seconds), off);
+  if (norm(off) < THERE * (thighLength + shinLength)) return false;
+  boneNow(plan, upper, shin, thighLength, bone);
+  boneNow(plan, shin, end, shinLength, toBone);
+  return true;
+}
+
+/**
+ * Finds the directions of thigh and shin that bring the ankle of a measured leg nearer to its place.
+ * @param way up to 1, the fraction of the way over the ground; from there to 2, that of the height too
+ * @returns the cosine of the angle of the one that turns further
+ */
+function aim(plan: RetargetPlan, limb: Limb, way: number): number {
+  const { targetWorld } = plan;
+  const [l1, l2] = [thighLength, shinLength];
+  const { upper, end } = limb;
+  const { up } = plan.targetSpace;
+  let height = 0;
+  for (let i = 0; i < 3; i++) height += off[i] * up[3 * i + 1];
+  const over = Math.min(1, way);
+  const along = Math.max(0, way - 1) - over;
+  for (let i = 0; i < 3; i++) {
+    const at = targetWorld[16 * end + 12 + i] + over * off[i] + along * height * up[3 * i + 1];
+    u[i] = at - targetWorld[16 * upper + 12 + i];
+    thighWay[i] = bone[i];
+    shinWay[i] = toBone[i];
+  }
+  const far = norm(u);
+  if (!(far > 0)) return 1;
   for (let i = 0; i < 3; i++) u[i] /= far;
   const reached = Math.min(reachOf(plan, limb) * (l1 + l2), Math.max(Math.abs(l1 - l2) * (2 - REACH), far));
   const x = (l1 * l1 - l2 * l2 + reached * reached) / (2 * reached);
   const y = Math.sqrt(Math.max(0, l1 * l1 - x * x));
-  // The knee's side: where it pointed.
-  boneNow(plan, upper, shin, l1, bone);
-  boneNow(plan, shin, end, l2, toBone);
-  for (let i = 0; i < 3; i++) k[i] = l1 * bone[i];
-  // Relative to the previous line from hip to ankle.
+  // The knee's side: where it pointed, relative to the previous line from hip to ankle.
   const wasX = l1 * bone[0] + l2 * toBone[0];
   const wasY = l1 * bone[1] + l2 * toBone[1];
   const wasZ = l1 * bone[2] + l2 * toBone[2];
-  const was = Math.sqrt(wasX * wasX + wasY * wasY + wasZ * wasZ);
-  if (was > 0) {
-    const t = (k[0] * wasX + k[1] * wasY + k[2] * wasZ) / (was * was);
-    k[0] -= t * wasX;
-    k[1] -= t * wasY;
-    k[2] -= t * wasZ;
-  }
+  const was = wasX * wasX + wasY * wasY + wasZ * wasZ;
+  const t = was > 0 ? (l1 * (bone[0] * wasX + bone[1] * wasY + bone[2] * wasZ)) / was : 0;
+  k[0] = l1 * bone[0] - t * wasX;
+  k[1] = l1 * bone[1] - t * wasY;
+  k[2] = l1 * bone[2] - t * wasZ;
   let across = clear(k);
   // A knee that has to bend further than it did does so towards the front: a nearly straight leg shows no other side.
   const more = Math.min(FRONT * l1, y - across);
   if (more > 0) {
-    frontOf(plan, limb.upper);
+    frontOf(plan, upper);
     clear(point);
     for (let i = 0; i < 3; i++) k[i] += more * point[i];
     across = clear(k);
   }
-  if (!(across > 0)) return false;
-  for (let i = 0; i < 3; i++) point[i] = x * u[i] + (y / across) * k[i];
-  turnTo(wanted, upper, bone, point);
-  for (let i = 0; i < 3; i++) point[i] = reached * u[i] - point[i];
-  turnTo(wanted, shin, toBone, point);
-  return true;
+  if (!(across > 0)) return 1;
+  let thighCos = 0;
+  let shinCos = 0;
+  for (let i = 0; i < 3; i++) {
+    const knee = x * u[i] + (y / across) * k[i];
+    thighWay[i] = knee / l1;
+    shinWay[i] = (reached * u[i] - knee) / l2;
+    thighCos += thighWay[i] * bone[i];
+    shinCos += shinWay[i] * toBone[i];
+  }
+  return Math.min(thighCos, shinCos);
+}
+
+function norm(v: Float64Array): number {
+  return Math.sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
 }
 
 /** Makes a vector perpendicular to `u`, and returns its length. */

@@ -15,7 +15,9 @@ import { footTracks } from './contacts.ts';
 import { upRotation } from './figure.ts';
 import { fingerBases } from './fingers.ts';
 import { jointFit } from './fit.ts';
+import { hipsTrack } from './hips.ts';
 import { automaticScale } from './leg-length.ts';
+import { limitedTurns } from './legs.ts';
 import { type Limb, limbsOf } from './limbs.ts';
 import type { Carrier, CopiedDof, RetargetPlan, Slide, SpaceRule, Tip } from './plan.ts';
 import { asksTake, ownReference, type PlayedTake, sourceReference } from './reference.ts';
@@ -130,7 +132,10 @@ export function planRetarget(
     targetWorld: new Float64Array(16 * target.jointCount),
     wanted: new Float64Array(9 * target.jointCount),
   };
-  return footTracks(plain, bodies, reference);
+  const standing = footTracks(plain, bodies, reference);
+  if (!options.plantsFeet || same.lengths || standing.feet.length === 0) return standing;
+  const carried = { ...standing, hips: hipsTrack(standing) };
+  return { ...carried, feet: limitedTurns(carried) };
 }
 
 function ruleOf(space: Space | undefined): SpaceRule {

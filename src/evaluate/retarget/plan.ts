@@ -6,6 +6,8 @@
  *
  *     x, z     scale · s              scale     ratio of the leg lengths by default
  *     y        scale · s + shift      shift     what puts the target's soles where the source's are, times the scale
+ *
+ * and what they move beside for feet in contact (`hips.ts`).
  */
 import type { CompiledSkeleton } from '../kinematics.ts';
 import type { JointFit } from './fit.ts';
@@ -53,6 +55,8 @@ export interface RetargetPlan {
   readonly sameBones: SameBones;
   /** Feet of complete legs that touch the ground. */
   readonly feet: readonly FootTrack[];
+  /** Absent where no foot touches the ground, and on the source's own skeleton. */
+  readonly hips?: HipsTrack;
   readonly sourceSpace: SpaceRule;
   readonly targetSpace: SpaceRule;
   /** All scratch. */
@@ -111,4 +115,15 @@ export interface FootTrack {
   readonly offsets: Float64Array;
   /** One per contact, metres, not negative: how far it is raised to the foot's usual contact height. */
   readonly rises: Float64Array;
+  /** The most by which thigh and shin turn for it while it stands; radians. */
+  readonly turns: number;
+}
+
+/** How the hips are moved for the feet (`hips.ts`). */
+export interface HipsTrack {
+  /** Seconds of the source's clip: the second knot, and the time between knots. */
+  readonly start: number;
+  readonly step: number;
+  /** x y z per knot, in the target's own axes and unit. */
+  readonly knots: Float64Array;
 }

@@ -6,7 +6,8 @@
  *     2. wanted      T = V · S · K for every paired joint (`align.ts`); limbs twisted for their hinges
  *     3. fit         from the root outwards, each joint's DOFs as close to T as possible, given its parent's result
  *     4. travel      the centre of the hip joints, in proportion
- *     5. feet        legs bent so that the feet follow the source's, in proportion (`legs.ts`); step 3 again for legs
+ *     5. feet        hips moved and legs bent so that the feet follow the source's, in proportion (`hips.ts`, `legs.ts`);
+ *                    step 3 again for legs
  */
 import { plantFeet } from './legs.ts';
 import type { RetargetPlan } from './plan.ts';

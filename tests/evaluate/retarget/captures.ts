@@ -218,7 +218,7 @@ function mirrored(left: string): string {
 }
 
 export interface PairFit {
-  /** Degrees between equal parts of both sides, medians over the frames: the part of arms and legs that is furthest off. */
+  /** Degrees between equal parts, medians over the frames: the segment of arms and legs, of either side, that is furthest off. */
   readonly limbs: number;
   /** The same for each foot and each hand, from the ankle to the toe and from the wrist to the middle finger; 0 without. */
   readonly feet: number;
@@ -305,7 +305,7 @@ export function pairFit(of: Character, from: Character): PairFit {
 
 /** Medians, which a few frames don't change. */
 function partsFit(own: Points, of: Character, other: Points, from: Character) {
-  const limbs = SEGMENTS.map((): number[] => []);
+  const limbs = SIDES.flatMap((side) => SEGMENTS.map((parts) => ({ side, parts, angles: [] as number[] })));
   const tips = [(c: Character, side: Side) => toeOf(c, side), fingerOf].flatMap((tipOf, i) =>
     SIDES.flatMap((side) => {
       const base = i === 0 ? 'foot' : 'hand';
@@ -318,12 +318,10 @@ function partsFit(own: Points, of: Character, other: Points, from: Character) {
   for (const seconds of frameTimes(from, DIRECTIONS)) {
     own.pose(seconds);
     other.pose(seconds);
-    SEGMENTS.forEach(([a, b], i) => {
-      for (const side of SIDES) {
-        const ends = (c: Character) => [limbJoint(c, side, a) ?? 0, limbJoint(c, side, b) ?? 0] as const;
-        limbs[i].push(degreesBetween(direction(own, ends(of)), direction(other, ends(from))));
-      }
-    });
+    for (const { side, parts, angles } of limbs) {
+      const ends = (c: Character) => [limbJoint(c, side, parts[0]) ?? 0, limbJoint(c, side, parts[1]) ?? 0] as const;
+      angles.push(degreesBetween(direction(own, ends(of)), direction(other, ends(from))));
+    }
     for (const tip of tips) {
       const [way, meant] = [direction(own, tip.own), direction(other, tip.other)];
       tip.angles.push(degreesBetween(way, meant));
@@ -333,7 +331,7 @@ function partsFit(own: Points, of: Character, other: Points, from: Character) {
   const worstOf = (isFoot: boolean) =>
     Math.max(0, ...tips.filter((tip) => tip.isFoot === isFoot).map(({ angles }) => median(angles)));
   return {
-    limbs: Math.max(...limbs.map(median)),
+    limbs: Math.max(...limbs.map(({ angles }) => median(angles))),
     feet: worstOf(true),
     hands: worstOf(false),
     tips: Math.max(0, ...tips.flatMap(({ angles }) => angles)),

@@ -5,19 +5,14 @@ import { captured, HUMANOIDS, pairFit, retargeted } from './captures.ts';
 
 /** Degrees; the median of eight limb segments, each the mean over the take. */
 const DIRECTIONS = 3;
-/** Degrees, medians over the take: of arms and legs, of feet, whose soles are flat, and of hands; and at any frame. */
+/** Degrees, medians over the take: of each segment of arms and legs, of feet, whose soles are flat, and of hands; and at any frame. */
 const LIMBS = 6;
 const FEET = 35;
 const HANDS = 25;
 const TIPS = 55;
-/** Leg lengths. */
-const HIPS = 0.025;
+/** Leg lengths: hips move by a little for legs of other proportions. */
+const HIPS = 0.045;
 const SLIDE = 0.004;
-
-/** Legs of unequal lengths, the right one 7 % longer: on level ground one of them has to bend. */
-const UNEQUAL = 'openni-kinect-hash-names.bvh';
-/** Ends with a foot 13 cm below the floor it danced on, from where it is raised. */
-const SINKING = 'rokoko-dance.bvh';
 
 describeShared('each of 14 real humanoids on each other', () => {
   it.each(HUMANOIDS)('%s on 13 other humanoids points its limbs in the same directions, on planted feet', (file) => {
@@ -25,11 +20,10 @@ describeShared('each of 14 real humanoids on each other', () => {
     for (const target of HUMANOIDS) {
       if (target === file) continue;
       const fit = pairFit(retargeted(source, captured(target)), source);
-      const isOdd = file === SINKING || file === UNEQUAL || target === UNEQUAL;
       const told = `${file} on ${target}: ${JSON.stringify(fit)}`;
-      expect(fit.median, told).toBeLessThan(isOdd ? 2 * DIRECTIONS : DIRECTIONS);
-      expect(fit.hips, told).toBeLessThan(isOdd ? 2.5 * HIPS : HIPS);
-      expect(fit.limbs, told).toBeLessThan(file === UNEQUAL || target === UNEQUAL ? 2.5 * LIMBS : LIMBS);
+      expect(fit.median, told).toBeLessThan(DIRECTIONS);
+      expect(fit.hips, told).toBeLessThan(HIPS);
+      expect(fit.limbs, told).toBeLessThan(LIMBS);
       expect(fit.feet, told).toBeLessThan(FEET);
       expect(fit.hands, told).toBeLessThan(HANDS);
       expect(fit.tips, told).toBeLessThan(TIPS);

@@ -258,6 +258,7 @@ describe('planted feet', () => {
     };
     const spread = (values: readonly number[]) => Math.max(...values) - Math.min(...values);
     expect(spread(slide(false))).toBeGreaterThan(0.005);
-    expect(spread(slide(true))).toBeLessThan(1e-9);
+    // But for knees that are straight, which are never quite.
+    expect(spread(slide(true))).toBeLessThan(1e-6);
   });
 });
