@@ -22,6 +22,7 @@ import type { Character } from '../model/document.ts';
 import { playedClip } from './bake.ts';
 import { rootPair } from './compared-roots.ts';
 import type { JointMatch } from './joint-match.ts';
+import { framesOfClip } from './key-frames.ts';
 import { type Alignment, PosedJoints } from './posed-joints.ts';
 import type { Steps } from './steps.ts';
 
@@ -55,7 +56,7 @@ const MAX_VALUES = 2 ** 25;
 /**
  * The frames at which two characters' takes are compared; undefined if they do not overlap in time, or one of them
  * shows no take.
- * @param framesPerSecond the rate of a take that has only keys
+ * @param framesPerSecond the rate of a take that has none of its own
  */
 export function commonFrames(
   a: Character,
@@ -85,10 +86,9 @@ function framesOf(character: Character, framesPerSecond: number) {
   const clip = playedClip(character);
   if (!clip) return undefined;
   const offset = character.timeOffsetSeconds + (character.driver?.source.timeOffsetSeconds ?? 0);
-  const { samples, range } = clip;
-  const [from, to] = [range[0] - offset, range[1] - offset];
-  if (!samples) return { from, to, startSeconds: from, frameSeconds: 1 / framesPerSecond };
-  return { from, to, startSeconds: samples.startSeconds - offset, frameSeconds: samples.frameSeconds };
+  const { startSeconds, frameSeconds } = framesOfClip(clip, framesPerSecond);
+  const [from, to] = clip.range;
+  return { from: from - offset, to: to - offset, startSeconds: startSeconds - offset, frameSeconds };
 }
 
 /** Frames between two progress reports, a few milliseconds at most. */

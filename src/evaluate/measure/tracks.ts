@@ -9,8 +9,9 @@ import { backMultiply3, copy3, writeRotationPart } from '../../math/mat3.ts';
 import { quaternionOfRotation } from '../../math/quaternion.ts';
 import type { Character } from '../../model/document.ts';
 import { restPose } from '../../model/dofs.ts';
-import { type Frames, framesOf, MAX_FRAMES, ownFrames, playedClip } from '../bake.ts';
+import { type Frames, MAX_FRAMES, playedClip } from '../bake.ts';
 import { contactSpans, feetOf, framesOfSpans, standingHeight } from '../foot-contacts.ts';
+import { framesOfClip } from '../key-frames.ts';
 import { compileSkeleton, worldMatrices } from '../kinematics.ts';
 import { NO_TRAVEL, placementMatrix } from '../placements.ts';
 import { dofCountOf, poseFrom, poseSource } from '../pose.ts';
@@ -48,12 +49,15 @@ function keptInBounds(frames: Frames, [start, end]: readonly [number, number]): 
 
 /**
  * Frames of the take that drives a character, in seconds of the transport; undefined if it shows none.
- * @param framesPerSecond the rate of a take that has only keys; one of hours has fewer frames, over all of its range
+ * @param framesPerSecond the rate of a take that has none of its own; keys over hours have fewer frames, over all of
+ *   their range
  */
 export function measuredFrames(character: Character, framesPerSecond: number): Frames | undefined {
   const clip = playedClip(character);
   if (!clip) return undefined;
-  const frames = ownFrames(character) ?? keptInBounds(framesOf(clip.range, framesPerSecond), clip.range);
+  const frames = clip.samples
+    ? framesOfClip(clip, framesPerSecond)
+    : keptInBounds(framesOfClip(clip, framesPerSecond), clip.range);
   const offset = character.timeOffsetSeconds + (character.driver?.source.timeOffsetSeconds ?? 0);
   return { ...frames, startSeconds: frames.startSeconds - offset };
 }

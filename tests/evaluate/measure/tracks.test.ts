@@ -46,6 +46,8 @@ describe('the tracks of joints', () => {
     const made = character({ clips: [clip('walk', [], [0, 2])], shownClip: 0, timeOffsetSeconds: 0.5 });
     expect(measuredFrames(made, 10)).toEqual({ startSeconds: -0.5, frameSeconds: 0.1, frameCount: 21 });
     expect(measuredFrames(character(), 10)).toBeUndefined();
+    const stated = character({ clips: [{ ...clip('walk', [], [0, 2]), framesPerSecond: 24 }], shownClip: 0 });
+    expect(measuredFrames(stated, 10)).toEqual({ startSeconds: 0, frameSeconds: 1 / 24, frameCount: 49 });
   });
 
   it.each([

@@ -113,14 +113,18 @@ export class RowView {
     setTooltip(this.nameCell, row.note ? `${row.name}, ${row.note}` : row.name);
     setText(this.character, row.character);
     setText(this.duration, duration(row.durationSeconds));
-    // Keys have no frames: shows how many the transport would count, and says so.
-    const isKeyed = row.frameCount === undefined;
+    const own = row.framesPerSecond;
+    // Keys at uneven times have no frames: shows how many the transport would count, and says so.
     const frames = row.frameCount ?? Math.round(row.durationSeconds * framesPerSecond) + 1;
     setText(this.frames, count(frames));
-    this.frames.classList.toggle('faint', isKeyed);
-    setTooltip(this.frames, isKeyed ? `Keyed; ${count(frames)} frames at the playback frame rate` : undefined);
-    setText(this.rate, isKeyed ? 'keys' : `${shown(row.framesPerSecond ?? 0, 2)}`);
-    this.rate.classList.toggle('faint', isKeyed);
+    this.frames.classList.toggle('faint', own === undefined);
+    setTooltip(
+      this.frames,
+      own === undefined ? `Keyed; ${count(frames)} frames at the playback frame rate` : undefined,
+    );
+    setText(this.rate, own === undefined ? 'keys' : shown(own, 2));
+    this.rate.classList.toggle('faint', row.isKeyed);
+    setTooltip(this.rate, row.isKeyed ? (own === undefined ? UNEVEN : EVEN) : undefined);
     setText(this.file, row.file);
     setTooltip(this.file, row.file || undefined);
     fields.start.show(row.startSeconds);
@@ -130,6 +134,9 @@ export class RowView {
     for (const { element: input } of Object.values(fields)) input.tabIndex = focused ? 0 : -1;
   }
 }
+
+const UNEVEN = 'Keyed, at uneven times: it plays at the playback frame rate';
+const EVEN = 'Keyed, on frames of this rate';
 
 function cell(className: string, ...children: Node[]): HTMLElement {
   return element('div', { role: 'gridcell', class: `sort-cell ${className}` }, ...children);

@@ -1,6 +1,9 @@
 /** The takes of a document as rows of a table: one for each take of each character. */
 import type { TakeRef } from '../../../edit/commands/takes.ts';
 import { RETARGETED } from '../../../edit/drivers.ts';
+import { frameRateOf } from '../../../evaluate/frame-rate.ts';
+import { framesOfClip } from '../../../evaluate/key-frames.ts';
+import type { ChannelClip } from '../../../model/clip.ts';
 import type { Character, Document, Driver } from '../../../model/document.ts';
 import { perObject } from '../../../model/per-object.ts';
 import { playedTake, type TakeColumn, type TakeOrder } from '../../state/takes.ts';
@@ -20,7 +23,8 @@ export interface TakeRow extends TakeRef {
   /** First to last second played, of the clip. */
   readonly range: readonly [number, number];
   readonly durationSeconds: number;
-  /** Absent for keyed takes: their number of frames depends on the frame rate. */
+  readonly isKeyed: boolean;
+  /** Both absent for keys at uneven times, which have no frames. */
   readonly frameCount?: number;
   readonly framesPerSecond?: number;
   readonly offsetSeconds: number;
@@ -55,7 +59,7 @@ export function takeRows(document: Document): TakeRow[] {
 function rowOf(character: Character, index: number): TakeRow {
   const clip = character.clips[index];
   const { position } = character.placements[0];
-  const { samples, range } = clip;
+  const { range } = clip;
   const isHidden = character.isHidden ?? false;
   const key = takeKey({ characterId: character.id, clip: index });
   return {
@@ -70,7 +74,7 @@ function rowOf(character: Character, index: number): TakeRow {
     note: '',
     range,
     durationSeconds: range[1] - range[0],
-    ...(samples && { frameCount: samples.frameCount, framesPerSecond: 1 / samples.frameSeconds }),
+    ...framesIn(clip),
     offsetSeconds: character.timeOffsetSeconds,
     startSeconds: range[0] - character.timeOffsetSeconds,
     x: position[0],
@@ -82,7 +86,7 @@ function rowOf(character: Character, index: number): TakeRow {
 
 /** The take of another character, as it moves this one. */
 function retargetedRow(character: Character, { source }: Driver): TakeRow {
-  const { range, samples, name } = source.clip;
+  const { range, name } = source.clip;
   const { position } = character.placements[0];
   const offsetSeconds = character.timeOffsetSeconds + source.timeOffsetSeconds;
   const ref = { characterId: character.id, clip: RETARGETED };
@@ -96,13 +100,20 @@ function retargetedRow(character: Character, { source }: Driver): TakeRow {
     note: `retargeted to ${character.name}`,
     range,
     durationSeconds: range[1] - range[0],
-    ...(samples && { frameCount: samples.frameCount, framesPerSecond: 1 / samples.frameSeconds }),
+    ...framesIn(source.clip),
     offsetSeconds,
     startSeconds: range[0] - offsetSeconds,
     x: position[0],
     z: position[2],
     file: '',
   };
+}
+
+function framesIn(clip: ChannelClip): Pick<TakeRow, 'isKeyed' | 'frameCount' | 'framesPerSecond'> {
+  const isKeyed = clip.samples === undefined;
+  const framesPerSecond = frameRateOf(clip);
+  if (framesPerSecond === undefined) return { isKeyed };
+  return { isKeyed, framesPerSecond, frameCount: framesOfClip(clip, framesPerSecond).frameCount };
 }
 
 /** Filtered and sorted; equal ones keep the document's order. */

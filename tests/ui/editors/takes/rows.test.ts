@@ -54,6 +54,23 @@ describe('the rows of takes', () => {
     expect(rows[2]).not.toHaveProperty('frameCount');
   });
 
+  it('keyed takes have the frame rate that their file states, or that of their keys, and frames by it', () => {
+    const every = (rate: number): ChannelClip => {
+      const [channel] = clip('one', [0]).channels;
+      if (channel.kind !== 'keys') throw new Error('The helper makes keys.');
+      const times = Float64Array.from({ length: 49 }, (_, frame) => frame / rate);
+      const flat = { kinds: new Uint8Array(49), slopes: new Float64Array(49) };
+      const keys = { ...channel, times, values: new Float64Array(49), tangentsIn: flat, tangentsOut: flat };
+      return { name: 'even', range: [0, 48 / rate], channels: [keys] };
+    };
+    const clips = [{ ...clip('stated', [0], [0, 2]), framesPerSecond: 60 }, every(24), clip('uneven', [0], [0, 3])];
+    expect(takeRows(documentOf(character({ clips })))).toMatchObject([
+      { isKeyed: true, framesPerSecond: 60, frameCount: 121 },
+      { isKeyed: true, framesPerSecond: 24, frameCount: 49 },
+      { isKeyed: true, durationSeconds: 3 },
+    ]);
+  });
+
   it('hidden characters show no take', () => {
     const [c1] = document.characters;
     expect(takeRows(documentOf({ ...c1, isHidden: true }))[0]).toMatchObject({ isShown: false, isHidden: true });
