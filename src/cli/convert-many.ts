@@ -15,6 +15,7 @@ import { type Character, EMPTY_DOCUMENT } from '../model/document.ts';
 import { openFiles } from '../project/open/open-files.ts';
 import { outputsOf, refusal, renamedTo, sourceFor, type Target, withOwnNames } from '../project/save/conversion.ts';
 import type { ConversionOptions } from '../project/save/copies.ts';
+import { unitNotKept } from '../project/save/unit-not-kept.ts';
 import { findFiles, loadFound } from './load.ts';
 import { type GivenPath, isFolder } from './paths.ts';
 import { openedTogether } from './together.ts';
@@ -64,6 +65,7 @@ export async function convertMany(
     await nextTurn();
   }
   many.tellKept();
+  many.tellUnits();
   if (groups.length === 0 && problems.length === 0) {
     many.tell([refusal('nothing-to-convert', 'There is no file here to convert.', args.join(' '))]);
   }
@@ -76,6 +78,8 @@ class Many {
   isOfMany = false;
   /** Sources that are of the target's kind already, relative to the caller's folder. */
   private readonly kept: string[] = [];
+  /** Characters whose files state a unit, in text that doesn't. */
+  private readonly unitless: Character[] = [];
   /** Paths written in this run: two sources of one name don't overwrite each other's output. */
   private readonly done = new Set<string>();
   /** Names of characters by the folder that their files are written to. */
@@ -128,6 +132,7 @@ class Many {
   private async write(characters: readonly Character[]): Promise<void> {
     const { options, folder } = this;
     const named = characters.map((character) => this.withNames(character));
+    let isWritten = false;
     for (const output of outputsOf(named, options.target, options)) {
       const stem = output.name.slice(0, output.name.lastIndexOf('.'));
       const source = sourceFor(named[0], stem);
@@ -149,11 +154,13 @@ class Many {
         const message = `The file could not be written: ${written.failure}.`;
         this.tell([refusal('file-not-written', message, output.name)]);
       } else {
+        isWritten = true;
         const from = characters.flatMap((character) => character.sources.map((s) => s.path));
         const shown = relative(folder, path).split(sep).join('/');
         await this.progress.written({ path: shown, bytes: written.bytes, from: [...new Set(from)] });
       }
     }
+    if (isWritten) this.unitless.push(...characters.filter((character) => unitNotKept(character) !== undefined));
   }
 
   /** As its files are named: apart from others in their folder, and its takes and parts after it. */
@@ -178,6 +185,16 @@ class Many {
         ? `This is a ${kind} file already and stays as it is; --out FOLDER writes it anew.`
         : `${this.kept.length} files are ${kind} files already and stay as they are; --out FOLDER writes them anew.`;
     this.tell([withoutPlace('info', 'source-kept', message, first)]);
+  }
+
+  /** Once for all: folders of one program have one unit. */
+  tellUnits(): void {
+    const [first] = this.unitless;
+    const message = first && unitNotKept(first);
+    if (message === undefined) return;
+    const others = this.unitless.length - 1;
+    const more = others > 0 ? ` The same goes for ${others} more.` : '';
+    this.tell([withoutPlace('info', 'unit-not-kept', `${message}${more}`, first.sources[0]?.path ?? first.name)]);
   }
 
   /** Another frame rate makes other samples of a capture, also in its own format. */

@@ -19,6 +19,7 @@ import { outputsOf, refusal, TARGETS, type Target } from '../project/save/conver
 import { bvhCopy, type ConversionOptions } from '../project/save/copies.ts';
 import { type Output, outputOf } from '../project/save/output.ts';
 import { copiesOf, isCopy } from '../project/save/saving.ts';
+import { unitNotKept } from '../project/save/unit-not-kept.ts';
 
 /** What is done to a character before it is written. */
 export type Edit = (character: Character) => Character;
@@ -40,7 +41,7 @@ export type Picked = { readonly output: Output } | { readonly refusal: Diagnosti
  */
 export function pickOrRefuse(files: readonly ParsedFile[], format: Format, out: string, options: PickOptions): Picked {
   try {
-    return pick(files, format, out, options);
+    return saying(pick(files, format, out, options), unitsNotKept(files, format, out));
   } catch (error) {
     if (!(error instanceof CommandError)) throw error;
     return { refusal: refusal('conversion-refused', error.message, out) };
@@ -76,6 +77,15 @@ function pick(files: readonly ParsedFile[], format: Format, out: string, options
   const held = files.map((file) => file.source.path).join(', ') || 'nothing';
   const message = `Expected ${format.label} input for ${out}, found ${held}.`;
   return { refusal: refusal('part-missing', message, out) };
+}
+
+/** Once for all characters. */
+function unitsNotKept(files: readonly ParsedFile[], { kind }: Format, out: string): readonly Diagnostic[] {
+  // Neither has lengths.
+  if (kind === 'rig' || kind === 'markers') return [];
+  const characters = files.flatMap((file) => (file.kind === 'character' ? file.characters : []));
+  const [message] = characters.flatMap(({ space }) => unitNotKept(space ? { space: space.space } : {}) ?? []);
+  return message === undefined ? [] : [withoutPlace('info', 'unit-not-kept', message, out)];
 }
 
 /** What is written from one file alone. */

@@ -1,6 +1,7 @@
 /** The save dialog: each character, with every file format it can be saved as. */
 
 import { KINDS, SAVED_KINDS } from '../../project/kinds.ts';
+import { unitNotKept } from '../../project/save/unit-not-kept.ts';
 import { type Counted, type PlayedRange, WRITERS, type Writer } from '../../project/writers.ts';
 import type { DialogContent } from '../kit/dialog.ts';
 import { element } from '../kit/dom.ts';
@@ -36,7 +37,9 @@ export function saveList(wb: Uses<'store' | 'transport' | 'files' | 'dialog'>, c
         wb.files.saveAll(character.id);
       }),
     );
-    body.append(element('section', {}, element('h3', {}, character.name), row));
+    const unit = unitNotKept(character);
+    const note = unit === undefined ? [] : [element('p', { class: 'faint' }, unit)];
+    body.append(element('section', {}, element('h3', {}, character.name), row, ...note));
   }
   if (!body.children.length) body.append(element('p', { class: 'empty' }, 'There is nothing to save yet.'));
   return { title: 'Save as', body, kind: 'save-dialog' };
