@@ -71,6 +71,24 @@ describe('reading x y z parent', () => {
     expect(found.told).toEqual(['info parent-rows 1:1', 'info joints-reordered 3:1']);
   });
 
+  it.each([
+    ['last', '0 2 0 1\n0 1 0 2\n0 0 0 -1\n', [0, 1, 2]],
+    ['in the middle', '0 1 0 1\n0 0 0 -1\n0 2 0 0\n', [0, 1, 2]],
+    ['last, of whole numbers that six by six are none', '3 4 5 3\n1 1 1 0\n2 2 2 1\n1 0 0 -1\n', [0, 4, 1, 2]],
+    ['last, with an index on each line', '0 0 2 0 1\n1 0 1 0 2\n2 0 0 0 -1\n', [0, 1, 2]],
+  ])('the root may come %s', (_, text, heights) => {
+    const { roots, offsets, told } = treeOf(text);
+    expect([roots, offsets.map(([, y]) => y)]).toEqual([1, heights]);
+    expect(told[0]).toBe('info parent-rows 1:1');
+  });
+
+  it('joints of six numbers are of the axis-angle form, wherever its lines end, with any numbers', () => {
+    // Two joints, of which all lines of four end in a whole number, one in -1.
+    const text = '1 0 0 1\n0 1 2 -1\n1 1 0 0\n';
+    expect(beginsParents(bytesOf(text))).toBe(false);
+    expect(treeOf('1 0 0 1\n0 1 1 1\n0 -1 30 0\n').told).toEqual([]);
+  });
+
   it('several roots are skeletons of their own', () => {
     const found = treeOf('0 0 0 -1\n1 0 0 -1\n2 0 0 1\n3 0 0 0\n');
     expect(found).toMatchObject({ roots: 2, parents: [-1, 0, -1, 0] });

@@ -52,7 +52,7 @@ const NUMBER = /^[-+]?(\d+\.?\d*|\.\d+)(e[-+]?\d+)?$/i;
 
 /**
  * Whether a file that begins like this has rows of a parent's index: four or five numbers on every line, the last of them
- * -1 on the first line and a whole number on the others. The axis-angle form has six numbers a joint, wherever its lines
+ * a whole number, and -1 for a root, which may come last. The axis-angle form has six numbers a joint, wherever its lines
  * end.
  *
  * @param head its first bytes; those after `PARENTS_HEAD_BYTES` are ignored
@@ -63,12 +63,23 @@ export function beginsParents(head: Uint8Array): boolean {
   if (isCut) lines.pop();
   const rows = lines.slice(countLines(lines)).map(({ words }) => numbersOf(words));
   const [first] = rows;
-  if (!first || first.at(-1) !== -1 || !(first.length === 4 || first.length === 5)) return false;
-  return rows.every((numbers, i) => {
+  if (!first || !(first.length === 4 || first.length === 5)) return false;
+  const areRows = rows.every((numbers, i) => {
     const isIndexed = first.length === 4 || numbers[0] === first[0] + i;
     const parent = numbers.at(-1) ?? 0.5;
     return numbers.length === first.length && isIndexed && parent >= -1 && parent % 1 === 0;
   });
+  if (!areRows || first.at(-1) === -1) return areRows;
+  const hasRoot = isCut || rows.some((numbers) => numbers.at(-1) === -1);
+  return hasRoot && !mayBeAxisAngle(rows.flat(), isCut);
+}
+
+/** Whether numbers are joints of six, the last the count of children, that are one tree; of a cut file, the first ones. */
+function mayBeAxisAngle(numbers: readonly number[], isCut: boolean): boolean {
+  const counts = numbers.filter((_, i) => i % 6 === 5);
+  if (!counts.every((children) => children >= 0 && children % 1 === 0)) return false;
+  const children = counts.reduce((sum, count) => sum + count, 0);
+  return isCut || (numbers.length % 6 === 0 && children === counts.length - 1);
 }
 
 /** Lines before the first joint: a heading, a count. */
