@@ -2,6 +2,7 @@
 import { statesNoTime } from '../lesson/assumed-times.ts';
 import {
   type Compared,
+  type ComparedGoal,
   type Comparison,
   type FirstWrong,
   type FrameComparison,
@@ -28,7 +29,7 @@ export interface ToldComparison {
 
 /** What `--json` prints. */
 export function comparisonJson(told: ToldComparison) {
-  const { agrees, compared, layout, worst, first, frames, own, inherited, causes, pattern } = told.comparison;
+  const { agrees, compared, layout, worst, first, frames, own, inherited, causes, pattern, goals } = told.comparison;
   const hints = hintsOf(told);
   const shown = frames.find((frame) => !frame.agrees) ?? frames[0];
   return {
@@ -42,6 +43,7 @@ export function comparisonJson(told: ToldComparison) {
     inherited,
     causes: causes.map(causeJson),
     ...(pattern && { pattern }),
+    ...(goals && { goals: goals.map((goal) => goalJson(goal, frames)) }),
     ...(hints.length > 0 && { hints }),
     ...(frames.length > 1 && {
       times: frames.map((frame) => ({
@@ -56,7 +58,13 @@ export function comparisonJson(told: ToldComparison) {
   };
 }
 
-export function causeJson(cause: Cause) {
+/** Distances, and whether the joints are a pose at all. */
+function goalJson({ frame, ...goal }: ComparedGoal, frames: Comparison['frames']) {
+  const { time } = frames[frame];
+  return { ...goal, ...(time !== undefined && { time }) };
+}
+
+function causeJson(cause: Cause) {
   const { code, detail, alternatives, explains, of, residual, sentences, formulas, about } = cause;
   return {
     code,
@@ -75,12 +83,12 @@ export function causeJson(cause: Cause) {
 export function comparisonText(told: ToldComparison): string {
   const { comparison, character, dumps, isNamed } = told;
   const isOfSeveral = dumps.length > 1;
-  const { agrees, compared, layout, worst, first, frames, largest, own, inherited, causes } = comparison;
+  const { agrees, compared, layout, worst, first, frames, largest, own, inherited, causes, reached = [] } = comparison;
   const lines = [`Compared${isNamed ? ` with ${character.name}` : ''}: ${comparedText(compared, frames.length)}.`];
   if (layout) lines.push(`Matrices of ${layout.numbers} numbers, ${layout.order}.`);
   lines.push(...dumpTimeLines(told));
   if (frames.length > 1) lines.push(`Times: ${frames.map(timeText).join(', ')}.`);
-  if (agrees || !first) lines.push(`All agree. The largest error is ${short(worst)}.`);
+  if (agrees || !first) lines.push(...reached, `All agree. The largest error is ${short(worst)}.`);
   else {
     lines.push(`First wrong: ${placeOf(first)}, ${errorText(first)}.`);
     if (largest && !isSamePlace(largest, first))
@@ -101,7 +109,7 @@ export function comparisonText(told: ToldComparison): string {
   return `${lines.join('\n')}\n`;
 }
 
-export function causesLines(causes: readonly Cause[], compared: Compared, isOfSeveral: boolean): readonly string[] {
+function causesLines(causes: readonly Cause[], compared: Compared, isOfSeveral: boolean): readonly string[] {
   const equal = `Each of these ${causes.length} mistakes explains it; these numbers can't tell them apart.`;
   const each = causes.flatMap((cause) => ['', ...causeLines(cause, compared, isOfSeveral)]);
   return areEqual(causes) ? ['', equal, ...each] : each;
@@ -197,6 +205,6 @@ function nameOf({ skeleton }: Character, joint: number): string {
   return skeleton?.joints[joint]?.name || `joint ${joint}`;
 }
 
-export function short(value: number): string {
+function short(value: number): string {
   return Number.isFinite(value) ? String(Number(value.toPrecision(3))) : 'not a number';
 }

@@ -9,6 +9,8 @@ import { nameOfChannel } from './channel-name.ts';
 import { DEFAULT_TOLERANCE, diagonalOf, matrixError, pointError } from './errors.ts';
 import { Evaluator, type FrameNumbers, type FrameTime } from './evaluator.ts';
 import type { Cause, CauseSubject, FoundCauses } from './found-causes.ts';
+import type { Goal } from './ik/goal.ts';
+import { type JudgedGoal, type JudgedSolver, judgeSolver } from './ik/judged.ts';
 import { valuesNearest } from './own-values.ts';
 import { patternOf } from './pattern.ts';
 import { RIGHT_PROGRAM } from './program.ts';
@@ -84,6 +86,10 @@ export interface Comparison {
   readonly unexplained?: CauseSubject;
   /** How they differ, in sentences; absent if all agrees, or if causes explain all of it. */
   readonly pattern?: string;
+  /** Of numbers of inverse kinematics: each point and its target; absent if there are none. */
+  readonly goals?: readonly ComparedGoal[];
+  /** The same in sentences; absent if there are none. */
+  readonly reached?: readonly string[];
 }
 
 /** Whether all agrees, or a mistake or two explain all that doesn't. */
@@ -95,27 +101,75 @@ export function isExplained({
   return agrees || (!unexplained && causes.some(({ explains, of }) => explains === of));
 }
 
+/** A point that a solver was to bring to a target. */
+export interface ComparedGoal extends Goal {
+  /** Index of its numbers. */
+  readonly frame: number;
+  /** Distances from the target: in the pose that the solver started from, and in its numbers, if they tell. */
+  readonly before: number;
+  readonly after?: number;
+  readonly hasMoved: boolean;
+  readonly isPose: boolean;
+}
+
 /** Yields progress; a caller that stops asking cancels it. */
 export function* compare(character: Character, targets: Targets, tolerance = DEFAULT_TOLERANCE): Steps<Comparison> {
   const { frames: asked, channels, layout } = targets;
+  const { skeleton } = character;
   const evaluator = new Evaluator(character);
-  const sizes = asked.map((target) => sizeOf(target, evaluator.frame(RIGHT_PROGRAM, target.time, wantedOf(target))));
-  const own = asked.map((target, f) => copyOf(frameNearest(evaluator, RIGHT_PROGRAM, target.time, [target], sizes[f])));
+  // Any number is within an infinite tolerance, and every solver would be right.
+  const ofGoals = Number.isFinite(tolerance) ? tolerance : DEFAULT_TOLERANCE;
+  const solved = asked.map((target) =>
+    target.solver && skeleton ? judgeSolver(character, skeleton, target, target.solver, ofGoals) : undefined,
+  );
+  const sizes = asked.map(
+    (target, f) => solved[f]?.size ?? sizeOf(target, evaluator.frame(RIGHT_PROGRAM, target.time, wantedOf(target))),
+  );
+  const own = asked.map(
+    (target, f) => solved[f]?.ours ?? copyOf(frameNearest(evaluator, RIGHT_PROGRAM, target.time, [target], sizes[f])),
+  );
   yield 0;
-  const frames = asked.map((target, f) => compareFrame(character, target, own[f], sizes[f], tolerance));
+  const frames = asked.map((target, f) => {
+    const frame = compareFrame(character, target, own[f], sizes[f], tolerance);
+    const judged = solved[f];
+    return judged ? solverFrame(character, frame, judged) : frame;
+  });
   const ofChannels = compareChannels(character, targets, tolerance);
   yield 0.1;
   const worst = Math.max(ofChannels.worst, ...frames.map((frame) => frame.worst));
-  const agrees = worst <= tolerance;
+  const agrees = frames.every((frame) => frame.agrees) && ofChannels.worst <= tolerance;
   const differs = frames.find((frame) => !frame.agrees);
-  const found: FoundCauses = agrees
-    ? { causes: [] }
-    : yield* within(findCauses({ character, targets, own, sizes, tolerance }), 0.1, 1);
+  const others = [...asked.keys()].filter((f) => !solved[f]);
+  const agree = ofChannels.worst <= tolerance && others.every((f) => frames[f].agrees);
+  const some = agree ? undefined : someFrames(targets, others);
+  const found: FoundCauses = some
+    ? ofFrames(
+        yield* within(
+          findCauses({ character, targets: some, own: pick(own, others), sizes: pick(sizes, others), tolerance }),
+          0.1,
+          1,
+        ),
+        others,
+      )
+    : { causes: [] };
+  const causes = [...found.causes, ...solved.flatMap((judged, f) => solverCauses(targets, judged, f))];
   const first = differs?.first ?? ofChannels.first;
-  const pattern = isExplained({ agrees, ...found })
-    ? undefined
-    : patternOf({ character, targets, frames, ourChannels: ofChannels.own, tolerance });
+  const pattern =
+    !some || isExplained({ agrees: agree, ...found })
+      ? undefined
+      : patternOf({
+          character,
+          targets: some,
+          frames: pick(frames, others),
+          ourChannels: ofChannels.own,
+          tolerance,
+        });
   const largest = [...frames.map((frame) => frame.largest), ofChannels.largest].find((at) => at?.error === worst);
+  const goals = solved.flatMap((judged, frame) => judged?.goals.map((each) => comparedGoal(each, frame)) ?? []);
+  const reached = solved.flatMap((judged, f) => {
+    const at = frames.length > 1 && asked[f].time !== undefined ? `At ${asked[f].time} s: ` : '';
+    return judged?.sentences.map((sentence) => `${at}${sentence}`) ?? [];
+  });
   return {
     agrees,
     compared: countOf(asked, channels.channels),
@@ -128,8 +182,53 @@ export function* compare(character: Character, targets: Targets, tolerance = DEF
     own: differs?.own ?? [],
     inherited: differs?.inherited ?? [],
     ...found,
+    causes,
     ...(pattern && { pattern }),
+    ...(goals.length > 0 && { goals, reached }),
   };
+}
+
+function pick<T>(list: readonly T[], indices: readonly number[]): readonly T[] {
+  return indices.map((index) => list[index]);
+}
+
+function someFrames(targets: Targets, indices: readonly number[]): Targets {
+  const { frames, origins } = targets;
+  const own = origins && { ...origins, frames: pick(origins.frames, indices) };
+  return { ...targets, frames: pick(frames, indices), ...(own && { origins: own }) };
+}
+
+/** Causes of some frames. @param indices of those among all */
+function ofFrames(found: FoundCauses, indices: readonly number[]): FoundCauses {
+  return { ...found, causes: found.causes.map((cause) => ({ ...cause, frames: pick(indices, cause.frames) })) };
+}
+
+/** Each alone, with what it is about where there are other numbers. */
+function solverCauses({ frames, origins, channels }: Targets, judged: JudgedSolver | undefined, f: number) {
+  const isAlone = frames.length === 1 && channels.channels.length === 0;
+  const kinds = FRAME_KINDS.filter((kind) => frames[f][kind]);
+  const files = kinds.flatMap((kind) => origins?.fileNames[origins.frames[f][kind] ?? 0] ?? []);
+  const about = isAlone ? {} : { about: { kinds, files: [...new Set(files)] } };
+  return judged?.causes.map((cause): Cause => ({ ...cause, frames: [f], ...about })) ?? [];
+}
+
+function comparedGoal({ goal, found }: JudgedGoal, frame: number): ComparedGoal {
+  const { before, after, hasMoved, isPose } = found;
+  return { ...goal, frame, before, ...(after !== undefined && { after }), hasMoved, isPose };
+}
+
+/** Wrong only in what its points are from their targets: another solution has other joints. */
+function solverFrame({ skeleton }: Character, frame: FrameComparison, judged: JudgedSolver): FrameComparison {
+  const { agrees, goals, size } = judged;
+  const { first: _first, largest: _largest, ...rest } = frame;
+  const alike = { ...rest, agrees, firsts: [], own: [], inherited: [] };
+  if (agrees) return alike;
+  const [{ goal, found }] = goals.filter((each) => !each.found.agrees);
+  const off = found.isPose ? (found.after ?? frame.worst * size) : frame.worst * size;
+  const error = off / size;
+  const name = skeleton?.joints[goal.joint].name;
+  const first: FirstWrong = { what: 'joint', index: goal.joint, ...(name && { name }), error, length: off };
+  return { ...alike, worst: error, first, firsts: [first], largest: first };
 }
 
 /** The largest error, without a search for what explains it. */

@@ -25,16 +25,24 @@ export function explainedNoun({ about }: Cause, compared: Compared): 'joint' | '
 }
 
 /**
- * What no mistake explains, and how the numbers differ, in sentences of which each may be a line; none where all agrees
- * or is explained.
+ * Where points of a solver are, what no mistake explains, and how the numbers differ, in sentences of which each may be a
+ * line; of numbers of a character none where all agrees or is explained.
  */
 export function unexplainedSentences(
-  { agrees, causes, unexplained, pattern }: Pick<Comparison, 'agrees' | 'causes' | 'unexplained' | 'pattern'>,
+  {
+    agrees,
+    causes,
+    unexplained,
+    pattern,
+    reached = [],
+  }: Pick<Comparison, 'agrees' | 'causes' | 'unexplained' | 'pattern' | 'reached'>,
   hasSeveral: boolean,
 ): readonly string[] {
-  const isOfNone = causes.length === 0 && !agrees;
+  // Of a solver alone its sentences say it.
+  const isOfNone = causes.length === 0 && !agrees && (reached.length === 0 || pattern !== undefined);
   const what = unexplained ? `all of the ${subjectText(unexplained, hasSeveral)}` : 'these numbers';
   return [
+    ...reached,
     ...(unexplained || isOfNone ? [`No known mistake, nor two together, explains ${what}.`] : []),
     ...(pattern ? [`What differs: ${pattern}`] : []),
   ];
@@ -60,4 +68,9 @@ export function comparedText({ channels, ...ofFrames }: Compared, times: number)
   return (
     [frames, channels > 0 ? counted('channels', channels) : ''].filter((text) => text !== '').join('; ') || 'nothing'
   );
+}
+
+/** Of what no mistake explains: where to begin. Only of joints it is known which are wrong by themselves. */
+export function beginText({ own }: Pick<Comparison, 'own'>): string {
+  return `Begin with ${own.length > 0 ? 'the first joint that is wrong by itself' : 'the first that differs'}.`;
 }

@@ -16,10 +16,11 @@ import { JointNames, withKnownLabels, withTimes } from './dump-labels.ts';
 import { placesOf } from './dump-places.ts';
 import { isOfOneTime, readSamples } from './dump-samples.ts';
 import { Evaluator, type FrameTime } from './evaluator.ts';
+import { goalsOf, type StatedGoal } from './ik/stated-goals.ts';
 import { joinedBlocks } from './joined-blocks.ts';
 import { matricesOf } from './matrix-layout.ts';
 import { RIGHT_PROGRAM } from './program.ts';
-import type { FrameKind, FrameTarget, MatrixLayout, Origins, Targets } from './targets.ts';
+import type { FrameKind, FrameTarget, MatrixLayout, Origins, SolverTask, Targets } from './targets.ts';
 
 export interface Fitted {
   /** Absent if a dump doesn't fit. */
@@ -62,6 +63,9 @@ class Fit {
   private layout: MatrixLayout | undefined;
   /** Of the dump. */
   private headings: readonly DumpHeading[] = [];
+  /** Of the dump; those of joints that are known. */
+  private goals: readonly StatedGoal[] = [];
+  private isOneStep = false;
   private readonly names: readonly string[];
   private readonly joints: JointNames;
   private readonly vertices: number;
@@ -83,24 +87,34 @@ class Fit {
   add({ dump, fileName, assumed }: NamedDump): void {
     const time = assumed ? assumed.time : this.time;
     this.fileNames.push(fileName);
+    this.isOneStep = dump.isOneStep ?? false;
+    this.goals = [];
+    this.attempt(() => {
+      this.goals = goalsOf(dump.targets ?? [], this.character.skeleton);
+    });
     for (const block of joinedBlocks(dump.blocks, this.names.length)) {
-      try {
-        this.block(block, dump, block.time ?? dump.time ?? time);
-      } catch (error) {
-        if (!(error instanceof Misfit)) throw error;
-        const { code } = error;
-        if (this.diagnostics.filter((one) => one.code === code && one.file === fileName).length === MOST_ALIKE)
-          continue;
-        this.diagnostics.push({
-          ...withoutPlace('error', error.code, error.message, fileName),
-          line: error.line,
-          column: error.line > 0 ? 1 : 0,
-        });
-      }
+      this.attempt(() => this.block(block, dump, block.time ?? dump.time ?? time));
     }
     if (dump.blocks.length === 0) {
       const message = `Expected ${this.wouldDo()}; found no numbers of that kind.`;
       this.diagnostics.push(withoutPlace('error', 'dump-unknown', message, fileName));
+    }
+  }
+
+  /** Tells what doesn't fit. */
+  private attempt(work: () => void): void {
+    const fileName = this.fileNames[this.fileNames.length - 1];
+    try {
+      work();
+    } catch (error) {
+      if (!(error instanceof Misfit)) throw error;
+      const { code } = error;
+      if (this.diagnostics.filter((one) => one.code === code && one.file === fileName).length === MOST_ALIKE) return;
+      this.diagnostics.push({
+        ...withoutPlace('error', error.code, error.message, fileName),
+        line: error.line,
+        column: error.line > 0 ? 1 : 0,
+      });
     }
   }
 
@@ -256,13 +270,19 @@ class Fit {
 
   // ——— putting it in place ———
 
+  /** Numbers of a solver are by themselves: those of others at the same time are the character's. */
   private frameAt(time: FrameTime): FrameTarget {
-    let frame = this.frames.find((f) => f.time === time);
-    if (!frame) {
-      frame = { time };
-      this.frames.push(frame);
-      this.sources.push({});
-    }
+    const own = this.goals.filter((goal) => goal.time === undefined || goal.time === time);
+    const dump = this.fileNames.length - 1;
+    const isSame = (f: number) =>
+      this.frames[f].time === time &&
+      (this.frames[f].solver ? Object.values(this.sources[f]).includes(dump) : own.length === 0);
+    const known = [...this.frames.keys()].find(isSame);
+    if (known !== undefined) return this.frames[known];
+    const solver: SolverTask = { goals: own.map(({ goal }) => goal), isOneStep: this.isOneStep };
+    const frame: FrameTarget = { time, ...(own.length > 0 && { solver }) };
+    this.frames.push(frame);
+    this.sources.push({});
     return frame;
   }
 
@@ -276,6 +296,19 @@ class Fit {
         line,
       );
     }
+    const { solver } = frame;
+    if (solver && (kind === 'vertices' || kind === 'normals'))
+      throw new Misfit(
+        'target-kind',
+        `Expected numbers of joints, since a target is stated; found ${kind}. Compare them without it.`,
+        line,
+      );
+    if (solver?.isOneStep && solver.goals.length > 1)
+      throw new Misfit(
+        'target-steps',
+        `Expected one target, since one step is judged for one alone; found ${solver.goals.length}.`,
+        line,
+      );
     frame[kind] = values;
     this.sources[this.frames.indexOf(frame)][kind] = this.fileNames.length - 1;
   }

@@ -23,3 +23,15 @@ export function relativeMatrices(
   });
   return out;
 }
+
+/** What matrices relative to parents make in the world; the inverse of `relativeMatrices`. */
+export function worldOfRelative(
+  relative: Float64Array,
+  joints: readonly { readonly parent: number }[],
+): Float64Array<ArrayBuffer> {
+  const out = Float64Array.from(relative);
+  joints.forEach(({ parent }, j) => {
+    if (parent >= 0) multiplyAffine(out, 16 * parent, relative, 16 * j, out, 16 * j);
+  });
+  return out;
+}

@@ -1,6 +1,7 @@
 /** What is compared: another program's numbers, each in the place of ours. */
 import type { DumpKind } from '../model/dump.ts';
 import type { FrameTime } from './evaluator.ts';
+import type { Goal } from './ik/goal.ts';
 
 /** Numbers of one time. Absent kinds were not in the dumps. */
 export interface FrameTarget {
@@ -13,6 +14,15 @@ export interface FrameTarget {
   /** x y z per vertex. */
   vertices?: Float64Array;
   normals?: Float64Array;
+  /** Of inverse kinematics: any pose that reaches these is right, rather than that of the character. */
+  readonly solver?: SolverTask;
+}
+
+/** What a solver of inverse kinematics was to do. */
+export interface SolverTask {
+  readonly goals: readonly Goal[];
+  /** Whether it made one step only. */
+  readonly isOneStep: boolean;
 }
 
 /** Values of channels: sample i is channel `channels[i]` at `times[i]`. */

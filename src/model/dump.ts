@@ -2,6 +2,7 @@
  * A dump: numbers that another program printed about a character, in the order of its file. Which joints, vertices or
  * channels they are is decided with a character at hand (`lesson/fit-dump.ts`); here is only what the file says.
  */
+import type { Vec3 } from '../math/vec3.ts';
 
 /** What a dump can hold. Positions are those of joints. */
 export const DUMP_KINDS = ['world', 'local', 'positions', 'vertices', 'normals', 'channels'] as const;
@@ -16,6 +17,24 @@ export interface Dump {
   readonly blocks: readonly DumpBlock[];
   /** Lines with numbers that were taken for headings; absent if there are none. */
   readonly headings?: readonly DumpHeading[];
+  /** Of inverse kinematics: its joints are right wherever these are reached; absent if there are none. */
+  readonly targets?: readonly DumpTarget[];
+  /** Whether it says that its solver made one step. */
+  readonly isOneStep?: true;
+}
+
+/** Where a solver of inverse kinematics shall bring a point of a joint: `target hand 0.3 1.2 0`. */
+export interface DumpTarget {
+  /** The joint, as printed; null if it isn't said. */
+  readonly of: DumpLabel | null;
+  /** In the joint's space; absent: its tip, or its origin. */
+  readonly point?: Vec3;
+  /** In the space of the world matrices. */
+  readonly position: Vec3;
+  /** Seconds, as stated above it; absent: of all numbers. */
+  readonly time?: number;
+  /** From 1. */
+  readonly line: number;
 }
 
 /** A line whose numbers are no values: `Project 3`. */

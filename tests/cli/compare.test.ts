@@ -1,5 +1,5 @@
 /** `marrow compare` on the command line. */
-import { mkdirSync, mkdtempSync, rmSync, writeFileSync } from 'node:fs';
+import { mkdirSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { afterAll, beforeAll, describe, expect, it } from 'vitest';
@@ -539,12 +539,74 @@ describe('marrow compare of inverse kinematics', () => {
     }
   });
 
+  const state = (name: string, dump: string, ...lines: readonly string[]) => {
+    writeFileSync(join(folder, name), `${lines.join('\n')}\n${readFileSync(join(folder, dump), 'utf8')}`);
+    return name;
+  };
+
+  it('takes the target that a dump states, as text or as JSON, and a step that it says to be one', async () => {
+    print('right.txt', solved(3));
+    print('wrong.txt', solved(2));
+    const world = readFileSync(join(folder, 'right.txt'), 'utf8')
+      .trim()
+      .split('\n')
+      .map((row) => row.split(' ').map(Number));
+    const targets = [{ joint: 2, position: [X, Y, 0] }];
+    writeFileSync(join(folder, 'right.json'), JSON.stringify({ targets, world }));
+    const line = `target 2: ${X} ${Y} 0`;
+    for (const dump of [
+      state('a.txt', 'right.txt', line),
+      state('b.txt', 'right.txt', `# target #2 = (${X}, ${Y}, 0)`),
+      'right.json',
+    ])
+      expect(await command(['compare', 'arm.axskel', dump], folder)).toMatchObject({
+        code: 0,
+        out: expect.stringContaining('The tip of joint 2 is at its target'),
+      });
+    const wrong = await commandJson<CompareJson>(
+      ['compare', 'arm.axskel', state('c.txt', 'wrong.txt', line)],
+      folder,
+      1,
+    );
+    expect(wrong).toMatchObject({ causes: [{ code: 'ik-end-effector' }], goals: [{ joint: 2, isPose: true }] });
+    print('unscaled.txt', stepped(START, stepOf(START, 3), 1));
+    const step = await commandJson<CompareJson>(
+      ['compare', 'arm.axskel', state('d.txt', 'unscaled.txt', line, 'one step')],
+      folder,
+      1,
+    );
+    expect(step.causes.map(({ code }) => code)).toEqual(['ik-step-unscaled']);
+  });
+
+  it('judges several targets and several times, each by its own', async () => {
+    print('right.txt', solved(3));
+    print('wrong.txt', solved(2));
+    const text = (name: string) => readFileSync(join(folder, name), 'utf8');
+    const [elbowX, elbowY] = pointsOf(solved(3))[2];
+    const both = `target 2: ${X} ${Y} 0\ntarget 1: ${elbowX.toFixed(6)} ${elbowY.toFixed(6)} 0\n`;
+    writeFileSync(join(folder, 'both.txt'), both + text('right.txt'));
+    expect(await commandJson(['compare', 'arm.axskel', 'both.txt'], folder)).toMatchObject({ agrees: true });
+    const times = `target 2: ${X} ${Y} 0\ntime 0\n${text('right.txt')}time 1\n${text('wrong.txt')}`;
+    writeFileSync(join(folder, 'times.txt'), times);
+    expect(await commandJson(['compare', 'arm.axskel', 'times.txt'], folder, 1)).toMatchObject({
+      times: [{ agrees: true }, { agrees: false }],
+      causes: [{ code: 'ik-end-effector', kinds: ['world'] }],
+    });
+    writeFileSync(join(folder, 'steps.txt'), `one step\n${both}${text('right.txt')}`);
+    const { code, err } = await command(['compare', 'arm.axskel', 'steps.txt'], folder);
+    expect([code, err]).toEqual([2, expect.stringContaining('one step is judged for one alone; found 2')]);
+    writeFileSync(join(folder, 'none.txt'), `target ${X} ${Y} 0\n${text('right.txt')}`);
+    const none = await command(['compare', 'arm.axskel', 'none.txt'], folder);
+    expect([none.code, none.err]).toEqual([2, expect.stringContaining('none.txt:1:1')]);
+    expect(none.err).toContain('Expected the joint that is brought to the target');
+  });
+
   it('says what it needs', async () => {
     const dump = print('right.txt', START);
     for (const [args, says] of [
       [['--one-step'], '--one-step goes with --pin'],
       [['--pin', 'elbow=1,2,3'], 'There is no joint "elbow"'],
-      [[...pin, ...pin], 'compare takes one --pin, not 2'],
+      [[...pin, ...pin, '--one-step'], '--one-step takes one pin'],
     ] as const) {
       const { code, err } = await command(['compare', 'arm.axskel', dump, ...args], folder);
       expect([code, err]).toEqual([2, expect.stringContaining(says)]);

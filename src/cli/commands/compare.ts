@@ -14,16 +14,16 @@ import { type Diagnostic, hasErrors, withoutPlace } from '../../model/diagnostic
 import type { Character } from '../../model/document.ts';
 import { dumpFormat } from '../../project/readers.ts';
 import { type Arguments, numberOf, numbersOf, parseArguments, UsageError } from '../arguments.ts';
-import { compareWithPin } from '../compare-pin.ts';
+import { withPins } from '../compare-pin.ts';
 import { comparisonJson, comparisonText } from '../compare-text.ts';
 import type { CliCommand } from '../io.ts';
 import { loadAny, openLoaded } from '../load.ts';
-import { type AskedPin, readPin } from '../pin-argument.ts';
+import { readPin } from '../pin-argument.ts';
 import { printJson, report } from '../report.ts';
 
 export const compareCommand: CliCommand = {
   name: 'compare',
-  usage: 'FILE… DUMP… [--time T | --times T,T,…] [--pin JOINT=x,y,z [--one-step]] [--tolerance X] [--json]',
+  usage: 'FILE… DUMP… [--time T | --times T,T,…] [--pin JOINT=x,y,z …] [--one-step] [--tolerance X] [--json]',
   summary: "where another program's numbers are wrong, and the mistake that explains them",
   details: `FILES are those of one character: .skel, .skin, .morph, .anim, or .bvh, glTF, FBX. A DUMP is what your program prints,
 as text, CSV, JSON, OBJ or PLY; names, brackets, commas, units and headings around the numbers are skipped:
@@ -34,17 +34,19 @@ as text, CSV, JSON, OBJ or PLY; names, brackets, commas, units and headings arou
 
 Joints are in depth-first order, or have their name or index before their numbers: hip: …, hip (…), hip vec3(…),
 joint 7 (hip) …. A dump states its time in a line above its numbers, time 1.5, t = 1.5 s, "time": 1.5 in JSON, or at the
-end of its name, mine@1.5.txt; several times may follow each other.
+end of its name, mine@1.5.txt; several times may follow each other. A dump of inverse kinematics states its target in a
+line, target hand 0.3 1.2 0, with one step where it is of one step; "targets": [{"joint": "hand", "position": [0.3, 1.2, 0]}]
+and "oneStep": true in JSON.
 
   --time T         the time, in seconds, of dumps that state none; without it the file pose
   --times T,T,…    the same for several times, a list of numbers or a dump for each
   --tolerance X    how far numbers may be off, of the character's size or in radians; default ${DEFAULT_TOLERANCE}
   --pin JOINT[@x,y,z]=x,y,z
-                   the dump is of inverse kinematics: world matrices or joint positions after your solver, from the file
-                   pose (or --time T), has moved this point of a joint, by default its tip or origin, to x,y,z; any
-                   solution agrees, else the mistake is named: the wrong end effector, a step of unscaled Jᵀe
-  --one-step       with --pin: the dump is after one step of the solver, Jᵀe of any length, damped or pseudo-inverse, which
-                   also tells a Jacobian read in the wrong order
+                   the dump is of inverse kinematics: matrices or joint positions after your solver, from the file pose (or
+                   --time T), has moved this point of a joint, by default its tip or origin, to x,y,z; any solution
+                   agrees, else the mistake is named: the wrong end effector, a step of unscaled Jᵀe; one for each target
+  --one-step       the dump is after one step of the solver, Jᵀe of any length, damped or pseudo-inverse, which also tells
+                   a Jacobian read in the wrong order, and a step in degrees
   --json           as JSON: what was compared, what is wrong first, the causes, else the pattern of what differs
 
 For example: marrow compare wasp.skel wasp_walk.anim mine.txt --time 1.5
@@ -60,7 +62,7 @@ For example: marrow compare wasp.skel wasp_walk.anim mine.txt --time 1.5
       tolerance: 'value',
       json: 'flag',
     });
-    const pin = pinOf(given);
+    const pins = given.values('pin').map(readPin);
     const times = timesOf(given);
     const toleranceText = given.value('tolerance');
     const tolerance = toleranceText === undefined ? DEFAULT_TOLERANCE : numberOf('tolerance', toleranceText);
@@ -80,23 +82,15 @@ For example: marrow compare wasp.skel wasp_walk.anim mine.txt --time 1.5
       if (given.flag('json')) await printJson({ diagnostics }, io);
       return 2;
     }
-    if (pin) return compareWithPin(character, fitted.targets, pin, given, tolerance, diagnostics, io);
-    const comparison = runToEnd(compare(character, fitted.targets, tolerance));
+    const targets = withPins(fitted.targets, character.skeleton, pins, given.flag('one-step'));
+    const comparison = runToEnd(compare(character, targets, tolerance));
     const isNamed = document.characters.length > 1;
-    const told = { comparison, character, isNamed, targets: fitted.targets, dumps: fittedDumps, asked: times };
+    const told = { comparison, character, isNamed, targets, dumps: fittedDumps, asked: times };
     if (given.flag('json')) await printJson({ ...comparisonJson(told), diagnostics }, io);
     else await io.out(comparisonText(told));
     return comparison.agrees ? 0 : 1;
   },
 };
-
-/** Undefined if not given. */
-function pinOf(given: Arguments): AskedPin | undefined {
-  const pins = given.values('pin');
-  if (pins.length > 1) throw new UsageError(`compare takes one --pin, not ${pins.length}.`);
-  if (pins.length === 0 && given.flag('one-step')) throw new UsageError('--one-step goes with --pin JOINT=x,y,z.');
-  return pins.length > 0 ? readPin(pins[0]) : undefined;
-}
 
 /** Of dumps that state none; empty if not given. */
 function timesOf(given: Arguments): readonly number[] {

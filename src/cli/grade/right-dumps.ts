@@ -58,7 +58,7 @@ export function rightDumpFor(name: string, dumps: readonly RightDump[]): RightDu
   return alike.length === 1 ? alike[0] : undefined;
 }
 
-/** Their dump with the headings of the right one: what blocks hold, and their times, if it states none of its own. */
+/** Their dump with the headings of the right one: what blocks hold, times, and targets, if it states none of its own. */
 export function withHeadings(theirs: Dump, right: Dump): Dump {
   const statesTime = theirs.time !== undefined || theirs.blocks.some(({ time }) => time !== undefined);
   const times = right.blocks.map(({ time }) => time ?? right.time);
@@ -69,7 +69,9 @@ export function withHeadings(theirs: Dump, right: Dump): Dump {
     return { ...block, ...(holds && { holds }), ...(time !== undefined && { time }) };
   });
   const only = new Set(times).size === 1 ? times[0] : undefined;
-  return { ...theirs, blocks, ...(!statesTime && !isAlike && only !== undefined && { time: only }) };
+  const { targets, isOneStep } = right;
+  const solver = theirs.targets ? {} : { ...(targets && { targets }), ...(isOneStep && { isOneStep }) };
+  return { ...theirs, ...solver, blocks, ...(!statesTime && !isAlike && only !== undefined && { time: only }) };
 }
 
 /** What the right dump has and theirs lacks: `no vertices at 1.5 s`. */

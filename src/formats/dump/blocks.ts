@@ -1,5 +1,5 @@
 /** Collects the rows of a dump into blocks: a heading, a time or a kind of its own starts another one. */
-import type { DumpBlock, DumpHeading, DumpKind, DumpLabel } from '../../model/dump.ts';
+import type { DumpBlock, DumpHeading, DumpKind, DumpLabel, DumpTarget } from '../../model/dump.ts';
 
 /** What headings have said so far; applies to the rows that follow. */
 export interface Heading {
@@ -15,6 +15,9 @@ export class Blocks {
   readonly done: DumpBlock[] = [];
   /** Lines whose numbers are of a heading; after `settle`. */
   readonly headings: DumpHeading[] = [];
+  /** Of inverse kinematics. */
+  readonly targets: DumpTarget[] = [];
+  isOneStep = false;
   heading: Heading = {};
   private values = new Float64Array(1024);
   private count = 0;
@@ -36,6 +39,12 @@ export class Blocks {
     if (keys.every((key) => this.heading[key] === next[key])) return;
     this.close();
     this.heading = next;
+  }
+
+  /** A target of the rows to come, or, before any time, of all. */
+  target(target: Omit<DumpTarget, 'line'>, line: number): void {
+    const { time } = this.heading;
+    this.targets.push({ ...target, ...(time !== undefined && { time }), line });
   }
 
   /** @param mayBeHeading whether its numbers may be those of a heading, which `settle` decides */
@@ -125,6 +134,8 @@ export class Blocks {
   /** Drops all rows so far, and what headings said. */
   forget(): void {
     this.done.length = 0;
+    this.targets.length = 0;
+    this.isOneStep = false;
     this.heading = {};
     this.reset();
   }

@@ -5,12 +5,14 @@
  *
  *     matrices    16 numbers, or rows of numbers, or { elements }; in a list, by name, or of the items of a list
  *     points      [x, y, z], { x, y, z }, or all numbers in one list
+ *     targets     { joint, position, point } each, beside `oneStep: true`; or a position by name (`targets.ts`)
  *     channels    a list per channel with `times` beside it; or items of { time, values }
  */
 import type { DumpKind, DumpLabel } from '../../model/dump.ts';
 import { lastDigitsIn } from '../../model/numbered-names.ts';
 import type { Blocks } from './blocks.ts';
 import { linesOf } from './numbers.ts';
+import { targetsOf } from './targets.ts';
 
 /** Objects within objects that are searched. */
 const MAX_DEPTH = 8;
@@ -116,12 +118,22 @@ class JsonDump {
     const joints = hasJoints(value);
     for (const [key, inside] of Object.entries(value)) {
       const kind = kindOfKey(key);
+      if (this.ofSolver(key, inside)) continue;
       if (kind === 'channels') this.channels(inside, value);
       // What stands beside the joints of a character are its vertices, as `marrow pose` prints them.
       else if (kind && isList(inside))
         this.list(joints && kind === 'positions' ? 'vertices' : kind, inside, this.lineOf(key));
       else if (key !== 'diagnostics') this.find(inside, depth + 1);
     }
+  }
+
+  /** Whether a key says what a solver of inverse kinematics was to do. */
+  private ofSolver(key: string, value: unknown): boolean {
+    const plain = key.toLowerCase().replace(/[^a-z]/g, '');
+    if (/^(onestep|steps|iterations)$/.test(plain) && (value === true || value === 1)) this.blocks.isOneStep = true;
+    const targets = /^(ik)?(targets?|goals?)$/.test(plain) ? targetsOf(value) : undefined;
+    for (const target of targets ?? []) this.blocks.target(target, this.lineOf(key));
+    return targets !== undefined;
   }
 
   /** Items such as joints: each kind of numbers that they have, in their order. Others are searched. */

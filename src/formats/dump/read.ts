@@ -39,12 +39,14 @@ function decode(fileName: string, bytes: Uint8Array, report: Report): Dump | und
   }
   blocks.close();
   const time = timeOfName(fileName);
-  const { headings } = blocks;
+  const { headings, targets, isOneStep } = blocks;
   return {
     name: stemOfName(fileName),
     ...(time !== undefined && { time }),
     blocks: blocks.done,
     ...(headings.length > 0 && { headings }),
+    ...(targets.length > 0 && { targets }),
+    ...(isOneStep && { isOneStep }),
   };
 }
 

@@ -5,6 +5,7 @@
  *     label numbers            `hip: …`, `hip (…)`, `hip vec3(…)`, `7: …`, `joint 7 (hip): …`, `hip,…`, `vertex[3] = …`
  *     label                    of the rows that follow, up to the next one
  *     time T, channel N        for the rows that follow, in a comment too
+ *     target, one step         of inverse kinematics (`targets.ts`)
  *     columns                  `time,ch 0,ch 1`: names of the numbers of a row, as many as it has
  *     heading                  `local matrices:`, `normals 120 {`, `Project 3`; its numbers are no values
  *     anything else            skipped; a text with more of it than of numbers is no dump
@@ -26,6 +27,7 @@ import {
 } from './columns.ts';
 import { labelledNumbers, MAX_LABEL_TOKENS, MAX_NAME_WORDS, nameOf } from './labels.ts';
 import { linesOf, numberOfWord, numbersIn, timeIn } from './numbers.ts';
+import { statesOneStep, targetIn } from './targets.ts';
 import { isWhole, type LineTokens, lastWord, numbersOf, tokensOf, wordsOf } from './tokens.ts';
 import {
   areColumns,
@@ -80,7 +82,8 @@ class Lines {
     }
     const plain = numbersIn(text);
     if (plain) this.plain(plain, text, number);
-    else if (!(this.table && this.fields(text, number, this.table))) this.mixed(text, number);
+    else if (!this.ofSolver(text, number) && !(this.table && this.fields(text, number, this.table)))
+      this.mixed(text, number);
     this.open = openAfter(text, this.open);
   }
 
@@ -139,6 +142,15 @@ class Lines {
     if (values.length === 0 || !values.every((value) => value !== undefined)) return false;
     this.row(values, line, labelOfFields(table, fields));
     return true;
+  }
+
+  /** Whether a line says what a solver of inverse kinematics was to do. */
+  private ofSolver(text: string, line: number): boolean {
+    const target = targetIn(text);
+    if (target) this.blocks.target(target, line);
+    const isOneStep = statesOneStep(text);
+    this.blocks.isOneStep ||= isOneStep;
+    return isOneStep || target !== undefined;
   }
 
   private mixed(text: string, line: number): void {

@@ -10,15 +10,25 @@ import { diagonalOf } from '../errors.ts';
 import type { Cause } from '../found-causes.ts';
 import { shortNumber } from '../short-number.ts';
 import type { FrameTarget } from '../targets.ts';
-import { isPose } from './dumped-pose.ts';
+import { dumpedPose } from './dumped-pose.ts';
 import { type FittedStep, fitStep } from './fit-step.ts';
-import { type EndEffector, effectorText, endEffectorsOf, type Goal, placeIn } from './goal.ts';
+import { type EndEffector, effectorText, endEffectorsOf, type Goal } from './goal.ts';
 import type { SeenPoint } from './jacobian.ts';
 import { LikelyEffectors } from './likely.ts';
 import { IK_FORMULAS, type IkMistake } from './mistakes.ts';
+import { placeIn } from './place-in.ts';
 import { remaining } from './solved.ts';
 import { SolverStart } from './start.ts';
-import { bestLength, kindAlong, misread, rightKinds, type StepKind, transposed, transposeKind } from './steps.ts';
+import {
+  bestLength,
+  kindAlong,
+  misread,
+  rightKinds,
+  type StepKind,
+  transposed,
+  transposeKind,
+  wholeSteps,
+} from './steps.ts';
 
 export interface GoalComparison {
   readonly agrees: boolean;
@@ -91,22 +101,24 @@ class GoalTrial {
     const own = start.see(goal, goal.target);
     const isRight = this.hasMoved && rightKinds(own).some((kind) => this.rightStep(kind, goal));
     if (isRight) return { agrees: true, isPose: true, causes: [] };
-    const unscaled = this.unscaledStep(own);
-    const causes = unscaled ? [unscaled] : [...merged(this.misreadSteps(own)), ...merged(this.stepsOfOthers())];
+    const tooLong = this.stepInDegrees(own) ?? this.unscaledStep(own);
+    const causes = tooLong ? [tooLong] : [...merged(this.misreadSteps(own)), ...merged(this.stepsOfOthers())];
     return { agrees: false, isPose: true, causes };
   }
 
   solution(): Judged {
     const { frame, goal, near, size, start } = this;
-    if (!isPose(start, frame, size, near)) return NO_POSE;
+    if (!dumpedPose(start, frame, size, near)) return NO_POSE;
     const place = placeIn(frame, goal);
     const off = place ? length3(...subtract(goal.target, place)) : undefined;
     // Of targets out of reach the nearest place is right.
     const agrees =
-      off === undefined ? isPose(start, frame, size, near, goal) : off <= near || off <= remaining(start, goal) + near;
+      off === undefined
+        ? dumpedPose(start, frame, size, near, goal) !== undefined
+        : off <= near || off <= remaining(start, goal) + near;
     if (agrees) return { agrees, isPose: true, causes: [] };
-    const unscaled = this.unscaledSteps();
-    return { agrees, isPose: true, causes: unscaled ? [unscaled] : merged(this.othersAtTarget()) };
+    const tooLong = this.repeatedSteps();
+    return { agrees, isPose: true, causes: tooLong ? [tooLong] : merged(this.othersAtTarget()) };
   }
 
   /** The step of a kind that gives the numbers, if it is right for the point. */
@@ -126,6 +138,25 @@ class GoalTrial {
     const { start, goal } = this;
     const own: Goal = { joint, point, target: goal.target };
     return start.distance(start.pose, own) - start.distance(start.after(step), own);
+  }
+
+  /** A step of known length, each angle of which is 180/π times as large: such a step of any other is one of any length. */
+  private stepInDegrees(own: SeenPoint): Cause | undefined {
+    const fits = wholeSteps(own)
+      .filter((step) => this.isTold(step))
+      .map((step) => this.errorAfter(this.inDegrees(step)))
+      .filter((error) => error <= this.tolerance);
+    return fits.length > 0 ? this.degreesCause('', Math.min(...fits)) : undefined;
+  }
+
+  private inDegrees(step: readonly number[]): readonly number[] {
+    return step.map((part, v) => (this.start.isAngle[v] ? (part * 180) / Math.PI : part));
+  }
+
+  private degreesCause(detail: string, error: number): Cause {
+    const sentence =
+      'You convert the step to degrees before you add it to DOFs in radians; it should be added as it is, since J is per radian.';
+    return this.cause('ik-step-degrees', detail, sentence, error);
   }
 
   /** α·Jᵀe, so far that the point isn't nearer. */
@@ -177,24 +208,37 @@ class GoalTrial {
     );
   }
 
-  /** A number of steps of Jᵀe itself, one of which takes the point away from the target. */
-  private unscaledSteps(): Cause | undefined {
-    const { start, goal, tolerance, frame, size } = this;
+  /** A number of steps that all are too long, one of which takes the point away from the target. */
+  private repeatedSteps(): Cause | undefined {
     if (!this.isTelling) return undefined;
+    const after = (steps: number) => `${steps} ${steps === 1 ? 'step' : 'steps'}`;
+    const unscaled = this.repeated(transposed);
+    if (unscaled) {
+      const { steps, best, error } = unscaled;
+      const sentence = `You add Jᵀe itself to the DOFs in each step, which goes past the target; it should be α·Jᵀe with α at most about ${shortNumber(best)} there.`;
+      return this.cause('ik-step-unscaled', `α = 1, ${after(steps)}`, sentence, error);
+    }
+    for (const kind of [0, 1, 2]) {
+      const found = this.repeated((seen) => this.inDegrees(wholeSteps(seen)[kind]));
+      if (found) return this.degreesCause(after(found.steps), found.error);
+    }
+    return undefined;
+  }
+
+  /** After how many steps of a kind the numbers are those of the program, and the best α of those that go too far. */
+  private repeated(stepOf: (seen: SeenPoint) => readonly number[]) {
+    const { start, goal, tolerance, frame, size } = this;
     let pose = start.pose;
     let distance = start.distance(pose, goal);
-    // The best α of steps that go too far.
     let best = Infinity;
     for (let steps = 1; steps <= MOST_STEPS; steps++) {
       const seen = start.see(goal, goal.target, pose);
-      pose = start.after(transposed(seen), pose).slice();
+      pose = start.after(stepOf(seen), pose).slice();
       const now = start.distance(pose, goal);
       if (now >= distance) best = Math.min(best, bestLength(seen));
       distance = now;
       const error = start.error(frame, pose, size);
-      if (!(error <= tolerance) || best === Infinity) continue;
-      const sentence = `You add Jᵀe itself to the DOFs in each step, which goes past the target; it should be α·Jᵀe with α at most about ${shortNumber(best)} there.`;
-      return this.cause('ik-step-unscaled', `α = 1, ${steps} ${steps === 1 ? 'step' : 'steps'}`, sentence, error);
+      if (error <= tolerance && best < Infinity) return { steps, best, error };
     }
     return undefined;
   }

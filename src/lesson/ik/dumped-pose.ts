@@ -26,9 +26,15 @@ const PARENT: Joint = {
   pose: [],
 };
 
-/** Whether a pose has the joints, and the point of a goal, nearer than `near` to where they are said to be. */
-export function isPose(start: SolverStart, frame: FrameTarget, size: number, near: number, goal?: Goal): boolean {
-  return new DumpedPose(start, frame, size, near, goal).isFound();
+/** The pose that has the joints, and the point of a goal, nearer than `near` to where they are said to be, if one has. */
+export function dumpedPose(
+  start: SolverStart,
+  frame: FrameTarget,
+  size: number,
+  near: number,
+  goal?: Goal,
+): Float64Array | undefined {
+  return new DumpedPose(start, frame, size, near, goal).found();
 }
 
 class DumpedPose {
@@ -61,17 +67,18 @@ class DumpedPose {
     this.children = children;
   }
 
-  isFound(): boolean {
+  found(): Float64Array | undefined {
     const { start, pose } = this;
     const { joints } = start.skeleton;
-    if (!joints.every((_, j) => this.settle(j))) return false;
+    if (!joints.every((_, j) => this.settle(j))) return undefined;
     // Linked DOFs were taken for free ones, and errors may have added up.
     applyConstraints(start.compiled, pose, start.character.clampsToLimits);
     const world = start.matrices(pose);
     const pins = joints.flatMap((_, j) => this.pinsOf(j));
-    return pins.every(({ joint, point, target }) => {
+    const isThere = pins.every(({ joint, point, target }) => {
       return length3(...subtract(target, transformPoint(world, point, 16 * joint))) <= this.near;
     });
+    return isThere ? pose : undefined;
   }
 
   /** Finds the DOFs of a joint, whose parent's are known. @returns false if none have it and those below where they are */

@@ -1,7 +1,6 @@
 /** A point of a joint that a program of inverse kinematics moves to a target, and other points it may move instead. */
-import { transformPoint, type Vec3 } from '../../math/vec3.ts';
+import type { Vec3 } from '../../math/vec3.ts';
 import type { Skeleton } from '../../model/skeleton.ts';
-import type { FrameTarget } from '../targets.ts';
 
 /** The end effector: a point of a joint. */
 export interface EndEffector {
@@ -30,11 +29,4 @@ export function effectorText({ joints }: Skeleton, { joint, point: [x, y, z] }: 
   const of = name === '' ? `joint ${joint}` : `"${name}"`;
   if (x !== 0 || z !== 0 || (y !== 0 && y !== length)) return `the point ${x},${y},${z} of ${of}`;
   return `the ${y === 0 ? 'origin' : 'tip'} of ${of}`;
-}
-
-/** Where a dump has the point; undefined if its numbers don't tell. */
-export function placeIn({ world, positions }: FrameTarget, { joint, point }: EndEffector): Vec3 | undefined {
-  if (world) return transformPoint(world, point, 16 * joint);
-  if (!positions || point.some((part) => part !== 0)) return undefined;
-  return [positions[3 * joint], positions[3 * joint + 1], positions[3 * joint + 2]];
 }

@@ -4,6 +4,7 @@ import { applyConstraints, type CompiledSkeleton, compileSkeleton, worldMatrices
 import { dofCountOf, poseAt } from '../../evaluate/pose.ts';
 import { length3, subtract, transformPoint, type Vec3 } from '../../math/vec3.ts';
 import type { Character } from '../../model/document.ts';
+import { dofsOf } from '../../model/joint-types.ts';
 import type { Skeleton } from '../../model/skeleton.ts';
 import { matrixError, pointError } from '../errors.ts';
 import type { FrameTime } from '../evaluator.ts';
@@ -19,6 +20,8 @@ export class SolverStart {
   readonly variables: readonly number[];
   /** Of each variable. */
   readonly jointOf: readonly number[];
+  /** Whether each variable is one. */
+  readonly isAngle: readonly boolean[];
   readonly compiled: CompiledSkeleton;
   private readonly jacobian: Jacobian;
   private readonly world: Float64Array;
@@ -37,6 +40,8 @@ export class SolverStart {
     this.variables = [...stiffness.keys()].filter((dof) => stiffness[dof] < Infinity);
     const { firstDof } = this.compiled;
     const joints = skeleton.joints.flatMap((_, j) => Array.from({ length: firstDof[j + 1] - firstDof[j] }, () => j));
+    const units = skeleton.joints.flatMap(({ motion }) => dofsOf(motion).map(({ unit }) => unit));
+    this.isAngle = this.variables.map((dof) => units[dof - firstDof[0]] === 'angle');
     this.jointOf = this.variables.map((dof) => joints[dof - firstDof[0]]);
     this.world = new Float64Array(16 * this.compiled.jointCount);
     this.moved = new Float64Array(this.pose.length);

@@ -19,6 +19,8 @@ export interface StepKind {
 
 /** Of JJᵀ's mean: a pseudo-inverse, where some directions can't be moved in. */
 const LEAST_DAMPING = 1e-6;
+/** Of angles that are 57 times as large, a small damping would tell. */
+const EXACT = 1e-12;
 const MOST = 1e3;
 
 /** All that are right for the point. @param columns of J that steps are of; all by default */
@@ -44,6 +46,16 @@ export function transposeKind(seen: SeenPoint): StepKind {
 /** Δφ = α·g for any direction g. @param unit the α that 1 stands for */
 export function kindAlong(direction: readonly number[], unit: number): StepKind {
   return { step: (relative) => direction.map((part) => relative * unit * part), most: MOST, mustGain: true };
+}
+
+/** Steps without a number: Jᵀe, α·Jᵀe with the best α, and J⁺e. */
+export function wholeSteps(seen: SeenPoint): readonly (readonly number[])[] {
+  const { columns, error } = seen;
+  const rows = rowsOf(columns);
+  const step = transposed(seen);
+  const best = bestLength(seen);
+  const inverse = along(columns, solved(rows, EXACT * (rows[0][0] + rows[1][1] + rows[2][2]), error));
+  return [step, step.map((part) => best * part), inverse];
 }
 
 /** Jᵀe. */

@@ -139,6 +139,34 @@ describe('one step of a solver of inverse kinematics', () => {
     expect(long).toMatchObject({ agrees: false, causes: [{ code: 'ik-step-unscaled', detail: 'α = 1.3' }] });
   });
 
+  it.each(KINDS)('is told that it is added in degrees: %s', (kind) => {
+    const tip = tipOf(START, HAND);
+    const columns = jacobian(START, HAND, tip);
+    const degrees = 180 / Math.PI;
+    const damped = (damping: number) => {
+      const rows = [0, 1, 2].map((r) =>
+        [0, 1, 2].map((c) => columns.reduce((sum, column) => sum + column[r] * column[c], r === c ? damping : 0)),
+      );
+      const y = gauss(rows, subtract(TARGET, tip));
+      return columns.map((column) => dot(column, y));
+    };
+    for (const step of [STEP, STEP.map((part) => BEST * part), damped(1e-9)]) {
+      const found = compared(stepped(START, step, degrees), { isOneStep: true, kind });
+      expect(found).toMatchObject({ agrees: false, causes: [{ code: 'ik-step-degrees' }] });
+    }
+    const twice = stepped(START, STEP, BEST * degrees);
+    const again = transposeStep(twice, HAND, TARGET);
+    const moved = jacobian(twice, HAND, tipOf(twice, HAND)).reduce(
+      (sum, column, j) => add(sum, column, again[j]),
+      ZERO,
+    );
+    const best = again.reduce((sum, part) => sum + part * part, 0) / dot(moved, moved);
+    expect(compared(stepped(twice, again, best * degrees), { kind })).toMatchObject({
+      agrees: false,
+      causes: [{ code: 'ik-step-degrees', detail: '2 steps' }],
+    });
+  });
+
   it.each(KINDS)('is told that J is read in the wrong order: %s', (kind) => {
     const tip = tipOf(START, HAND);
     const error = subtract(TARGET, tip);

@@ -69,13 +69,13 @@ function resultText(
   time: number | undefined,
 ): BannerText {
   const { comparison, targets, character, tolerance } = result;
-  const { agrees, frames, compared, worst } = comparison;
+  const { agrees, frames, compared, worst, reached = [] } = comparison;
   const now = frames[frame];
   if (agrees) {
     const what = comparedText(compared, frames.length);
     const at = whenText(comparison, time);
     const text = `All agree: ${what}${at}, within ${numberText(tolerance)}. The largest error is ${numberText(worst)}.`;
-    return { tone: 'agrees', text, ...goToFrame(frames[0], now) };
+    return { tone: 'agrees', text: [text, ...reached].join(' '), ...goToFrame(frames[0], now) };
   }
   const names = targets.origins?.fileNames ?? [];
   const isOfSeveral = names.length > 1;

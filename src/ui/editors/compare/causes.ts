@@ -1,6 +1,6 @@
 /** The mistakes that explain what was found: what was done, what should be done, and how much it explains. */
 import type { Comparison } from '../../../lesson/compare.ts';
-import { areEqual, subjectText, unexplainedSentences } from '../../../lesson/compared-text.ts';
+import { areEqual, beginText, subjectText, unexplainedSentences } from '../../../lesson/compared-text.ts';
 import type { Cause } from '../../../lesson/found-causes.ts';
 import { element } from '../../kit/dom.ts';
 import { explainsText, numberText } from './banner-text.ts';
@@ -19,15 +19,10 @@ export function causesList(comparison: Comparison, newest: readonly string[], ha
   list.append(...causes.map((cause) => causeBlock(cause, comparison)));
   const unexplained = unexplainedSentences(comparison, hasSeveral);
   list.append(...unexplained.map((sentence) => element('p', { class: 'compare-sentence' }, sentence)));
-  if (causes.length === 0 && unexplained.length > 0) {
+  if (causes.length === 0 && !comparison.agrees && unexplained.length > 0) {
     list.append(element('p', { class: 'faint' }, beginText(comparison)));
   }
   return list;
-}
-
-/** Only of joints it is known which are wrong by themselves. */
-function beginText({ own }: Pick<Comparison, 'own'>): string {
-  return `Begin with ${own.length > 0 ? 'the first joint that is wrong by itself' : 'the first that differs'}.`;
 }
 
 function causeBlock(cause: Cause, comparison: Comparison): HTMLElement {
