@@ -75,6 +75,19 @@ export function loadFiles(args: readonly string[], folder: string, otherwise?: F
   return loadAll(findFiles(args, folder), otherwise);
 }
 
+/**
+ * The files in a folder or a zip, with paths relative to it.
+ *
+ * @param container absolute
+ */
+export function loadInside(container: string): Loaded {
+  if (!isFile(container)) return loadFiles(['.'], container);
+  const name = basename(container);
+  const found = findFiles([name], dirname(container));
+  const files = found.files.map((file) => ({ ...file, path: file.path.slice(name.length + 1) }));
+  return loadAll({ ...found, files });
+}
+
 function loadAll({ files, missing, problems }: FoundFiles, otherwise?: Format, imported?: ImportedPaths): Loaded {
   const found = loadGiven(files, otherwise, imported);
   const absent = missing.map(({ path }): LoadedFile => ({ name: basename(path), path, kind: kindOf(path) }));

@@ -62,9 +62,9 @@ it.each([
     '--only: none.csv could not be read: there is no such',
   ],
   [
-    ['export', 'takes', '--to', 'npz', '--out', 'new', '--retarget', 'right'],
+    ['export', 'takes', '--to', 'npz', '--out', 'new', '--retarget', 'right', '--map', 'right'],
     2,
-    '--retarget takes a file; right is none.',
+    '--map takes a file; right is none.',
   ],
   [['export', 'takes', '--to', 'npz', '--out', 'new', '--jobs', '1e9'], 2, '--jobs takes a number up to 512'],
   [['export', 'takes', '--to', 'npz', '--out', 'a.skel'], 2, 'a file of this name exists.'],

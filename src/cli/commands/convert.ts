@@ -35,7 +35,7 @@ export const convert: CliCommand = {
   summary:
     'writes OUT in the format of its extension, or all of IN as files of one kind (skel: with its animations; rig: with all parts; glb: a character for each take)',
   details: `what is done to takes before they are written
-  --retarget FILE        onto the character in FILE; given again, onto that in several files, its .skel and .skin
+  --retarget FILE        onto the character in FILE, a folder or zip too; given again, onto that in several files
   --map FILE             joint pairs for it, lines "target,source"; default: matched by name and shape
   --space FILE           takes of the skeleton in FILE have its unit, up axis and ground; default: each its own
   --mirror               left and right exchanged, before --retarget

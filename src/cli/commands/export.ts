@@ -25,7 +25,7 @@ what is exported
   --space FILE           takes of the skeleton in FILE have its unit, up axis and ground; default: each its own
 
 what is done before
-  --retarget FILE        onto the skeleton in FILE
+  --retarget FILE        onto the skeleton in FILE, a folder or zip too
   --map FILE             joint pairs for it, lines "target,source"; default: matched by name and shape
   --fps N                frames per second; default: the take's own, or 60 for keys at uneven times
   --mirror               left and right exchanged, before --retarget

@@ -2,6 +2,7 @@
 import { resolve } from 'node:path';
 import { DEFAULT_TOLERANCE } from '../../lesson/errors.ts';
 import { type Diagnostic, withoutPlace } from '../../model/diagnostic.ts';
+import { isZip } from '../../project/zip-content.ts';
 import { type Arguments, numberOf, numbersOf, parseArguments, UsageError } from '../arguments.ts';
 import { countsText, type Grade } from '../grade/grade.ts';
 import { asHtml } from '../grade/html.ts';
@@ -11,7 +12,7 @@ import { type ClassFolder, classIn } from '../grade/submissions.ts';
 import { asCsv, asTable } from '../grade/table.ts';
 import { judgeAll } from '../grade/threads.ts';
 import type { CliCommand } from '../io.ts';
-import { isFolder } from '../paths.ts';
+import { isFile, isFolder } from '../paths.ts';
 import { printJson, report } from '../report.ts';
 
 export const grade: CliCommand = {
@@ -32,7 +33,7 @@ verdicts
   not judged   nothing could be compared
 
 options
-  --reference REF        the folder with what is right: files, and numbers in files of the names that are expected
+  --reference REF        the folder or zip with what is right: files, and numbers in files of the names that are expected
   --times T,T,…          seconds at which joints, vertices and channels are compared; default: seven over the take
   --tolerance X          how far numbers may be off: lengths as a part of the character's size; default ${DEFAULT_TOLERANCE}
   --needs PART,…         what each submission must have: world, local, positions, vertices, normals, channels (numbers
@@ -69,7 +70,9 @@ examples
     const needsText = given.value('needs');
     const needs = needsText === undefined ? [] : needsOf(needsText);
     const referenceFolder = resolve(io.folder, referencePath);
-    if (!isFolder(referenceFolder)) throw new UsageError(`There is no folder "${referencePath}" in ${io.folder}.`);
+    if (!isFolder(referenceFolder) && !(isZip(referencePath) && isFile(referenceFolder))) {
+      throw new UsageError(`There is no folder or zip "${referencePath}" in ${io.folder}.`);
+    }
     const { submissions, loose } = submissionsIn(folder, io.folder, referenceFolder);
     const reference = loadReference(referenceFolder, referencePath, tolerance, io.err);
     const skipped = loose.map((name) => `${folder.replace(/[/\\]+$/, '')}/${name}`);
@@ -102,6 +105,11 @@ function readNumbers(given: Arguments) {
 
 function submissionsIn(path: string, folder: string, referenceFolder: string): ClassFolder {
   const absolute = resolve(folder, path);
+  if (isZip(path) && isFile(absolute)) {
+    throw new UsageError(
+      `"${path}" is one zip. Unpack it: each submission is a folder or a zip in the folder of a class.`,
+    );
+  }
   if (!isFolder(absolute)) throw new UsageError(`There is no folder "${path}" in ${folder}.`);
   const found = classIn(absolute, referenceFolder);
   if (found.submissions.length === 0) {

@@ -4,6 +4,7 @@ import { resolve } from 'node:path';
 import { CommandError } from '../../edit/store.ts';
 import { type Arguments, UsageError } from '../arguments.ts';
 import type { CommandIo, ExitCode } from '../io.ts';
+import { findGiven } from '../paths.ts';
 import { reasonOf } from '../reason.ts';
 import { printJson } from '../report.ts';
 import { exportTakes } from './export-takes.ts';
@@ -61,7 +62,10 @@ async function exportAll(given: Arguments, io: CommandIo, own: OwnSettings): Pro
         isTimed: !given.flag('no-times'),
       },
       ...{ inputs, shard, resumes, threads },
-      dependsOn: [...retarget, map, space].flatMap((path) => (path === undefined ? [] : resolve(io.folder, path))),
+      dependsOn: findGiven(
+        [...retarget, map, space].filter((path) => path !== undefined),
+        io.folder,
+      ).files.map(({ absolute }) => absolute),
     },
     io.program,
     (done, of, failed) => io.progress?.(progressText(done, of, failed, left(done, of))),

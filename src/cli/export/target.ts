@@ -16,7 +16,7 @@ import { describe } from '../report.ts';
 
 /** As written on the command line. */
 export interface TargetFiles {
-  /** The files of one character: `.skel`, `.skin` and so on. */
+  /** The files of one character: `.skel`, `.skin` and so on, or a folder or a zip of them. */
   readonly retarget?: readonly string[];
   readonly map?: string;
   readonly space?: string;
@@ -67,23 +67,17 @@ export function inSpaceOf(character: Character, spaces: Spaces): Character {
 }
 
 async function charactersIn(paths: readonly string[], folder: string, option: string): Promise<readonly Character[]> {
-  for (const path of paths) refuseOthers(path, folder, option);
   const { document, diagnostics } = openLoaded(await loadAny(paths, folder));
   const error = diagnostics.find(({ severity }) => severity === 'error');
   if (error) throw new UsageError(`${option}: ${describe(error)}`);
   return document.characters.filter(({ skeleton }) => skeleton);
 }
 
-/** Each thread reads it, and its hash is part of what outputs depend on. @throws UsageError if it is no file */
-function refuseOthers(path: string, folder: string, option: string): void {
-  const absolute = resolve(folder, path);
-  if (existsSync(absolute) && !isFile(absolute)) throw new UsageError(`${option} takes a file; ${path} is none.`);
-}
-
 function readMap(path: string, folder: string): JointMap {
-  refuseOthers(path, folder, '--map');
+  const absolute = resolve(folder, path);
+  if (existsSync(absolute) && !isFile(absolute)) throw new UsageError(`--map takes a file; ${path} is none.`);
   try {
-    return readJointMap(fileText(resolve(folder, path)), path);
+    return readJointMap(fileText(absolute), path);
   } catch (error) {
     if (error instanceof CommandError) throw new UsageError(`--map: ${error.message}`);
     throw new UsageError(`--map: ${path} could not be read: ${reasonOf(error)}.`);

@@ -4,7 +4,7 @@ import type { Diagnostic } from '../../model/diagnostic.ts';
 import { type Character, shownClip } from '../../model/document.ts';
 import type { ParsedFile } from '../../model/files.ts';
 import { UsageError } from '../arguments.ts';
-import { loadFiles, openLoaded } from '../load.ts';
+import { loadInside, openLoaded } from '../load.ts';
 import { report } from '../report.ts';
 import { type RightDump, rightDumps } from './right-dumps.ts';
 
@@ -21,13 +21,13 @@ export interface Reference {
 const MAX_NAMED = 10;
 
 /**
- * @param folder of the reference, absolute
+ * @param folder of the reference, or a zip, absolute
  * @param path as given, for messages
  * @param tolerance of its dumps
  * @throws UsageError if a file has errors, or if there is nothing to judge by
  */
 export function loadReference(folder: string, path: string, tolerance: number, err: (text: string) => void): Reference {
-  const loaded = loadFiles(['.'], folder);
+  const loaded = loadInside(folder);
   const { document, diagnostics } = openLoaded(loaded);
   const told = (found: readonly Diagnostic[]) =>
     report(
