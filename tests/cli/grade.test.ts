@@ -70,7 +70,15 @@ beforeAll(async () => {
 afterAll(() => rmSync(folder, { recursive: true, force: true }));
 
 const GRADE = ['grade', 'class', '--reference', 'ref'];
-const grades = async (...args: string[]) =>
+/** Each way to call it once: the class stays as it is. */
+const graded = new Map<string, Promise<readonly Grade[]>>();
+const grades = (...args: string[]) => {
+  const key = args.join(' ');
+  const known = graded.get(key) ?? judged(args);
+  graded.set(key, known);
+  return known;
+};
+const judged = async (args: readonly string[]) =>
   (await commandJson<{ submissions: readonly Grade[] }>([...GRADE, ...args], folder, 1)).submissions;
 const gradeOf = async (name: string) => {
   const found = (await grades()).find((grade) => grade.name === name);

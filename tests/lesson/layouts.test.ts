@@ -264,6 +264,7 @@ describe('what else programs print is read', () => {
     'a table with bars': `time 1.2\n| joint | x | y | z |\n|---|---|---|---|\n${each((name, p) => `| ${name} | ${p.join(' | ')} |`)}`,
     'decimal commas': `Zeit t = 1,2\n${each((name, p) => `${name} (${p.join('; ').replaceAll('.', ',')})`)}`,
     'log lines': `[10:30:21] t = 1.2\n${each((name, p) => `[10:30:21.${p.length}42] INFO ${name}: (${p.join(', ')})\nUnityEngine.Debug:Log(Object)`)}`,
+    'times of the day as ISO writes them': `t = 1.2\n${each((name, p, j) => `2026-11-27T10:30:2${j % 10}.123Z [info] ${name}: ${p.join(' ')}`)}`,
     'a tree': `time 1.2\n${each((name, p, j) => `${'│  '.repeat(j)}├─ ${name} (${p.join(', ')})`)}`,
     'sentences above them': `${'This program prints the positions of all joints of the character.\n'.repeat(6)}time 1.2\n${each((name, p) => `${name}: ${p.join(' ')}`)}`,
   };
