@@ -1,5 +1,5 @@
 /** Compares dumps that were opened with the character that they are of; loaded with the first of them. */
-import type { NamedDump } from '../lesson/fit-dump.ts';
+import type { NamedDump } from '../lesson/dump/fit-dump.ts';
 import type { DumpFile } from '../project/open/open-files.ts';
 import { currentCharacter } from '../ui/state/action.ts';
 import { type ComparePhase, DumpComparison, type RunCompare } from '../ui/state/dump-comparison.ts';

@@ -1,5 +1,5 @@
 /** What `marrow compare` prints. */
-import { statesNoTime } from '../lesson/assumed-times.ts';
+
 import {
   type Compared,
   type ComparedGoal,
@@ -9,8 +9,9 @@ import {
   isExplained,
 } from '../lesson/compare.ts';
 import { areEqual, comparedText, explainedNoun, subjectText, unexplainedSentences } from '../lesson/compared-text.ts';
-import type { NamedDump } from '../lesson/fit-dump.ts';
-import type { Cause } from '../lesson/found-causes.ts';
+import { statesNoTime } from '../lesson/dump/assumed-times.ts';
+import type { NamedDump } from '../lesson/dump/fit-dump.ts';
+import type { Cause } from '../lesson/search/found-causes.ts';
 import type { Targets } from '../lesson/targets.ts';
 import { type Character, shownClip } from '../model/document.ts';
 

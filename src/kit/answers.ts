@@ -1,10 +1,10 @@
 /** What the kit's files evaluate to, and which known mistakes each set tells apart. */
 import { CATALOGUE } from '../lesson/catalogue/all.ts';
 import type { Variant } from '../lesson/catalogue/mistake.ts';
-import { channelValue } from '../lesson/curve-rules.ts';
 import { diagonalOf, matrixError, pointError } from '../lesson/errors.ts';
-import { Evaluator, type FrameNumbers } from '../lesson/evaluator.ts';
-import { type Program, RIGHT_PROGRAM } from '../lesson/program.ts';
+import { channelValue } from '../lesson/program/curve-rules.ts';
+import { Evaluator, type FrameNumbers } from '../lesson/program/evaluator.ts';
+import { type Program, RIGHT_PROGRAM } from '../lesson/program/program.ts';
 import { type Character, EMPTY_DOCUMENT, shownClip } from '../model/document.ts';
 import type { ParsedFile } from '../model/files.ts';
 import { openFiles } from '../project/open/open-files.ts';

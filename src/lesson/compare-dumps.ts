@@ -3,8 +3,8 @@
  * lists, in their order. Matrices may be in either layout; what the numbers mean is not needed.
  */
 import type { Dump, DumpBlock } from '../model/dump.ts';
+import { matricesOf } from './dump/matrix-layout.ts';
 import { diagonalOf, larger } from './errors.ts';
-import { matricesOf } from './matrix-layout.ts';
 
 export interface DumpComparison {
   readonly agrees: boolean;

@@ -4,18 +4,18 @@
  */
 import { runToEnd, type Steps, within } from '../evaluate/steps.ts';
 import type { Character } from '../model/document.ts';
-import { frameNearest } from './cells.ts';
 import { nameOfChannel } from './channel-name.ts';
 import { DEFAULT_TOLERANCE, diagonalOf, matrixError, pointError } from './errors.ts';
-import { Evaluator, type FrameNumbers, type FrameTime } from './evaluator.ts';
-import type { Cause, CauseSubject, FoundCauses } from './found-causes.ts';
 import type { Goal } from './ik/goal.ts';
 import { type JudgedGoal, type JudgedSolver, judgeSolver } from './ik/judged.ts';
-import { valuesNearest } from './own-values.ts';
-import { patternOf } from './pattern.ts';
-import { RIGHT_PROGRAM } from './program.ts';
+import { patternOf } from './pattern/pattern.ts';
+import { Evaluator, type FrameNumbers, type FrameTime } from './program/evaluator.ts';
+import { valuesNearest } from './program/own-values.ts';
+import { RIGHT_PROGRAM } from './program/program.ts';
 import { relativeMatrices } from './relative.ts';
-import { findCauses } from './search.ts';
+import { frameNearest } from './search/cells.ts';
+import type { Cause, CauseSubject, FoundCauses } from './search/found-causes.ts';
+import { findCauses } from './search/search.ts';
 import { FRAME_KINDS, type FrameTarget, type MatrixLayout, type Targets } from './targets.ts';
 
 /** How many items of each kind were compared. */

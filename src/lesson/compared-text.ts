@@ -1,6 +1,6 @@
 /** What was compared, and what a cause is about, in words. */
 import type { Compared, Comparison } from './compare.ts';
-import type { Cause, CauseSubject } from './found-causes.ts';
+import type { Cause, CauseSubject } from './search/found-causes.ts';
 
 const NAMES: Readonly<Record<keyof Compared, readonly [one: string, many: string]>> = {
   world: ['world matrix', 'world matrices'],

@@ -1,7 +1,7 @@
 /** What is compared: another program's numbers, each in the place of ours. */
 import type { DumpKind } from '../model/dump.ts';
-import type { FrameTime } from './evaluator.ts';
 import type { Goal } from './ik/goal.ts';
+import type { FrameTime } from './program/evaluator.ts';
 
 /** Numbers of one time. Absent kinds were not in the dumps. */
 export interface FrameTarget {

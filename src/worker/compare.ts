@@ -1,9 +1,9 @@
 /** The `compare` job: another program's numbers in, where they are wrong and why out. */
 import { type Steps, within } from '../evaluate/steps.ts';
-import { assumeTime } from '../lesson/assumed-times.ts';
 import { compare } from '../lesson/compare.ts';
+import { assumeTime } from '../lesson/dump/assumed-times.ts';
+import { fitDumps, type NamedDump } from '../lesson/dump/fit-dump.ts';
 import { DEFAULT_TOLERANCE } from '../lesson/errors.ts';
-import { fitDumps, type NamedDump } from '../lesson/fit-dump.ts';
 import type { CompareInput, CompareOutput, Progress } from './protocol.ts';
 
 /** Progress messages of a whole search. */

@@ -6,7 +6,7 @@ import type { SkinFacts } from '../evaluate/bounds.ts';
 import type { GlbOptions } from '../exchange/glb/options.ts';
 import type { GlbReport } from '../exchange/glb/report.ts';
 import type { Comparison } from '../lesson/compare.ts';
-import type { NamedDump } from '../lesson/fit-dump.ts';
+import type { NamedDump } from '../lesson/dump/fit-dump.ts';
 import type { Targets } from '../lesson/targets.ts';
 import type { Diagnostic } from '../model/diagnostic.ts';
 import type { Character } from '../model/document.ts';

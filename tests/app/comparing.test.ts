@@ -1,8 +1,8 @@
 import { describe, expect, it } from 'vitest';
 import { compareDropped } from '../../src/app/comparing.ts';
 import { readDump } from '../../src/formats/dump/read.ts';
-import { Evaluator } from '../../src/lesson/evaluator.ts';
-import { RIGHT_PROGRAM } from '../../src/lesson/program.ts';
+import { Evaluator } from '../../src/lesson/program/evaluator.ts';
+import { RIGHT_PROGRAM } from '../../src/lesson/program/program.ts';
 import type { Character } from '../../src/model/document.ts';
 import type { DumpFile } from '../../src/project/open/open-files.ts';
 import type { Workbench } from '../../src/ui/state/workbench.ts';

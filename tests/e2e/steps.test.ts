@@ -7,7 +7,7 @@ import { compileSkin, deform } from '../../src/evaluate/deform.ts';
 import { compileSkeleton, worldMatrices } from '../../src/evaluate/kinematics.ts';
 import { dofCountOf, poseAt } from '../../src/evaluate/pose.ts';
 import { runToEnd } from '../../src/evaluate/steps.ts';
-import { FourAttachments, type FourFacts, type KeptFour } from '../../src/lesson/four-attachments.ts';
+import { FourAttachments, type FourFacts, type KeptFour } from '../../src/lesson/program/four-attachments.ts';
 import { dropFiles, withPage } from '../helpers/page.ts';
 import { describeShared, sharedBytes } from '../helpers/shared.ts';
 import { characterOf, SHARED } from '../lesson/lesson-files.ts';
@@ -105,7 +105,7 @@ async function largestOf(page: Page): Promise<readonly number[]> {
   return numbers;
 }
 
-/** What `lesson/four-attachments.ts` measures of the pose that is drawn. */
+/** What `lesson/program/four-attachments.ts` measures of the pose that is drawn. */
 async function measuredOf(page: Page, kept: KeptFour): Promise<FourFacts> {
   const nine = characterOf(...SHARED.nine);
   const world = await page.evaluate(() => window.marrow.worldMatrices().flat());

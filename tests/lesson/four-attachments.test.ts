@@ -1,9 +1,9 @@
 import { readFileSync } from 'node:fs';
 import { expect, it } from 'vitest';
 import { runToEnd } from '../../src/evaluate/steps.ts';
-import { Evaluator } from '../../src/lesson/evaluator.ts';
-import { FourAttachments, KEPT_FOUR, type KeptFour } from '../../src/lesson/four-attachments.ts';
-import { RIGHT_PROGRAM } from '../../src/lesson/program.ts';
+import { Evaluator } from '../../src/lesson/program/evaluator.ts';
+import { FourAttachments, KEPT_FOUR, type KeptFour } from '../../src/lesson/program/four-attachments.ts';
+import { RIGHT_PROGRAM } from '../../src/lesson/program/program.ts';
 import { type Character, shownSkin } from '../../src/model/document.ts';
 import { oneSurface, type Skin } from '../../src/model/skin.ts';
 import { conformance, describeShared, sharedPath } from '../helpers/shared.ts';

@@ -2,10 +2,10 @@
 import { describe, expect, it } from 'vitest';
 import { characterOf } from '../../src/kit/answers.ts';
 import { CATALOGUE } from '../../src/lesson/catalogue/all.ts';
-import { channelValue } from '../../src/lesson/curve-rules.ts';
-import { Evaluator } from '../../src/lesson/evaluator.ts';
-import { sidesOf } from '../../src/lesson/jumps.ts';
-import { type Program, RIGHT_PROGRAM } from '../../src/lesson/program.ts';
+import { channelValue } from '../../src/lesson/program/curve-rules.ts';
+import { Evaluator } from '../../src/lesson/program/evaluator.ts';
+import { sidesOf } from '../../src/lesson/program/jumps.ts';
+import { type Program, RIGHT_PROGRAM } from '../../src/lesson/program/program.ts';
 import type { Targets } from '../../src/lesson/targets.ts';
 import { shownClip } from '../../src/model/document.ts';
 import { compared, namedIn } from './planted.ts';

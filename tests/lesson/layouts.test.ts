@@ -7,10 +7,10 @@ import { describe, expect, it } from 'vitest';
 import { readDump } from '../../src/formats/dump/read.ts';
 import { characterOf } from '../../src/kit/answers.ts';
 import { kitFiles } from '../../src/kit/files.ts';
-import { channelValue, RIGHT_CURVES } from '../../src/lesson/curve-rules.ts';
-import { Evaluator } from '../../src/lesson/evaluator.ts';
-import { fitDumps } from '../../src/lesson/fit-dump.ts';
-import { RIGHT_PROGRAM } from '../../src/lesson/program.ts';
+import { fitDumps } from '../../src/lesson/dump/fit-dump.ts';
+import { channelValue, RIGHT_CURVES } from '../../src/lesson/program/curve-rules.ts';
+import { Evaluator } from '../../src/lesson/program/evaluator.ts';
+import { RIGHT_PROGRAM } from '../../src/lesson/program/program.ts';
 import { shownClip } from '../../src/model/document.ts';
 import { compared } from './planted.ts';
 

@@ -1,6 +1,6 @@
 import { describe, expect, it } from 'vitest';
 import { CATALOGUE } from '../../src/lesson/catalogue/all.ts';
-import { RIGHT_PROGRAM } from '../../src/lesson/program.ts';
+import { RIGHT_PROGRAM } from '../../src/lesson/program/program.ts';
 import type { Targets } from '../../src/lesson/targets.ts';
 import { characterOf, OWN } from './lesson-files.ts';
 import { compared, type Kind, numbersBy, together } from './planted.ts';

@@ -3,7 +3,7 @@
  * named. Numbers have six digits, as programs print them.
  */
 import { describe, expect, it } from 'vitest';
-import { RIGHT_PROGRAM } from '../../src/lesson/program.ts';
+import { RIGHT_PROGRAM } from '../../src/lesson/program/program.ts';
 import { hasShared } from '../helpers/shared.ts';
 import { characterOf, OWN, SHARED } from './lesson-files.ts';
 import { compared, kindsOf, namedIn, numbersBy, random, together, VARIANTS } from './planted.ts';

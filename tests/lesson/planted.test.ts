@@ -1,9 +1,9 @@
 import { describe, expect, it } from 'vitest';
 import { readDump } from '../../src/formats/dump/read.ts';
 import { CATALOGUE } from '../../src/lesson/catalogue/all.ts';
-import { Evaluator } from '../../src/lesson/evaluator.ts';
-import { fitDumps } from '../../src/lesson/fit-dump.ts';
-import { RIGHT_PROGRAM } from '../../src/lesson/program.ts';
+import { fitDumps } from '../../src/lesson/dump/fit-dump.ts';
+import { Evaluator } from '../../src/lesson/program/evaluator.ts';
+import { RIGHT_PROGRAM } from '../../src/lesson/program/program.ts';
 import { characterFrom, characterOf, OWN } from './lesson-files.ts';
 import { compared, kindsOf, namedIn, numbersBy, positionsOf, VARIANTS } from './planted.ts';
 import { MATRIX_PRINTERS, NUMBER_STYLES, POINT_PRINTERS } from './printers.ts';

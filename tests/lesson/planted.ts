@@ -4,9 +4,9 @@ import { runToEnd } from '../../src/evaluate/steps.ts';
 import { CATALOGUE } from '../../src/lesson/catalogue/all.ts';
 import type { Variant } from '../../src/lesson/catalogue/mistake.ts';
 import { type Comparison, compare } from '../../src/lesson/compare.ts';
-import { channelValue } from '../../src/lesson/curve-rules.ts';
-import { Evaluator } from '../../src/lesson/evaluator.ts';
-import type { Program } from '../../src/lesson/program.ts';
+import { channelValue } from '../../src/lesson/program/curve-rules.ts';
+import { Evaluator } from '../../src/lesson/program/evaluator.ts';
+import type { Program } from '../../src/lesson/program/program.ts';
 import type { ChannelTarget, FrameKind, Targets } from '../../src/lesson/targets.ts';
 import { type Character, shownClip } from '../../src/model/document.ts';
 

@@ -1,6 +1,6 @@
 import { describe, expect, it } from 'vitest';
-import { Evaluator } from '../../src/lesson/evaluator.ts';
-import { RIGHT_PROGRAM } from '../../src/lesson/program.ts';
+import { Evaluator } from '../../src/lesson/program/evaluator.ts';
+import { RIGHT_PROGRAM } from '../../src/lesson/program/program.ts';
 import { compareDumps } from '../../src/worker/compare.ts';
 import type { Progress } from '../../src/worker/protocol.ts';
 import { transferables } from '../../src/worker/transferables.ts';

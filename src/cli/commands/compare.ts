@@ -3,13 +3,13 @@
  * joint, vertex or channel is wrong first, and which mistake explains all of it.
  */
 import { runToEnd } from '../../evaluate/steps.ts';
-import { assumeTime, statesNoTime } from '../../lesson/assumed-times.ts';
-import { bestFit } from '../../lesson/best-fit.ts';
 import { compare } from '../../lesson/compare.ts';
-import { fitDumpsAt } from '../../lesson/dump-times.ts';
+import { assumeTime, statesNoTime } from '../../lesson/dump/assumed-times.ts';
+import { bestFit } from '../../lesson/dump/best-fit.ts';
+import { type Fitted, fitDumps, type NamedDump, onlyTime } from '../../lesson/dump/fit-dump.ts';
+import { joinedFigures } from '../../lesson/dump/joined-figures.ts';
+import { fitDumpsAt } from '../../lesson/dump/times.ts';
 import { DEFAULT_TOLERANCE } from '../../lesson/errors.ts';
-import { type Fitted, fitDumps, type NamedDump, onlyTime } from '../../lesson/fit-dump.ts';
-import { joinedFigures } from '../../lesson/joined-figures.ts';
 import { type Diagnostic, hasErrors, withoutPlace } from '../../model/diagnostic.ts';
 import type { Character } from '../../model/document.ts';
 import { dumpFormat } from '../../project/readers.ts';

@@ -7,16 +7,16 @@
  */
 import { relative, sep } from 'node:path';
 import { runToEnd } from '../../evaluate/steps.ts';
-import { assumeTime, statesNoTime } from '../../lesson/assumed-times.ts';
-import { bestFit } from '../../lesson/best-fit.ts';
 import { type Compared, type Comparison, compare } from '../../lesson/compare.ts';
 import { compareDumps } from '../../lesson/compare-dumps.ts';
 import { subjectText, unexplainedSentences } from '../../lesson/compared-text.ts';
-import { fitDumpsAt } from '../../lesson/dump-times.ts';
-import { Evaluator } from '../../lesson/evaluator.ts';
-import { fitDumps, type NamedDump } from '../../lesson/fit-dump.ts';
-import { ownValues } from '../../lesson/own-values.ts';
-import { RIGHT_PROGRAM } from '../../lesson/program.ts';
+import { assumeTime, statesNoTime } from '../../lesson/dump/assumed-times.ts';
+import { bestFit } from '../../lesson/dump/best-fit.ts';
+import { fitDumps, type NamedDump } from '../../lesson/dump/fit-dump.ts';
+import { fitDumpsAt } from '../../lesson/dump/times.ts';
+import { Evaluator } from '../../lesson/program/evaluator.ts';
+import { ownValues } from '../../lesson/program/own-values.ts';
+import { RIGHT_PROGRAM } from '../../lesson/program/program.ts';
 import type { ChannelTarget, FrameTarget, Targets } from '../../lesson/targets.ts';
 import { type Diagnostic, hasErrors, withoutPlace } from '../../model/diagnostic.ts';
 import { type Character, EMPTY_DOCUMENT, shownClip, shownSkin } from '../../model/document.ts';

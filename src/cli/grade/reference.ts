@@ -1,5 +1,5 @@
 /** The teacher's files: what is right. */
-import { joinedFigures } from '../../lesson/joined-figures.ts';
+import { joinedFigures } from '../../lesson/dump/joined-figures.ts';
 import type { Diagnostic } from '../../model/diagnostic.ts';
 import { type Character, shownClip } from '../../model/document.ts';
 import type { ParsedFile } from '../../model/files.ts';

@@ -4,7 +4,7 @@
  * compared number by number.
  */
 import { worstError } from '../../lesson/compare.ts';
-import { fitDumps } from '../../lesson/fit-dump.ts';
+import { fitDumps } from '../../lesson/dump/fit-dump.ts';
 import { FRAME_KINDS, type Targets } from '../../lesson/targets.ts';
 import { type Diagnostic, withoutPlace } from '../../model/diagnostic.ts';
 import type { Character } from '../../model/document.ts';

@@ -1,5 +1,5 @@
 /** Mistakes in the values of channels. */
-import { HERMITE, type HermiteBasis } from '../curve-rules.ts';
+import { HERMITE, type HermiteBasis } from '../program/curve-rules.ts';
 import { finer, inCurves, type Mistake, type Variant } from './mistake.ts';
 
 const SMOOTH_FORMULA = 'm = (v[i+1] − v[i−1]) / (t[i+1] − t[i−1]); at the ends the slope of the segment';

@@ -1,6 +1,6 @@
 /** Mistakes in the matrices of joints. */
 import { EULER_ORDERS, type EulerOrder } from '../../model/skeleton.ts';
-import type { Breadth, JointRules, WorldMap } from '../program.ts';
+import type { Breadth, JointRules, WorldMap } from '../program/program.ts';
 import { finer, inJoints, type Mistake, type Variant } from './mistake.ts';
 
 /** As a variant's detail says it. */

@@ -1,5 +1,5 @@
-import type { CurveRules } from '../curve-rules.ts';
-import type { JointRules, Program, SkinRules } from '../program.ts';
+import type { CurveRules } from '../program/curve-rules.ts';
+import type { JointRules, Program, SkinRules } from '../program/program.ts';
 
 /** The lecture that a mistake is about. */
 export type Subject = 'kinematics' | 'skinning' | 'channels';

@@ -7,7 +7,7 @@ import { length3, subtract } from '../../math/vec3.ts';
 import type { Character } from '../../model/document.ts';
 import type { Skeleton } from '../../model/skeleton.ts';
 import { diagonalOf } from '../errors.ts';
-import type { Cause } from '../found-causes.ts';
+import type { Cause } from '../search/found-causes.ts';
 import { shortNumber } from '../short-number.ts';
 import type { FrameTarget } from '../targets.ts';
 import { dumpedPose } from './dumped-pose.ts';

@@ -1,8 +1,8 @@
 /** Targets that a dump states, as points of joints of a skeleton. */
 import type { DumpTarget } from '../../model/dump.ts';
 import type { Skeleton } from '../../model/skeleton.ts';
-import { Misfit } from '../dump-entries.ts';
-import { JointNames } from '../dump-labels.ts';
+import { Misfit } from '../dump/entries.ts';
+import { JointNames } from '../dump/labels.ts';
 import type { Goal } from './goal.ts';
 
 export interface StatedGoal {

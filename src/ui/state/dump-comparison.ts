@@ -25,8 +25,8 @@
 import type { Playback } from '../../edit/playback.ts';
 import type { Store } from '../../edit/store.ts';
 import type { Comparison, FrameComparison } from '../../lesson/compare.ts';
+import type { NamedDump } from '../../lesson/dump/fit-dump.ts';
 import { DEFAULT_TOLERANCE } from '../../lesson/errors.ts';
-import type { NamedDump } from '../../lesson/fit-dump.ts';
 import type { FrameTarget, Targets } from '../../lesson/targets.ts';
 import { type Diagnostic, hasErrors } from '../../model/diagnostic.ts';
 import { type Character, type Document, findCharacter } from '../../model/document.ts';

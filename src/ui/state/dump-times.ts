@@ -1,6 +1,6 @@
 /** Times of dumps, and of a character's clip, beside those of the transport. */
 import type { Playback } from '../../edit/playback.ts';
-import type { NamedDump } from '../../lesson/fit-dump.ts';
+import type { NamedDump } from '../../lesson/dump/fit-dump.ts';
 import { type Character, shownClip } from '../../model/document.ts';
 import { isUntimed } from '../../model/dump.ts';
 import type { Observable } from '../kit/observable.ts';

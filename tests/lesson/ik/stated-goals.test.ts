@@ -3,7 +3,7 @@ import { expect, it } from 'vitest';
 import { runToEnd } from '../../../src/evaluate/steps.ts';
 import { readDump } from '../../../src/formats/dump/read.ts';
 import { compare } from '../../../src/lesson/compare.ts';
-import { fitDumps } from '../../../src/lesson/fit-dump.ts';
+import { fitDumps } from '../../../src/lesson/dump/fit-dump.ts';
 import { bannerText } from '../../../src/ui/editors/compare/banner-text.ts';
 import { characterFrom } from '../lesson-files.ts';
 

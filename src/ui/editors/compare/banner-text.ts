@@ -2,7 +2,7 @@
 import type { Comparison, FirstWrong, FrameComparison } from '../../../lesson/compare.ts';
 import { comparedText, explainedNoun, subjectText, unexplainedSentences } from '../../../lesson/compared-text.ts';
 import { firstWrongOf, type PlacedFirst } from '../../../lesson/first-wrong.ts';
-import type { Cause } from '../../../lesson/found-causes.ts';
+import type { Cause } from '../../../lesson/search/found-causes.ts';
 import { type Diagnostic, hasErrors } from '../../../model/diagnostic.ts';
 import type { Character } from '../../../model/document.ts';
 import { jointName } from '../../../model/joint-name.ts';

@@ -1,7 +1,7 @@
 /** The mistakes that explain what was found: what was done, what should be done, and how much it explains. */
 import type { Comparison } from '../../../lesson/compare.ts';
 import { areEqual, beginText, subjectText, unexplainedSentences } from '../../../lesson/compared-text.ts';
-import type { Cause } from '../../../lesson/found-causes.ts';
+import type { Cause } from '../../../lesson/search/found-causes.ts';
 import { element } from '../../kit/dom.ts';
 import { explainsText, numberText } from './banner-text.ts';
 

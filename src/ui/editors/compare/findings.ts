@@ -1,7 +1,7 @@
 /** The left part of the panel: the causes, and the facts of the comparison. */
 import type { Comparison } from '../../../lesson/compare.ts';
 import { comparedText } from '../../../lesson/compared-text.ts';
-import type { NamedDump } from '../../../lesson/fit-dump.ts';
+import type { NamedDump } from '../../../lesson/dump/fit-dump.ts';
 import { button, element, setAttribute } from '../../kit/dom.ts';
 import { icon } from '../../kit/icons.ts';
 import { NumberField } from '../../kit/number-field.ts';

@@ -3,7 +3,7 @@
  * attachments of each. The skin as a heat map, and a card with its legend and the numbers of the current character.
  */
 
-import { FourAttachments, type FourFacts, KEPT_FOUR, type KeptFour } from '../../../lesson/four-attachments.ts';
+import { FourAttachments, type FourFacts, KEPT_FOUR, type KeptFour } from '../../../lesson/program/four-attachments.ts';
 import { type Character, shownSkin } from '../../../model/document.ts';
 import { sentenceOf } from '../../../model/failure.ts';
 import { type Skin, vertexCount } from '../../../model/skin.ts';

@@ -1,5 +1,5 @@
 /** What is said about four attachments, and the scale of the heat map. */
-import type { FourAttachments, KeptFour } from '../../../lesson/four-attachments.ts';
+import type { FourAttachments, KeptFour } from '../../../lesson/program/four-attachments.ts';
 import type { Skin } from '../../../model/skin.ts';
 import { vertexCount } from '../../../model/skin.ts';
 import { count, plural, shown } from '../../kit/number-text.ts';

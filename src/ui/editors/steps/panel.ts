@@ -2,7 +2,7 @@
  * *Steps*: how the numbers of the selected joint or vertex come about, from the file to where it is drawn. The slider
  * beside the tabs applies the steps one after another in the viewport; nothing in the document changes.
  */
-import { inFilePose } from '../../../lesson/file-pose.ts';
+import { inFilePose } from '../../../lesson/program/file-pose.ts';
 import { stepsOfPose } from '../../../lesson/steps/dof-steps.ts';
 import type { Character } from '../../../model/document.ts';
 import { shownSkin } from '../../../model/document.ts';

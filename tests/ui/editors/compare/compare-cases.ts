@@ -1,7 +1,7 @@
 /** The reference's dumps, compared as the page does. */
 import { readDump } from '../../../../src/formats/dump/read.ts';
-import { Evaluator } from '../../../../src/lesson/evaluator.ts';
-import { RIGHT_PROGRAM } from '../../../../src/lesson/program.ts';
+import { Evaluator } from '../../../../src/lesson/program/evaluator.ts';
+import { RIGHT_PROGRAM } from '../../../../src/lesson/program/program.ts';
 import type { Character } from '../../../../src/model/document.ts';
 import type { BannerSubject } from '../../../../src/ui/editors/compare/banner-text.ts';
 import type { ComparedResult } from '../../../../src/ui/state/dump-comparison.ts';

@@ -1,7 +1,7 @@
 import { expect, it } from 'vitest';
 import { readDump } from '../../../../src/formats/dump/read.ts';
-import { Evaluator } from '../../../../src/lesson/evaluator.ts';
-import { RIGHT_PROGRAM } from '../../../../src/lesson/program.ts';
+import { Evaluator } from '../../../../src/lesson/program/evaluator.ts';
+import { RIGHT_PROGRAM } from '../../../../src/lesson/program/program.ts';
 import { SNIPPETS } from '../../../../src/ui/editors/compare/snippets.ts';
 import { compareDumps } from '../../../../src/worker/compare.ts';
 import { characterOf, OWN } from '../../../lesson/lesson-files.ts';

@@ -1,7 +1,7 @@
 /** Where the values of a channel differ, and what makes ours theirs there. */
-import { type Channel, type KeyedChannel, repeats } from '../model/clip.ts';
-import { sidesOf } from './jumps.ts';
-import { shortNumber } from './short-number.ts';
+import { type Channel, type KeyedChannel, repeats } from '../../model/clip.ts';
+import { sidesOf } from '../program/jumps.ts';
+import { shortNumber } from '../short-number.ts';
 
 /** Of one channel, by time. */
 export interface ChannelSamples {

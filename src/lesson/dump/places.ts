@@ -1,9 +1,9 @@
 /** Which joint or vertex each entry of a dump is of: by its index, by its name, or in order. */
-import type { DumpBlock, DumpLabel } from '../model/dump.ts';
-import { lastDigitsIn } from '../model/numbered-names.ts';
-import { type Entry, isCount, Misfit } from './dump-entries.ts';
-import { counted } from './dump-found.ts';
-import type { JointNames } from './dump-labels.ts';
+import type { DumpBlock, DumpLabel } from '../../model/dump.ts';
+import { lastDigitsIn } from '../../model/numbered-names.ts';
+import { type Entry, isCount, Misfit } from './entries.ts';
+import { counted } from './found.ts';
+import type { JointNames } from './labels.ts';
 
 /** The place of each entry. Throws a `Misfit` where labels name one twice, or none. */
 export function placesOf(

@@ -2,12 +2,12 @@
  * How numbers differ that no known mistake explains, in words: where they do, and what makes ours theirs there. Only what
  * holds for all of them is said, never why.
  */
-import { type Character, shownClip } from '../model/document.ts';
-import { nameOfChannel } from './channel-name.ts';
-import type { FrameNumbers, FrameTime } from './evaluator.ts';
-import { channelPattern } from './pattern-of-channel.ts';
-import { type PointPair, pointPattern } from './pattern-of-points.ts';
-import type { FrameTarget, Targets } from './targets.ts';
+import { type Character, shownClip } from '../../model/document.ts';
+import { nameOfChannel } from '../channel-name.ts';
+import type { FrameNumbers, FrameTime } from '../program/evaluator.ts';
+import type { FrameTarget, Targets } from '../targets.ts';
+import { channelPattern } from './of-channel.ts';
+import { type PointPair, pointPattern } from './of-points.ts';
 
 /** Groups of channels that are told. */
 const MAX_GROUPS = 3;

@@ -9,7 +9,7 @@
  *
  * With `RIGHT_CURVES` the value is that of `evaluate/curves.ts`.
  */
-import { lastNotAbove } from '../math/search.ts';
+import { lastNotAbove } from '../../math/search.ts';
 import {
   type Channel,
   FIXED_TANGENT,
@@ -19,7 +19,7 @@ import {
   LINEAR,
   SMOOTH,
   type Tangents,
-} from '../model/clip.ts';
+} from '../../model/clip.ts';
 
 /** Rows a b c d, columns p0 p1 m0 m1. */
 export type HermiteBasis = readonly number[];

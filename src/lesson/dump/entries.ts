@@ -1,5 +1,5 @@
 /** Rows of a dump as numbers of one joint, vertex or time each, and what is told from their lengths. */
-import type { DumpBlock, DumpLabel } from '../model/dump.ts';
+import type { DumpBlock, DumpLabel } from '../../model/dump.ts';
 
 /** Numbers of one joint, vertex or time. */
 export interface Entry {

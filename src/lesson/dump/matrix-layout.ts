@@ -2,7 +2,7 @@
  * Tells how matrices were written from their numbers: a matrix that moves points has 0 0 0 1 as its last row, and a
  * rotation's rows and columns have length 1.
  */
-import type { MatrixLayout } from './targets.ts';
+import type { MatrixLayout } from '../targets.ts';
 
 type Order = MatrixLayout['order'];
 

@@ -1,8 +1,8 @@
 /** The skeleton that a program goes by: the file's, with what its rules read otherwise. */
-import { eulerDofs } from '../evaluate/euler-dofs.ts';
-import { type CompiledSkeleton, compileSkeleton } from '../evaluate/kinematics.ts';
-import { bvhChannelsOf, dofsOf, isOfBvh, parameterOf, positionsOf, withParameter } from '../model/joint-types.ts';
-import type { BvhChannel, EulerOrder, Joint, Motion, Skeleton } from '../model/skeleton.ts';
+import { eulerDofs } from '../../evaluate/euler-dofs.ts';
+import { type CompiledSkeleton, compileSkeleton } from '../../evaluate/kinematics.ts';
+import { bvhChannelsOf, dofsOf, isOfBvh, parameterOf, positionsOf, withParameter } from '../../model/joint-types.ts';
+import type { BvhChannel, EulerOrder, Joint, Motion, Skeleton } from '../../model/skeleton.ts';
 import type { Breadth, JointRules } from './program.ts';
 
 export interface ProgramSkeleton {

@@ -2,8 +2,8 @@
  * Dumps of several times that state none: the frames are those of the times asked for, in order. A file has a list for
  * each, or one list for all; or there is a file for each.
  */
-import type { Character } from '../model/document.ts';
-import { type DumpBlock, isUntimed } from '../model/dump.ts';
+import type { Character } from '../../model/document.ts';
+import { type DumpBlock, isUntimed } from '../../model/dump.ts';
 import { type Fitted, fitDumps, type NamedDump } from './fit-dump.ts';
 
 /** @param times of dumps that state none; empty: the only time that others state, else the file pose */

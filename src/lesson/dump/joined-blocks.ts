@@ -2,7 +2,7 @@
  * Blocks of a dump as they are to be fitted. Programs that walk the skeleton print the local and the world matrix of each
  * joint in turn, so that each is a block of its own; all that are of one kind and time belong together.
  */
-import type { DumpBlock, DumpLabel } from '../model/dump.ts';
+import type { DumpBlock, DumpLabel } from '../../model/dump.ts';
 
 /** @param joints of the character, whose matrices are joined only if that makes 12 or 16 numbers for each */
 export function joinedBlocks(blocks: readonly DumpBlock[], joints: number): readonly DumpBlock[] {

@@ -1,12 +1,12 @@
 /** Morphs and skinning by any rules (`SkinRules`), in doubles. */
-import { blendMorphs, type CompiledSkin, compileSkin } from '../evaluate/deform.ts';
-import { runToEnd, type Steps } from '../evaluate/steps.ts';
-import { inverseTranspose3, invertAffine, isSingular, multiplyAffine, setIdentity } from '../math/mat4.ts';
-import { normalizeAt } from '../math/vec3.ts';
-import type { Character } from '../model/document.ts';
-import { shownSkin } from '../model/document.ts';
-import type { MorphRows } from '../model/morph.ts';
-import type { Attachments } from '../model/skin.ts';
+import { blendMorphs, type CompiledSkin, compileSkin } from '../../evaluate/deform.ts';
+import { runToEnd, type Steps } from '../../evaluate/steps.ts';
+import { inverseTranspose3, invertAffine, isSingular, multiplyAffine, setIdentity } from '../../math/mat4.ts';
+import { normalizeAt } from '../../math/vec3.ts';
+import type { Character } from '../../model/document.ts';
+import { shownSkin } from '../../model/document.ts';
+import type { MorphRows } from '../../model/morph.ts';
+import type { Attachments } from '../../model/skin.ts';
 import type { SkinRules, Wanted } from './program.ts';
 
 const NONE = new Float64Array(0);

@@ -5,7 +5,7 @@
  *
  *     channels → DOFs → limits → J → L → W → M = W·B⁻¹ → Σ w·M·v, Σ w·M⁻ᵀ·n
  */
-import type { EulerOrder } from '../model/skeleton.ts';
+import type { EulerOrder } from '../../model/skeleton.ts';
 import { type CurveRules, RIGHT_CURVES } from './curve-rules.ts';
 
 /**

@@ -3,15 +3,15 @@
  * touches. One trial has all numbers; a small one has those of few vertices and samples, and only tells what is not
  * worth trying with all.
  */
-import { type Character, shownClip } from '../model/document.ts';
+import { type Character, shownClip } from '../../model/document.ts';
+import { larger, matrixError, pointError } from '../errors.ts';
+import { channelValue, RIGHT_CURVES } from '../program/curve-rules.ts';
+import { Evaluator, type FrameNumbers } from '../program/evaluator.ts';
+import { nearestSide } from '../program/jumps.ts';
+import { valuesNearest } from '../program/own-values.ts';
+import { type Program, RIGHT_PROGRAM } from '../program/program.ts';
+import type { ChannelTarget, FrameTarget } from '../targets.ts';
 import { type Cell, frameNearest } from './cells.ts';
-import { channelValue, RIGHT_CURVES } from './curve-rules.ts';
-import { larger, matrixError, pointError } from './errors.ts';
-import { Evaluator, type FrameNumbers } from './evaluator.ts';
-import { nearestSide } from './jumps.ts';
-import { valuesNearest } from './own-values.ts';
-import { type Program, RIGHT_PROGRAM } from './program.ts';
-import type { ChannelTarget, FrameTarget } from './targets.ts';
 
 /** What a program does to our numbers of a cell, and how near they come to theirs. */
 export interface CellOutcome {

@@ -1,13 +1,13 @@
 /** A few of the numbers that are compared, those that most mistakes show in, with what of the character they need. */
-import { normalsOf } from '../evaluate/normals.ts';
-import type { Character } from '../model/document.ts';
-import { shownSkin } from '../model/document.ts';
-import type { Morph, MorphRows } from '../model/morph.ts';
-import { oneSurface, type Skin } from '../model/skin.ts';
+import { normalsOf } from '../../evaluate/normals.ts';
+import type { Character } from '../../model/document.ts';
+import { shownSkin } from '../../model/document.ts';
+import type { Morph, MorphRows } from '../../model/morph.ts';
+import { oneSurface, type Skin } from '../../model/skin.ts';
+import { pointError } from '../errors.ts';
+import { valuesNearest } from '../program/own-values.ts';
+import type { ChannelTarget, FrameTarget } from '../targets.ts';
 import type { Cell, CellPiece } from './cells.ts';
-import { pointError } from './errors.ts';
-import { valuesNearest } from './own-values.ts';
-import type { ChannelTarget, FrameTarget } from './targets.ts';
 
 /** Vertices that are kept, and samples per channel. */
 const FEW_VERTICES = 24;

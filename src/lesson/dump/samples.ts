@@ -1,9 +1,9 @@
 /** Blocks of a dump that are values of channels. */
-import type { DumpBlock } from '../model/dump.ts';
-import { lastDigitsIn } from '../model/numbered-names.ts';
-import { isCount, isInRows, Misfit, widthOf } from './dump-entries.ts';
-import { counted } from './dump-found.ts';
-import type { FrameTime } from './evaluator.ts';
+import type { DumpBlock } from '../../model/dump.ts';
+import { lastDigitsIn } from '../../model/numbered-names.ts';
+import type { FrameTime } from '../program/evaluator.ts';
+import { isCount, isInRows, Misfit, widthOf } from './entries.ts';
+import { counted } from './found.ts';
 
 /**
  * Reads a block as values of channels: rows of a time and its values, lists with their times, pairs of one channel.

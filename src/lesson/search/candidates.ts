@@ -1,6 +1,6 @@
 /** Mistakes of the catalogue as programs that make them, one or two at a time. */
-import type { Mistake, Variant } from './catalogue/mistake.ts';
-import { type Program, RIGHT_PROGRAM } from './program.ts';
+import type { Mistake, Variant } from '../catalogue/mistake.ts';
+import { type Program, RIGHT_PROGRAM } from '../program/program.ts';
 
 /** One way to make a mistake. */
 export interface Candidate {

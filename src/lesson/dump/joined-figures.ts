@@ -2,11 +2,11 @@
  * The roots of one motion capture file as one character: another program prints all of its joints together. Here each
  * root is a character of its own, so none of them has as many joints as the dump.
  */
-import { type ChannelClip, restChannel, SAMPLED } from '../model/clip.ts';
-import { type Character, isBvh, shownClip } from '../model/document.ts';
-import { rootDofCount } from '../model/dofs.ts';
-import type { Samples } from '../model/samples.ts';
-import type { Joint, Skeleton } from '../model/skeleton.ts';
+import { type ChannelClip, restChannel, SAMPLED } from '../../model/clip.ts';
+import { type Character, isBvh, shownClip } from '../../model/document.ts';
+import { rootDofCount } from '../../model/dofs.ts';
+import type { Samples } from '../../model/samples.ts';
+import type { Joint, Skeleton } from '../../model/skeleton.ts';
 
 /** For each file with several roots, all of them as one. */
 export function joinedFigures(characters: readonly Character[]): readonly Character[] {

@@ -6,12 +6,12 @@
  * attachments as read by others.
  */
 
-import { applyConstraints, type CompiledSkeleton } from '../evaluate/kinematics.ts';
-import { dofCountOf, poseFrom, poseSource } from '../evaluate/pose.ts';
-import { invertAffine, multiplyAffine } from '../math/mat4.ts';
-import { type Character, isBvh, shownClip } from '../model/document.ts';
-import { restPose, rootDofCount } from '../model/dofs.ts';
-import { dofsOf, replacesOffset } from '../model/joint-types.ts';
+import { applyConstraints, type CompiledSkeleton } from '../../evaluate/kinematics.ts';
+import { dofCountOf, poseFrom, poseSource } from '../../evaluate/pose.ts';
+import { invertAffine, multiplyAffine } from '../../math/mat4.ts';
+import { type Character, isBvh, shownClip } from '../../model/document.ts';
+import { restPose, rootDofCount } from '../../model/dofs.ts';
+import { dofsOf, replacesOffset } from '../../model/joint-types.ts';
 import { type CurveRules, channelValue, RIGHT_CURVES } from './curve-rules.ts';
 import { inFilePose } from './file-pose.ts';
 import { mayBeSame, sidesOf } from './jumps.ts';

@@ -3,9 +3,9 @@
  * anything here. A program is tried with a few vertices and samples first; only those that survive are tried with all
  * numbers, and only those that explain them are causes.
  */
-import type { Steps } from '../evaluate/steps.ts';
+import type { Steps } from '../../evaluate/steps.ts';
+import { CATALOGUE } from '../catalogue/all.ts';
 import { bothOf, type Candidate, candidateOf } from './candidates.ts';
-import { CATALOGUE } from './catalogue/all.ts';
 import { type ComparedNumbers, cellsOf } from './cells.ts';
 import { fewOf } from './few-numbers.ts';
 import { Finder, type FoundCauses } from './found-causes.ts';

@@ -1,5 +1,5 @@
 /** What the numbers of a dump look like, in words, for messages: what was found where something else was expected. */
-import type { DumpBlock, DumpHeading } from '../model/dump.ts';
+import type { DumpBlock, DumpHeading } from '../../model/dump.ts';
 
 /** Parts of a text. */
 const MAX_PARTS = 4;

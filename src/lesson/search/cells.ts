@@ -3,13 +3,13 @@
  * a program makes. Several dumps may be of several programs, and a program may make one mistake in its joints and
  * another in its skin.
  */
-import type { Character } from '../model/document.ts';
-import type { DumpKind } from '../model/dump.ts';
-import { larger, matrixError, pointError } from './errors.ts';
-import type { Evaluator, FrameNumbers, FrameTime } from './evaluator.ts';
-import { valuesNearest } from './own-values.ts';
-import type { Program } from './program.ts';
-import { type ChannelTarget, FRAME_KINDS, type FrameKind, type FrameTarget, type Targets } from './targets.ts';
+import type { Character } from '../../model/document.ts';
+import type { DumpKind } from '../../model/dump.ts';
+import { larger, matrixError, pointError } from '../errors.ts';
+import type { Evaluator, FrameNumbers, FrameTime } from '../program/evaluator.ts';
+import { valuesNearest } from '../program/own-values.ts';
+import type { Program } from '../program/program.ts';
+import { type ChannelTarget, FRAME_KINDS, type FrameKind, type FrameTarget, type Targets } from '../targets.ts';
 
 export const CELL_GROUPS = ['joints', 'vertices', 'channels'] as const;
 export type CellGroup = (typeof CELL_GROUPS)[number];

@@ -2,12 +2,12 @@
  * Which of several characters dumps are of: by the names of joints in them, then by what they are. Rows of matrices may
  * be as wide as rows of a time and three channels, but rows with the names of joints are no channels.
  */
-import type { Character } from '../model/document.ts';
-import { stemOf } from '../model/files.ts';
-import { worstError } from './compare.ts';
-import { fitDumpsAt } from './dump-times.ts';
+import type { Character } from '../../model/document.ts';
+import { stemOf } from '../../model/files.ts';
+import { worstError } from '../compare.ts';
+import type { Targets } from '../targets.ts';
 import type { Fitted, NamedDump } from './fit-dump.ts';
-import type { Targets } from './targets.ts';
+import { fitDumpsAt } from './times.ts';
 
 export interface BestFit {
   readonly character: Character;

@@ -6,21 +6,21 @@
  *     points      3 per vertex or joint; with an index before them; 6: positions and normals
  *     channels    rows `time value …`; pairs of a channel; lists with their times
  */
-import { type Diagnostic, withoutPlace } from '../model/diagnostic.ts';
-import { type Character, shownClip, shownSkin } from '../model/document.ts';
-import type { Dump, DumpBlock, DumpHeading, DumpKind, DumpLabel } from '../model/dump.ts';
-import { vertexCount } from '../model/skin.ts';
-import { type Entry, entriesOf, evenly, isCount, isInRows, isUnit, Misfit, oddRow, widthOf } from './dump-entries.ts';
-import { counted, foundText } from './dump-found.ts';
-import { JointNames, withKnownLabels, withTimes } from './dump-labels.ts';
-import { placesOf } from './dump-places.ts';
-import { isOfOneTime, readSamples } from './dump-samples.ts';
-import { Evaluator, type FrameTime } from './evaluator.ts';
-import { goalsOf, type StatedGoal } from './ik/stated-goals.ts';
+import { type Diagnostic, withoutPlace } from '../../model/diagnostic.ts';
+import { type Character, shownClip, shownSkin } from '../../model/document.ts';
+import type { Dump, DumpBlock, DumpHeading, DumpKind, DumpLabel } from '../../model/dump.ts';
+import { vertexCount } from '../../model/skin.ts';
+import { goalsOf, type StatedGoal } from '../ik/stated-goals.ts';
+import { Evaluator, type FrameTime } from '../program/evaluator.ts';
+import { RIGHT_PROGRAM } from '../program/program.ts';
+import type { FrameKind, FrameTarget, MatrixLayout, Origins, SolverTask, Targets } from '../targets.ts';
+import { type Entry, entriesOf, evenly, isCount, isInRows, isUnit, Misfit, oddRow, widthOf } from './entries.ts';
+import { counted, foundText } from './found.ts';
 import { joinedBlocks } from './joined-blocks.ts';
+import { JointNames, withKnownLabels, withTimes } from './labels.ts';
 import { matricesOf } from './matrix-layout.ts';
-import { RIGHT_PROGRAM } from './program.ts';
-import type { FrameKind, FrameTarget, MatrixLayout, Origins, SolverTask, Targets } from './targets.ts';
+import { placesOf } from './places.ts';
+import { isOfOneTime, readSamples } from './samples.ts';
 
 export interface Fitted {
   /** Absent if a dump doesn't fit. */

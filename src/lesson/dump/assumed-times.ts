@@ -3,11 +3,11 @@
  * or stated by others. The numbers decide: a dump is of the time at which it agrees, else of that at which the fewest mistakes
  * explain it. A right file pose would be `pose-ignored` at any other time.
  */
-import type { Steps } from '../evaluate/steps.ts';
-import type { Character } from '../model/document.ts';
-import { isUntimed } from '../model/dump.ts';
-import { type Comparison, compare, isExplained } from './compare.ts';
-import type { FrameTime } from './evaluator.ts';
+import type { Steps } from '../../evaluate/steps.ts';
+import type { Character } from '../../model/document.ts';
+import { isUntimed } from '../../model/dump.ts';
+import { type Comparison, compare, isExplained } from '../compare.ts';
+import type { FrameTime } from '../program/evaluator.ts';
 import { fitDumps, type NamedDump } from './fit-dump.ts';
 
 /** Whether nothing states when it is; channels have times of their own. */

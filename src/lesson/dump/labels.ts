@@ -1,7 +1,7 @@
 /** What the labels of a dump are: names of joints, indices, times, or words that name nothing here. */
-import type { DumpBlock, DumpLabel } from '../model/dump.ts';
-import { lastDigitsIn } from '../model/numbered-names.ts';
-import { isCount, widthOf } from './dump-entries.ts';
+import type { DumpBlock, DumpLabel } from '../../model/dump.ts';
+import { lastDigitsIn } from '../../model/numbered-names.ts';
+import { isCount, widthOf } from './entries.ts';
 
 /** Finds names of joints in labels. */
 export class JointNames {

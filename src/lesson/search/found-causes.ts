@@ -2,11 +2,11 @@
  * What explains another program's numbers, by part: of the programs that were tried those that explain all of a part, by
  * one mistake before two, and those that explain what they touch of it.
  */
-import { DUMP_KINDS, type DumpKind } from '../model/dump.ts';
+import { DUMP_KINDS, type DumpKind } from '../../model/dump.ts';
+import type { Targets } from '../targets.ts';
 import type { Candidate } from './candidates.ts';
 import { CELL_GROUPS, type Cell, groupOf } from './cells.ts';
 import { outcomeOf, type Part, type PartOutcome, partsOf } from './parts.ts';
-import type { Targets } from './targets.ts';
 import type { CellOutcome } from './trial.ts';
 
 /** What a cause of a part is about. */

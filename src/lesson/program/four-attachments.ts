@@ -6,11 +6,11 @@
  * glTF's usual layout and many engines have four, mostly the largest, normalised; a reader of skins may stop at the
  * fourth in the file instead. What is kept are the rules that `first-four-attachments` tries.
  */
-import { blendMorphs, type CompiledSkin, compileSkin, skinMatrices } from '../evaluate/deform.ts';
-import { type Steps, within } from '../evaluate/steps.ts';
-import type { Morph } from '../model/morph.ts';
-import { type Attachments, type Skin, vertexCount } from '../model/skin.ts';
-import { diagonalOf } from './errors.ts';
+import { blendMorphs, type CompiledSkin, compileSkin, skinMatrices } from '../../evaluate/deform.ts';
+import { type Steps, within } from '../../evaluate/steps.ts';
+import type { Morph } from '../../model/morph.ts';
+import { type Attachments, type Skin, vertexCount } from '../../model/skin.ts';
+import { diagonalOf } from '../errors.ts';
 import { RIGHT_PROGRAM, type SkinRules } from './program.ts';
 import { attachmentsUsed, sumPoint } from './skin-run.ts';
 

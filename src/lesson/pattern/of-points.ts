@@ -1,5 +1,5 @@
 /** What makes our points theirs: moved, exchanged axes, scaled, or one axis alone. */
-import { shortNumber } from './short-number.ts';
+import { shortNumber } from '../short-number.ts';
 
 /** Points of one time: x y z each. */
 export interface PointPair {

@@ -1,9 +1,9 @@
 /** Our values of the channels that are compared. */
-import { compileClip } from '../evaluate/compiled-clip.ts';
-import { evaluateChannel } from '../evaluate/curves.ts';
-import { type Character, shownClip } from '../model/document.ts';
+import { compileClip } from '../../evaluate/compiled-clip.ts';
+import { evaluateChannel } from '../../evaluate/curves.ts';
+import { type Character, shownClip } from '../../model/document.ts';
+import type { ChannelTarget } from '../targets.ts';
 import { nearestSide } from './jumps.ts';
-import type { ChannelTarget } from './targets.ts';
 
 /** Of the samples; where the value jumps, that of the side which is nearest theirs. */
 export function valuesNearest(character: Character, target: ChannelTarget, tolerance: number): Float64Array {
