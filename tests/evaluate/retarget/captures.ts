@@ -343,7 +343,7 @@ function fingerOf(c: Character, side: Side): number | undefined {
   return jointOf(c, side, FINGERS[c.id.replace(/ copy$/, '')]);
 }
 
-function median(values: readonly number[]): number {
+export function median(values: readonly number[]): number {
   return [...values].sort((a, b) => a - b)[Math.floor(values.length / 2)];
 }
 
@@ -403,11 +403,11 @@ function distance({ at }: Points, a: number, b: number): number {
   return Math.hypot(...[0, 1, 2].map((k) => at[3 * a + k] - at[3 * b + k]));
 }
 
-function direction({ at }: Points, [a, b]: readonly [number, number]): readonly number[] {
+export function direction({ at }: Points, [a, b]: readonly [number, number]): readonly number[] {
   return [0, 1, 2].map((k) => at[3 * b + k] - at[3 * a + k]);
 }
 
-function degreesBetween(a: readonly number[], b: readonly number[]): number {
+export function degreesBetween(a: readonly number[], b: readonly number[]): number {
   const dot = a.reduce((sum, v, k) => sum + v * b[k], 0);
   return (180 / Math.PI) * Math.acos(Math.min(1, Math.max(-1, dot / (Math.hypot(...a) * Math.hypot(...b)))));
 }
