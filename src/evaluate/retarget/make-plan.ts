@@ -22,7 +22,7 @@ import { type Limb, limbsOf } from './limbs.ts';
 import type { Carrier, CopiedDof, RetargetPlan, Slide, SpaceRule, Tip } from './plan.ts';
 import { asksTake, ownReference, type PlayedTake, sourceReference } from './reference.ts';
 import { LIMB_SIDES } from './roles.ts';
-import { sameBones } from './same-bones.ts';
+import { sameBones, sameJoints } from './same-bones.ts';
 import { playedSource } from './source-pose.ts';
 
 /** By the driver's pairs, whose identity is kept when the source changes (`edit/drivers.ts`). */
@@ -124,6 +124,7 @@ export function planRetarget(
     shift: 0,
     plantsFeet: options.plantsFeet,
     sameBones: same,
+    isCopy: clamps === source.clampsToLimits && (options.scale ?? 1) === 1 && sameJoints(filed),
     feet: [],
     sourceSpace,
     targetSpace,

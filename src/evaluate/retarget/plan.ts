@@ -53,6 +53,8 @@ export interface RetargetPlan {
   readonly plantsFeet: boolean;
   /** Then both are compared in their file poses, whatever the options say. */
   readonly sameBones: SameBones;
+  /** Whether the target takes the source's DOFs as they are: a copy of it, moved as far. */
+  readonly isCopy: boolean;
   /** Feet of complete legs that touch the ground. */
   readonly feet: readonly FootTrack[];
   /** Absent where no foot touches the ground, and on the source's own skeleton. */

@@ -8,10 +8,13 @@
  *     4. travel      the centre of the hip joints, in proportion
  *     5. feet        hips moved and legs bent so that the feet follow the source's, in proportion (`hips.ts`, `legs.ts`);
  *                    step 3 again for legs
+ *
+ * A copy of the source's skeleton takes the pose as it is, number by number.
  */
 import { plantFeet } from './legs.ts';
 import type { RetargetPlan } from './plan.ts';
 import { solveFreely } from './solve.ts';
+import { sourcePose } from './source-pose.ts';
 
 /**
  * Writes the target's paired DOFs; the others are read, since joints below depend on them, and not changed. Allocates
@@ -19,6 +22,11 @@ import { solveFreely } from './solve.ts';
  * @param clipSeconds of the source's clip
  */
 export function retargetPose(plan: RetargetPlan, clipSeconds: number, out: Float64Array): void {
+  if (plan.isCopy) {
+    sourcePose(plan.played, clipSeconds, plan.dofs);
+    out.set(plan.dofs);
+    return;
+  }
   solveFreely(plan, clipSeconds, out);
   if (plan.plantsFeet) plantFeet(plan, clipSeconds, out);
 }

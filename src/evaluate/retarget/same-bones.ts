@@ -2,6 +2,8 @@
  * Whether two skeletons have the same bones: in their file poses all bones point in the same directions. Then their
  * joints have the same axes too, and the file poses match, however little they look like a person's.
  */
+import type { Skeleton } from '../../model/skeleton.ts';
+import type { Space } from '../../model/space.ts';
 import type { Bodies } from './align.ts';
 import type { RetargetFigure } from './figure.ts';
 
@@ -46,4 +48,18 @@ export function sameBones({ target, source, sourceOf, rest: own }: Bodies, rest:
   const directions = bones.every((b) => isNothing(b) || b.cos > EQUAL);
   const lengths = bones.every((b) => Math.abs(b.own / most - b.other / otherMost) < NOTHING);
   return { directions, lengths: directions && lengths };
+}
+
+/**
+ * Whether each joint is paired with its equal in an equal skeleton: then a pose of one is a pose of the other, number by
+ * number.
+ */
+export function sameJoints({ target, targetSpace, source, sourceSpace, sourceOf }: Bodies): boolean {
+  if (target.joints.length !== source.joints.length || !sourceOf.every((s, j) => s === j)) return false;
+  const told = ({ joints }: Skeleton, space: Space | undefined) =>
+    JSON.stringify([
+      joints.map(({ parent, offset, motion, limits, pose }) => [parent, offset, motion, limits, pose]),
+      space,
+    ]);
+  return told(target, targetSpace) === told(source, sourceSpace);
 }
