@@ -7,10 +7,10 @@ import { describeShared } from '../../helpers/shared.ts';
 import { captured, HUMANOIDS, pairFit, retargeted } from './captures.ts';
 
 /**
- * Degrees, medians over the take: each segment of arms and legs; feet, whose soles are found twice; and hands, one of the
+ * Degrees, medians over the take: each segment of arms and legs, 5° there and 5° back; feet, whose soles are found twice; and hands, one of the
  * others having no fingers.
  */
-const LIMBS = 3.5;
+const LIMBS = 10;
 const FEET = 25;
 const HANDS = 30;
 /** Metres, over the ground, in leg lengths. */
