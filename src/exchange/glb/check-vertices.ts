@@ -60,7 +60,8 @@ class VertexCheck {
 
   /** The vertices that are off by more than the limit at a row: few, those that are off most. */
   beyond(m: number, limit: number): readonly number[] {
-    const { rows, made } = this.measured;
+    const { rows } = this.measured;
+    const made = this.measured.made.slice(0, this.measured.waysAt(m));
     const { off, skin } = this;
     const o = m * rows.width;
     this.writeMatrices(rows.values, o, 0);

@@ -102,23 +102,34 @@ export function cubicHolds(rows: Rows, { at, width: dims, path }: Track, toleran
   };
 }
 
-/** Keys at the given rows. */
-export function fitCubic(rows: Rows, { at, width: dims }: Track, keys: readonly number[]): FittedKeys {
+/** Keys at the given rows; those of a fit before are kept where nothing was added beside them. */
+export function fitCubic(
+  rows: Rows,
+  { at, width: dims }: Track,
+  keys: readonly number[],
+  before?: FittedKeys,
+): FittedKeys {
   const values = new Float64Array(keys.length * dims);
   const slopesIn = new Float64Array(values.length);
   const slopesOut = new Float64Array(values.length);
   reserve(dims);
+  let old = 0;
   keys.forEach((row, k) => {
-    values.set(rows.values.subarray(row * rows.width + at, row * rows.width + at + dims), k * dims);
+    const o = row * rows.width + at;
+    for (let c = 0; c < dims; c++) values[k * dims + c] = rows.values[o + c];
+    const known = before?.rows;
+    if (known && known[old] < row) old++;
     if (k === 0 || rows.jumps[row]) return;
-    fitSlopes(rows, at, dims, keys[k - 1], row);
+    const isKept = known && known[old] === row && known[old - 1] === keys[k - 1];
     const span = rows.seconds[row] - rows.seconds[keys[k - 1]];
+    if (!isKept) fitSlopes(rows, at, dims, keys[k - 1], row);
     for (let c = 0; c < dims; c++) {
-      slopesOut[(k - 1) * dims + c] = scratch.left[c] / span;
-      slopesIn[k * dims + c] = scratch.right[c] / span;
+      const [left, right] = [(k - 1) * dims + c, k * dims + c];
+      slopesOut[left] = isKept && before.slopesOut ? before.slopesOut[(old - 1) * dims + c] : scratch.left[c] / span;
+      slopesIn[right] = isKept && before.slopesIn ? before.slopesIn[old * dims + c] : scratch.right[c] / span;
     }
   });
-  return { rows: keys, values, slopesIn, slopesOut };
+  return { rows: keys.slice(), values, slopesIn, slopesOut };
 }
 
 /** Writes what programs make of the keys at each row, from the key at row `first` to that at `last`. */

@@ -237,10 +237,24 @@ function addSag(rows: Rows, at: number, dims: number, i: number, j: number, out:
   }
 }
 
+/** Whether arcs and components differ anywhere from one key to another: @param first row, to `last` */
+export function hasArcs({ path }: Track, { rows: keys, values }: FittedKeys, first: number, last: number): boolean {
+  if (path !== 'rotation') return false;
+  for (let k = lastNotAbove(keys, first); k + 1 < keys.length && keys[k] < last; k++) {
+    const o = 4 * k;
+    const dot =
+      values[o] * values[o + 4] +
+      values[o + 1] * values[o + 5] +
+      values[o + 2] * values[o + 6] +
+      values[o + 3] * values[o + 7];
+    if (dot < APART) return true;
+  }
+  return false;
+}
+
 /**
  * Writes what programs make of the keys at each row.
  * @param out of the layout of the rows' values
- * Says whether arcs and components differ anywhere.
  * @param bySlerp whether rotations are interpolated along the arc rather than by components
  * @param first row, a key, to `last`, another
  */
@@ -252,8 +266,7 @@ export function expandLinear(
   bySlerp: boolean,
   first: number,
   last: number,
-): boolean {
-  let hasArcs = false;
+): void {
   for (let k = lastNotAbove(keys, first); k < keys.length && keys[k] <= last; k++) {
     const o = keys[k] * width + at;
     for (let c = 0; c < dims; c++) out[o + c] = values[k * dims + c];
@@ -265,7 +278,6 @@ export function expandLinear(
     let dot = 0;
     if (path === 'rotation') for (let c = 0; c < 4; c++) dot += values[k * 4 + c] * values[k * 4 + 4 + c];
     const angle = bySlerp && path === 'rotation' && dot < APART ? Math.acos(Math.min(1, dot)) : 0;
-    if (angle > 0) hasArcs = true;
     for (let m = from + 1; m < to; m++) {
       const u = (seconds[m] - seconds[from]) / span;
       const s = angle > 0 ? Math.sin((1 - u) * angle) / Math.sin(angle) : 1 - u;
@@ -275,7 +287,6 @@ export function expandLinear(
       if (path === 'rotation') normalise(out, p);
     }
   }
-  return hasArcs;
 }
 
 /** The last of ascending numbers that is not above a value, which is not below the first. */

@@ -95,7 +95,9 @@ function settle(measured: Measured, limit: number, isCubic: boolean): void {
     const changed = addKeys(measured, keys, limit, round < PATIENCE ? rows.count : HASTE);
     if (changed.size === 0) break;
     for (const [t, added] of changed) {
-      fits[t] = isCubic ? fitCubic(rows, tracks[t], keys[t]) : refitLinear(rows, tracks[t], keys[t], fits[t], added);
+      fits[t] = isCubic
+        ? fitCubic(rows, tracks[t], keys[t], fits[t])
+        : refitLinear(rows, tracks[t], keys[t], fits[t], added);
       for (const row of added) measured.replace(t, ...around(keys[t], row));
     }
     measured.measure();

@@ -217,14 +217,26 @@ export function nodeWorlds(
       continue;
     }
     const p = to + 16 * parent;
-    for (let r = 0; r < 3; r++) {
-      const a = out[p + r];
-      const b = out[p + r + 4];
-      const c = out[p + r + 8];
-      out[i + r] = a * l0 + b * l1 + c * l2;
-      out[i + r + 4] = a * l4 + b * l5 + c * l6;
-      out[i + r + 8] = a * l8 + b * l9 + c * l10;
-      out[i + r + 12] = a * tx + b * ty + c * tz + out[p + r + 12];
-    }
+    const a0 = out[p + 0];
+    const b0 = out[p + 4];
+    const c0 = out[p + 8];
+    out[i + 0] = a0 * l0 + b0 * l1 + c0 * l2;
+    out[i + 4] = a0 * l4 + b0 * l5 + c0 * l6;
+    out[i + 8] = a0 * l8 + b0 * l9 + c0 * l10;
+    out[i + 12] = a0 * tx + b0 * ty + c0 * tz + out[p + 12];
+    const a1 = out[p + 1];
+    const b1 = out[p + 5];
+    const c1 = out[p + 9];
+    out[i + 1] = a1 * l0 + b1 * l1 + c1 * l2;
+    out[i + 5] = a1 * l4 + b1 * l5 + c1 * l6;
+    out[i + 9] = a1 * l8 + b1 * l9 + c1 * l10;
+    out[i + 13] = a1 * tx + b1 * ty + c1 * tz + out[p + 13];
+    const a2 = out[p + 2];
+    const b2 = out[p + 6];
+    const c2 = out[p + 10];
+    out[i + 2] = a2 * l0 + b2 * l1 + c2 * l2;
+    out[i + 6] = a2 * l4 + b2 * l5 + c2 * l6;
+    out[i + 10] = a2 * l8 + b2 * l9 + c2 * l10;
+    out[i + 14] = a2 * tx + b2 * ty + c2 * tz + out[p + 14];
   }
 }

@@ -66,7 +66,7 @@ export function moveKey(measured: Measured, t: number, k: number, limit: number,
     else for (let c = 0; c < 3; c++) values[o + c] = before[c] + most * part * delta[c];
     measured.replace(t, a, b);
     if (!(costOf(measured, t, a, b, step, limit, cost) < cost)) continue;
-    if (!isKept || measured.farthest(t, a, key, b, limit * limit) <= limit * limit) return true;
+    if (!isKept || measured.farthest(t, a, key, b, limit * limit, limit * limit) <= limit * limit) return true;
   }
   for (let c = 0; c < width; c++) values[o + c] = before[c];
   measured.replace(t, a, b);

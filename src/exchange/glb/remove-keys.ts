@@ -54,12 +54,12 @@ function removeKey(measured: Measured, t: number, row: number, limit: number): v
   measured.replace(t, from, to);
   const last = fits[t].rows.length - 1;
   const limit2 = limit * limit;
-  let farthest = measured.farthest(t, from, row, to, WITHIN_REACH * WITHIN_REACH * limit2);
+  let farthest = measured.farthest(t, from, row, to, limit2, WITHIN_REACH * WITHIN_REACH * limit2);
   for (let round = 0; round < ROUNDS && farthest > limit2; round++) {
     if (farthest > WITHIN_REACH * WITHIN_REACH * limit2) break;
     if (k > 1) moveKey(measured, t, k - 1, limit, false);
     if (k < last) moveKey(measured, t, k, limit, false);
-    farthest = measured.farthest(t, from, row, to, limit2);
+    farthest = measured.farthest(t, from, row, to, limit2, limit2);
   }
   if (farthest <= limit2) return;
   fits[t] = before;

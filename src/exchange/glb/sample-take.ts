@@ -1,4 +1,5 @@
 /** Turns a take into rows, stretch by stretch: dense where it turns, sparse where it rests. */
+import { normalise } from './fit-linear.ts';
 import type { Rows } from './rows.ts';
 import { SAME_TIME, type TakeMotion } from './take-motion.ts';
 import type { Track } from './tracks.ts';
@@ -79,7 +80,7 @@ export function sampleTake(
     const time = breaks[i];
     const after = justAfter(time);
     if (isStraight && turnsLittle(tracks, row, after)) {
-      if (swings) add((from + time) / 2, at((from + time) / 2));
+      if (swings) add((from + time) / 2, halfway(tracks, row, after));
       add(time, after);
       row = after;
       from = time;
@@ -104,6 +105,17 @@ export function sampleTake(
     from = time;
   }
   full();
+}
+
+/** The row in the middle between two that rotations turn little between: components are an arc there. */
+function halfway(tracks: readonly Track[], a: Float64Array, b: Float64Array): Float64Array {
+  const out = a.slice();
+  for (const { at, width, path } of tracks) {
+    const sign = path === 'rotation' && dot4(a, b, at) < 0 ? -1 : 1;
+    for (let k = at; k < at + width; k++) out[k] = (a[k] + sign * b[k]) / 2;
+    if (path === 'rotation') normalise(out, at);
+  }
+  return out;
 }
 
 /** How far points are off, about, where a straight line is taken between two rows. */

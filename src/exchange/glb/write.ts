@@ -207,8 +207,8 @@ function momentsOf(motions: readonly TakeMotion[], nodes: readonly JointNode[], 
     );
 }
 
-/** Axes of joints may be off by so much in the world: 2°, less what they are off by between two rows. */
-const MOST_TURN = (1.9 * Math.PI) / 180;
+/** Axes of joints may be off by so much in the world: 2°, with the margin that points have. */
+const MOST_TURN = (2 * Math.PI) / 180;
 
 /**
  * How long axes are that are off by the tolerance where they are turned too far; with a tolerance below the default one
