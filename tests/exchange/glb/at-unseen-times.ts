@@ -1,7 +1,7 @@
 /** Whether a character's GLB file shows it as it is here at times that no fitting has looked at. */
 import { expect } from 'vitest';
 import type { GlbOptions } from '../../../src/exchange/glb/options.ts';
-import { glbOf } from '../../helpers/glb.ts';
+import { type Glb, glbOf } from '../../helpers/glb.ts';
 import { offBy } from '../../helpers/glb-off.ts';
 import { bySamplers } from '../../helpers/glb-samplers.ts';
 import type { Named } from './many-characters.ts';
@@ -12,8 +12,8 @@ const MOST_DEGREES = 2;
 /** So many times this are nowhere near each other. */
 const GOLDEN = 0.6180339887498949;
 
-/** Expects joints, their axes and vertices within what the file promises, in programs of both kinds. */
-export function expectWithin({ name, character }: Named, options: Partial<GlbOptions>, count = 300): void {
+/** Expects joints, their axes and vertices within what the file promises, in programs of both kinds; returns the file. */
+export function expectWithin({ name, character }: Named, options: Partial<GlbOptions>, count = 300): Glb {
   const made = glbOf(character, options);
   const { tolerance, takes } = made.report;
   const times = Array.from({ length: count }, (_, i) => (((i + 0.37) * GOLDEN) % 1) * takes[0].seconds);
@@ -24,4 +24,5 @@ export function expectWithin({ name, character }: Named, options: Partial<GlbOpt
     if (options.influences === undefined) expect(off.vertices / tolerance, what).toBeLessThanOrEqual(MOST);
     expect(off.degrees, what).toBeLessThanOrEqual(MOST_DEGREES);
   }
+  return made;
 }

@@ -33,21 +33,38 @@ const FILES: readonly (readonly string[])[] = [
   ...namesIn('data/bvh', '.bvh').map((name) => [`data/bvh/${name}`]),
 ];
 
-describeShared('real files as GLB', () => {
-  it.each(FILES.map((paths) => [paths.join(' '), paths] as const))('%s is shown as it is here', async (_, paths) => {
-    const characters = openedFrom(...paths);
-    expect(characters.length).toBeGreaterThan(0);
-    for (const own of characters) {
-      const made = glbOf(own);
-      expect(await complaintsOf(made.bytes)).toEqual([]);
-      const { tolerance, takes } = made.report;
-      const seconds = takes[0]?.seconds ?? 0;
-      const times = Array.from({ length: seconds > 0 ? 25 : 1 }, (__, i) => ((i + 0.37) * seconds) / 25);
-      const off = offBy(own, made, await inThree(made), own.shownClip, times);
-      expect(off.joints).toBeLessThanOrEqual(tolerance);
-      expect(off.vertices).toBeLessThanOrEqual(tolerance);
-    }
+/** Seconds of a take: fitting keys to more of it takes longer, and shows nothing else; but one is fitted in several parts. */
+const MOST_SECONDS = 4;
+const WHOLE = 'data/bvh/cmu-01_01.bvh';
+
+function shortened(own: Character): Character {
+  const clips = own.clips.map((clip) => {
+    const [start, end] = clip.range;
+    return { ...clip, range: [start, Math.min(end, start + MOST_SECONDS)] as const };
   });
+  return { ...own, clips };
+}
+
+describeShared('real files as GLB', () => {
+  it.each(FILES.map((paths) => [paths.join(' '), paths] as const))(
+    '%s is shown as it is here',
+    async (_, paths) => {
+      const characters = openedFrom(...paths);
+      expect(characters.length).toBeGreaterThan(0);
+      for (const opened of characters) {
+        const own = paths[0] === WHOLE ? opened : shortened(opened);
+        const made = glbOf(own);
+        expect(await complaintsOf(made.bytes)).toEqual([]);
+        const { tolerance, takes } = made.report;
+        const seconds = takes[0]?.seconds ?? 0;
+        const times = Array.from({ length: seconds > 0 ? 25 : 1 }, (__, i) => ((i + 0.37) * seconds) / 25);
+        const off = offBy(own, made, await inThree(made), own.shownClip, times);
+        expect(off.joints).toBeLessThanOrEqual(tolerance);
+        expect(off.vertices).toBeLessThanOrEqual(tolerance);
+      }
+    },
+    120_000,
+  );
 });
 
 describe('the helper of this test', () => {
