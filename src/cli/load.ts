@@ -275,9 +275,12 @@ export function nothingRead({ all, files, diagnostics }: Loaded, args: readonly 
 
 /** A skin alone does not move, and an animation alone moves nothing. */
 export function withoutSkeleton(characters: readonly Character[]): Diagnostic[] {
+  const others = characters.some(({ skeleton }) => skeleton);
   return characters.flatMap(({ name, skeleton, skins, sources }) => {
     if (skeleton) return [];
-    const found = 'Expected a skeleton with these files, found none.';
+    const found = others
+      ? 'Expected a skeleton whose name begins its own, found several others. Name it after one of them, or give it that alone.'
+      : 'Expected a skeleton with these files, found none.';
     const assumed = skins.length > 0 ? 'vertices are those of the file, not moved' : 'channels alone, without joints';
     return [withoutPlace('info', 'skeleton-missing', found, sources[0]?.path ?? name, assumed)];
   });

@@ -236,6 +236,10 @@ function renamed(extension: string): string {
  * @param head its first `HEAD_BYTES` bytes, or all of a shorter file; more is ignored
  */
 export function otherContent(fileName: string, kind: ContentKind, head: Uint8Array): Diagnostic | undefined {
+  // Text readers say what they expected first.
+  if (head.length === 0 && (kind === 'zip' || kind === 'gltf' || kind === 'fbx')) {
+    return withoutPlace('error', 'file-empty', 'The file is empty: copy or export it again.', fileName);
+  }
   const from = head[0] === 0xef && head[1] === 0xbb && head[2] === 0xbf ? 3 : 0;
   const start = Array.from(head.subarray(from, HEAD_BYTES), characterOf).join('');
   // The first entry decides, since XML is what web pages are, too.

@@ -19,6 +19,14 @@ afterAll(() => rmSync(folder, { recursive: true }));
 const latin1 = (text: string) => Uint8Array.from(text, (c) => c.charCodeAt(0));
 const LFS = 'version https://git-lfs.github.com/spec/v1\noid sha256:0123\nsize 1234567\n';
 
+it.each(['zip', 'glb', 'gltf', 'fbx'] as const)('an empty .%s is said to be empty', async (kind) => {
+  const path = join(folder, `empty.${kind}`);
+  writeFileSync(path, '');
+  const { code, err } = await command(['info', path], folder);
+  rmSync(path);
+  expect([code, err]).toEqual([1, `empty.${kind} error file-empty: The file is empty: copy or export it again.\n`]);
+});
+
 /** The start of a file, what its message calls it, and the extensions that it may have. */
 const LIST: readonly (readonly [start: string, called: RegExp, own?: readonly string[]])[] = [
   [LFS, /Git LFS pointer/],
