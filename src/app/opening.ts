@@ -13,7 +13,6 @@ import { type Character, type Document, findCharacter, shownClip } from '../mode
 import { sentenceOf } from '../model/failure.ts';
 import type { ParsedFile, SourceFile } from '../model/files.ts';
 import { type DumpFile, type OpenResult, openFiles, openInSteps } from '../project/open/open-files.ts';
-import { unseenChanges } from '../project/open/unseen-changes.ts';
 import type { Observable } from '../ui/kit/observable.ts';
 import type { Messages } from '../ui/state/messages.ts';
 import type { Loading, WorkbenchStage } from '../ui/state/workbench.ts';
@@ -148,10 +147,12 @@ export class Opener {
       const fresh = result.opened.filter((id) => !findCharacter(before, id));
       const known = fresh.flatMap((id) => findCharacter(store.document, id) ?? []).filter((c) => c.space?.known);
       if (known.length > 0) this.parts.offerSpaces?.(known);
-      const unseen =
-        reloads === undefined ? unseenChanges(before, result.document, output.files, output.diagnostics) : undefined;
-      // Errors stay in the line instead: they say themselves what became of their files.
-      if (unseen !== undefined && !hasErrors(diagnostics)) messages.note(unseen);
+      // Errors stay in the line instead: they say themselves what became of their files. The first character is seen.
+      if (reloads === undefined && !options.asOpeningSample && !hasErrors(diagnostics)) {
+        const module = await import('../project/open/unseen-changes.ts').catch(() => undefined);
+        const unseen = module?.unseenChanges(before, result.document, output.files, output.diagnostics);
+        if (unseen !== undefined) messages.note(unseen);
+      }
       return diagnostics;
     } catch (error) {
       if (abort.signal.aborted) {

@@ -2,9 +2,10 @@
  * The page's console API: `window.marrow`, for teachers and tests. It uses the same functions as the menus, so what a
  * script does can be undone, and what it reads is what is drawn.
  */
-import { finiteNumber } from '../edit/arguments.ts';
+
 import type { CommandInfo } from '../edit/commands/all.ts';
 import { play } from '../edit/playback.ts';
+import { number } from '../edit/schema/shape.ts';
 import type { Store } from '../edit/store.ts';
 import { type EndSitePosition, endSitePositions } from '../evaluate/end-sites.ts';
 import { resolvedSlopes } from '../evaluate/slopes.ts';
@@ -145,7 +146,7 @@ export function scriptingApi(
       return opener.open(() => blobs);
     },
     seek(seconds) {
-      const timeSeconds = finiteNumber(seconds, 'A time');
+      const timeSeconds = number.read(seconds, 'seconds');
       transport.update((now) => ({ ...now, timeSeconds, playing: false }));
     },
     play: () => transport.update(play),

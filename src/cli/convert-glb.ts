@@ -1,6 +1,6 @@
 /** `marrow convert IN… OUT.glb`: one character with its takes, for programs that read glTF. */
 import { resolve } from 'node:path';
-import { CommandError } from '../edit/store.ts';
+import { CommandError } from '../edit/command-error.ts';
 import { spaceText } from '../evaluate/space.ts';
 import type { GlbOptions } from '../exchange/glb/options.ts';
 import { diagnosticsOf } from '../exchange/glb/report.ts';

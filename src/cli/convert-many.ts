@@ -8,7 +8,7 @@
 import { existsSync } from 'node:fs';
 import { basename, dirname, join, relative, resolve, sep } from 'node:path';
 import { setImmediate as nextTurn } from 'node:timers/promises';
-import { CommandError } from '../edit/store.ts';
+import { CommandError } from '../edit/command-error.ts';
 import { type Diagnostic, hasErrors, withoutPlace } from '../model/diagnostic.ts';
 import { DistinctNames } from '../model/distinct-names.ts';
 import { type Character, EMPTY_DOCUMENT } from '../model/document.ts';

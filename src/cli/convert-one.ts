@@ -3,7 +3,7 @@
  * or what can be converted to it.
  */
 
-import { CommandError } from '../edit/store.ts';
+import { CommandError } from '../edit/command-error.ts';
 import { fitOneBvh } from '../formats/bvh/write.ts';
 import { axisAngleObstacle, inAxisAngleForm, inHierarchyForm } from '../model/axis-angle.ts';
 import { type Diagnostic, withoutPlace } from '../model/diagnostic.ts';

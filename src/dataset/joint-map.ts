@@ -6,7 +6,7 @@
  *     Hips,mixamorig:Hips
  *     LeftUpLeg,mixamorig:LeftUpLeg
  */
-import { CommandError } from '../edit/store.ts';
+import { CommandError } from '../edit/command-error.ts';
 import type { JointPair } from '../model/retarget.ts';
 import type { Skeleton } from '../model/skeleton.ts';
 

@@ -14,7 +14,7 @@
  *
  * The parent of a root is the scene: its rotation is the same locally and in the world.
  */
-import { CommandError } from '../edit/store.ts';
+import { CommandError } from '../edit/command-error.ts';
 import { playedClip } from '../evaluate/bake.ts';
 import { carrierIn, retargetCarrier } from '../evaluate/carrier.ts';
 import { contactSpans, feetOf, framesOfSpans, standingHeight } from '../evaluate/foot-contacts.ts';

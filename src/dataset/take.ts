@@ -1,7 +1,8 @@
 /** A take ready to be made numbers of: what is sampled, in which space, at which frames. */
+
+import { CommandError } from '../edit/command-error.ts';
 import { retargetedTo } from '../edit/commands/retarget.ts';
 import { mirroringTake } from '../edit/samples/take-mirror.ts';
-import { CommandError } from '../edit/store.ts';
 import { type Frames, framesOf, MAX_FRAMES, ownFrames, playedClip } from '../evaluate/bake.ts';
 import { frameRateOf } from '../evaluate/frame-rate.ts';
 import { framesOfClip } from '../evaluate/key-frames.ts';

@@ -1,30 +1,6 @@
-/**
- * Checks of command arguments, which may come unchecked from the console or a script. Each throws a `CommandError` that
- * says what was expected.
- */
+/** What checks of command arguments share that shapes can't make: those that depend on the document. */
 import { cutText } from '../model/cut-text.ts';
-import { CommandError } from './store.ts';
-
-export function finiteNumber(value: unknown, what: string): number {
-  if (typeof value === 'number' && Number.isFinite(value)) return value;
-  throw new CommandError(`${what} must be a finite number, found ${described(value)}.`);
-}
-
-export function listOf(value: unknown, what: string): readonly unknown[] {
-  if (Array.isArray(value)) return value;
-  throw new CommandError(`${what} must be a list, found ${described(value)}.`);
-}
-
-export function oneOf<T>(value: unknown, allowed: readonly T[], what: string): T {
-  const found = allowed.find((a) => a === value);
-  if (found !== undefined) return found;
-  throw new CommandError(`${what} must be one of ${allowed.map(described).join(', ')}, found ${described(value)}.`);
-}
-
-export function text(value: unknown, what: string): string {
-  if (typeof value === 'string' && value.trim() !== '') return value;
-  throw new CommandError(`${what} must be text, found ${described(value)}.`);
-}
+import { CommandError } from './command-error.ts';
 
 /** An index from `from` up to (excluding) `to`. */
 export function indexIn(value: unknown, from: number, to: number, what: string): number {

@@ -7,11 +7,12 @@ import { silentChannels } from '../evaluate/retarget/moved-dofs.ts';
 import { type Channel, type ChannelClip, type KeyedChannel, keysOf } from '../model/clip.ts';
 import { type Document, shownClip } from '../model/document.ts';
 import type { ChannelKeys } from '../model/session.ts';
-import { indexIn, listOf } from './arguments.ts';
+import { indexIn } from './arguments.ts';
+import type { Edit } from './change.ts';
 import { changeCharacter, requireCharacter } from './characters.ts';
+import { CommandError } from './command-error.ts';
 import type { EditedChannel } from './keys/arrange.ts';
 import { refuseMoved } from './refuse-moved.ts';
-import { CommandError, type Edit } from './store.ts';
 import { requireTake, withTake } from './takes.ts';
 
 export interface OfChannels {
@@ -83,43 +84,38 @@ interface KeysOfChannel {
 }
 
 /** The keys with their channels. Refuses keys that don't exist, and unsorted lists. */
-export function checkedKeys({ channels }: ChannelClip, keys: unknown): readonly KeysOfChannel[] {
+export function checkedKeys({ channels }: ChannelClip, keys: readonly ChannelKeys[]): readonly KeysOfChannel[] {
   const checked: KeysOfChannel[] = [];
   let before = -1;
-  for (const entry of listOf(keys, '"keys"')) {
-    if (typeof entry !== 'object' || entry === null || !('channel' in entry) || !('indices' in entry)) {
-      throw new CommandError('"keys" must be a list of { channel, indices }.');
-    }
+  for (const entry of keys) {
     const index = indexIn(entry.channel, 0, channels.length, 'channel');
     if (index <= before) throw new CommandError('"keys" must name each channel once, in ascending order.');
     before = index;
     const channel = channels[index];
-    const indices = checkedIndices(entry.indices, keysOf(channel).times.length);
+    const { indices } = entry;
+    checkIndices(indices, keysOf(channel).times.length);
     // A channel without keys has none of these indices.
     if (channel.kind === 'keys') checked.push({ channel, index, indices });
   }
   return checked;
 }
 
-function checkedIndices(given: unknown, keyCount: number): readonly number[] {
-  const indices = listOf(given, '"indices"');
+function checkIndices(indices: readonly number[], keyCount: number): void {
   if (indices.length === 0) throw new CommandError('"indices" must name at least one key.');
   let before = -1;
   for (const k of indices) {
     // Not through `indexIn`: this loop runs for every key on every mouse move.
-    if (typeof k !== 'number' || !Number.isInteger(k) || k <= before || k >= keyCount) {
+    if (k <= before || k >= keyCount) {
       indexIn(k, 0, keyCount, 'key');
       throw new CommandError('"indices" must name each key once, in ascending order.');
     }
     before = k;
   }
-  // All were checked to be numbers.
-  return indices as readonly number[];
 }
 
 /** Refuses channels that don't exist. Unique and ascending. */
-export function checkedChannels(clip: Pick<ChannelClip, 'channels'>, channels: unknown): readonly number[] {
-  const list = listOf(channels, '"channels"').map((c) => indexIn(c, 0, clip.channels.length, 'channel'));
+export function checkedChannels(clip: Pick<ChannelClip, 'channels'>, channels: readonly number[]): readonly number[] {
+  const list = channels.map((c) => indexIn(c, 0, clip.channels.length, 'channel'));
   return [...new Set(list)].sort((a, b) => a - b);
 }
 

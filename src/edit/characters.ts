@@ -1,7 +1,7 @@
 /** Changing one character of a document; all others keep their identity. */
 import type { Character, Document } from '../model/document.ts';
 import { findCharacter } from '../model/document.ts';
-import { CommandError } from './store.ts';
+import { CommandError } from './command-error.ts';
 
 /** Throws a `CommandError` if the character doesn't exist. */
 export function requireCharacter(document: Document, id: string): Character {

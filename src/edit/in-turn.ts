@@ -1,5 +1,6 @@
 import type { Document } from '../model/document.ts';
-import { type Command, documentIn, type Edit } from './store.ts';
+import { documentIn, type Edit } from './change.ts';
+import type { Command } from './command.ts';
 
 /**
  * A command for several of what it changes one of, as one step. The selection stays; if one is refused, all are.

@@ -6,12 +6,10 @@ import { silentChannels } from '../evaluate/retarget/moved-dofs.ts';
 import { FLAT, LINEAR, SMOOTH } from '../model/clip.ts';
 import { type Character, shownClip } from '../model/document.ts';
 import type { ChannelKeys } from '../model/session.ts';
-import { finiteNumber, listOf, oneOf } from './arguments.ts';
-import { type KeyPlacing, OUTSIDE_CYCLE, type OutsideCycle, placeOf } from './keys/cycle.ts';
+import { type KeyPlacing, type OutsideCycle, placeOf } from './keys/cycle.ts';
 import { putKeyAt } from './keys/put-key.ts';
 import { withNearerSigns } from './keys/quaternion-signs.ts';
 import { refuseMoved } from './refuse-moved.ts';
-import { CommandError } from './store.ts';
 import { withChannels, withTake } from './takes.ts';
 import { unkeyedAt, withUnkeyed } from './unkeyed.ts';
 
@@ -19,7 +17,6 @@ import { unkeyedAt, withUnkeyed } from './unkeyed.ts';
 export type NewKeyTangents = 'smooth' | 'linear' | 'flat';
 
 const KINDS: Readonly<Record<NewKeyTangents, number>> = { smooth: SMOOTH, linear: LINEAR, flat: FLAT };
-const NAMES: readonly NewKeyTangents[] = ['smooth', 'linear', 'flat'];
 
 /** Options for new keys, as commands take them. */
 export interface KeyOptions {
@@ -51,9 +48,8 @@ export function keyDofs(
   character: Character,
   values: ReadonlyMap<number, number>,
   timeSeconds: number,
-  options: KeyOptions = {},
+  { tangents = 'smooth', playedRange, outsideCycle = 'lengthen' }: KeyOptions = {},
 ): Keyed {
-  const { kind, playedRange, outsideCycle } = checkOptions(options);
   const silent = silentChannels(character);
   if ([...values.keys()].some((dof) => dof < silent)) refuseMoved(character);
   const time = timeSeconds + character.timeOffsetSeconds;
@@ -75,7 +71,7 @@ export function keyDofs(
   const keyable = [...values.keys()].filter((dof) => channels[dof]?.kind !== 'samples');
   for (const dof of keyable.sort((a, b) => a - b)) {
     const before = channels[dof];
-    const { channel, index } = putKeyAt(before, time, signed.get(dof) ?? 0, kind, placing);
+    const { channel, index } = putKeyAt(before, time, signed.get(dof) ?? 0, KINDS[tangents], placing);
     changed ||= channel !== before;
     channels[dof] = channel;
     keys.push({ channel: dof, indices: [index] });
@@ -94,21 +90,4 @@ function newRange(
 ): readonly [number, number] {
   if (played && played[1] > played[0]) return [played[0] + timeOffsetSeconds, played[1] + timeOffsetSeconds];
   return [Math.min(0, time), Math.max(1, time)];
-}
-
-/** Arguments may come from the console. */
-function checkOptions({ tangents = 'smooth', playedRange, outsideCycle = 'lengthen' }: KeyOptions) {
-  const kind = KINDS[oneOf(tangents, NAMES, '"tangents"')];
-  oneOf(outsideCycle, OUTSIDE_CYCLE, '"outsideCycle"');
-  const range = playedRange === undefined ? undefined : rangeFrom(playedRange, '"playedRange"');
-  return { kind, playedRange: range, outsideCycle };
-}
-
-/** Two finite numbers in order; throws for anything else. */
-export function rangeFrom(value: unknown, what: string): readonly [number, number] {
-  const [from, to] = listOf(value, what);
-  const range = [finiteNumber(from, `The start of ${what}`), finiteNumber(to, `The end of ${what}`)] as const;
-  if (range[0] > range[1])
-    throw new CommandError(`${what} must start before it ends, found ${range[0]} to ${range[1]}.`);
-  return range;
 }

@@ -1,6 +1,6 @@
 /** During retargeting a character's own take is not visible, so it must not change. */
 import type { Character } from '../model/document.ts';
-import { CommandError } from './store.ts';
+import { CommandError } from './command-error.ts';
 
 /** Refuses to change a take that is hidden by retargeting. */
 export function refuseMoved({ name, driver }: Character): void {

@@ -11,45 +11,12 @@ import { EMPTY_DOCUMENT, findCharacter, shownClip } from '../model/document.ts';
 import { othersKept } from '../model/selected-joints.ts';
 import type { ChannelKeys, Selection } from '../model/session.ts';
 import { NOTHING_SELECTED } from '../model/session.ts';
+import { type Change, documentIn, type Edit, isChange, type SelectedJoint } from './change.ts';
+import type { Command } from './command.ts';
 import { sameValue } from './delta.ts';
 import { followSources } from './drivers.ts';
 import { History, type State } from './history.ts';
 import { withoutNumbers, withParts } from './parts.ts';
-
-/** A named change to the document: menu entry, undo entry and scripted call in one. */
-export interface Command<Args, Result extends Document | Edit = Document> {
-  /** Stable: `pose.setDof`. */
-  readonly id: string;
-  /** Creates a character, so that none has to be named. */
-  readonly makesCharacter?: true;
-  /** Label in the Edit menu: "Set rx". */
-  label(document: Document, args: Args): string;
-  /** The changed document; the same object if nothing changes. Throws a `CommandError` to refuse. */
-  run(document: Document, args: Args): Result;
-}
-
-/** A change with the selection after it. Whatever it does not specify stays selected if it still exists. */
-export interface Change {
-  readonly document: Document;
-  /** The character, and its joint, that was changed. */
-  readonly selected?: SelectedJoint;
-}
-
-/** A change of keys, which are selected at their new positions. */
-export interface Edit extends Change {
-  readonly keys: readonly ChannelKeys[];
-}
-
-/** The changed joint, by its index after the change; without `joint`: the character without a selected joint. */
-export interface SelectedJoint {
-  readonly characterId: string;
-  readonly joint?: number;
-}
-
-/** A command that was refused, with a sentence for the user. */
-export class CommandError extends Error {
-  override readonly name = 'CommandError';
-}
 
 /**
  * A drag: previews replace each other, and together become one step when committed. Any other change of the document
@@ -297,15 +264,6 @@ function tellAll(listeners: ReadonlySet<Listener>, next: State, before: State): 
     }
   }
   if (thrown) throw thrown.error;
-}
-
-function isChange(change: Document | Change): change is Change {
-  return 'document' in change;
-}
-
-/** The document of a change in either form. */
-export function documentIn(change: Document | Change): Document {
-  return isChange(change) ? change.document : change;
 }
 
 /** A document with the selection after a change: as specified by the change, otherwise what still exists. */

@@ -6,7 +6,7 @@ import { type Channel, type ChannelClip, restChannel, spanOfChannel } from '../m
 import { type Character, shownClip } from '../model/document.ts';
 import { characterDofs } from '../model/dofs.ts';
 import { type SourceFile, sameName, stemOf } from '../model/files.ts';
-import { CommandError } from './store.ts';
+import { CommandError } from './command-error.ts';
 
 /** The shown take. Throws a `CommandError` if there is none. */
 export function requireTake(character: Character): ChannelClip {

@@ -4,7 +4,8 @@
  * trial ends: its result was computed for a document that no longer exists.
  */
 import type { Document } from '../model/document.ts';
-import type { Edit, Gesture, Store } from './store.ts';
+import type { Edit } from './change.ts';
+import type { Gesture, Store } from './store.ts';
 
 export class Trial {
   private readonly gesture: Gesture;

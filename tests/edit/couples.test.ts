@@ -1,6 +1,7 @@
 import { describe, expect, it } from 'vitest';
+import { CommandError } from '../../src/edit/command-error.ts';
 import { setCouple } from '../../src/edit/commands/couples.ts';
-import { CommandError, Store } from '../../src/edit/store.ts';
+import { Store } from '../../src/edit/store.ts';
 import { dofCountOf, poseAt } from '../../src/evaluate/pose.ts';
 import { readSkel } from '../../src/formats/skel/read.ts';
 import { writeSkel } from '../../src/formats/skel/write.ts';
@@ -58,7 +59,9 @@ describe('rig.setCouple', () => {
     expect(() => couple(document, 1, 'rx', { joint: 0, dof: 'qw' })).toThrow('it has rx, ry, rz');
     expect(() => couple(document, 9, 'rx', { joint: 0, dof: 'rx' })).toThrow('no joint number 9');
     const follows = { joint: 0, dof: 'rx', gain: Number.NaN, offset: 0 };
-    expect(() => setCouple.run(document, { characterId: 'c1', joint: 1, dof: 'rx', follows })).toThrow('The gain');
+    expect(() => setCouple.run(document, { characterId: 'c1', joint: 1, dof: 'rx', follows })).toThrow(
+      '"follows.gain" must be a finite number',
+    );
   });
 
   it('rig.setCouple is undone to the same document', () => {

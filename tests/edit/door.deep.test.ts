@@ -5,10 +5,11 @@
 import { env } from 'node:process';
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
+import type { AnyCommand } from '../../src/edit/command.ts';
+import { CommandError } from '../../src/edit/command-error.ts';
 import { ALL_COMMANDS, commandList } from '../../src/edit/commands/all.ts';
 import { argumentsFrom, finiteOnly } from '../../src/edit/schema/door.ts';
-import type { Taking } from '../../src/edit/schema/takes.ts';
-import { CommandError, Store } from '../../src/edit/store.ts';
+import { Store } from '../../src/edit/store.ts';
 import type { Document } from '../../src/model/document.ts';
 import { expectSame } from '../helpers/expect-edit.ts';
 import { checkDocument } from '../helpers/invariants.ts';
@@ -24,16 +25,16 @@ const TRIES = Number(env.MARROW_TRIES ?? 12);
 const DEFAULTS = { timeSeconds: 0, playedRange: [0, 2] as const };
 
 /** With what commands of their kind have in common left out where they don't take it. */
-const ALL = [...ALL_COMMANDS].flatMap(([id, taking]) => {
+const ALL = [...ALL_COMMANDS].flatMap(([id, command]) => {
   if (!CASES[id]) return [];
   const { document, args } = CASES[id];
-  const known = Object.entries(args).filter(([name]) => name !== 'characterId' || Object.hasOwn(taking.fields, name));
-  return [{ id, taking, given: { document, args: Object.fromEntries(known) } }];
+  const known = Object.entries(args).filter(([name]) => name !== 'characterId' || Object.hasOwn(command.args, name));
+  return [{ id, command, given: { document, args: Object.fromEntries(known) } }];
 });
 const TAKEN = ALL.filter(({ id }) => id !== 'takes.endOverlay');
 
 /** Runs it as a script does; false if it is refused. */
-function run(store: Store, taking: Taking, args: unknown): boolean {
+function run(store: Store, command: AnyCommand, args: unknown): boolean {
   const find = (ref: string | number | undefined) => {
     const { characters } = store.document;
     const found =
@@ -42,7 +43,7 @@ function run(store: Store, taking: Taking, args: unknown): boolean {
     return found.id;
   };
   try {
-    store.apply(finiteOnly(taking), argumentsFrom(taking, args, DEFAULTS, find));
+    store.apply(finiteOnly(command), argumentsFrom(command, args, DEFAULTS, find));
     return true;
   } catch (error) {
     if (!(error instanceof CommandError)) throw error;
@@ -52,10 +53,10 @@ function run(store: Store, taking: Taking, args: unknown): boolean {
   }
 }
 
-function expectHeld(document: Document, taking: Taking, args: unknown): void {
+function expectHeld(document: Document, command: AnyCommand, args: unknown): void {
   const was = structuredClone(document);
   const store = new Store(document);
-  const isDone = run(store, taking, args);
+  const isDone = run(store, command, args);
   if (isDone) {
     // As it was before, but for what only making it through the store adds.
     if (store.document !== document) checkDocument(store.document);
@@ -66,12 +67,12 @@ function expectHeld(document: Document, taking: Taking, args: unknown): void {
 }
 
 describe('the door for scripts', () => {
-  it.each(TAKEN)('$id takes its arguments as they are meant', ({ taking, given }) => {
+  it.each(TAKEN)('$id takes its arguments as they are meant', ({ command, given }) => {
     const store = new Store(given.document);
-    expect(run(store, taking, given.args)).toBe(true);
+    expect(run(store, command, given.args)).toBe(true);
     const direct = new Store(given.document);
     // The same arguments, as the page gives them.
-    direct.apply(taking.command, given.args as never);
+    direct.apply(command, given.args as never);
     expectSame(store.document, direct.document);
   });
 
@@ -84,17 +85,17 @@ describe('the door for scripts', () => {
     for (const info of commandList()) expect(Object.values(info.arguments).every((what) => what.length > 3)).toBe(true);
   });
 
-  it.each(ALL)('$id holds under odd arguments', ({ taking, given }) => {
+  it.each(ALL)('$id holds under odd arguments', ({ command, given }) => {
     fc.assert(
-      fc.property(thrown, (numbers) => expectHeld(given.document, taking, oddly(given.args, new Dice(numbers)))),
+      fc.property(thrown, (numbers) => expectHeld(given.document, command, oddly(given.args, new Dice(numbers)))),
       { numRuns: TRIES },
     );
   });
 
-  it.each(ALL)('$id holds under extreme numbers', ({ taking, given }) => {
+  it.each(ALL)('$id holds under extreme numbers', ({ command, given }) => {
     fc.assert(
       fc.property(thrown, fc.array(extreme, { minLength: 1, maxLength: 3 }), (throws, numbers) =>
-        expectHeld(given.document, taking, extremely(given.args, new Dice(throws), numbers)),
+        expectHeld(given.document, command, extremely(given.args, new Dice(throws), numbers)),
       ),
       { numRuns: TRIES },
     );
@@ -105,9 +106,9 @@ describe('the door for scripts', () => {
     fc.assert(
       fc.property(seeds, ids, thrown, thrown, (seed, id, throws, odd) => {
         const document = randomDocument(seed);
-        const taking = ALL_COMMANDS.get(id);
+        const command = ALL_COMMANDS.get(id);
         const args = argumentsFor(id, new Store(document), new Dice(throws));
-        if (taking && args) expectHeld(document, taking, oddly(args, new Dice(odd)));
+        if (command && args) expectHeld(document, command, oddly(args, new Dice(odd)));
       }),
       { numRuns: 10 * TRIES },
     );

@@ -1,9 +1,9 @@
 /** What scripts give to commands, and in which words it is refused. */
 import { describe, expect, it } from 'vitest';
+import { command } from '../../src/edit/command.ts';
 import { ALL_COMMANDS } from '../../src/edit/commands/all.ts';
 import { argumentsFrom, finiteOnly } from '../../src/edit/schema/door.ts';
-import { takes } from '../../src/edit/schema/takes.ts';
-import { type Command, Store } from '../../src/edit/store.ts';
+import { Store } from '../../src/edit/store.ts';
 import type { Character, Document } from '../../src/model/document.ts';
 import { character, clip, documentOf, joint } from '../helpers/builders.ts';
 
@@ -15,12 +15,12 @@ const ARM = character({
 const DEFAULTS = { timeSeconds: 0.5, playedRange: [0, 2] as const };
 
 function run(id: string, args: unknown, document: Document = documentOf(ARM)): Document {
-  const taking = ALL_COMMANDS.get(id);
-  if (!taking) throw new Error(`There is no command ${id}.`);
+  const taken = ALL_COMMANDS.get(id);
+  if (!taken) throw new Error(`There is no command ${id}.`);
   const store = new Store(document);
   store.apply(
-    finiteOnly(taking),
-    argumentsFrom(taking, args, DEFAULTS, () => 'c1'),
+    finiteOnly(taken),
+    argumentsFrom(taken, args, DEFAULTS, () => 'c1'),
   );
   return store.document;
 }
@@ -75,13 +75,15 @@ describe('arguments from scripts', () => {
   });
 
   it('a result that is not finite is refused, with its place, but for limits', () => {
-    const changed = (change: Partial<Character>): Command<object> => ({
-      id: 'test.change',
-      label: () => 'Change',
-      run: (document) => ({ ...document, characters: [{ ...document.characters[0], ...change }] }),
-    });
+    const changed = (change: Partial<Character>) =>
+      command({
+        id: 'test.change',
+        args: {},
+        label: () => 'Change',
+        run: (document) => ({ ...document, characters: [{ ...document.characters[0], ...change }] }),
+      });
     const document = documentOf(ARM);
-    const result = (change: Partial<Character>) => finiteOnly(takes(changed(change), {})).run(document, {});
+    const result = (change: Partial<Character>) => finiteOnly(changed(change)).run(document, {});
     expect(() => result({ pose: ARM.pose.with(2, Infinity) })).toThrow('characters[0].pose[2] is Infinity');
     expect(() => result({ clips: [{ ...ARM.clips[0], range: [0, Number.NaN] }] })).toThrow('clips[0].range[1] is NaN');
     const free = joint(-1, { limits: Array.from({ length: 3 }, () => ({ min: -Infinity, max: Infinity })) });

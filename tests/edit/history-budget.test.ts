@@ -1,7 +1,8 @@
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
+import type { Command } from '../../src/edit/command.ts';
 import { stepsToForget } from '../../src/edit/history-budget.ts';
-import { type Command, Store } from '../../src/edit/store.ts';
+import { Store } from '../../src/edit/store.ts';
 import type { Document } from '../../src/model/document.ts';
 import type { Samples } from '../../src/model/samples.ts';
 import { character, clip, documentOf } from '../helpers/builders.ts';

@@ -1,6 +1,8 @@
 /** What undo costs: the history may hold what its steps changed, and nothing else. */
 import { describe, expect, it } from 'vitest';
-import { type Command, type Edit, Store } from '../../src/edit/store.ts';
+import type { Edit } from '../../src/edit/change.ts';
+import type { Command } from '../../src/edit/command.ts';
+import { Store } from '../../src/edit/store.ts';
 import { type ChannelClip, keysOf } from '../../src/model/clip.ts';
 import type { Document } from '../../src/model/document.ts';
 import { character, clip, documentOf, skin } from '../helpers/builders.ts';

@@ -1,7 +1,8 @@
 import { expect, it } from 'vitest';
+import { CommandError } from '../../src/edit/command-error.ts';
 import { clearLimit, setLimit } from '../../src/edit/commands/limits.ts';
 import { inTurn } from '../../src/edit/in-turn.ts';
-import { CommandError, Store } from '../../src/edit/store.ts';
+import { Store } from '../../src/edit/store.ts';
 import { character, documentOf, skeleton } from '../ui/builders.ts';
 
 const bones = skeleton(['hips', -1], ['left', 0], ['right', 0]);

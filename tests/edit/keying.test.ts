@@ -1,8 +1,9 @@
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
+import { documentIn } from '../../src/edit/change.ts';
 import { keyPose } from '../../src/edit/commands/keying.ts';
 import { setDofs } from '../../src/edit/commands/pose.ts';
-import { documentIn, Store } from '../../src/edit/store.ts';
+import { Store } from '../../src/edit/store.ts';
 import { compileClip } from '../../src/evaluate/compiled-clip.ts';
 import { evaluateClip } from '../../src/evaluate/curves.ts';
 import { dofCountOf, isDriven, poseAt } from '../../src/evaluate/pose.ts';

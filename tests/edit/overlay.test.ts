@@ -1,11 +1,12 @@
 /** Sizes and places of takes that are compared: comparable meanwhile, and as before afterwards. */
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
-import { COMMANDS_BY_ID } from '../../src/edit/commands/all.ts';
+import { CommandError } from '../../src/edit/command-error.ts';
+import { ALL_COMMANDS } from '../../src/edit/commands/all.ts';
 import { sameHeight } from '../../src/edit/commands/heights.ts';
 import { endOverlay, overlayTakes } from '../../src/edit/commands/takes.ts';
 import { ownHeight } from '../../src/edit/same-height.ts';
-import { CommandError, Store } from '../../src/edit/store.ts';
+import { Store } from '../../src/edit/store.ts';
 import {
   type Character,
   DEFAULT_PLACEMENT,
@@ -127,7 +128,7 @@ describe('takes that are overlaid', () => {
 });
 
 function run(store: Store, id: string, dice: Dice): void {
-  const command = COMMANDS_BY_ID.get(id);
+  const command = ALL_COMMANDS.get(id);
   if (!command || store.document.characters.length === 0) return;
   try {
     const args = argumentsFor(id, store, dice);

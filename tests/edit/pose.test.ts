@@ -1,6 +1,6 @@
 import { describe, expect, it } from 'vitest';
+import { documentIn } from '../../src/edit/change.ts';
 import { resetPose, setClamping, setDofs } from '../../src/edit/commands/pose.ts';
-import { documentIn } from '../../src/edit/store.ts';
 import { documentWithoutUnkeyed } from '../../src/edit/unkeyed.ts';
 import { dofCountOf, poseAt } from '../../src/evaluate/pose.ts';
 import { keysOf, restChannel } from '../../src/model/clip.ts';

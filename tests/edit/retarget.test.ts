@@ -1,4 +1,6 @@
 import { describe, expect, it } from 'vitest';
+import type { Command } from '../../src/edit/command.ts';
+import { CommandError } from '../../src/edit/command-error.ts';
 import { placeCharacter, removeCharacter, setTimeOffset, showClip } from '../../src/edit/commands/characters.ts';
 import { setClipRange } from '../../src/edit/commands/clips.ts';
 import { keyPose } from '../../src/edit/commands/keying.ts';
@@ -6,7 +8,7 @@ import { insertKeys, moveKeys, removeKeys } from '../../src/edit/commands/keys.t
 import { setDofs } from '../../src/edit/commands/pose.ts';
 import { bakeRetarget, changeRetarget, clearRetarget, setRetarget } from '../../src/edit/commands/retarget.ts';
 import { cropSamples, smoothSamples } from '../../src/edit/commands/samples.ts';
-import { type Command, CommandError, Store } from '../../src/edit/store.ts';
+import { Store } from '../../src/edit/store.ts';
 import { commonFrames } from '../../src/evaluate/distance.ts';
 import { channelOf, dofCountOf, isDriven, poseAt } from '../../src/evaluate/pose.ts';
 import { retargetPlan } from '../../src/evaluate/retarget/make-plan.ts';

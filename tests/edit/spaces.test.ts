@@ -1,7 +1,8 @@
 import { describe, expect, it } from 'vitest';
+import { CommandError } from '../../src/edit/command-error.ts';
 import { setInterpolation } from '../../src/edit/commands/clips.ts';
 import { setHidden, setPositionChannels, setSpace } from '../../src/edit/commands/spaces.ts';
-import { CommandError, Store } from '../../src/edit/store.ts';
+import { Store } from '../../src/edit/store.ts';
 import { EMPTY_DOCUMENT } from '../../src/model/document.ts';
 import { jointDofCount } from '../../src/model/dofs.ts';
 import type { ParsedFile } from '../../src/model/files.ts';

@@ -1,7 +1,9 @@
 import fc from 'fast-check';
 import { describe, expect, it, vi } from 'vitest';
+import type { Edit } from '../../src/edit/change.ts';
+import type { Command } from '../../src/edit/command.ts';
 import { removeCharacter, renameCharacter } from '../../src/edit/commands/characters.ts';
-import { type Command, type Edit, Store } from '../../src/edit/store.ts';
+import { Store } from '../../src/edit/store.ts';
 import { character, clip, documentOf, skeleton } from '../helpers/builders.ts';
 
 const start = documentOf(character({ name: 'a' }));

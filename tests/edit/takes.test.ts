@@ -1,4 +1,5 @@
 import { describe, expect, it } from 'vitest';
+import { CommandError } from '../../src/edit/command-error.ts';
 import { setRetarget } from '../../src/edit/commands/retarget.ts';
 import {
   alignStarts,
@@ -9,7 +10,7 @@ import {
   setTimeOffsets,
   showTakes,
 } from '../../src/edit/commands/takes.ts';
-import { CommandError, Store } from '../../src/edit/store.ts';
+import { Store } from '../../src/edit/store.ts';
 import {
   type Character,
   DEFAULT_PLACEMENT,

@@ -4,9 +4,10 @@
  */
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
-import { COMMANDS_BY_ID } from '../../src/edit/commands/all.ts';
+import { CommandError } from '../../src/edit/command-error.ts';
+import { ALL_COMMANDS } from '../../src/edit/commands/all.ts';
 import type { State } from '../../src/edit/history.ts';
-import { CommandError, Store, withSelectedKeys } from '../../src/edit/store.ts';
+import { Store, withSelectedKeys } from '../../src/edit/store.ts';
 import { RADIANS_PER_DEGREE } from '../../src/math/degrees.ts';
 import { type Channel, followingSamples, restChannel } from '../../src/model/clip.ts';
 import { type Document, findCharacter, shownClip } from '../../src/model/document.ts';
@@ -161,7 +162,7 @@ class Watched {
 function act(watched: Watched, id: string, dice: Dice): void {
   const { store } = watched;
   if (id === NOTHING) return;
-  const command = COMMANDS_BY_ID.get(id);
+  const command = ALL_COMMANDS.get(id);
   if (!command) throw new Error(`There is no command ${id}.`);
   const before = store.document;
   watched.step(() => {
@@ -179,7 +180,7 @@ function act(watched: Watched, id: string, dice: Dice): void {
 
 /** Several previews from one base, let go or given up. */
 function drag({ store }: Watched, id: string, dice: Dice): void {
-  const command = COMMANDS_BY_ID.get(id);
+  const command = ALL_COMMANDS.get(id);
   const given = Array.from({ length: 1 + dice.below(3) }, () => argumentsFor(id, store, dice));
   const before = copyOf(stateOf(store));
   const gesture = store.begin('Drag');

@@ -1,8 +1,8 @@
 /** Files made for what is odd in real ones. */
 import { MeshoptEncoder } from 'meshoptimizer/encoder';
 import { describe, expect, it } from 'vitest';
+import { documentIn } from '../../src/edit/change.ts';
 import { resetPose } from '../../src/edit/commands/pose.ts';
-import { documentIn } from '../../src/edit/store.ts';
 import type { Beside } from '../../src/exchange/imported.ts';
 import { EMPTY_DOCUMENT } from '../../src/model/document.ts';
 import { importFile } from '../../src/project/imports.ts';

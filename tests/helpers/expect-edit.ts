@@ -3,9 +3,11 @@
  * tests only cover what is special about it.
  */
 import { expect } from 'vitest';
+import type { Edit } from '../../src/edit/change.ts';
+import type { Command } from '../../src/edit/command.ts';
 import { applyDelta, deltaTo, sameValue } from '../../src/edit/delta.ts';
 import { poseByNames } from '../../src/edit/pose/by-names.ts';
-import { type Command, type Edit, Store } from '../../src/edit/store.ts';
+import { Store } from '../../src/edit/store.ts';
 import { type Character, type Document, findCharacter, isBvh } from '../../src/model/document.ts';
 import type { FileContent } from '../../src/model/files.ts';
 import { NOTHING_SELECTED, type Selection } from '../../src/model/session.ts';

@@ -1,7 +1,7 @@
 /** Exports takes as the arguments of a command say: of `export`, and of `convert` with many files. */
 import { mkdirSync } from 'node:fs';
 import { resolve } from 'node:path';
-import { CommandError } from '../../edit/store.ts';
+import { CommandError } from '../../edit/command-error.ts';
 import { type Arguments, UsageError } from '../arguments.ts';
 import type { CommandIo, ExitCode } from '../io.ts';
 import { findGiven } from '../paths.ts';

@@ -11,7 +11,7 @@
 import { randomBytes } from 'node:crypto';
 import { appendFileSync, existsSync, mkdirSync, readdirSync, readFileSync, rmSync } from 'node:fs';
 import { basename, join } from 'node:path';
-import { CommandError } from '../../edit/store.ts';
+import { CommandError } from '../../edit/command-error.ts';
 import { writeOutput } from '../write-output.ts';
 import { lineOf, recordsIn, type TakeRecord } from './records.ts';
 import type { Shard } from './switches.ts';

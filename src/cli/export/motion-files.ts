@@ -1,7 +1,7 @@
 /** Takes as files of motion, for `marrow convert`. */
 import { withEditedTakes } from '../../dataset/edited-take.ts';
 import type { TakeOptions } from '../../dataset/take.ts';
-import { CommandError } from '../../edit/store.ts';
+import { CommandError } from '../../edit/command-error.ts';
 import { DEFAULT_GLB } from '../../exchange/glb/options.ts';
 import { TakeError } from '../../exchange/glb/take-motion.ts';
 import type { Character } from '../../model/document.ts';

@@ -5,7 +5,7 @@ import { join, resolve } from 'node:path';
 import { FloatPool } from '../../dataset/float-pool.ts';
 import { takeOf } from '../../dataset/take.ts';
 import { takeArrays } from '../../dataset/take-arrays.ts';
-import { CommandError } from '../../edit/store.ts';
+import { CommandError } from '../../edit/command-error.ts';
 import type { Diagnostic } from '../../model/diagnostic.ts';
 import type { Character } from '../../model/document.ts';
 import { flagText } from '../../review/flags.ts';

@@ -3,7 +3,7 @@ import { existsSync } from 'node:fs';
 import { resolve } from 'node:path';
 import { type JointMap, readJointMap } from '../../dataset/joint-map.ts';
 import type { RetargetTarget } from '../../dataset/take.ts';
-import { CommandError } from '../../edit/store.ts';
+import { CommandError } from '../../edit/command-error.ts';
 import type { Character } from '../../model/document.ts';
 import { skeletonKey } from '../../model/skeleton-key.ts';
 import type { Space } from '../../model/space.ts';

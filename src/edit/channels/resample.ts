@@ -12,8 +12,8 @@
 import { compileChannels } from '../../evaluate/compiled-clip.ts';
 import { resolvedSlopes } from '../../evaluate/slopes.ts';
 import { FIXED_TANGENT, type KeyedChannel, LINEAR } from '../../model/clip.ts';
+import { CommandError } from '../command-error.ts';
 import { type Key, keyAt, tangent, withKeyList } from '../keys/columns.ts';
-import { CommandError } from '../store.ts';
 import { unrolled } from './bake-extrapolation.ts';
 import { type Difference, largestDifference } from './difference.ts';
 import { frozen, meets, slopedKey } from './sloped-key.ts';
@@ -24,7 +24,7 @@ export interface Resampling {
    * Time of frame 0, in seconds of the clip; default 0. Pass the character's time offset to use the transport's frames,
    * which are the visible ones.
    */
-  readonly offsetSeconds?: number;
+  readonly offsetSeconds?: number | undefined;
   /** Seconds of the clip: all frames in between, both included, get a key. */
   readonly from: number;
   readonly to: number;

@@ -9,7 +9,8 @@ import type { Channel, KeyedChannel } from '../../model/clip.ts';
 import type { Document } from '../../model/document.ts';
 import { characterDofs, unitOfChannel } from '../../model/dofs.ts';
 import type { DofUnit } from '../../model/skeleton.ts';
-import { finiteNumber, oneOf } from '../arguments.ts';
+import { described } from '../arguments.ts';
+import type { Edit } from '../change.ts';
 import { checkedChannels, clipOf, type OfChannels, withClipChannels } from '../channel-edits.ts';
 import { type Baked, withExtrapolationBaked } from '../channels/bake-extrapolation.ts';
 import { keepsOffset, withLoop } from '../channels/make-loop.ts';
@@ -17,11 +18,14 @@ import { type Reduction, reductionOf } from '../channels/report.ts';
 import { type Resampling, resampleChannel } from '../channels/resample.ts';
 import { type Simplified, simplifyChannel } from '../channels/simplify.ts';
 import { changeCharacter, requireCharacter } from '../characters.ts';
+import { command } from '../command.ts';
+import { CommandError } from '../command-error.ts';
 import { allKeys } from '../keys/selection.ts';
 import { refuseMoved } from '../refuse-moved.ts';
 import { filteringAngles } from '../samples/euler-filter.ts';
+import { CHANNELS, indices, range } from '../schema/parts.ts';
+import { boolean, either, number, oneOf, optional, record } from '../schema/shape.ts';
 import { curvesIn } from '../step-names.ts';
-import { type Command, CommandError, type Edit } from '../store.ts';
 import { withTake } from '../takes.ts';
 
 /**
@@ -34,15 +38,28 @@ export interface Simplify extends OfChannels {
   /** Greater than 0: one per unit, to combine half a degree with a millimetre, or one for all. */
   readonly tolerance: number | Tolerances;
   /** Seconds of the clip: keys outside are kept, with the curve there. Default: all keys. */
-  readonly range?: readonly [number, number];
+  readonly range?: readonly [number, number] | undefined;
 }
 
 /** Fewer keys, with the curve within tolerance everywhere; see `channels/simplify.ts` for the method. */
-export const simplify: Command<Simplify, Edit> = {
+export const simplify = command({
   id: 'channels.simplify',
+  args: {
+    ...CHANNELS,
+    tolerance: either(
+      number,
+      record({
+        angle: optional(number),
+        length: optional(number),
+        factor: optional(number),
+        weight: optional(number),
+      }),
+    ),
+    range: optional(range),
+  },
   label: (document, { characterId, channels }) => `Simplify ${curvesIn(document, characterId, channels)}`,
   run: (document, args) => edited(document, args, simplified(document, args)),
-};
+});
 
 /** The result of `simplify` in advance. Called on every move of a slider, so measured channels are cached. */
 export function simplifyPreview(document: Document, args: Simplify): Reduction {
@@ -52,11 +69,19 @@ export function simplifyPreview(document: Document, args: Simplify): Reduction {
 export interface Resample extends OfChannels, Resampling {}
 
 /** A key on every frame; see `channels/resample.ts`. */
-export const resample: Command<Resample, Edit> = {
+export const resample = command({
   id: 'channels.resample',
+  args: {
+    ...CHANNELS,
+    framesPerSecond: number,
+    offsetSeconds: optional(number),
+    from: number,
+    to: number,
+    tangents: oneOf(['linear', 'smooth']),
+  },
   label: (document, { characterId, channels }) => `Resample ${curvesIn(document, characterId, channels)}`,
   run: (document, args) => edited(document, args, resampled(document, args)),
-};
+});
 
 /** The result of `resample` in advance. */
 export function resamplePreview(document: Document, args: Resample): Reduction {
@@ -64,11 +89,12 @@ export function resamplePreview(document: Document, args: Resample): Reduction {
 }
 
 /** Removes jumps of angles, in keys and samples, keeping the rotations; see `samples/euler-filter.ts`. */
-export const eulerFilter: Command<OfChannels, Edit> = {
+export const eulerFilter = command({
   id: 'channels.eulerFilter',
+  args: CHANNELS,
   label: (document, { characterId, channels }) => `Euler filter on ${curvesIn(document, characterId, channels)}`,
   run: (document, args) => runToEnd(eulerFilterSteps(document, args)).edit,
-};
+});
 
 /** The result of the filter. */
 export interface EulerFiltering {
@@ -104,11 +130,12 @@ export interface BakeExtrapolation extends OfChannels {
 }
 
 /** Bakes extrapolation to keys; see `channels/bake-extrapolation.ts`. */
-export const bakeExtrapolation: Command<BakeExtrapolation, Edit> = {
+export const bakeExtrapolation = command({
   id: 'channels.bakeExtrapolation',
+  args: { ...CHANNELS, from: number, to: number },
   label: (document, { characterId, channels }) => `Bake extrapolation of ${curvesIn(document, characterId, channels)}`,
   run: (document, args) => edited(document, args, baked(document, args)),
-};
+});
 
 export interface BakePreview {
   readonly keysBefore: number;
@@ -127,17 +154,17 @@ export function bakePreview(document: Document, args: BakeExtrapolation): BakePr
   };
 }
 
-export interface MakeLoop extends OfChannels {
-  /**
-   * Channels that continue from their end (`cycle_offset`), like a root that moves; true for all. Default: those that do
-   * so already, and lengths that travel (`travels`).
-   */
-  readonly keepOffset?: boolean | readonly number[];
-}
-
 /** Makes the end meet the start, `cycle` on both sides; see `channels/make-loop.ts`. */
-export const makeLoop: Command<MakeLoop, Edit> = {
+export const makeLoop = command({
   id: 'channels.makeLoop',
+  args: {
+    ...CHANNELS,
+    /**
+     * Channels that continue from their end (`cycle_offset`), like a root that moves; true for all. Default: those that do
+     * so already, and lengths that travel (`travels`).
+     */
+    keepOffset: optional(either(boolean, indices)),
+  },
   label: (document, { characterId, channels }) => `Make ${curvesIn(document, characterId, channels)} loop`,
   run(document, args) {
     const clip = clipOf(document, args.characterId);
@@ -156,7 +183,7 @@ export const makeLoop: Command<MakeLoop, Edit> = {
       results(document, args, (channel, index) => withLoop(channel, keeps(channel, index))),
     );
   },
-};
+});
 
 type Result = Channel | { readonly channel: Channel };
 
@@ -197,12 +224,9 @@ function simplified(document: Document, args: Simplify): Map<number, Simplified>
   const { tolerance, range } = args;
   const unitOf = units(document, args);
   const toleranceOf = (unit: DofUnit) => {
-    const own = finiteNumber(
-      typeof tolerance === 'object' ? tolerance?.[unit] : tolerance,
-      `The tolerance of ${unit}s`,
-    );
-    if (own > 0) return own;
-    throw new CommandError(`A tolerance must be greater than 0, found ${own}.`);
+    const own = typeof tolerance === 'object' ? tolerance[unit] : tolerance;
+    if (own !== undefined && own > 0) return own;
+    throw new CommandError(`The tolerance of ${unit}s must be greater than 0, found ${described(own)}.`);
   };
   const [from, to] = range ? interval(range[0], range[1]) : [Number.NEGATIVE_INFINITY, Number.POSITIVE_INFINITY];
   return results(document, args, (channel, index) => {
@@ -218,11 +242,10 @@ function simplified(document: Document, args: Simplify): Map<number, Simplified>
 
 function resampled(document: Document, args: Resample) {
   const [from, to] = interval(args.from, args.to);
-  const framesPerSecond = finiteNumber(args.framesPerSecond, '"framesPerSecond"');
-  if (!(framesPerSecond > 0))
+  const { framesPerSecond, offsetSeconds = 0, tangents } = args;
+  if (!(framesPerSecond > 0)) {
     throw new CommandError(`The frame rate must be greater than 0, found ${framesPerSecond}.`);
-  const offsetSeconds = finiteNumber(args.offsetSeconds ?? 0, '"offsetSeconds"');
-  const tangents = oneOf<Resampling['tangents']>(args.tangents, ['smooth', 'linear'], '"tangents"');
+  }
   return results(document, args, (channel) =>
     resampleChannel(channel, { framesPerSecond, offsetSeconds, from, to, tangents }),
   );
@@ -253,9 +276,7 @@ function units(document: Document, { characterId }: OfChannels): (channel: numbe
   return (channel) => unitOfChannel(dofs, channel);
 }
 
-function interval(from: unknown, to: unknown): readonly [number, number] {
-  const start = finiteNumber(from, '"from"');
-  const end = finiteNumber(to, '"to"');
+function interval(start: number, end: number): readonly [number, number] {
   if (start > end) throw new CommandError(`The range ends at ${end} s, before it starts at ${start} s.`);
   return [start, end];
 }

@@ -1,38 +1,41 @@
 /** Commands on whole characters: which exist, which skin and take are shown, and their placements. */
+
 import type { Character, Placement } from '../../model/document.ts';
-import { finiteNumber, indexIn, listOf, text } from '../arguments.ts';
+import { indexIn } from '../arguments.ts';
 import { changeCharacter, requireCharacter } from '../characters.ts';
+import { command } from '../command.ts';
+import { CommandError } from '../command-error.ts';
 import { cutName, SHORT_NAME } from '../cut-name.ts';
 import { sameValue } from '../delta.ts';
 import { withoutDriver } from '../drivers.ts';
+import { CHARACTER, placement } from '../schema/parts.ts';
+import { filledText, index, number, whole } from '../schema/shape.ts';
 import { characterIn } from '../step-names.ts';
-import { type Command, CommandError } from '../store.ts';
 import { withoutUnkeyed } from '../unkeyed.ts';
 
-interface OfCharacter {
-  readonly characterId: string;
-}
-
-export const removeCharacter: Command<OfCharacter> = {
+export const removeCharacter = command({
   id: 'character.remove',
+  args: CHARACTER,
   label: (document, { characterId }) => `Remove ${characterIn(document, characterId)}`,
   run(document, { characterId }) {
     const gone = requireCharacter(document, characterId);
     return { ...document, characters: document.characters.filter((c) => c !== gone) };
   },
-};
+});
 
-export const renameCharacter: Command<OfCharacter & { readonly name: string }> = {
+export const renameCharacter = command({
   id: 'character.rename',
+  args: { ...CHARACTER, name: filledText },
   label: (document, { characterId, name }) =>
     `Rename ${characterIn(document, characterId, SHORT_NAME)} to ${cutName(name, SHORT_NAME)}`,
   run: (document, { characterId, name }) =>
-    changeCharacter(document, characterId, (c) => (c.name === text(name, 'The name') ? c : { ...c, name })),
-};
+    changeCharacter(document, characterId, (c) => (c.name === name ? c : { ...c, name })),
+});
 
 /** Shows another of a character's alternative skins. */
-export const showSkin: Command<OfCharacter & { readonly skin: number }> = {
+export const showSkin = command({
   id: 'character.showSkin',
+  args: { ...CHARACTER, skin: index },
   label: (document, { characterId, skin }) =>
     `Show skin ${cutName(requireCharacter(document, characterId).skins[skin]?.name ?? String(skin))}`,
   run: (document, { characterId, skin }) =>
@@ -40,11 +43,12 @@ export const showSkin: Command<OfCharacter & { readonly skin: number }> = {
       indexIn(skin, 0, c.skins.length, 'skin');
       return c.shownSkin === skin ? c : { ...c, shownSkin: skin };
     }),
-};
+});
 
 /** Plays another take; -1 for none. */
-export const showClip: Command<OfCharacter & { readonly clip: number }> = {
+export const showClip = command({
   id: 'character.showClip',
+  args: { ...CHARACTER, clip: whole(-1) },
   label: (document, { characterId, clip }) =>
     clip < 0
       ? `Show ${characterIn(document, characterId)} without a take`
@@ -55,22 +59,23 @@ export const showClip: Command<OfCharacter & { readonly clip: number }> = {
       // Showing a take of its own ends retargeting.
       return c.shownClip === clip ? withoutDriver(c) : { ...withoutDriver(withoutUnkeyed(c)), shownClip: clip };
     }),
-};
+});
 
-export const setTimeOffset: Command<OfCharacter & { readonly seconds: number }> = {
+export const setTimeOffset = command({
   id: 'character.setTimeOffset',
+  args: { ...CHARACTER, seconds: number },
   label: (document, { characterId }) => `Set start time of ${characterIn(document, characterId)}`,
   run(document, { characterId, seconds }) {
-    finiteNumber(seconds, 'The start time');
     return changeCharacter(document, characterId, (c) =>
       c.timeOffsetSeconds === seconds ? c : { ...c, timeOffsetSeconds: seconds },
     );
   },
-};
+});
 
 /** Moves, rotates or scales one instance of a character. */
-export const placeCharacter: Command<OfCharacter & { readonly index: number; readonly placement: Placement }> = {
+export const placeCharacter = command({
   id: 'character.place',
+  args: { ...CHARACTER, index, placement },
   label: (document, { characterId }) => `Move ${characterIn(document, characterId)}`,
   run: (document, { characterId, index, placement }) =>
     changeCharacter(document, characterId, (c) => {
@@ -79,21 +84,23 @@ export const placeCharacter: Command<OfCharacter & { readonly index: number; rea
       if (sameValue(placement, c.placements[index])) return c;
       return { ...c, placements: c.placements.map((p, i) => (i === index ? placement : p)) };
     }),
-};
+});
 
 /** Adds an instance of a character, sharing its data. */
-export const addCopy: Command<OfCharacter & { readonly placement: Placement }> = {
+export const addCopy = command({
   id: 'character.addCopy',
+  args: { ...CHARACTER, placement },
   label: (document, { characterId }) => `Duplicate instance of ${characterIn(document, characterId)}`,
   run: (document, { characterId, placement }) =>
     changeCharacter(document, characterId, (c) => {
       checkPlacement(placement);
       return { ...c, placements: [...c.placements, placement] };
     }),
-};
+});
 
-export const removeCopy: Command<OfCharacter & { readonly index: number }> = {
+export const removeCopy = command({
   id: 'character.removeCopy',
+  args: { ...CHARACTER, index },
   label: (document, { characterId }) => `Remove instance of ${characterIn(document, characterId)}`,
   run: (document, { characterId, index }) =>
     changeCharacter(document, characterId, (c: Character) => {
@@ -102,17 +109,8 @@ export const removeCopy: Command<OfCharacter & { readonly index: number }> = {
         throw new CommandError('The last instance can’t be removed. Remove the character instead.');
       return { ...c, placements: c.placements.filter((_, i) => i !== index) };
     }),
-};
+});
 
-function checkPlacement(placement: Placement): void {
-  const { position, turn, scale } = placement ?? {};
-  for (const [what, value] of [
-    ['position', position],
-    ['turn', turn],
-  ] as const) {
-    const numbers = listOf(value, `The ${what} of the instance`);
-    for (let i = 0; i < 3; i++) finiteNumber(numbers[i], `The ${what} of the instance`);
-  }
-  if (finiteNumber(scale, 'The scale') <= 0)
-    throw new CommandError(`The scale must be greater than 0, found ${scale}.`);
+function checkPlacement({ scale }: Placement): void {
+  if (scale <= 0) throw new CommandError(`The scale must be greater than 0, found ${scale}.`);
 }

@@ -2,15 +2,18 @@
  * Commands on whole takes: create, rename, duplicate, remove, playback range. Each applies to the shown take unless
  * another is given.
  */
+
 import type { ChannelClip } from '../../model/clip.ts';
 import { type Character, type Document, shownClip } from '../../model/document.ts';
 import { sameName } from '../../model/files.ts';
-import { INTERPOLATIONS, type Interpolation } from '../../model/samples.ts';
-import { indexIn, oneOf, text } from '../arguments.ts';
+import { INTERPOLATIONS } from '../../model/samples.ts';
+import { indexIn } from '../arguments.ts';
 import { changeCharacter, requireCharacter } from '../characters.ts';
+import { command } from '../command.ts';
+import { CommandError } from '../command-error.ts';
 import { cutName, SHORT_NAME } from '../cut-name.ts';
-import { rangeFrom } from '../key-dofs.ts';
-import { type Command, CommandError } from '../store.ts';
+import { CHARACTER, range, TAKE } from '../schema/parts.ts';
+import { filledText, oneOf, optional } from '../schema/shape.ts';
 import { fileInTheWay, newTakeName, requireTake, uniqueTakeName, withNewTake, withTake } from '../takes.ts';
 import { withoutUnkeyed } from '../unkeyed.ts';
 
@@ -20,70 +23,69 @@ interface OfTake {
   readonly clip?: number | undefined;
 }
 
-export interface SetRange extends OfTake {
-  /** First and last second that play, in seconds of the clip. */
-  readonly range: readonly [number, number];
-}
-
-export const setClipRange: Command<SetRange> = {
+export const setClipRange = command({
   id: 'clip.setRange',
+  args: {
+    ...TAKE,
+    /** First and last second that play, in seconds of the clip. */
+    range,
+  },
   label: (document, args) => `Set range of ${nameOf(document, args)}`,
   run(document, { characterId, clip, range }) {
-    const next = rangeFrom(range, '"range"');
     return changeCharacter(document, characterId, (c) => {
       const index = takeIndex(c, clip);
       const take = c.clips[index];
-      const same = take.range[0] === next[0] && take.range[1] === next[1];
-      return same ? c : withTake(c, index, { ...take, range: next });
+      const same = take.range[0] === range[0] && take.range[1] === range[1];
+      return same ? c : withTake(c, index, { ...take, range });
     });
   },
-};
+});
 
 /** How samples are interpolated between frames. */
-export const setInterpolation: Command<OfTake & { readonly interpolation: Interpolation }> = {
+export const setInterpolation = command({
   id: 'clip.setInterpolation',
+  args: { ...TAKE, interpolation: oneOf(INTERPOLATIONS) },
   label: (document, args) => `Set interpolation of ${nameOf(document, args)}`,
   run: (document, { characterId, clip, interpolation }) =>
     changeCharacter(document, characterId, (c) => {
       const index = takeIndex(c, clip);
       const take = c.clips[index];
-      oneOf(interpolation, INTERPOLATIONS, 'The interpolation');
       if (!take.samples) throw new CommandError(`${take.name} has only keys. Their tangents set the interpolation.`);
       if (take.samples.interpolation === interpolation) return c;
       return withTake(c, index, { ...take, samples: { ...take.samples, interpolation } });
     }),
-};
-
-export interface CreateClip {
-  readonly characterId: string;
-  /** Seconds of the clip. */
-  readonly range: readonly [number, number];
-  /** Default: the skeleton's name. A name in use gets a number. */
-  readonly name?: string | undefined;
-}
+});
 
 /** Creates a take without keys, at rest in the current pose, and shows it. */
-export const createClip: Command<CreateClip> = {
+export const createClip = command({
   id: 'clip.create',
+  args: {
+    ...CHARACTER,
+    /** Seconds of the clip. */
+    range,
+    /** Default: the skeleton's name. A name in use gets a number. */
+    name: optional(filledText),
+  },
   label: (document, { characterId, name }) =>
     `New take ${cutName(name ?? newTakeName(requireCharacter(document, characterId)))}`,
   run: (document, { characterId, range, name }) =>
     changeCharacter(document, characterId, (c) => {
       if (!c.skeleton) throw new CommandError(`${c.name} has no skeleton, and its channels need DOFs.`);
-      const called = name === undefined ? newTakeName(c) : uniqueTakeName(c, text(name, 'The name'));
-      return withNewTake(withoutUnkeyed(c), called, rangeFrom(range, '"range"'));
+      const called = name === undefined ? newTakeName(c) : uniqueTakeName(c, name);
+      return withNewTake(withoutUnkeyed(c), called, range);
     }),
-};
+});
 
 /** The name is also the file's, so it must differ from the character's other takes and from their files. */
-export const renameClip: Command<OfTake & { readonly name: string }> = {
+export const renameClip = command({
   id: 'clip.rename',
+  args: { ...TAKE, name: filledText },
   label: (document, args) => `Rename ${nameOf(document, args, SHORT_NAME)} to ${cutName(args.name.trim(), SHORT_NAME)}`,
   run: (document, { characterId, clip, name }) =>
     changeCharacter(document, characterId, (c) => {
       const index = takeIndex(c, clip);
       const take = c.clips[index];
-      const next = text(name, 'The name').trim();
+      const next = name.trim();
       if (take.name === next) return c;
       const other = c.clips.find((o) => o !== take && sameName(o.name, next));
       if (other) throw new CommandError(`${c.name} already has a take "${other.name}".`);
@@ -91,11 +93,12 @@ export const renameClip: Command<OfTake & { readonly name: string }> = {
       if (file) throw new CommandError(`${file.name} belongs to another take; saving "${next}" would overwrite it.`);
       return withTake(c, index, { ...take, name: next });
     }),
-};
+});
 
 /** The duplicate is appended and shown. It shares the channels until one of the two changes. */
-export const duplicateClip: Command<OfTake> = {
+export const duplicateClip = command({
   id: 'clip.duplicate',
+  args: TAKE,
   label: (document, args) => `Duplicate ${nameOf(document, args)}`,
   run: (document, { characterId, clip }) =>
     changeCharacter(document, characterId, (c) => {
@@ -103,11 +106,12 @@ export const duplicateClip: Command<OfTake> = {
       const copy = { ...take, name: uniqueTakeName(c, take.name) };
       return { ...withoutUnkeyed(c), clips: [...c.clips, copy], shownClip: c.clips.length };
     }),
-};
+});
 
 /** If the take was shown, the next one is shown instead, or the previous one if it was the last. */
-export const removeClip: Command<OfTake> = {
+export const removeClip = command({
   id: 'clip.remove',
+  args: TAKE,
   label: (document, args) => `Remove ${nameOf(document, args)}`,
   run: (document, { characterId, clip }) =>
     changeCharacter(document, characterId, (c) => {
@@ -117,7 +121,7 @@ export const removeClip: Command<OfTake> = {
       if (index < c.shownClip) return { ...c, clips, shownClip: c.shownClip - 1 };
       return { ...withoutUnkeyed(c), clips, shownClip: Math.min(index, clips.length - 1) };
     }),
-};
+});
 
 function takeIndex(character: Character, clip: number | undefined): number {
   if (clip !== undefined) return indexIn(clip, 0, character.clips.length, 'take');

@@ -1,25 +1,18 @@
 /** Linked DOFs. They belong to the skeleton and are saved in its `.skel`. */
+
 import { couplesOf } from '../../model/couples.ts';
 import type { Document } from '../../model/document.ts';
 import { jointName } from '../../model/joint-name.ts';
 import { dofsOf } from '../../model/joint-types.ts';
 import type { Couple, Skeleton } from '../../model/skeleton.ts';
-import { finiteNumber, indexIn } from '../arguments.ts';
+import { indexIn } from '../arguments.ts';
 import { changeCharacter, requireCharacter } from '../characters.ts';
+import { command } from '../command.ts';
+import { CommandError } from '../command-error.ts';
 import { boundAnew } from '../rig/apply.ts';
-import type { Rigging } from '../rig/rigging.ts';
+import { JOINT } from '../schema/parts.ts';
+import { index, nullable, number, record, text } from '../schema/shape.ts';
 import { jointIn } from '../step-names.ts';
-import { type Command, CommandError } from '../store.ts';
-
-/** If a link moves a joint and skins are to stay, they are rebound (`rig/rigging.ts`). */
-export interface SetCouple extends Rigging {
-  /** Index. */
-  readonly joint: number;
-  /** The name of one of its DOFs. */
-  readonly dof: string;
-  /** The DOF to follow, replacing the previous one; null unlinks it, at the value that was last set. */
-  readonly follows: FollowedDof | null;
-}
 
 export interface FollowedDof {
   /** Index; may be the joint itself. */
@@ -33,8 +26,15 @@ export interface FollowedDof {
 }
 
 /** Refuses links that would make a DOF follow itself, directly or indirectly. */
-export const setCouple: Command<SetCouple> = {
+export const setCouple = command({
   id: 'rig.setCouple',
+  args: {
+    ...JOINT,
+    /** The name of one of its DOFs. */
+    dof: text,
+    /** The DOF to follow, replacing the previous one; null unlinks it, at the value that was last set. */
+    follows: nullable(record({ joint: index, dof: text, gain: number, offset: number })),
+  },
   label(document, { characterId, joint, dof, follows }) {
     const own = jointIn(requireCharacter(document, characterId), joint);
     return `${follows ? 'Link' : 'Unlink'} ${dof} of ${own}`;
@@ -63,7 +63,7 @@ export const setCouple: Command<SetCouple> = {
     });
     return boundAnew(document, args, next);
   },
-};
+});
 
 function checkedCouple(skeleton: Skeleton, dof: string, { joint, dof: followed, gain, offset }: FollowedDof): Couple {
   indexIn(joint, 0, skeleton.joints.length, 'joint');
@@ -71,8 +71,8 @@ function checkedCouple(skeleton: Skeleton, dof: string, { joint, dof: followed, 
     dof,
     joint,
     follows: requireDof(skeleton, joint, followed),
-    gain: finiteNumber(gain, 'The gain'),
-    offset: finiteNumber(offset, 'The offset'),
+    gain,
+    offset,
   };
 }
 

@@ -1,10 +1,11 @@
 /** Extrapolation of channels before their first key and after their last. */
-import { EXTRAPOLATIONS, type Extrapolation } from '../../model/clip.ts';
-import { oneOf } from '../arguments.ts';
-import { checkedChannels, clipOf, keyable, type OfChannels, withClipChannels } from '../channel-edits.ts';
-import { TANGENT_SIDES, type TangentSide } from '../keys/tangents.ts';
+
+import type { Extrapolation } from '../../model/clip.ts';
+import { checkedChannels, clipOf, keyable, withClipChannels } from '../channel-edits.ts';
+import { command } from '../command.ts';
+import type { TangentSide } from '../keys/tangents.ts';
+import { CHANNELS, extrapolation, side } from '../schema/parts.ts';
 import { curvesIn } from '../step-names.ts';
-import type { Command } from '../store.ts';
 
 /** Names for labels. */
 export const EXTRAPOLATION_NAMES: Readonly<Record<Extrapolation, string>> = {
@@ -16,19 +17,13 @@ export const EXTRAPOLATION_NAMES: Readonly<Record<Extrapolation, string>> = {
 };
 const WHERE: Readonly<Record<TangentSide, string>> = { in: 'before', out: 'after', both: 'before and after' };
 
-export interface SetExtrapolation extends OfChannels {
-  readonly side: TangentSide;
-  readonly extrapolation: Extrapolation;
-}
-
 /** Keys and their selection are unchanged. Sampled channels hold their ends and are skipped. */
-export const setExtrapolation: Command<SetExtrapolation> = {
+export const setExtrapolation = command({
   id: 'channels.setExtrapolation',
+  args: { ...CHANNELS, side, extrapolation },
   label: (document, { characterId, channels, side, extrapolation }) =>
     `Set ${curvesIn(document, characterId, channels)} to ${EXTRAPOLATION_NAMES[extrapolation].toLowerCase()} ${WHERE[side]}`,
   run(document, { characterId, channels, side, extrapolation }) {
-    oneOf(side, TANGENT_SIDES, '"side"');
-    oneOf(extrapolation, EXTRAPOLATIONS, '"extrapolation"');
     const clip = clipOf(document, characterId);
     const changed = [...clip.channels];
     for (const index of keyable(clip, checkedChannels(clip, channels))) {
@@ -40,4 +35,4 @@ export const setExtrapolation: Command<SetExtrapolation> = {
     }
     return withClipChannels(document, characterId, changed);
   },
-};
+});

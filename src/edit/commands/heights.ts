@@ -1,21 +1,21 @@
 /** Commands that show characters of very different sizes equally tall, and each in its own size again. */
+
 import type { Character, Document } from '../../model/document.ts';
-import { listOf } from '../arguments.ts';
 import { requireCharacter } from '../characters.ts';
+import { command } from '../command.ts';
+import { CommandError } from '../command-error.ts';
 import { withOwnHeights, withSameHeight, withSameUnit } from '../same-height.ts';
+import { CHARACTERS } from '../schema/parts.ts';
+import { text } from '../schema/shape.ts';
 import { characterIn } from '../step-names.ts';
-import { type Command, CommandError } from '../store.ts';
 
 const noHeight = ({ name }: Character) =>
   `${name} has no height. Select a character with more than one joint, or a skin.`;
 
-interface OfCharacters {
-  readonly characterIds: readonly string[];
-}
-
 /** Scales characters to the height of `like` as placed, side by side. */
-export const sameHeight: Command<OfCharacters & { readonly like: string }> = {
+export const sameHeight = command({
   id: 'characters.sameHeight',
+  args: { ...CHARACTERS, like: text },
   label: (document, { like }) => `Same height as ${characterIn(document, like)}`,
   run(document, { characterIds, like }) {
     const these = listed(document, characterIds);
@@ -24,11 +24,12 @@ export const sameHeight: Command<OfCharacters & { readonly like: string }> = {
     if (characters) return placed(document, characters);
     throw new CommandError(noHeight(reference));
   },
-};
+});
 
 /** Scales characters by powers of ten to about the height of `like` as placed, side by side. */
-export const sameUnit: Command<OfCharacters & { readonly like: string }> = {
+export const sameUnit = command({
   id: 'characters.sameUnit',
+  args: { ...CHARACTERS, like: text },
   label: (document, { like }) => `Same unit as ${characterIn(document, like)}`,
   run(document, { characterIds, like }) {
     const these = listed(document, characterIds);
@@ -37,19 +38,20 @@ export const sameUnit: Command<OfCharacters & { readonly like: string }> = {
     if (characters) return placed(document, characters);
     throw new CommandError(noHeight(reference));
   },
-};
+});
 
 /** Shows characters in the size that their files give, side by side. */
-export const ownHeights: Command<OfCharacters> = {
+export const ownHeights = command({
   id: 'characters.ownHeights',
+  args: CHARACTERS,
   label: (document, { characterIds }) =>
     `Own height of ${characterIds.length === 1 ? characterIn(document, characterIds[0]) : `${characterIds.length} characters`}`,
   run: (document, { characterIds }) =>
     placed(document, withOwnHeights(document.characters, listed(document, characterIds))),
-};
+});
 
 function listed(document: Document, ids: readonly string[]): readonly Character[] {
-  return listOf(ids, 'The characters').map((id) => requireCharacter(document, String(id)));
+  return ids.map((id) => requireCharacter(document, id));
 }
 
 function placed(document: Document, characters: readonly Character[]): Document {

@@ -2,19 +2,22 @@
  * Holds pins over a time range and bakes that into the take: *foot lock*. The pinned points keep their positions at one
  * time in every frame of the range, by inverse kinematics on each frame's own pose; see `hold/`.
  */
+
 import { ikOf } from '../../evaluate/ik/set-up.ts';
 import { runToEnd, type Steps } from '../../evaluate/steps.ts';
 import { type ChannelClip, keysOf } from '../../model/clip.ts';
 import { type Character, type Document, shownClip } from '../../model/document.ts';
 import type { Pin } from '../../model/ik.ts';
 import type { ChannelKeys } from '../../model/session.ts';
-import { finiteNumber, listOf } from '../arguments.ts';
+import type { Edit } from '../change.ts';
 import { changeCharacter, requireCharacter } from '../characters.ts';
+import { command } from '../command.ts';
+import { CommandError } from '../command-error.ts';
 import { type HeldTake, holding, placesAt } from '../hold/hold.ts';
 import type { HoldWindow } from '../hold/window.ts';
-import { rangeFrom } from '../key-dofs.ts';
 import { refuseMoved } from '../refuse-moved.ts';
-import { type Command, CommandError, type Edit } from '../store.ts';
+import { CHARACTER, indices, range } from '../schema/parts.ts';
+import { number, optional } from '../schema/shape.ts';
 import { requireTake, withChannels, withTake } from '../takes.ts';
 import { withUnkeyed } from '../unkeyed.ts';
 import { pinnedNames, requirePin } from './ik.ts';
@@ -38,11 +41,20 @@ export interface HoldPins {
 const EASE_SECONDS = 0.1;
 
 /** Adds keys, or changes frames of a sampled take, so that the pins stay in place. The new keys are selected. */
-export const holdPins: Command<HoldPins, Edit> = {
+export const holdPins = command({
   id: 'hold.pins',
+  args: {
+    ...CHARACTER,
+    pins: indices,
+    range,
+    atSeconds: number,
+    framesPerSecond: number,
+    easeSeconds: optional(number),
+    tolerance: optional(number),
+  },
   label: (document, { characterId, pins }) => `Hold ${pinnedNames(requireCharacter(document, characterId), pins)}`,
   run: (document, args) => runToEnd(holdSteps(document, args)).edit,
-};
+});
 
 /** The result of a hold, with the document after it. */
 export interface Held {
@@ -60,10 +72,9 @@ export function* holdSteps(document: Document, args: HoldPins): Steps<Held> {
   if (!shownClip(character))
     throw new CommandError(`${character.name} shows no take, so there is no motion to hold pins in.`);
   const pins = checkedPins(character, args.pins);
-  const [from, to] = rangeFrom(args.range, '"range"');
-  const at = finiteNumber(args.atSeconds, '"atSeconds"');
+  const [from, to] = args.range;
+  const { atSeconds: at, easeSeconds = EASE_SECONDS } = args;
   const framesPerSecond = above0(args.framesPerSecond, 'Frames per second');
-  const easeSeconds = finiteNumber(args.easeSeconds ?? EASE_SECONDS, '"easeSeconds"');
   if (!(easeSeconds >= 0)) throw new CommandError(`"easeSeconds" must be 0 or more, found ${easeSeconds}.`);
   const tolerance = args.tolerance === undefined ? undefined : above0(args.tolerance, 'A tolerance');
 
@@ -80,17 +91,16 @@ export function* holdSteps(document: Document, args: HoldPins): Steps<Held> {
   return { edit: { document: held, keys: keysIn(clip, channels, window) }, report };
 }
 
-function checkedPins(character: Character, given: unknown): readonly Pin[] {
+function checkedPins(character: Character, given: readonly number[]): readonly Pin[] {
   const ik = ikOf(character);
-  const ids = new Set(listOf(given, '"pins"').map((id) => requirePin(ik, id)));
+  const ids = new Set(given.map((id) => requirePin(ik, id)));
   if (ids.size === 0) throw new CommandError('Give at least one pin to hold.');
   return ik.pins.filter((pin) => ids.has(pin));
 }
 
-function above0(value: unknown, what: string): number {
-  const checked = finiteNumber(value, what);
-  if (checked > 0) return checked;
-  throw new CommandError(`${what} must be greater than 0, found ${checked}.`);
+function above0(value: number, what: string): number {
+  if (value > 0) return value;
+  throw new CommandError(`${what} must be greater than 0, found ${value}.`);
 }
 
 /** Keeps unkeyed changes except where the hold has changed the pose at that time, since the hold started from them. */

@@ -2,88 +2,88 @@
  * A character's IK settings (`model/ik.ts`): pins, stiff or locked joints, and whether the root may move. These
  * commands move nothing; dragging then uses `pose.setDofs`.
  */
+
 import { ikOf, reachOfSkeleton } from '../../evaluate/ik/set-up.ts';
-import type { Vec3 } from '../../math/vec3.ts';
 import type { Character, Document } from '../../model/document.ts';
 import { defaultIk, type IkSetup, type Pin, type StiffJoint } from '../../model/ik.ts';
 import { jointName } from '../../model/joint-name.ts';
 import type { Skeleton } from '../../model/skeleton.ts';
-import { finiteNumber, indexIn, listOf, oneOf } from '../arguments.ts';
+import { indexIn } from '../arguments.ts';
 import { changeCharacter, requireCharacter } from '../characters.ts';
+import { command } from '../command.ts';
+import { CommandError } from '../command-error.ts';
+import { CHARACTER, indices, vector } from '../schema/parts.ts';
+import { boolean, either, index, number, oneOf, optional } from '../schema/shape.ts';
 import { characterIn, jointIn } from '../step-names.ts';
-import { type Command, CommandError } from '../store.ts';
-
-interface OfIk {
-  readonly characterId: string;
-}
-
-export interface AddPin extends OfIk {
-  /** Index. */
-  readonly joint: number;
-  /** In the joint's space. */
-  readonly point: Vec3;
-  /** Greater than 0; default 1. */
-  readonly weight?: number | undefined;
-  /** Default false. */
-  readonly holdsOrientation?: boolean | undefined;
-}
 
 /** Appends a pin. Refuses a point that is already pinned. */
-export const pinPoint: Command<AddPin> = {
+export const pinPoint = command({
   id: 'ik.pin',
+  args: {
+    ...CHARACTER,
+    /** Index. */
+    joint: index,
+    /** In the joint's space. */
+    point: vector,
+    /** Greater than 0; default 1. */
+    weight: optional(number),
+    /** Default false. */
+    holdsOrientation: optional(boolean),
+  },
   label: (document, { characterId, joint }) => `Pin ${jointIn(requireCharacter(document, characterId), joint)}`,
   run: (document, { characterId, joint, point, weight = 1, holdsOrientation = false }) =>
     change(document, characterId, (ik, skeleton) => {
       const pin: Pin = {
         id: 1 + ik.pins.reduce((most, { id }) => Math.max(most, id), 0),
         joint: indexIn(joint, 0, skeleton.joints.length, 'joint'),
-        point: checkedPoint(point),
+        point,
         weight: checkedWeight(weight),
-        holdsOrientation: oneOf(holdsOrientation, [true, false], '"holdsOrientation"'),
+        holdsOrientation,
       };
       refuseDouble(pin, ik.pins, skeleton);
       return { ...ik, pins: [...ik.pins, pin] };
     }),
-};
+});
 
-export interface RemovePins extends OfIk {
-  /** Ids. */
-  readonly pins: readonly number[];
-}
-
-export const unpin: Command<RemovePins> = {
+export const unpin = command({
   id: 'ik.unpin',
+  args: {
+    ...CHARACTER,
+    /** Ids. */
+    pins: indices,
+  },
   label: (document, { characterId, pins }) => `Unpin ${pinnedNames(requireCharacter(document, characterId), pins)}`,
   run: (document, { characterId, pins }) =>
     change(document, characterId, (ik) => {
-      const gone = new Set(listOf(pins, '"pins"').map((id) => requirePin(ik, id).id));
+      const gone = new Set(pins.map((id) => requirePin(ik, id).id));
       return gone.size ? { ...ik, pins: ik.pins.filter(({ id }) => !gone.has(id)) } : ik;
     }),
-};
+});
 
-export const clearPins: Command<OfIk> = {
+export const clearPins = command({
   id: 'ik.clearPins',
+  args: CHARACTER,
   label(document, { characterId }) {
     const { length } = ikOf(requireCharacter(document, characterId)).pins;
     return `Remove ${length === 1 ? '1 pin' : `${length} pins`} of ${characterIn(document, characterId)}`;
   },
   run: (document, { characterId }) =>
     change(document, characterId, (ik) => (ik.pins.length ? { ...ik, pins: [] } : ik)),
-};
+});
 
-export interface ChangePin extends OfIk {
-  /** Id of the pin, which it keeps. */
-  readonly pin: number;
-  /** Omitted ones are not changed. */
-  readonly weight?: number | undefined;
-  readonly holdsOrientation?: boolean | undefined;
-  readonly joint?: number | undefined;
-  /** In the joint's space; for another joint the same numbers are a point of that one. */
-  readonly point?: Vec3 | undefined;
-}
-
-export const setPin: Command<ChangePin> = {
+export const setPin = command({
   id: 'ik.setPin',
+  args: {
+    ...CHARACTER,
+    /** Id of the pin, which it keeps. */
+    pin: index,
+    /** Omitted ones are not changed. */
+    weight: optional(number),
+    holdsOrientation: optional(boolean),
+    joint: optional(index),
+    /** In the joint's space; for another joint the same numbers are a point of that one. */
+    point: optional(vector),
+  },
   label(document, { characterId, pin, weight, holdsOrientation, joint, point }) {
     const name = pinnedNames(requireCharacter(document, characterId), [pin]);
     if (joint !== undefined || point !== undefined) return `Move pin of ${name}`;
@@ -98,28 +98,26 @@ export const setPin: Command<ChangePin> = {
       const after: Pin = {
         ...before,
         ...(weight !== undefined && { weight: checkedWeight(weight) }),
-        ...(holdsOrientation !== undefined && {
-          holdsOrientation: oneOf(holdsOrientation, [true, false], '"holdsOrientation"'),
-        }),
+        ...(holdsOrientation !== undefined && { holdsOrientation }),
         ...(joint !== undefined && { joint: indexIn(joint, 0, skeleton.joints.length, 'joint') }),
-        ...(point !== undefined && { point: checkedPoint(point) }),
+        ...(point !== undefined && { point }),
       };
       if (samePin(before, after)) return ik;
       const others = ik.pins.filter((other) => other !== before);
       if (joint !== undefined || point !== undefined) refuseDouble(after, others, skeleton);
       return { ...ik, pins: ik.pins.map((other) => (other === before ? after : other)) };
     }),
-};
+});
 
-export interface SetStiffness extends OfIk {
-  /** Indices. */
-  readonly joints: readonly number[];
-  /** 1 is the default, 4 moves half as far for the same error; at least 1. */
-  readonly stiffness: number | 'locked' | 'usual';
-}
-
-export const setStiffness: Command<SetStiffness> = {
+export const setStiffness = command({
   id: 'ik.setStiffness',
+  args: {
+    ...CHARACTER,
+    /** Indices. */
+    joints: indices,
+    /** 1 is the default, 4 moves half as far for the same error; at least 1. */
+    stiffness: either(number, oneOf(['locked', 'usual'])),
+  },
   label(document, { characterId, joints, stiffness }) {
     const verb = stiffness === 'locked' ? 'Lock' : stiffness === 'usual' || stiffness === 1 ? 'Unlock' : 'Stiffen';
     return `${verb} ${jointNames(requireCharacter(document, characterId), joints)}`;
@@ -127,32 +125,27 @@ export const setStiffness: Command<SetStiffness> = {
   run: (document, { characterId, joints, stiffness }) =>
     change(document, characterId, (ik, skeleton) => {
       const how = checkedStiffness(stiffness);
-      const chosen = new Set(
-        listOf(joints, '"joints"').map((joint) => indexIn(joint, 0, skeleton.joints.length, 'joint')),
-      );
+      const chosen = new Set(joints.map((joint) => indexIn(joint, 0, skeleton.joints.length, 'joint')));
       const stiff = ik.stiff.filter(({ joint }) => !chosen.has(joint));
       if (how !== 'usual')
         for (const joint of chosen) stiff.push({ joint, ...(how !== 'locked' && { stiffness: how }) });
       stiff.sort((a, b) => a.joint - b.joint);
       return sameStiffness(stiff, ik.stiff) ? ik : { ...ik, stiff };
     }),
-};
-
-export interface SetRootFree extends OfIk {
-  readonly isFree: boolean;
-}
+});
 
 /** Whether root translation takes part. */
-export const setRootFree: Command<SetRootFree> = {
+export const setRootFree = command({
   id: 'ik.setRootFree',
+  args: {
+    ...CHARACTER,
+    isFree: boolean,
+  },
   label: (document, { characterId, isFree }) =>
     `${isFree ? 'Allow root of' : 'Keep root of'} ${characterIn(document, characterId)} ${isFree ? 'to move' : 'in place'}`,
   run: (document, { characterId, isFree }) =>
-    change(document, characterId, (ik) => {
-      const rootIsFree = oneOf(isFree, [true, false], '"isFree"');
-      return rootIsFree === ik.rootIsFree ? ik : { ...ik, rootIsFree };
-    }),
-};
+    change(document, characterId, (ik) => (isFree === ik.rootIsFree ? ik : { ...ik, rootIsFree: isFree })),
+});
 
 /** The character with other settings; without any if they are the defaults. */
 function change(document: Document, characterId: string, make: (ik: IkSetup, skeleton: Skeleton) => IkSetup): Document {
@@ -189,24 +182,15 @@ export function requirePin({ pins }: Pick<IkSetup, 'pins'>, id: unknown): Pin {
   return pin;
 }
 
-function checkedPoint(point: unknown): Vec3 {
-  const numbers = listOf(point, '"point"').map((value) => finiteNumber(value, 'Each number of "point"'));
-  if (numbers.length !== 3) throw new CommandError(`"point" must have three numbers, found ${numbers.length}.`);
-  return [numbers[0], numbers[1], numbers[2]];
+function checkedWeight(weight: number): number {
+  if (weight > 0) return weight;
+  throw new CommandError(`The weight of a pin must be greater than 0, found ${weight}.`);
 }
 
-function checkedWeight(weight: unknown): number {
-  const checked = finiteNumber(weight, 'The weight of a pin');
-  if (checked > 0) return checked;
-  throw new CommandError(`The weight of a pin must be greater than 0, found ${checked}.`);
-}
-
-function checkedStiffness(stiffness: unknown): number | 'locked' | 'usual' {
-  if (stiffness === 'locked' || stiffness === 'usual') return stiffness;
-  if (typeof stiffness !== 'number') return oneOf(stiffness, ['locked', 'usual'] as const, '"stiffness"');
-  const factor = finiteNumber(stiffness, '"stiffness"');
-  if (factor >= 1) return factor === 1 ? 'usual' : factor;
-  throw new CommandError(`"stiffness" must be 1 (the default) or more, found ${factor}.`);
+function checkedStiffness(stiffness: number | 'locked' | 'usual'): number | 'locked' | 'usual' {
+  if (stiffness === 1) return 'usual';
+  if (typeof stiffness === 'string' || stiffness > 1) return stiffness;
+  throw new CommandError(`"stiffness" must be 1 (the default) or more, found ${stiffness}.`);
 }
 
 function samePin(a: Pin, b: Pin): boolean {

@@ -1,41 +1,41 @@
 /** Keying poses. */
+
 import { dofCountOf, poseAt } from '../../evaluate/pose.ts';
 import { shownClip } from '../../model/document.ts';
-import { finiteNumber, indexIn, listOf } from '../arguments.ts';
+import { indexIn } from '../arguments.ts';
 import { keyable } from '../channel-edits.ts';
 import { changeCharacter, requireCharacter } from '../characters.ts';
-import { type KeyOptions, keyDofs } from '../key-dofs.ts';
+import { command } from '../command.ts';
+import { keyDofs } from '../key-dofs.ts';
+import { indices, KEY_OPTIONS, NOW } from '../schema/parts.ts';
+import { optional } from '../schema/shape.ts';
 import { characterIn, dofsIn } from '../step-names.ts';
-import type { Command, Edit } from '../store.ts';
-
-export interface KeyPose extends KeyOptions {
-  readonly characterId: string;
-  /** Indices into the character's DOFs (`model/dofs.ts`); default all. */
-  readonly dofs?: readonly number[] | undefined;
-  /** Of the transport. */
-  readonly timeSeconds: number;
-}
 
 /**
  * Keys the pose displayed at that time: the take with unkeyed changes, within limits. Nothing moves at that time. A
  * character without a take gets one, in which DOFs without keys rest at their values. Sampled channels are skipped;
  * refused if there are no others.
  */
-export const keyPose: Command<KeyPose, Edit> = {
+export const keyPose = command({
   id: 'pose.key',
+  args: {
+    ...NOW,
+    /** Indices into the character's DOFs (`model/dofs.ts`); default all. */
+    dofs: optional(indices),
+    ...KEY_OPTIONS,
+  },
   label: (document, { characterId, dofs }) =>
     dofs === undefined
       ? `Key pose of ${characterIn(document, characterId)}`
       : `Key ${dofsIn(requireCharacter(document, characterId), dofs)}`,
   run(document, { characterId, dofs, timeSeconds, ...options }) {
     const character = requireCharacter(document, characterId);
-    finiteNumber(timeSeconds, '"timeSeconds"');
     const shown = new Float64Array(dofCountOf(character));
     poseAt(character, timeSeconds, shown);
     const values = new Map<number, number>();
     if (dofs === undefined) for (const [dof, value] of shown.entries()) values.set(dof, value);
     else
-      for (const dof of listOf(dofs, '"dofs"')) {
+      for (const dof of dofs) {
         const index = indexIn(dof, 0, shown.length, 'DOF');
         values.set(index, shown[index]);
       }
@@ -44,4 +44,4 @@ export const keyPose: Command<KeyPose, Edit> = {
     if (clip) keyable(clip, [...values.keys()]);
     return { document: changeCharacter(document, characterId, () => keyed), keys };
   },
-};
+});

@@ -2,14 +2,18 @@
  * Limits of the joints' DOFs. They belong to the skeleton and are saved in its `.skel`; poses and keys beyond them are
  * kept, and clamped in display.
  */
+
 import type { Document } from '../../model/document.ts';
 import { characterDofs, firstDofs } from '../../model/dofs.ts';
 import { dofsOf } from '../../model/joint-types.ts';
 import { type Limit, UNLIMITED } from '../../model/skeleton.ts';
-import { finiteNumber, indexIn } from '../arguments.ts';
+import { indexIn } from '../arguments.ts';
 import { changeCharacter, requireCharacter } from '../characters.ts';
+import { command } from '../command.ts';
+import { CommandError } from '../command-error.ts';
+import { CHARACTER } from '../schema/parts.ts';
+import { index, number } from '../schema/shape.ts';
 import { dofIn } from '../step-names.ts';
-import { type Command, CommandError } from '../store.ts';
 
 export interface OfDof {
   readonly characterId: string;
@@ -18,22 +22,22 @@ export interface OfDof {
 }
 
 /** `min` and `max` in the DOF's unit: radians or length units. */
-export const setLimit: Command<OfDof & Limit> = {
+export const setLimit = command({
   id: 'skeleton.setLimit',
+  args: { ...CHARACTER, dof: index, min: number, max: number },
   label: (document, args) => `Set limits of ${nameOf(document, args)}`,
   run(document, { characterId, dof, min, max }) {
-    finiteNumber(min, 'The lower limit');
-    finiteNumber(max, 'The upper limit');
     if (min > max) throw new CommandError(`The lower limit ${min} is above the upper limit ${max}.`);
     return withLimit(document, characterId, dof, { min, max });
   },
-};
+});
 
-export const clearLimit: Command<OfDof> = {
+export const clearLimit = command({
   id: 'skeleton.clearLimit',
+  args: { ...CHARACTER, dof: index },
   label: (document, args) => `Remove limits of ${nameOf(document, args)}`,
   run: (document, { characterId, dof }) => withLimit(document, characterId, dof, UNLIMITED),
-};
+});
 
 /** Other joints keep their identity. */
 function withLimit(document: Document, characterId: string, dof: number, limit: Limit): Document {

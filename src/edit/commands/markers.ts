@@ -1,14 +1,20 @@
 /** Commands for the markers and labelled spans of a take. Each applies to the shown take unless another is given. */
+
 import type { ChannelClip } from '../../model/clip.ts';
 import type { Document } from '../../model/document.ts';
 import type { Marker } from '../../model/markers.ts';
-import { finiteNumber, indexIn, listOf } from '../arguments.ts';
+import { indexIn } from '../arguments.ts';
 import { changeCharacter, requireCharacter } from '../characters.ts';
+import { command } from '../command.ts';
+import { CommandError } from '../command-error.ts';
 import { cutName } from '../cut-name.ts';
 import { sameValue } from '../delta.ts';
 import { withMarkers } from '../markers.ts';
-import { type Command, CommandError } from '../store.ts';
+import { indices, TAKE } from '../schema/parts.ts';
+import { index, list, number, optional, record, text } from '../schema/shape.ts';
 import { requireTake, withTake } from '../takes.ts';
+
+const marker = record({ timeSeconds: number, endSeconds: optional(number), label: text });
 
 interface OfTake {
   readonly characterId: string;
@@ -17,28 +23,29 @@ interface OfTake {
 }
 
 /** Adds markers, or spans. One that the take has already is not added again. */
-export const addMarkers: Command<OfTake & { readonly markers: readonly Marker[] }> = {
+export const addMarkers = command({
   id: 'markers.add',
+  args: { ...TAKE, markers: list(marker) },
   label: (document, args) =>
     `Add ${args.markers.length === 1 ? 'marker' : `${args.markers.length} markers`} to ${nameOf(document, args)}`,
   run: (document, args) =>
     changed(document, args, (clip) => {
       const own = clip.markers ?? [];
-      const added = listOf(args.markers, 'The markers').map(checkedMarker);
+      const added = args.markers.map(checkedMarker);
       const fresh = added.filter((marker) => !own.some((known) => sameValue(known, marker)));
       return fresh.length ? withMarkers(clip, [...own, ...fresh]) : clip;
     }),
-};
-
-export interface ChangeMarker extends OfTake {
-  /** Into the take's markers. */
-  readonly index: number;
-  readonly marker: Marker;
-}
+});
 
 /** Moves or renames a marker, or makes it a span. */
-export const changeMarker: Command<ChangeMarker> = {
+export const changeMarker = command({
   id: 'markers.change',
+  args: {
+    ...TAKE,
+    /** Into the take's markers. */
+    index,
+    marker,
+  },
   label: (document, args) => `Change marker of ${nameOf(document, args)}`,
   run: (document, args) =>
     changed(document, args, (clip) => {
@@ -47,20 +54,20 @@ export const changeMarker: Command<ChangeMarker> = {
       const next = checkedMarker(args.marker);
       return sameValue(own[index], next) ? clip : withMarkers(clip, own.with(index, next));
     }),
-};
+});
 
-export interface RemoveMarkers extends OfTake {
-  readonly indices: readonly number[];
-}
-
-export const removeMarkers: Command<RemoveMarkers> = {
+export const removeMarkers = command({
   id: 'markers.remove',
+  args: {
+    ...TAKE,
+    indices,
+  },
   label: (document, args) =>
     `Delete ${args.indices.length === 1 ? 'marker' : `${args.indices.length} markers`} of ${nameOf(document, args)}`,
   run: (document, args) =>
     changed(document, args, (clip) => {
       const own = clip.markers ?? [];
-      const gone = new Set(listOf(args.indices, '"indices"').map((i) => indexIn(i, 0, own.length, 'marker')));
+      const gone = new Set(args.indices.map((i) => indexIn(i, 0, own.length, 'marker')));
       return gone.size
         ? withMarkers(
             clip,
@@ -68,7 +75,7 @@ export const removeMarkers: Command<RemoveMarkers> = {
           )
         : clip;
     }),
-};
+});
 
 function nameOf(document: Document, { characterId, clip }: OfTake): string {
   const character = requireCharacter(document, characterId);
@@ -83,15 +90,10 @@ function changed(document: Document, args: OfTake, change: (clip: ChannelClip) =
   });
 }
 
-function checkedMarker(given: unknown): Marker {
-  // Only these fields are read, and all are checked.
-  const { timeSeconds, endSeconds, label } = (given ?? {}) as Partial<Marker>;
-  const time = finiteNumber(timeSeconds, 'The time of a marker');
-  if (typeof label !== 'string') throw new CommandError('The label of a marker must be text.');
+function checkedMarker({ timeSeconds: time, endSeconds: end, label }: Marker): Marker {
   // A file has one line for each.
   const plain = label.replace(/\s+/g, ' ').trim();
-  if (endSeconds === undefined) return { timeSeconds: time, label: plain };
-  const end = finiteNumber(endSeconds, 'The end of a span');
+  if (end === undefined) return { timeSeconds: time, label: plain };
   if (end < time) throw new CommandError(`A span ends at ${end} s, before it begins at ${time} s.`);
   return { timeSeconds: time, endSeconds: end, label: plain };
 }

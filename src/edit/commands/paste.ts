@@ -1,19 +1,31 @@
 /** Pastes copied keys (`keys/clipboard.ts`) and selects them. Refused if one would land in samples. */
+
 import { FIXED_TANGENT, TANGENT_KINDS, type Tangents } from '../../model/clip.ts';
-import { finiteNumber, listOf, oneOf } from '../arguments.ts';
 import { clipOf, requireKeyable, withClipChannels } from '../channel-edits.ts';
-import { checkPlacing } from '../check-placing.ts';
-import { type CopiedKeys, PASTE_MODES, type Paste, withKeysPasted } from '../keys/clipboard.ts';
+import { command } from '../command.ts';
+import { CommandError } from '../command-error.ts';
+import { type CopiedKeys, PASTE_MODES, withKeysPasted } from '../keys/clipboard.ts';
+import { indices, NOW, PLACING } from '../schema/parts.ts';
+import { bytes, doubles, index, list, number, oneOf, optional, record } from '../schema/shape.ts';
 import { characterIn } from '../step-names.ts';
-import { type Command, CommandError, type Edit } from '../store.ts';
 
-export interface PasteKeys extends Paste {
-  readonly characterId: string;
-  readonly copied: CopiedKeys;
-}
+const tangents = record({ kinds: bytes, slopes: doubles });
+const copied = record({
+  seconds: number,
+  channels: list(
+    record({ channel: index, times: doubles, values: doubles, tangentsIn: tangents, tangentsOut: tangents }),
+  ),
+});
 
-export const pasteKeys: Command<PasteKeys, Edit> = {
+export const pasteKeys = command({
   id: 'keys.paste',
+  args: {
+    ...NOW,
+    copied,
+    into: optional(indices),
+    mode: oneOf(PASTE_MODES),
+    ...PLACING,
+  },
   label(document, { characterId, copied }) {
     const count = copied.channels.reduce((sum, c) => sum + c.times.length, 0);
     return `Paste ${count === 1 ? '1 key' : `${count} keys`} on ${characterIn(document, characterId)}`;
@@ -21,10 +33,6 @@ export const pasteKeys: Command<PasteKeys, Edit> = {
   run(document, { characterId, copied, timeSeconds, into, mode, outsideCycle, bakedRange }) {
     const clip = clipOf(document, characterId);
     checkCopied(copied);
-    finiteNumber(timeSeconds, '"timeSeconds"');
-    oneOf(mode, PASTE_MODES, '"mode"');
-    checkPlacing({ outsideCycle, bakedRange });
-    if (into !== undefined) listOf(into, '"into"');
     const { channels, keys } = withKeysPasted(clip, copied, {
       timeSeconds,
       into,
@@ -38,22 +46,18 @@ export const pasteKeys: Command<PasteKeys, Edit> = {
     );
     return { document: withClipChannels(document, characterId, channels), keys };
   },
-};
+});
 
 /** Data from the console may not be copied keys. */
-function checkCopied(copied: CopiedKeys): void {
-  // Deliberately looser than its type.
-  const given: { seconds?: unknown; channels?: unknown } = copied ?? {};
-  if (finiteNumber(given.seconds, 'The length of "copied"') < 0)
-    throw new CommandError('"copied" must last 0 s or more.');
-  const channels = listOf(given.channels, 'The channels of "copied"');
+function checkCopied({ seconds, channels }: CopiedKeys): void {
+  if (seconds < 0) throw new CommandError('"copied" must last 0 s or more.');
   if (channels.length === 0) throw new CommandError('There is nothing to paste. Copy keys first.');
-  for (const { times, values, tangentsIn, tangentsOut } of copied.channels) {
-    const columns = [times, values, tangentsIn?.slopes, tangentsOut?.slopes];
-    const count = times?.length;
+  for (const { times, values, tangentsIn, tangentsOut } of channels) {
+    const columns = [times, values, tangentsIn.slopes, tangentsOut.slopes];
+    const count = times.length;
     const fit =
       count > 0 &&
-      columns.every((c) => c instanceof Float64Array && c.length === count && c.every(Number.isFinite)) &&
+      columns.every((c) => c.length === count) &&
       [tangentsIn, tangentsOut].every((tangents) => areTangents(tangents, count)) &&
       times.every((t, k) => k === 0 || t >= times[k - 1]);
     if (!fit) throw new CommandError('"copied" must be the result of copying: columns of keys of equal length.');
@@ -62,6 +66,6 @@ function checkCopied(copied: CopiedKeys): void {
 
 /** Slopes are numbers of fixed tangents only. */
 function areTangents({ kinds, slopes }: Tangents, count: number): boolean {
-  if (!(kinds instanceof Uint8Array) || kinds.length !== count) return false;
+  if (kinds.length !== count) return false;
   return kinds.every((kind, k) => kind < TANGENT_KINDS.length && (kind === FIXED_TANGENT || slopes[k] === 0));
 }

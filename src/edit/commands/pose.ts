@@ -12,15 +12,19 @@
  * The pose keeps the values beneath a take: it shows again without the take, and is saved to `.skel`. Writing to both
  * would change one take by posing in another.
  */
+
 import { channelOf, dofCountOf, poseAt } from '../../evaluate/pose.ts';
 import { movedDofs } from '../../evaluate/retarget/moved-dofs.ts';
 import { type Character, type Document, shownClip } from '../../model/document.ts';
 import { type CharacterDof, characterDofs, type DofValue, restPose, wholeFilePose } from '../../model/dofs.ts';
-import { finiteNumber, indexIn, listOf, oneOf } from '../arguments.ts';
+import { indexIn } from '../arguments.ts';
+import type { Edit } from '../change.ts';
 import { changeCharacter, requireCharacter } from '../characters.ts';
+import { command } from '../command.ts';
 import { type KeyOptions, keyDofs } from '../key-dofs.ts';
+import { CHARACTER, key, NOW } from '../schema/parts.ts';
+import { boolean, index, list, number, oneOf, record } from '../schema/shape.ts';
 import { characterIn, dofsIn, poseLabel } from '../step-names.ts';
-import type { Command, Edit } from '../store.ts';
 import { withTake } from '../takes.ts';
 import { unkeyedAt, withoutUnkeyed, withUnkeyed } from '../unkeyed.ts';
 
@@ -34,8 +38,9 @@ export interface SetDofs {
 }
 
 /** Sets DOFs, clamped to their limits if the character enforces them. */
-export const setDofs: Command<SetDofs, Document | Edit> = {
+export const setDofs = command({
   id: 'pose.setDofs',
+  args: { ...NOW, dofs: list(record({ index, value: number })), key },
   label(document, { characterId, dofs, key }) {
     const character = requireCharacter(document, characterId);
     const indices = dofs.map(({ index }) => index);
@@ -45,46 +50,40 @@ export const setDofs: Command<SetDofs, Document | Edit> = {
     setValues(document, characterId, timeSeconds, key, (character) => {
       const all = characterDofs(character.skeleton, character.morphs);
       const values = new Map<number, number>();
-      listOf(dofs, '"dofs"');
       for (const { index, value } of dofs) {
         indexIn(index, 0, all.length, 'DOF');
-        finiteNumber(value, `The value of DOF ${index}`);
         values.set(index, character.clampsToLimits ? withinLimit(all[index], value) : value);
       }
       return values;
     }),
-};
+});
 
-export interface ResetPose {
-  readonly characterId: string;
-  /** The file pose, or every DOF at rest. */
-  readonly to: 'file' | 'zero';
-  readonly timeSeconds: number;
-  /** Auto-key: keys every DOF at that time instead. */
-  readonly key?: KeyOptions | undefined;
-}
-
-export const resetPose: Command<ResetPose, Document | Edit> = {
+export const resetPose = command({
   id: 'pose.reset',
+  args: {
+    ...NOW,
+    /** The file pose, or every DOF at rest. */
+    to: oneOf(['file', 'zero']),
+    /** Auto-key: keys every DOF at that time instead. */
+    key,
+  },
   label: (document, { characterId, to }) =>
     `Reset ${characterIn(document, characterId)} to ${to === 'file' ? 'file pose' : 'zero pose'}`,
   run: (document, { characterId, to, timeSeconds, key }) =>
     setValues(document, characterId, timeSeconds, key, ({ skeleton, morphs }) => {
-      const isOfFile = oneOf(to, ['file', 'zero'], '"to"') === 'file';
-      const values = isOfFile ? wholeFilePose(skeleton, morphs) : restPose(skeleton, morphs.length);
+      const values = to === 'file' ? wholeFilePose(skeleton, morphs) : restPose(skeleton, morphs.length);
       return new Map(values.entries());
     }),
-};
+});
 
-export const setClamping: Command<{ readonly characterId: string; readonly clamps: boolean }> = {
+export const setClamping = command({
   id: 'pose.setClamping',
+  args: { ...CHARACTER, clamps: boolean },
   label: (document, { characterId, clamps }) =>
     `${clamps ? 'Enforce' : 'Ignore'} limits of ${characterIn(document, characterId)}`,
   run: (document, { characterId, clamps }) =>
-    changeCharacter(document, characterId, (c) =>
-      c.clampsToLimits === oneOf(clamps, [true, false], '"clamps"') ? c : { ...c, clampsToLimits: clamps },
-    ),
-};
+    changeCharacter(document, characterId, (c) => (c.clampsToLimits === clamps ? c : { ...c, clampsToLimits: clamps })),
+});
 
 /** The document with these values for a character's DOFs, stored as described above. */
 export function setValues(
@@ -96,7 +95,6 @@ export function setValues(
 ): Document | Edit {
   const character = requireCharacter(document, characterId);
   const values = valuesFor(character);
-  finiteNumber(timeSeconds, '"timeSeconds"');
   if (!key) return changeCharacter(document, characterId, () => pose(character, values, timeSeconds));
   const clip = shownClip(character);
   const overSamples = new Map([...values].filter(([dof]) => clip?.channels[dof]?.kind === 'samples'));

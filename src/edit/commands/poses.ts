@@ -2,43 +2,38 @@
  * Commands on whole poses: mirror, paste from another time or character, and the pose library. The values are stored
  * like all posing by hand (`pose.ts`): pose, unkeyed or keyed. Linked DOFs are skipped.
  */
+
 import { compileSkeleton } from '../../evaluate/kinematics.ts';
 import { dofCountOf, poseAt } from '../../evaluate/pose.ts';
 import type { Character, Document } from '../../model/document.ts';
 import { characterDofs, jointDofCount, rootDofCount } from '../../model/dofs.ts';
-import type { NamedValue, PoseByNames, PosedJoint } from '../../model/pose-by-names.ts';
 import type { NamedPose } from '../../model/poses.ts';
 import type { Skeleton } from '../../model/skeleton.ts';
-import { finiteNumber, indexIn, listOf, oneOf, text } from '../arguments.ts';
+import { indexIn } from '../arguments.ts';
 import { changeCharacter, requireCharacter } from '../characters.ts';
+import { command } from '../command.ts';
+import { CommandError } from '../command-error.ts';
 import { cutName, SHORT_NAME } from '../cut-name.ts';
-import type { KeyOptions } from '../key-dofs.ts';
 import { blendPoses } from '../pose/blend.ts';
 import { takePose } from '../pose/by-names.ts';
 import { addPoses, freePoseName, nextPoseName, withPoses } from '../pose/library.ts';
 import { counterpartOf, mirroredPose } from '../pose/mirror.ts';
 import { partnersByName } from '../pose/sides.ts';
+import { CHARACTER, indices, key, NOW, poseByNames } from '../schema/parts.ts';
+import { filledText, index, list, number, oneOf, optional } from '../schema/shape.ts';
 import { characterIn, jointIn } from '../step-names.ts';
-import { type Command, CommandError, type Edit } from '../store.ts';
 import { setValues, withinLimit } from './pose.ts';
 
-interface AtMoment {
-  readonly characterId: string;
-  /** Of the transport. */
-  readonly timeSeconds: number;
-  /** Auto-key: keys the DOFs at that time instead. */
-  readonly key?: KeyOptions | undefined;
-}
-
-export interface MirrorPose extends AtMoment {
-  /** Only the hierarchy of this joint; absent: the whole character. */
-  readonly joint?: number | undefined;
-  /** `swap`: both sides exchange their poses; `toOther`: the joint's hierarchy is copied to the other side. */
-  readonly way: 'swap' | 'toOther';
-}
-
-export const mirrorPose: Command<MirrorPose, Document | Edit> = {
+export const mirrorPose = command({
   id: 'poses.mirror',
+  args: {
+    ...NOW,
+    /** Only the hierarchy of this joint; absent: the whole character. */
+    joint: optional(index),
+    /** `swap`: both sides exchange their poses; `toOther`: the joint's hierarchy is copied to the other side. */
+    way: oneOf(['swap', 'toOther']),
+    key,
+  },
   label(document, { characterId, joint, way }) {
     const skeleton = requireSkeleton(document, characterId);
     if (joint === undefined || !skeleton.joints[joint]) return `Mirror pose of ${characterIn(document, characterId)}`;
@@ -47,7 +42,6 @@ export const mirrorPose: Command<MirrorPose, Document | Edit> = {
   },
   run(document, { characterId, joint, way, timeSeconds, key }) {
     const skeleton = requireSkeleton(document, characterId);
-    oneOf(way, ['swap', 'toOther'], '"way"');
     if (joint !== undefined) indexIn(joint, 0, skeleton.joints.length, 'joint');
     if (way === 'toOther') checkSided(skeleton, joint);
     return setValues(document, characterId, timeSeconds, key, (character) => {
@@ -64,50 +58,48 @@ export const mirrorPose: Command<MirrorPose, Document | Edit> = {
       return settled(character, shown, values, key !== undefined);
     });
   },
-};
-
-export interface PastePose extends AtMoment {
-  readonly pose: PoseByNames;
-}
+});
 
 /** Skips joints, DOFs and morphs that the character lacks; DOFs that the pose does not contain are not changed. */
-export const pastePose: Command<PastePose, Document | Edit> = {
+export const pastePose = command({
   id: 'poses.paste',
+  args: {
+    ...NOW,
+    pose: poseByNames,
+    key,
+  },
   label: (document, { characterId }) => `Paste pose on ${characterIn(document, characterId)}`,
   run: (document, { characterId, pose, timeSeconds, key }) =>
     setValues(document, characterId, timeSeconds, key, (character) => {
-      const { values } = takePose(character, checkedPose(pose));
+      const { values } = takePose(character, pose);
       if (values.size === 0) throw new CommandError(`${character.name} has none of the joints in the pose.`);
       return settled(character, shownAt(character, timeSeconds), values, key !== undefined);
     }),
-};
+});
 
 /** Saves the displayed pose to the library, under an unused name. */
-export const keepPose: Command<{
-  readonly characterId: string;
-  readonly name?: string | undefined;
-  readonly timeSeconds: number;
-}> = {
+export const keepPose = command({
   id: 'poses.keep',
+  args: { ...NOW, name: optional(filledText) },
   label: (document, { characterId, name }) =>
     `Save ${cutName(keptName(requireCharacter(document, characterId), name))} to pose library`,
   run: (document, { characterId, name, timeSeconds }) =>
     changeCharacter(document, characterId, (character) => {
-      finiteNumber(timeSeconds, '"timeSeconds"');
       const poses = character.poses ?? [];
       const free = keptName(character, name);
       return withPoses(character, [...poses, { name: free, values: Array.from(shownAt(character, timeSeconds)) }]);
     }),
-};
+});
 
 /** The unused name of a pose that is saved. */
 function keptName({ poses = [] }: Character, name: string | undefined): string {
-  return name === undefined ? nextPoseName(poses) : freePoseName(poses, text(name, 'The name').trim());
+  return name === undefined ? nextPoseName(poses) : freePoseName(poses, name.trim());
 }
 
 /** Replaces a pose of the library by the displayed pose; it keeps its name. */
-export const updatePose: Command<OfPose & { readonly timeSeconds: number }> = {
+export const updatePose = command({
   id: 'poses.update',
+  args: { ...NOW, pose: index },
   label: (document, { characterId, pose }) => `Update ${poseIn(document, characterId, pose)} in pose library`,
   run: (document, { characterId, pose, timeSeconds }) =>
     changeCharacter(document, characterId, (character) => {
@@ -120,22 +112,17 @@ export const updatePose: Command<OfPose & { readonly timeSeconds: number }> = {
         (character.poses ?? []).map((one, i) => (i === pose ? { ...before, values } : one)),
       );
     }),
-};
+});
 
-interface OfPose {
-  readonly characterId: string;
-  /** Index in the library. */
-  readonly pose: number;
-}
-
-export const renamePose: Command<OfPose & { readonly name: string }> = {
+export const renamePose = command({
   id: 'poses.rename',
+  args: { ...CHARACTER, pose: index, name: filledText },
   label: (document, { characterId, pose, name }) =>
     `Rename ${poseIn(document, characterId, pose, SHORT_NAME)} to ${cutName(name.trim(), SHORT_NAME)}`,
   run: (document, { characterId, pose, name }) =>
     changeCharacter(document, characterId, (character) => {
       const before = requirePose(document, characterId, pose);
-      const next = text(name, 'The name').trim();
+      const next = name.trim();
       if (next === before.name) return character;
       const poses = character.poses ?? [];
       if (poses.some((other) => other.name === next)) {
@@ -146,15 +133,16 @@ export const renamePose: Command<OfPose & { readonly name: string }> = {
         poses.map((p, i) => (i === pose ? { ...before, name: next } : p)),
       );
     }),
-};
+});
 
-export const removePoses: Command<{ readonly characterId: string; readonly poses: readonly number[] }> = {
+export const removePoses = command({
   id: 'poses.remove',
+  args: { ...CHARACTER, poses: indices },
   label: (document, { characterId, poses }) =>
     poses.length === 1 ? `Remove ${poseIn(document, characterId, poses[0])}` : `Remove ${poses.length} poses`,
   run: (document, { characterId, poses }) =>
     changeCharacter(document, characterId, (character) => {
-      const gone = new Set(listOf(poses, '"poses"'));
+      const gone = new Set(poses);
       for (const pose of poses) requirePose(document, characterId, pose);
       if (gone.size === 0) return character;
       return withPoses(
@@ -162,33 +150,34 @@ export const removePoses: Command<{ readonly characterId: string; readonly poses
         (character.poses ?? []).filter((_, i) => !gone.has(i)),
       );
     }),
-};
+});
 
-export interface ApplyPose extends OfPose, AtMoment {
-  /** 1, all of it, by default; 0 is the displayed pose. */
-  readonly share?: number | undefined;
-  /** Only these joints and their descendants; absent: the whole character. */
-  readonly joints?: readonly number[] | undefined;
-}
-
-export const applyPose: Command<ApplyPose, Document | Edit> = {
+export const applyPose = command({
   id: 'poses.apply',
+  args: {
+    ...NOW,
+    pose: index,
+    /** 1, all of it, by default; 0 is the displayed pose. */
+    share: optional(number),
+    /** Only these joints and their descendants; absent: the whole character. */
+    joints: optional(indices),
+    key,
+  },
   label(document, { characterId, pose, share = 1 }) {
     const name = poseIn(document, characterId, pose);
     return share === 1 ? `Apply ${name}` : `Blend to ${name}`;
   },
   run(document, { characterId, pose, share = 1, joints, timeSeconds, key }) {
     const { values: kept } = requirePose(document, characterId, pose);
-    const part = finiteNumber(share, '"share"');
-    if (part < 0 || part > 1) throw new CommandError(`"share" must be from 0 to 1, found ${part}.`);
+    if (share < 0 || share > 1) throw new CommandError(`"share" must be from 0 to 1, found ${share}.`);
     const { skeleton } = requireCharacter(document, characterId);
     const count = skeleton?.joints.length ?? 0;
-    const meant = joints && listOf(joints, '"joints"').map((joint) => indexIn(joint, 0, count, 'joint'));
+    const meant = joints?.map((joint) => indexIn(joint, 0, count, 'joint'));
     return setValues(document, characterId, timeSeconds, key, (character) => {
       const all = characterDofs(skeleton, character.morphs);
       const target = all.map((dof, d) => kept[d] ?? dof.rest);
       const shown = shownAt(character, timeSeconds);
-      const blended = blendPoses(skeleton, shown, target, part);
+      const blended = blendPoses(skeleton, shown, target, share);
       const compiled = skeleton && compileSkeleton(skeleton);
       const isMeant = (d: number) => {
         if (!meant || !compiled) return true;
@@ -199,20 +188,19 @@ export const applyPose: Command<ApplyPose, Document | Edit> = {
       return settled(character, shown, values, key !== undefined);
     });
   },
-};
+});
 
 /** Adds poses from a file to the library; existing ones are not added again. */
-export const addToLibrary: Command<{ readonly characterId: string; readonly poses: readonly PoseByNames[] }> = {
+export const addToLibrary = command({
   id: 'poses.add',
+  args: { ...CHARACTER, poses: list(poseByNames) },
   label: (_document, { poses }) =>
     poses.length === 1 ? `Add pose ${cutName(poses[0].name)}` : `Add ${poses.length} poses`,
-  run: (document, { characterId, poses }) =>
-    changeCharacter(document, characterId, (c) => addPoses(c, listOf(poses, '"poses"').map(checkedPose))),
-};
+  run: (document, { characterId, poses }) => changeCharacter(document, characterId, (c) => addPoses(c, poses)),
+});
 
 /** All DOFs of a character as displayed. */
 function shownAt(character: Character, timeSeconds: number): Float64Array {
-  finiteNumber(timeSeconds, '"timeSeconds"');
   const shown = new Float64Array(dofCountOf(character));
   poseAt(character, timeSeconds, shown);
   return shown;
@@ -270,32 +258,4 @@ function poseIn(document: Document, characterId: string, pose: number, length?: 
 function requirePose(document: Document, characterId: string, pose: number): NamedPose {
   const { poses = [] } = requireCharacter(document, characterId);
   return poses[indexIn(pose, 0, poses.length, 'pose')];
-}
-
-/** A pose by names may come from a script. */
-function checkedPose(given: unknown): PoseByNames {
-  if (!isRecord(given)) throw new CommandError('A pose needs a name, joints and weights.');
-  const root = given.root === undefined ? undefined : listOf(given.root, 'The root of a pose');
-  if (root && root.length !== 3) throw new CommandError('The root of a pose must be x, y and z.');
-  const [x, y, z] = (root ?? []).map((v) => finiteNumber(v, 'The root of a pose'));
-  return {
-    name: text(given.name, 'The name of a pose'),
-    ...(root && { root: [x, y, z] }),
-    joints: listOf(given.joints, 'The joints of a pose').map((joint): PosedJoint => {
-      if (!isRecord(joint)) throw new CommandError('A joint of a pose needs a name and DOFs.');
-      return { name: String(joint.name ?? ''), dofs: namedValues(joint.dofs, 'The DOFs of a joint') };
-    }),
-    weights: namedValues(given.weights ?? [], 'The weights of a pose'),
-  };
-}
-
-function namedValues(given: unknown, what: string): NamedValue[] {
-  return listOf(given, what).map((value) => {
-    if (!isRecord(value)) throw new CommandError(`${what} must be names with values.`);
-    return { name: text(value.name, 'The name of a DOF'), value: finiteNumber(value.value, String(value.name)) };
-  });
-}
-
-function isRecord(value: unknown): value is Readonly<Record<string, unknown>> {
-  return typeof value === 'object' && value !== null;
 }

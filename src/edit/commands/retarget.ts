@@ -4,8 +4,12 @@
  * Live, only the mapping between the skeletons is stored: the source's take can still be edited, and the target
  * follows. Baking samples what is displayed.
  */
+
 import { bakeClip, framesOf } from '../../evaluate/bake.ts';
 import { frameRateOf } from '../../evaluate/frame-rate.ts';
+import { command } from '../command.ts';
+import { CHARACTER } from '../schema/parts.ts';
+import { boolean, either, index, list, number, oneOf, optional, record, type Shape, text } from '../schema/shape.ts';
 import '../../evaluate/retarget/driving.ts';
 import { automaticPairs } from '../../evaluate/retarget/match.ts';
 import { movedDofs } from '../../evaluate/retarget/moved-dofs.ts';
@@ -15,8 +19,9 @@ import { restPose } from '../../model/dofs.ts';
 import { DEFAULT_RETARGET, type JointPair, type RetargetOptions } from '../../model/retarget.ts';
 import type { Samples } from '../../model/samples.ts';
 import type { Skeleton } from '../../model/skeleton.ts';
-import { finiteNumber, indexIn, listOf, oneOf, text } from '../arguments.ts';
+import { indexIn } from '../arguments.ts';
 import { changeCharacter, requireCharacter } from '../characters.ts';
+import { CommandError } from '../command-error.ts';
 import { cutName, SHORT_NAME } from '../cut-name.ts';
 import { sameValue } from '../delta.ts';
 import { driverSource, withoutDriver } from '../drivers.ts';
@@ -24,37 +29,38 @@ import { retimed, withMarkers } from '../markers.ts';
 import { refuseTooMany } from '../samples/most-frames.ts';
 import { jointRotations, unrollTriples } from '../samples/rotations.ts';
 import { characterIn } from '../step-names.ts';
-import { type Command, CommandError } from '../store.ts';
 import { takeNameOf, uniqueTakeName } from '../takes.ts';
 import { unkeyedAt, withoutUnkeyed, withUnkeyed } from '../unkeyed.ts';
 
-interface OfDriven {
-  /** The target character. */
-  readonly characterId: string;
-}
+const PAIRS = { pairs: optional(list(record({ target: index, source: index }))) } as const;
+const options: Shape<Partial<RetargetOptions>> = record({
+  scale: optional(number),
+  reference: optional(either(oneOf(['automatic', 'rest']), number)),
+  plantsFeet: optional(boolean),
+});
+const OPTIONS = { options: optional(options) } as const;
 
-export interface SetRetarget extends OfDriven {
-  /** The character whose shown take is retargeted. */
-  readonly sourceId: string;
-  /** Default: matched by name and shape. */
-  readonly pairs?: readonly JointPair[] | undefined;
-  readonly options?: Partial<RetargetOptions> | undefined;
-}
-
-export const setRetarget: Command<SetRetarget> = {
+export const setRetarget = command({
   id: 'retarget.set',
+  args: {
+    ...CHARACTER,
+    /** The character whose shown take is retargeted. */
+    sourceId: text,
+    ...PAIRS,
+    ...OPTIONS,
+  },
   label: (document, { characterId, sourceId }) => {
     const source = requireCharacter(document, sourceId);
     return `Retarget ${takeOf(driverSource(source))} to ${characterIn(document, characterId, SHORT_NAME)}`;
   },
   run: (document, { characterId, sourceId, pairs, options }) => {
-    const from = requireCharacter(document, text(sourceId, '"sourceId"'));
+    const from = requireCharacter(document, sourceId);
     return changeCharacter(document, characterId, (c) => {
       if (from === c) throw new CommandError(`${c.name} can’t be retargeted from itself.`);
       return retargetedTo(c, from, pairs, options);
     });
   },
-};
+});
 
 /**
  * The character, with another's shown take retargeted to it: for the page and the command alike. It keeps its own takes:
@@ -88,14 +94,14 @@ export function retargetedTo(
   return withDriver(withoutUnkeyed(target), driver);
 }
 
-export interface ChangeRetarget extends OfDriven {
-  readonly pairs?: readonly JointPair[] | undefined;
-  readonly options?: Partial<RetargetOptions> | undefined;
-}
-
 /** Changes pairs or options; omitted ones are kept. */
-export const changeRetarget: Command<ChangeRetarget> = {
+export const changeRetarget = command({
   id: 'retarget.change',
+  args: {
+    ...CHARACTER,
+    ...PAIRS,
+    ...OPTIONS,
+  },
   label: (document, { characterId }) => `Change retargeting of ${characterIn(document, characterId)}`,
   run: (document, { characterId, pairs, options }) =>
     changeCharacter(document, characterId, (c) => {
@@ -107,11 +113,12 @@ export const changeRetarget: Command<ChangeRetarget> = {
         options: checkedOptions({ ...driver.options, ...options }),
       });
     }),
-};
+});
 
 /** Back to the character's own take and pose; discards unkeyed changes made over the retargeted one. */
-export const clearRetarget: Command<OfDriven> = {
+export const clearRetarget = command({
   id: 'retarget.clear',
+  args: CHARACTER,
   label: (document, { characterId }) => {
     const { driver } = requireCharacter(document, characterId);
     return `Stop retargeting ${takeOf(driver?.source)} to ${characterIn(document, characterId, SHORT_NAME)}`;
@@ -121,28 +128,28 @@ export const clearRetarget: Command<OfDriven> = {
       requireDriver(c);
       return withoutDriver(withoutUnkeyedOverTake(c));
     }),
-};
-
-export interface BakeRetarget extends OfDriven {
-  /** Default: the rate of the source's take, or 30 if it has none. */
-  readonly framesPerSecond?: number | undefined;
-  /** Default: the character's and the source take's name, `walker_dance`. A name in use gets a number. */
-  readonly name?: string | undefined;
-}
+});
 
 /** Bakes what is displayed into a take of the character's own, shows it, and ends retargeting. */
-export const bakeRetarget: Command<BakeRetarget> = {
+export const bakeRetarget = command({
   id: 'retarget.bake',
+  args: {
+    ...CHARACTER,
+    /** Default: the rate of the source's take, or 30 if it has none. */
+    framesPerSecond: optional(number),
+    /** Default: the character's and the source take's name, `walker_dance`. A name in use gets a number. */
+    name: optional(text),
+  },
   label: (document, { characterId }) => {
     const { driver } = requireCharacter(document, characterId);
     return `Bake ${takeOf(driver?.source)} into ${characterIn(document, characterId, SHORT_NAME)}`;
   },
-  run: (document, { characterId, framesPerSecond, name }) =>
+  run: (document, { characterId, framesPerSecond, name = '' }) =>
     changeCharacter(document, characterId, (c) => {
       const skeleton = requireSkeleton(c);
       const { clip, timeOffsetSeconds } = requireDriver(c).source;
       const own = clip.samples ? 1 / clip.samples.frameSeconds : (frameRateOf(clip) ?? 30);
-      const rate = framesPerSecond === undefined ? own : finiteNumber(framesPerSecond, '"framesPerSecond"');
+      const rate = framesPerSecond ?? own;
       if (!(rate > 0)) throw new CommandError(`Frames per second must be greater than 0, found ${rate}.`);
       // Frames are baked at times of the source's take, and shifted to those of this character's take.
       const frames = framesOf(clip.range, rate);
@@ -150,7 +157,7 @@ export const bakeRetarget: Command<BakeRetarget> = {
       refuseTooMany(frames.frameCount, restPose(skeleton, c.morphs.length).length);
       const samples = { ...bakeClip(c, frames), startSeconds: range[0] };
       unrollRotations(skeleton, samples);
-      const given = name === undefined ? '' : text(name, 'The name').trim();
+      const given = name.trim();
       const called = given ? uniqueTakeName(c, given) : takeNameOf(c, clip.name);
       const channels = restPose(skeleton, c.morphs.length).map(() => SAMPLED);
       const plain = withoutDriver(withoutUnkeyed(c));
@@ -162,7 +169,7 @@ export const bakeRetarget: Command<BakeRetarget> = {
         shownClip: plain.clips.length,
       };
     }),
-};
+});
 
 /** Unrolls angles so that they don't jump between equivalent forms, for readable curves. */
 function unrollRotations(skeleton: Skeleton, { values, scales, frameCount }: Samples): void {
@@ -202,10 +209,9 @@ function requireDriver({ name, driver }: Character): Driver {
 }
 
 function checkedPairs(pairs: readonly JointPair[], target: Skeleton, source: Skeleton): readonly JointPair[] {
-  // Scripts may pass anything; both fields are checked.
-  const checked = (listOf(pairs, '"pairs"') as readonly (Partial<JointPair> | undefined)[]).map((pair) => ({
-    target: indexIn(pair?.target, 0, target.joints.length, `joint of ${target.name}`),
-    source: indexIn(pair?.source, 0, source.joints.length, `joint of ${source.name}`),
+  const checked = pairs.map((pair) => ({
+    target: indexIn(pair.target, 0, target.joints.length, `joint of ${target.name}`),
+    source: indexIn(pair.source, 0, source.joints.length, `joint of ${source.name}`),
   }));
   checked.sort((a, b) => a.target - b.target);
   const twice = checked.find((pair, i) => pair.target === checked[i + 1]?.target);
@@ -217,17 +223,10 @@ function checkedPairs(pairs: readonly JointPair[], target: Skeleton, source: Ske
 const LARGEST_SCALE = 1e9;
 
 function checkedOptions({ scale, reference, plantsFeet }: RetargetOptions): RetargetOptions {
-  if (scale !== undefined && !(finiteNumber(scale, 'The scale') > 0 && scale <= LARGEST_SCALE)) {
+  if (scale !== undefined && !(scale > 0 && scale <= LARGEST_SCALE)) {
     throw new CommandError(`The scale must be greater than 0, and at most ${LARGEST_SCALE}, found ${scale}.`);
   }
-  return {
-    ...(scale !== undefined && { scale }),
-    reference:
-      typeof reference === 'number'
-        ? finiteNumber(reference, 'The time of the reference pose')
-        : oneOf(reference, ['automatic', 'rest'] as const, '"reference"'),
-    plantsFeet: oneOf(plantsFeet, [true, false], '"plantsFeet"'),
-  };
+  return { ...(scale !== undefined && { scale }), reference, plantsFeet };
 }
 
 function takeOf(source: { readonly clip: { readonly name: string } } | undefined): string {

@@ -1,63 +1,78 @@
 /** Commands on the list of reviewed takes: which are in it, and what a person says about them. */
+
 import type { Document } from '../../model/document.ts';
 import { MOST_STARS, NO_REVIEW, type Review, type ReviewedTake, tagsOf, VERDICTS } from '../../model/review.ts';
-import { listOf, oneOf, text } from '../arguments.ts';
+import { command } from '../command.ts';
+import { CommandError } from '../command-error.ts';
 import { cutName } from '../cut-name.ts';
 import { sameValue } from '../delta.ts';
-import { type Command, CommandError } from '../store.ts';
+import { filledText, list, oneOf, optional, record, text } from '../schema/shape.ts';
 
-interface OfTakes {
-  /** As in the list. */
-  readonly paths: readonly string[];
-}
+/** As in the list. */
+const PATHS = { paths: list(filledText) } as const;
+const verdict = oneOf([...VERDICTS, '']);
+const stars = oneOf(Array.from({ length: MOST_STARS + 1 }, (_, count) => count));
 
 /** Those in the list stay as they are. Takes leave no room for the opening example. */
-export const addToReview: Command<OfTakes> = {
+export const addToReview = command({
   id: 'review.add',
+  args: PATHS,
   label: (_, { paths }) => `Review ${takesText(paths)}`,
   run(document, { paths }) {
     const known = new Set((document.review ?? []).map(({ path }) => path));
-    const added = pathsIn(paths).filter((path) => !known.has(path));
+    const added = paths.filter((path) => !known.has(path));
     if (added.length === 0) return document;
     const list = [...(document.review ?? []), ...[...new Set(added)].map((path) => ({ path, ...NO_REVIEW }))];
     const opened = { ...document, review: list };
     return document.isOpeningSample ? { ...opened, characters: [], isOpeningSample: false } : opened;
   },
-};
+});
 
-export const removeFromReview: Command<OfTakes> = {
+export const removeFromReview = command({
   id: 'review.remove',
+  args: PATHS,
   label: (_, { paths }) => `Remove ${takesText(paths)} from review`,
   run(document, { paths }) {
-    const gone = new Set(pathsIn(paths));
+    const gone = new Set(paths);
     const list = (document.review ?? []).filter(({ path }) => !gone.has(path));
     if (list.length === (document.review ?? []).length) return document;
     const { review: _before, ...rest } = document;
     return list.length > 0 ? { ...rest, review: list } : rest;
   },
-};
+});
 
 /** Gives some takes a verdict, stars, tags or notes; what isn't given stays. */
-export const setReview: Command<OfTakes & { readonly review: Partial<Review> }> = {
+export const setReview = command({
   id: 'review.set',
+  args: {
+    ...PATHS,
+    review: record({
+      verdict: optional(verdict),
+      stars: optional(stars),
+      tags: optional(list(text)),
+      notes: optional(text),
+    }),
+  },
   label: (_, { paths, review }) => `${changeText(review)} of ${takesText(paths)}`,
   run(document, { paths, review }) {
     const change = checked(review);
-    const meant = new Set(pathsIn(paths));
+    const meant = new Set(paths);
     return changeTakes(document, (take) => (meant.has(take.path) ? { ...take, ...change } : take));
   },
-};
+});
 
 /** Takes over what a list says about takes, by their paths here; others of the list are left out. */
-export const readReview: Command<{ readonly takes: readonly ReviewedTake[] }> = {
+export const readReview = command({
   id: 'review.read',
+  args: {
+    takes: list(record({ path: filledText, verdict, stars, tags: list(text), notes: text })),
+  },
   label: (_, { takes }) => `Read review of ${takesText(takes.map(({ path }) => path))}`,
   run(document, { takes }) {
-    listOf(takes, 'The takes');
-    const found = new Map(takes.map((take) => [text(take.path, 'A path'), checked(take)]));
+    const found = new Map(takes.map((take) => [take.path, checked(take)]));
     return changeTakes(document, (take) => ({ ...take, ...found.get(take.path) }));
   },
-};
+});
 
 /** The same document if no take changes. */
 function changeTakes(document: Document, change: (take: ReviewedTake) => ReviewedTake): Document {
@@ -71,25 +86,16 @@ function changeTakes(document: Document, change: (take: ReviewedTake) => Reviewe
   return isChanged ? { ...document, review: list } : document;
 }
 
-function pathsIn(paths: readonly string[]): readonly string[] {
-  return listOf(paths, 'The paths').map((path) => text(path, 'A path'));
-}
-
-const STARS = Array.from({ length: MOST_STARS + 1 }, (_, stars) => stars);
-
-/** @throws CommandError if it is no review */
-function checked(review: Partial<Review>): Partial<Review> {
-  const { verdict, stars, tags, notes } = review ?? {};
+/** @throws CommandError if it says nothing */
+function checked({ verdict, stars, tags, notes }: Partial<Review>): Partial<Review> {
   if ([verdict, stars, tags, notes].every((each) => each === undefined)) {
     throw new CommandError('A review must have a verdict, stars, tags or notes.');
   }
-  if (verdict !== undefined) oneOf(verdict, [...VERDICTS, ''], 'The verdict');
-  if (stars !== undefined) oneOf(stars, STARS, 'The number of stars');
   return {
     ...(verdict !== undefined && { verdict }),
     ...(stars !== undefined && { stars }),
-    ...(tags !== undefined && { tags: tagsOf(listOf(tags, 'The tags').join(',')) }),
-    ...(notes !== undefined && { notes: String(notes) }),
+    ...(tags !== undefined && { tags: tagsOf(tags.join(',')) }),
+    ...(notes !== undefined && { notes }),
   };
 }
 

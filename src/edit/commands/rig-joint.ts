@@ -1,4 +1,5 @@
 /** Properties of one joint of a skeleton: name, offset, motion, box, bone and file pose. */
+
 import type { Vec3 } from '../../math/vec3.ts';
 import { tipOf } from '../../model/bone-ends.ts';
 import type { Character, Document } from '../../model/document.ts';
@@ -6,48 +7,57 @@ import { firstDofs } from '../../model/dofs.ts';
 import type { Pin } from '../../model/ik.ts';
 import { dofsOf, positionsOf, turnsJoint } from '../../model/joint-types.ts';
 import type { Joint, Motion, Skeleton } from '../../model/skeleton.ts';
-import { finiteNumber, indexIn, oneOf } from '../arguments.ts';
+import { indexIn } from '../arguments.ts';
 import { changeCharacter, requireCharacter } from '../characters.ts';
+import { command } from '../command.ts';
+import { CommandError } from '../command-error.ts';
 import { cutName, SHORT_NAME } from '../cut-name.ts';
-import { calledIn, findJoint, rigged, secondsOf, withJoint } from '../rig/apply.ts';
-import { checkedMotion, checkedName, vector } from '../rig/checks.ts';
+import { calledIn, findJoint, rigged, withJoint } from '../rig/apply.ts';
 import { changedJoints, type JointMap } from '../rig/joint-map.ts';
 import { lostKeys } from '../rig/lost-keys.ts';
+import { checkedMotion, motion } from '../rig/motion-shape.ts';
 import { intoSpace, localPivot, turnedAs, withPivots } from '../rig/places.ts';
 import { restAtOffsets } from '../rig/remap-skin.ts';
-import type { RenameJoint, SetBox, SetFilePose, SetLength, SetMotion, SetOffset } from '../rig/rigging.ts';
+import type { OfJoint } from '../rig/rigging.ts';
 import { requireSkeleton, type ShownPose, shownAt } from '../rig/shown.ts';
+import { JOINT, RIGGING, vector } from '../schema/parts.ts';
+import { index, nullable, number, oneOf, optional, record, text } from '../schema/shape.ts';
 import { characterIn } from '../step-names.ts';
-import { type Command, CommandError, type Edit } from '../store.ts';
 
-export const renameJoint: Command<RenameJoint, Document | Edit> = {
+export const renameJoint = command({
   id: 'rig.rename',
+  args: {
+    ...JOINT,
+    /** May be empty. */
+    name: text,
+  },
   label(document, { characterId, joint, name }) {
     const before = calledIn(document, characterId, joint, name ? SHORT_NAME : undefined);
     return name ? `Rename ${before} to ${cutName(name, SHORT_NAME)}` : `Clear name of ${before}`;
   },
-  run(document, args) {
-    const name = checkedName(args.name);
-    return withJoint(document, args, (joint) => (joint.name === name ? joint : { ...joint, name }));
-  },
-};
+  run: (document, args) =>
+    withJoint(document, args, (joint) => (joint.name === args.name ? joint : { ...joint, name: args.name })),
+});
 
 /**
  * Sets a joint's pivot in its parent's space. BVH position channels that replace the offset move by the same amount.
  * With fixed children, these and End Sites keep their positions in the displayed pose.
  */
-export const setOffset: Command<SetOffset, Document | Edit> = {
+export const setOffset = command({
   id: 'rig.setOffset',
+  args: {
+    ...JOINT,
+    offset: vector,
+    /** Whether descendants move along, or stay in place in the displayed pose. */
+    children: oneOf(['follow', 'stay']),
+  },
   label: (document, { characterId, joint }) => `Move ${calledIn(document, characterId, joint)}`,
   run(document, args) {
-    const { characterId, joint: index } = args;
+    const { characterId, joint: index, offset, children, timeSeconds = 0 } = args;
     const { character, skeleton, joint } = findJoint(document, characterId, index);
-    const offset = vector(args.offset, 'The offset');
-    const stays = oneOf(args.children, ['follow', 'stay'], '"children"') === 'stay';
     if (same(offset, joint.offset)) return document;
-    if (!stays) return withJoint(document, args, (own) => ({ ...own, offset }));
-    const seconds = secondsOf(args);
-    const shown = shownAt(character, seconds);
+    if (children === 'follow') return withJoint(document, args, (own) => ({ ...own, offset }));
+    const shown = shownAt(character, timeSeconds);
     const by: Vec3 = [offset[0] - joint.offset[0], offset[1] - joint.offset[1], offset[2] - joint.offset[2]];
     const ends = joint.endSites && endsStaying(shown, joint, index, by);
     const pivots = new Map<number, Vec3>();
@@ -58,10 +68,10 @@ export const setOffset: Command<SetOffset, Document | Edit> = {
       document,
       args,
       (own) => ({ ...own, offset, ...(ends && { endSites: ends }) }),
-      (next) => withPivots(next, characterId, pivots, seconds),
+      (next) => withPivots(next, characterId, pivots, timeSeconds),
     );
   },
-};
+});
 
 /**
  * End Sites moved in the opposite direction, so that they stay in place while their joint moves by this vector in its
@@ -81,19 +91,21 @@ function endsStaying(shown: ShownPose, joint: Joint, index: number, by: Vec3): r
  * none of these rotates the joint, the new DOFs keep its rotation in the displayed pose, if they can do so exactly. The
  * label says which keys are lost with removed DOFs.
  */
-export const setMotion: Command<SetMotion, Document | Edit> = {
+export const setMotion = command({
   id: 'rig.setMotion',
+  args: {
+    ...JOINT,
+    motion,
+  },
   label(document, args) {
     const lost = keysLostBy(document, args);
     const name = calledIn(document, args.characterId, args.joint, lost === undefined ? undefined : SHORT_NAME);
     return `Set type of ${name}${lost === undefined ? '' : `, losing ${lost}`}`;
   },
   run(document, args) {
-    const { characterId, joint: index } = args;
+    const { characterId, joint: index, motion, timeSeconds: seconds = 0 } = args;
     const { character, skeleton, joint } = findJoint(document, characterId, index);
-    const motion = checkedMotion(args.motion);
     if (sameMotion(motion, joint.motion)) return document;
-    const seconds = secondsOf(args);
     const map = withMotion(skeleton, index, motion);
     return rigged(document, args, map, index, (next) => {
       const turned = turnsAnew(map, index)
@@ -105,7 +117,7 @@ export const setMotion: Command<SetMotion, Document | Edit> = {
       return withPivots(turned, characterId, new Map([[index, pivot]]), seconds);
     });
   },
-};
+});
 
 function withMotion(skeleton: Skeleton, index: number, motion: Motion): JointMap {
   return changedJoints(
@@ -117,7 +129,7 @@ function withMotion(skeleton: Skeleton, index: number, motion: Motion): JointMap
 /** What the takes lose by this change of motion: `3 keys of r`. Undefined if nothing. */
 export function keysLostBy(
   document: Document,
-  { characterId, joint, motion }: Pick<SetMotion, 'characterId' | 'joint' | 'motion'>,
+  { characterId, joint, motion }: Pick<OfJoint, 'characterId' | 'joint'> & { readonly motion: Motion },
 ): string | undefined {
   const { character, skeleton } = findJoint(document, characterId, joint);
   return lostKeys(character, withMotion(skeleton, joint, checkedMotion(motion)), joint);
@@ -131,25 +143,34 @@ function turnsAnew({ after, dofs }: JointMap, index: number): boolean {
 }
 
 /** The box drawn for a joint, in its own space; min > max occurs in files and is accepted here too. */
-export const setBox: Command<SetBox, Document | Edit> = {
+export const setBox = command({
   id: 'rig.setBox',
+  args: {
+    ...JOINT,
+    box: record({ min: vector, max: vector }),
+  },
   label: (document, { characterId, joint }) => `Set box of ${calledIn(document, characterId, joint)}`,
   run(document, args) {
-    const box = { min: vector(args.box?.min, 'The lower corner'), max: vector(args.box?.max, 'The upper corner') };
+    const { box } = args;
     return withJoint(document, args, (joint) =>
       same(joint.box.min, box.min) && same(joint.box.max, box.max) ? joint : { ...joint, box },
     );
   },
-};
+});
 
 /** The length of a joint's own bone, along its +y. Children at its tip move with it, and so do pins there. */
-export const setLength: Command<SetLength, Document | Edit> = {
+export const setLength = command({
   id: 'rig.setLength',
+  args: {
+    ...JOINT,
+    /** Null removes its own bone. */
+    length: nullable(number),
+  },
   label: (document, { characterId, joint }) => `Set bone of ${calledIn(document, characterId, joint)}`,
   run(document, args) {
     const { characterId, joint: index, length } = args;
     const { skeleton, joint } = findJoint(document, characterId, index);
-    if (length !== null && finiteNumber(length, 'The length') < 0) {
+    if (length !== null && length < 0) {
       throw new CommandError(`A length must be 0 or more, found ${length}.`);
     }
     if ((length ?? undefined) === joint.length) return document;
@@ -167,7 +188,7 @@ export const setLength: Command<SetLength, Document | Edit> = {
       return changeCharacter(next, characterId, (character) => withPinsAt(character, index, tip, [0, length, 0]));
     });
   },
-};
+});
 
 /** Moves a joint's pins from one of its points to another; if two would coincide, the first is kept. */
 function withPinsAt(character: Character, joint: number, from: Vec3, to: Vec3): Character {
@@ -185,8 +206,14 @@ function withPinsAt(character: Character, joint: number, from: Vec3, to: Vec3): 
  * Sets the file pose of one joint or all, from the displayed pose or from every DOF at rest. The display does not
  * change.
  */
-export const setFilePose: Command<SetFilePose, Document | Edit> = {
+export const setFilePose = command({
   id: 'rig.setFilePose',
+  args: {
+    ...RIGGING,
+    /** Default: all joints. */
+    joint: optional(index),
+    from: oneOf(['shown', 'rest']),
+  },
   label: (document, { characterId, joint }) =>
     joint === undefined
       ? `Set file pose of ${characterIn(document, characterId)}`
@@ -196,9 +223,7 @@ export const setFilePose: Command<SetFilePose, Document | Edit> = {
     const character = requireCharacter(document, characterId);
     const skeleton = requireSkeleton(character);
     if (only !== undefined) indexIn(only, 0, skeleton.joints.length, 'joint');
-    const isShown = oneOf(args.from, ['shown', 'rest'], '"from"') === 'shown';
-    const seconds = secondsOf(args);
-    const values = isShown ? shownAt(character, seconds).dofs : restAtOffsets(skeleton);
+    const values = args.from === 'shown' ? shownAt(character, args.timeSeconds ?? 0).dofs : restAtOffsets(skeleton);
     const first = firstDofs(skeleton);
     const joints = skeleton.joints.map((joint, j) => {
       if (only !== undefined && j !== only) return joint;
@@ -208,7 +233,7 @@ export const setFilePose: Command<SetFilePose, Document | Edit> = {
     if (joints.every((joint, j) => joint === skeleton.joints[j])) return document;
     return rigged(document, args, changedJoints(skeleton, joints), only);
   },
-};
+});
 
 function same(a: readonly number[], b: readonly number[]): boolean {
   return a.length === b.length && a.every((value, i) => Object.is(value, b[i]));

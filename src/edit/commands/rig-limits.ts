@@ -2,20 +2,23 @@
  * Setting limits in rigging: if that moves a joint in the displayed pose, skins may be rebound. Separate from
  * `limits.ts`, which the page has from the start.
  */
-import type { Limit } from '../../model/skeleton.ts';
+
+import { command } from '../command.ts';
 import { boundAnew } from '../rig/apply.ts';
-import type { Rigging } from '../rig/rigging.ts';
-import type { Command } from '../store.ts';
-import { clearLimit, type OfDof, setLimit } from './limits.ts';
+import { RIGGING } from '../schema/parts.ts';
+import { index, number } from '../schema/shape.ts';
+import { clearLimit, setLimit } from './limits.ts';
 
-export const limitRigged: Command<OfDof & Rigging & Limit> = {
+export const limitRigged = command({
   id: 'rig.setLimit',
+  args: { ...RIGGING, dof: index, min: number, max: number },
   label: setLimit.label,
-  run: (document, args) => boundAnew(document, args, setLimit.run(document, args)),
-};
+  run: (document, args) => boundAnew(document, args, setLimit.runRead(document, args)),
+});
 
-export const clearLimitRigged: Command<OfDof & Rigging> = {
+export const clearLimitRigged = command({
   id: 'rig.clearLimit',
+  args: { ...RIGGING, dof: index },
   label: clearLimit.label,
-  run: (document, args) => boundAnew(document, args, clearLimit.run(document, args)),
-};
+  run: (document, args) => boundAnew(document, args, clearLimit.runRead(document, args)),
+});

@@ -6,43 +6,45 @@
 import type { Document } from '../../model/document.ts';
 import { EMPTY_DOCUMENT } from '../../model/document.ts';
 import { jointName } from '../../model/joint-name.ts';
-import { indexIn, oneOf, text } from '../arguments.ts';
+import { indexIn } from '../arguments.ts';
+import type { Edit } from '../change.ts';
 import { changeCharacter, requireCharacter } from '../characters.ts';
+import { command } from '../command.ts';
+import { CommandError } from '../command-error.ts';
 import { cutName, SHORT_NAME } from '../cut-name.ts';
 import { newCharacter, withSkeleton } from '../new-character.ts';
 import { placeBeside } from '../place-beside.ts';
-import { calledIn, findJoint, rigged, secondsOf } from '../rig/apply.ts';
+import { calledIn, findJoint, rigged } from '../rig/apply.ts';
 import { withTakenUp } from '../rig/bind.ts';
-import { checkedName, vector } from '../rig/checks.ts';
 import { changedTree } from '../rig/joint-map.ts';
 import { mirrored } from '../rig/mirror.ts';
 import { childName, freeName } from '../rig/names.ts';
 import { continued, endedAt, newChild, newRoot } from '../rig/new-joint.ts';
 import { type Kept, keepPlaces } from '../rig/places.ts';
-import {
-  type AddJoint,
-  AXIS_LETTERS,
-  type CreateRig,
-  type MirrorJoint,
-  type RemoveJoint,
-  type ReparentJoint,
-  SKIN_MODES,
-} from '../rig/rigging.ts';
+import { AXIS_LETTERS, SKIN_MODES } from '../rig/rigging.ts';
 import { type Branch, branchesOf } from '../rig/tree.ts';
+import { JOINT, RIGGING, vector } from '../schema/parts.ts';
+import { filledText, index, oneOf, optional, text } from '../schema/shape.ts';
 import { characterIn } from '../step-names.ts';
-import { type Command, CommandError, type Edit } from '../store.ts';
 
 /** A new character of one joint; or the first joint of a character that has a skin or a take but no skeleton yet. */
-export const createRig: Command<CreateRig, Document | Edit> = {
+export const createRig = command({
   id: 'rig.create',
+  args: {
+    /** Of the character; default `character`. */
+    name: optional(filledText),
+    /** A character without a skeleton; default: a new one. */
+    characterId: optional(text),
+    /** `stays`: its skin is bound to the root in place; `follows`: as its file says. Default `follows`. */
+    skin: optional(oneOf(SKIN_MODES)),
+  },
   makesCharacter: true,
   label: (document, { characterId, name }) =>
     characterId === undefined
       ? `New skeleton ${cutName(newName(document, name))}`
       : `Create skeleton of ${characterIn(document, characterId)}`,
   run(document, { name, characterId, skin = 'follows' }) {
-    if (name !== undefined) text(name, 'The name');
-    const stays = oneOf(skin, SKIN_MODES, '"skin"') === 'stays';
+    const stays = skin === 'stays';
     if (characterId !== undefined) return begun(document, characterId, stays);
     const base = withoutExample(document);
     const { charactersMade } = base;
@@ -53,7 +55,7 @@ export const createRig: Command<CreateRig, Document | Edit> = {
     const next = { ...base, characters: [...base.characters, placed], charactersMade: charactersMade + 1 };
     return { document: next, keys: [], selected: { characterId: id, joint: 0 } };
   },
-};
+});
 
 /** The document that a new character is added to: it replaces the opening example, as opening files does. */
 function withoutExample(document: Document): Document {
@@ -84,15 +86,22 @@ function begun(document: Document, characterId: string, stays: boolean): Edit {
  * Appends a child to the parent. The first child of a joint that ends in an End Site replaces that, and in the
  * axis-angle form it starts at its parent's tip.
  */
-export const addJoint: Command<AddJoint, Document | Edit> = {
+export const addJoint = command({
   id: 'rig.addJoint',
+  args: {
+    ...RIGGING,
+    parent: index,
+    /** May be empty; default: the parent's with the next number, or `joint3` and the like. */
+    name: optional(text),
+    /** In the parent's space; default: continues the parent's bone. */
+    offset: optional(vector),
+  },
   label: (document, { characterId, parent }) => `Add joint under ${calledIn(document, characterId, parent)}`,
   run(document, args) {
-    const { characterId, parent } = args;
+    const { characterId, parent, offset } = args;
     const { character, skeleton } = findJoint(document, characterId, parent);
     const isNameless = skeleton.form === 'axis-angle';
-    const name = args.name === undefined ? (isNameless ? '' : childName(skeleton, parent)) : checkedName(args.name);
-    const offset = args.offset === undefined ? undefined : vector(args.offset, 'The offset');
+    const name = args.name ?? (isNameless ? '' : childName(skeleton, parent));
     const joint = newChild(character, skeleton, parent, name, offset);
     const branches = branchesOf(skeleton);
     const above = branches[parent];
@@ -102,15 +111,22 @@ export const addJoint: Command<AddJoint, Document | Edit> = {
     const map = changedTree(skeleton, branches[0]);
     return rigged(document, args, map, map.origins.indexOf(-1));
   },
-};
+});
 
 /**
  * Moves a joint with its descendants to another parent or another place among its siblings. Its pivot stays in place in
  * the displayed pose, and so does its rotation, if its DOFs can represent that exactly within their limits and nothing
  * drives them (keys, samples, retargeting, a link); otherwise it rotates with its new parent. It keeps its channels.
  */
-export const reparentJoint: Command<ReparentJoint, Document | Edit> = {
+export const reparentJoint = command({
   id: 'rig.reparent',
+  args: {
+    ...JOINT,
+    /** The new parent. */
+    parent: index,
+    /** The child to insert it before; default: as the last. */
+    before: optional(index),
+  },
   label: (document, { characterId, joint, parent }) =>
     `Parent ${calledIn(document, characterId, joint, SHORT_NAME)} to ${calledIn(document, characterId, parent, SHORT_NAME)}`,
   run(document, args) {
@@ -142,16 +158,20 @@ export const reparentJoint: Command<ReparentJoint, Document | Edit> = {
     if (parent === joint.parent && map.keepsJoints) return document;
     const now = map.to[index];
     const kept = parent === joint.parent ? [] : [{ joint: now, origin: index }];
-    return rigged(document, args, map, now, (next) => keepPlaces(next, character, kept, secondsOf(args)));
+    return rigged(document, args, map, now, (next) => keepPlaces(next, character, kept, args.timeSeconds ?? 0));
   },
-};
+});
 
 /**
  * Removes a joint, with its descendants, or reparents its children to its parent, in place (`rig.reparent`). Vertices
  * are reassigned to the nearest remaining ancestor.
  */
-export const removeJoint: Command<RemoveJoint, Document | Edit> = {
+export const removeJoint = command({
   id: 'rig.remove',
+  args: {
+    ...JOINT,
+    children: oneOf(['too', 'stay']),
+  },
   label(document, { characterId, joint, children }) {
     const name = calledIn(document, characterId, joint);
     return children === 'too' ? `Delete ${name} and its descendants` : `Delete ${name}`;
@@ -159,7 +179,7 @@ export const removeJoint: Command<RemoveJoint, Document | Edit> = {
   run(document, args) {
     const { characterId, joint: index } = args;
     const { character, skeleton, joint } = findJoint(document, characterId, index);
-    const staying = oneOf(args.children, ['too', 'stay'], '"children"') === 'stay';
+    const staying = args.children === 'stay';
     const branches = branchesOf(skeleton);
     const own = branches[index];
     const children = staying ? own.children : [];
@@ -175,9 +195,11 @@ export const removeJoint: Command<RemoveJoint, Document | Edit> = {
     }
     const map = changedTree(skeleton, root);
     const kept = children.map(({ origin }): Kept => ({ joint: map.to[origin], origin }));
-    return rigged(document, args, map, map.heirs[index], (next) => keepPlaces(next, character, kept, secondsOf(args)));
+    return rigged(document, args, map, map.heirs[index], (next) =>
+      keepPlaces(next, character, kept, args.timeSeconds ?? 0),
+    );
   },
-};
+});
 
 function rootStays(staying: boolean, children: number): string {
   if (!staying || children === 0) return 'The root can’t be deleted. Remove the character instead.';
@@ -188,19 +210,24 @@ function rootStays(staying: boolean, children: number): string {
  * Mirrors a joint with its descendants across a plane through the root: creates the other side, or updates it (offset,
  * motion, limits, box, links; its pose and keys are kept). Sides in names are swapped. Weights are not mirrored.
  */
-export const mirrorJoint: Command<MirrorJoint, Document | Edit> = {
+export const mirrorJoint = command({
   id: 'rig.mirror',
+  args: {
+    ...JOINT,
+    /** The axis of the root's space that is mirrored. */
+    across: oneOf(AXIS_LETTERS),
+  },
   label: (document, { characterId, joint }) => `Mirror ${calledIn(document, characterId, joint)}`,
   run(document, args) {
     const { characterId, joint } = args;
     const { skeleton } = findJoint(document, characterId, joint);
-    const across = AXIS_LETTERS.indexOf(oneOf(args.across, AXIS_LETTERS, '"across"'));
+    const across = AXIS_LETTERS.indexOf(args.across);
     const { map, other, couple } = mirrored(skeleton, joint, across);
     const edit = rigged(document, args, map, other, (next) => couple(next, characterId));
     const now = requireCharacter(edit.document, characterId).skeleton;
     return now && sameJoints(now.joints, skeleton.joints) ? document : edit;
   },
-};
+});
 
 function sameJoints(a: readonly object[], b: readonly object[]): boolean {
   return a.length === b.length && a.every((joint, j) => joint === b[j]);

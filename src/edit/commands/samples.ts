@@ -8,9 +8,12 @@ import { runToEnd, type Steps } from '../../evaluate/steps.ts';
 import type { ChannelClip } from '../../model/clip.ts';
 import { type Character, type Document, shownClip } from '../../model/document.ts';
 import { characterDofs } from '../../model/dofs.ts';
-import { finiteNumber, listOf, oneOf } from '../arguments.ts';
+import { described } from '../arguments.ts';
+import type { Edit } from '../change.ts';
 import { checkedChannels } from '../channel-edits.ts';
 import { changeCharacter, requireCharacter } from '../characters.ts';
+import { command } from '../command.ts';
+import { CommandError } from '../command-error.ts';
 import { cutName } from '../cut-name.ts';
 import { sameValue } from '../delta.ts';
 import { refuseMoved } from '../refuse-moved.ts';
@@ -21,7 +24,8 @@ import { resampling } from '../samples/resample.ts';
 import { reversing } from '../samples/reverse.ts';
 import { jointRotations } from '../samples/rotations.ts';
 import { type SampleFilter, smoothing } from '../samples/smooth.ts';
-import { type Command, CommandError, type Edit } from '../store.ts';
+import { CHARACTER, indices, NOW, range } from '../schema/parts.ts';
+import { index, number, oneOf, optional, record } from '../schema/shape.ts';
 import { requireTake, uniqueTakeName, withTake } from '../takes.ts';
 import { withoutUnkeyed } from '../unkeyed.ts';
 
@@ -29,81 +33,77 @@ interface OfSamples {
   readonly characterId: string;
 }
 
-export interface CropSamples extends OfSamples {
-  readonly from: number;
-  readonly to: number;
-}
-
 /** Keeps the frames from one time to another, both included, as the playback range; all keys are kept. */
-export const cropSamples: Command<CropSamples> = {
+export const cropSamples = command({
   id: 'samples.crop',
+  args: {
+    ...CHARACTER,
+    from: number,
+    to: number,
+  },
   label: (document, args) => `Crop ${nameOf(document, args)}`,
   run(document, args) {
-    const [from, to] = interval(finiteNumber(args.from, '"from"'), finiteNumber(args.to, '"to"'));
+    const [from, to] = interval(args.from, args.to);
     return changed(document, args, (clip) => cropped(clip, from, to));
   },
-};
-
-export interface TrimSamples extends OfSamples {
-  /** Which end to remove: before the time or after it. */
-  readonly side: 'start' | 'end';
-  readonly timeSeconds: number;
-}
+});
 
 /** Removes one end up to a time; the frame there is kept. */
-export const trimSamples: Command<TrimSamples> = {
+export const trimSamples = command({
   id: 'samples.trim',
+  args: {
+    ...NOW,
+    /** Which end to remove: before the time or after it. */
+    side: oneOf(['start', 'end']),
+  },
   label: (document, args) => `Trim the ${args.side} of ${nameOf(document, args)}`,
   run(document, args) {
-    const side = oneOf<TrimSamples['side']>(args.side, ['start', 'end'], '"side"');
-    const seconds = finiteNumber(args.timeSeconds, '"timeSeconds"');
-    return changed(document, args, (clip) => trimmed(clip, side, seconds));
+    return changed(document, args, (clip) => trimmed(clip, args.side, args.timeSeconds));
   },
-};
-
-export interface SplitSamples extends OfSamples {
-  readonly timeSeconds: number;
-}
+});
 
 /** Splits a take in two: the shown one ends before the time, a new one starts there and is shown. */
-export const splitSamples: Command<SplitSamples> = {
+export const splitSamples = command({
   id: 'samples.split',
+  args: NOW,
   label: (document, args) => `Split ${nameOf(document, args)}`,
   run: (document, { characterId, timeSeconds }) =>
     changeCharacter(document, characterId, (character) => {
       const clip = ownTake(character);
-      const [before, after] = splitAt(clip, finiteNumber(timeSeconds, '"timeSeconds"'));
+      const [before, after] = splitAt(clip, timeSeconds);
       const named = { ...after, name: uniqueTakeName(character, clip.name) };
       const clips = withTake(character, character.shownClip, before).clips;
       return { ...withoutUnkeyed(character), clips: [...clips, named], shownClip: clips.length };
     }),
-};
+});
 
 export interface ResampleSamples extends OfSamples {
   readonly framesPerSecond: number;
 }
 
 /** Changes the frame rate; see `samples/resample.ts`. Keys are kept. */
-export const resampleSamples: Command<ResampleSamples> = {
+export const resampleSamples = command({
   id: 'samples.resample',
+  args: { ...CHARACTER, framesPerSecond: number },
   label: (document, args) => `Resample ${nameOf(document, args)}`,
   run: (document, args) => runToEnd(resampleSteps(document, args)),
-};
+});
 
 /** The same in steps, yielding progress every few milliseconds. */
 export function* resampleSteps(document: Document, args: ResampleSamples): Steps<Document> {
-  const rate = finiteNumber(args.framesPerSecond, '"framesPerSecond"');
+  const rate = args.framesPerSecond;
   if (!(rate > 0)) throw new CommandError(`The frame rate must be greater than 0, found ${rate}.`);
   const character = requireCharacter(document, args.characterId);
   return withClip(document, args, yield* resampling(character, ownTake(character), rate));
 }
 
 /** Reverses samples and keys. */
-export const reverseSamples: Command<OfSamples> = {
+export const reverseSamples = command({
   id: 'samples.reverse',
+  args: CHARACTER,
   label: (document, args) => `Reverse ${nameOf(document, args)}`,
   run: (document, args) => runToEnd(reverseSteps(document, args)),
-};
+});
 
 /** The same in steps, yielding progress every few milliseconds. */
 export function* reverseSteps(document: Document, args: OfSamples): Steps<Document> {
@@ -123,12 +123,20 @@ export interface SmoothSamples extends OfSamples {
   readonly range?: readonly [number, number] | undefined;
 }
 
-export const smoothSamples: Command<SmoothSamples> = {
+export const smoothSamples = command({
   id: 'samples.smooth',
+  args: {
+    ...CHARACTER,
+    channels: optional(indices),
+    filter: optional(oneOf(['gaussian', 'median'])),
+    sigmaSeconds: optional(number),
+    frames: optional(index),
+    range: optional(range),
+  },
   label: (document, args) =>
     args.filter === 'median' ? `Remove spikes from ${nameOf(document, args)}` : `Smooth ${nameOf(document, args)}`,
   run: (document, args) => runToEnd(smoothSteps(document, args)),
-};
+});
 
 /** The same in steps, yielding progress every few milliseconds. */
 export function* smoothSteps(document: Document, args: SmoothSamples): Steps<Document> {
@@ -139,26 +147,18 @@ export function* smoothSteps(document: Document, args: SmoothSamples): Steps<Doc
   const rotations = skeleton ? jointRotations(skeleton) : [];
   const channels = sampledChannels(clip, args.channels);
   const dofs = characterDofs(skeleton, morphs);
-  const smooth = yield* smoothing(clip, dofs, rotations, channels, filter, checkedRange(args.range));
+  const smooth = yield* smoothing(clip, dofs, rotations, channels, filter, args.range);
   return withClip(document, args, smooth);
 }
 
-function checkedFilter({ filter, sigmaSeconds, frames }: SmoothSamples): SampleFilter {
-  const kind = oneOf<SampleFilter['kind']>(filter ?? 'gaussian', ['gaussian', 'median'], '"filter"');
+function checkedFilter({ filter: kind = 'gaussian', sigmaSeconds, frames }: SmoothSamples): SampleFilter {
   if (kind === 'median') {
-    const given = finiteNumber(frames, '"frames"');
-    if (MEDIAN_FRAMES.includes(given)) return { kind, frames: given };
-    throw new CommandError(`The width of a median must be one of ${MEDIAN_FRAMES.join(', ')} frames, found ${given}.`);
+    if (frames !== undefined && MEDIAN_FRAMES.includes(frames)) return { kind, frames };
+    const widths = MEDIAN_FRAMES.join(', ');
+    throw new CommandError(`The width of a median must be one of ${widths} frames, found ${described(frames)}.`);
   }
-  const sigma = finiteNumber(sigmaSeconds, '"sigmaSeconds"');
-  if (!(sigma > 0)) throw new CommandError(`The width of a filter must be greater than 0, found ${sigma}.`);
-  return { kind, sigmaSeconds: sigma };
-}
-
-function checkedRange(range: unknown): readonly [number, number] | undefined {
-  if (range === undefined) return undefined;
-  const [from, to] = listOf(range, '"range"').map((seconds) => finiteNumber(seconds, '"range"'));
-  return interval(finiteNumber(from, '"range"'), finiteNumber(to, '"range"'));
+  if (sigmaSeconds !== undefined && sigmaSeconds > 0) return { kind, sigmaSeconds };
+  throw new CommandError(`The width of a filter must be greater than 0, found ${described(sigmaSeconds)}.`);
 }
 
 function interval(from: number, to: number): readonly [number, number] {
@@ -173,11 +173,16 @@ export interface ConvertToKeys extends OfSamples {
 }
 
 /** Replaces samples by keys; see `samples/convert.ts`. Nothing is selected afterwards. */
-export const convertToKeys: Command<ConvertToKeys, Edit> = {
+export const convertToKeys = command({
   id: 'samples.convertToKeys',
+  args: {
+    ...CHARACTER,
+    channels: optional(indices),
+    tolerance: record({ position: number, angle: number }),
+  },
   label: (document, args) => `Convert ${nameOf(document, args)} to keys`,
   run: (document, args) => runToEnd(convertSteps(document, args)).edit,
-};
+});
 
 /** The result of the conversion, with the document after it. */
 export interface Conversion {
@@ -188,12 +193,9 @@ export interface Conversion {
 /** The same in steps, yielding progress every few milliseconds. */
 export function* convertSteps(document: Document, args: ConvertToKeys): Steps<Conversion> {
   const { characterId, tolerance } = args;
+  const { position, angle } = tolerance;
   const character = requireCharacter(document, characterId);
   const clip = ownTake(character);
-  // Deliberately looser than its type, since arguments may come from a console.
-  const given: { position?: unknown; angle?: unknown } = tolerance ?? {};
-  const position = finiteNumber(given.position, 'The position tolerance');
-  const angle = finiteNumber(given.angle, 'The rotation tolerance');
   if (!(position > 0 && angle > 0)) {
     throw new CommandError(`A tolerance must be greater than 0, found ${Math.min(position, angle)}.`);
   }

@@ -3,6 +3,7 @@
  * (`evaluate/weights/heat-weights.ts`). Replaces existing weights and bindings; the mesh is kept, and so are the morphs
  * made for it.
  */
+
 import { compileSkeleton, worldMatrices } from '../../evaluate/kinematics.ts';
 import { dofCountOf, poseAt } from '../../evaluate/pose.ts';
 import { runToEnd, type Steps } from '../../evaluate/steps.ts';
@@ -13,10 +14,13 @@ import type { Character, Document } from '../../model/document.ts';
 import { jointName } from '../../model/joint-name.ts';
 import type { Skeleton } from '../../model/skeleton.ts';
 import { bindingCount, type Skin, vertexCount } from '../../model/skin.ts';
-import { finiteNumber, indexIn, oneOf } from '../arguments.ts';
+import { indexIn } from '../arguments.ts';
 import { changeCharacter, requireCharacter } from '../characters.ts';
+import { command } from '../command.ts';
+import { CommandError } from '../command-error.ts';
 import { cutName } from '../cut-name.ts';
-import { type Command, CommandError } from '../store.ts';
+import { NOW } from '../schema/parts.ts';
+import { index, oneOf, optional, whole } from '../schema/shape.ts';
 
 /**
  * Where mesh and skeleton are bound. `bound`: as before, keeping the bindings. `drawn`: as both are displayed now, so
@@ -53,14 +57,20 @@ export interface AutoWeighted {
   readonly idle: readonly number[];
 }
 
-export const autoWeights: Command<AutoWeights> = {
+export const autoWeights = command({
   id: 'skin.autoWeights',
+  args: {
+    ...NOW,
+    skin: optional(index),
+    bind: optional(oneOf(BIND_PLACES)),
+    mostInfluences: optional(whole(1)),
+  },
   label(document, args) {
     const { skins, shownSkin } = requireCharacter(document, args.characterId);
     return `Automatic weights of ${cutName(skins[args.skin ?? shownSkin]?.name ?? 'the skin')}`;
   },
   run: (document, args) => runToEnd(autoWeightsSteps(document, args)).document,
-};
+});
 
 /** The same in steps, yielding progress every few milliseconds. */
 export function* autoWeightsSteps(document: Document, args: AutoWeights): Steps<AutoWeighted> {
@@ -70,13 +80,13 @@ export function* autoWeightsSteps(document: Document, args: AutoWeights): Steps<
   if (skins.length === 0) throw new CommandError(`${character.name} has no skin.`);
   const index = indexIn(args.skin ?? character.shownSkin, 0, skins.length, 'skin');
   const skin = skins[index];
-  const most = finiteNumber(args.mostInfluences ?? USUAL_INFLUENCES, '"mostInfluences"');
+  const most = args.mostInfluences ?? USUAL_INFLUENCES;
   if (!Number.isInteger(most) || most < 1 || most > MAX_INFLUENCES) {
     throw new CommandError(`A vertex takes 1 to ${MAX_INFLUENCES} joints, found ${most}.`);
   }
-  const seconds = finiteNumber(args.timeSeconds, '"timeSeconds"');
+  const { timeSeconds: seconds } = args;
   const places = bindPlaces(character, skin, seconds);
-  const place = oneOf<BindPlace>(args.bind ?? places[0], BIND_PLACES, '"bind"');
+  const place = args.bind ?? places[0];
   if (!places.includes(place)) throw new CommandError(`${skin.name} ${WHY_NOT[place]}`);
   const bindings = place === 'bound' ? skin.bindings : framesAt(character, skeleton, skin, seconds, place);
   for (let j = 0; j < skeleton.joints.length; j++) {

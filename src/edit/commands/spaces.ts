@@ -1,28 +1,34 @@
 /** How a character's own space maps to the scene, the meaning of its position channels, and whether it is visible. */
+
 import { metresPerUnit } from '../../evaluate/metres.ts';
 import { liftOntoGround } from '../../evaluate/space.ts';
 import { type Character, type Document, shownClip } from '../../model/document.ts';
 import { poseForPositions, positionsTaken, withPositions } from '../../model/position-channels.ts';
 import { skeletonKey } from '../../model/skeleton-key.ts';
 import { LENGTH_UNITS, type Space } from '../../model/space.ts';
-import { finiteNumber, listOf, oneOf } from '../arguments.ts';
 import { changeCharacter } from '../characters.ts';
+import { command } from '../command.ts';
+import { CommandError } from '../command-error.ts';
+import { CHARACTER } from '../schema/parts.ts';
+import { boolean, list, number, oneOf, optional, record, text } from '../schema/shape.ts';
 import { characterIn } from '../step-names.ts';
-import { type Command, CommandError } from '../store.ts';
 import { withoutUnkeyed } from '../unkeyed.ts';
 
-interface OfCharacter {
-  readonly characterId: string;
-}
+const space = record({
+  up: oneOf(['y', 'z']),
+  unit: oneOf(LENGTH_UNITS),
+  lift: number,
+  metres: optional(number),
+});
 
-export interface SetSpace extends OfCharacter {
-  readonly space: Space;
-  /** Also of the other characters with the same skeleton: takes of one session. Default false. */
-  readonly ofSkeleton?: boolean | undefined;
-}
-
-export const setSpace: Command<SetSpace> = {
+export const setSpace = command({
   id: 'character.setSpace',
+  args: {
+    ...CHARACTER,
+    space,
+    /** Also of the other characters with the same skeleton: takes of one session. Default false. */
+    ofSkeleton: optional(boolean),
+  },
   label(document, args) {
     const others = args.ofSkeleton ? alike(document, args.characterId).length : 0;
     const name = characterIn(document, args.characterId);
@@ -30,11 +36,11 @@ export const setSpace: Command<SetSpace> = {
   },
   run(document, { characterId, space, ofSkeleton = false }) {
     const next = checked(space);
-    const ids = oneOf(ofSkeleton, [true, false], '"ofSkeleton"') ? alike(document, characterId) : [];
+    const ids = ofSkeleton ? alike(document, characterId) : [];
     const set = (c: Character) => (c.space && sameSpace(c.space, next) ? c : { ...c, space: next });
     return ids.reduce((all, id) => changeCharacter(all, id, set), changeCharacter(document, characterId, set));
   },
-};
+});
 
 /** Ids of the other characters with the same skeleton. */
 export function alike({ characters }: Document, characterId: string): readonly string[] {
@@ -45,15 +51,10 @@ export function alike({ characters }: Document, characterId: string): readonly s
   );
 }
 
-function checked(space: Space | undefined): Space {
-  const { up, unit, lift, metres } = space ?? {};
-  const next: Space = {
-    up: oneOf(up, ['y', 'z'] as const, 'The up axis'),
-    unit: oneOf(unit, LENGTH_UNITS, 'The unit'),
-    lift: finiteNumber(lift, 'The lift'),
-  };
+function checked(space: Space): Space {
+  const { metres = 0, ...next } = space;
   if (next.unit !== 'own') return next;
-  if (finiteNumber(metres, 'The length of a unit in metres') > 0) return { ...next, metres: metres ?? 1 };
+  if (metres > 0) return { ...next, metres };
   throw new CommandError(`A unit must be longer than 0 m, found ${metres}.`);
 }
 
@@ -65,15 +66,15 @@ function sameSpace(a: Space, b: Space): boolean {
  * Whether position channels replace OFFSETs or are added to them. The pose as set stays in place; the clip's values are
  * kept, since it is their meaning that changes. A character that stood on the ground is put on the ground again.
  */
-export const setPositionChannels: Command<OfCharacter & { readonly positions: 'replace' | 'add' }> = {
+export const setPositionChannels = command({
   id: 'skeleton.setPositionChannels',
+  args: { ...CHARACTER, positions: oneOf(['replace', 'add']) },
   label: (document, { characterId, positions }) => {
     const name = characterIn(document, characterId);
     return positions === 'add' ? `Add positions of ${name} to offsets` : `Replace offsets of ${name} with positions`;
   },
   run: (document, { characterId, positions }) =>
     changeCharacter(document, characterId, (c) => {
-      oneOf(positions, ['replace', 'add'] as const, 'The meaning of position channels');
       const { skeleton } = c;
       if (!skeleton || positionsTaken(skeleton) === undefined) {
         throw new CommandError(`${c.name} has no joints with position channels.`);
@@ -83,7 +84,7 @@ export const setPositionChannels: Command<OfCharacter & { readonly positions: 'r
       const pose = poseForPositions(skeleton, c.pose, positions);
       return onTheGround({ ...withoutUnkeyed(c), skeleton: next, pose });
     }),
-};
+});
 
 function onTheGround(character: Character): Character {
   const { skeleton, space } = character;
@@ -92,19 +93,19 @@ function onTheGround(character: Character): Character {
 }
 
 /** Hides or shows characters; hidden ones keep playing. */
-export const setHidden: Command<{ readonly ids: readonly string[]; readonly hidden: boolean }> = {
+export const setHidden = command({
   id: 'character.setHidden',
+  args: { ids: list(text), hidden: boolean },
   label(document, { ids, hidden }) {
     const what = ids.length === 1 ? characterIn(document, ids[0]) : `${ids.length} characters`;
     return `${hidden ? 'Hide' : 'Show'} ${what}`;
   },
   run(document, { ids, hidden }) {
-    oneOf(hidden, [true, false], 'Whether it is hidden');
     let next = document;
-    for (const id of listOf(ids, 'The characters')) next = changeCharacter(next, String(id), (c) => seen(c, hidden));
+    for (const id of ids) next = changeCharacter(next, id, (c) => seen(c, hidden));
     return next;
   },
-};
+});
 
 function seen(character: Character, hidden: boolean): Character {
   if ((character.isHidden ?? false) === hidden) return character;

@@ -2,14 +2,16 @@
  * Commands that change the motion of takes, one or several in one step, keyed or sampled. Refused for takes that are
  * retargeted to the character: those are baked first.
  */
+
 import { runToEnd, type Steps, within } from '../../evaluate/steps.ts';
 import type { ChannelClip } from '../../model/clip.ts';
 import type { Character, Document } from '../../model/document.ts';
 import { characterDofs, unitOfChannel } from '../../model/dofs.ts';
 import type { Skeleton } from '../../model/skeleton.ts';
-import { finiteNumber } from '../arguments.ts';
 import { keepsOffset, withLoop } from '../channels/make-loop.ts';
 import { changeCharacter, requireCharacter } from '../characters.ts';
+import { command } from '../command.ts';
+import { CommandError } from '../command-error.ts';
 import { type LockedContact, lockingFeet } from '../hold/foot-lock.ts';
 import { markersWithin, withMarkers } from '../markers.ts';
 import { refuseMoved } from '../refuse-moved.ts';
@@ -17,7 +19,8 @@ import { looping } from '../samples/loop.ts';
 import { retiming } from '../samples/speed.ts';
 import { clipOfFrames, framesOnly, KEYED_RATE } from '../samples/take-frames.ts';
 import { mirroringTake } from '../samples/take-mirror.ts';
-import { type Command, CommandError } from '../store.ts';
+import { TAKES } from '../schema/parts.ts';
+import { number, optional } from '../schema/shape.ts';
 import { withTake } from '../takes.ts';
 import { withoutUnkeyed } from '../unkeyed.ts';
 import { checkedRefs, nameOfTake, type TakeRef } from './takes.ts';
@@ -27,11 +30,12 @@ export interface OfTakes {
 }
 
 /** Exchanges left and right; see `samples/take-mirror.ts`. */
-export const mirrorTakes: Command<OfTakes> = {
+export const mirrorTakes = command({
   id: 'takes.mirror',
+  args: TAKES,
   label: (document, args) => `Mirror ${namesOfTakes(document, args)}`,
   run: (document, args) => runToEnd(mirrorTakesSteps(document, args)),
-};
+});
 
 /** The same in steps, yielding progress every few milliseconds. */
 export function mirrorTakesSteps(document: Document, { takes }: OfTakes): Steps<Document> {
@@ -46,15 +50,16 @@ export interface SetSpeed extends OfTakes {
 }
 
 /** Changes how long takes last; see `samples/speed.ts`. */
-export const setTakeSpeed: Command<SetSpeed> = {
+export const setTakeSpeed = command({
   id: 'takes.setSpeed',
+  args: { ...TAKES, factor: number },
   label: (document, args) => `Change speed of ${namesOfTakes(document, args)}`,
   run: (document, args) => runToEnd(setSpeedSteps(document, args)),
-};
+});
 
 /** The same in steps, yielding progress every few milliseconds. */
 export function setSpeedSteps(document: Document, { takes, factor }: SetSpeed): Steps<Document> {
-  if (!(finiteNumber(factor, 'The speed') > 0)) {
+  if (!(factor > 0)) {
     throw new CommandError(`The speed must be greater than 0, found ${factor}.`);
   }
   return changingTakes(document, takes, (character, clip) => retiming(character, clip, factor));
@@ -68,18 +73,19 @@ export interface LoopTakes extends OfTakes {
 const BLEND_SECONDS = 0.25;
 
 /** Makes takes loop, all of the body: frames by `samples/loop.ts`, keys by `channels/make-loop.ts`. */
-export const loopTakes: Command<LoopTakes> = {
+export const loopTakes = command({
   id: 'takes.makeLoop',
+  args: { ...TAKES, blendSeconds: optional(number) },
   label: (document, args) => `Make ${namesOfTakes(document, args)} loop`,
   run: (document, args) => runToEnd(loopTakesSteps(document, args)),
-};
+});
 
 /** The same in steps, yielding progress every few milliseconds. */
 export function loopTakesSteps(
   document: Document,
   { takes, blendSeconds = BLEND_SECONDS }: LoopTakes,
 ): Steps<Document> {
-  if (!(finiteNumber(blendSeconds, 'The blend') >= 0)) {
+  if (!(blendSeconds >= 0)) {
     throw new CommandError(`The blend must not be negative, found ${blendSeconds} s.`);
   }
   return changingTakes(document, takes, function* (character, clip) {
@@ -116,11 +122,12 @@ const EASE_SECONDS = 0.1;
 const TOLERANCE_METRES = 5e-4;
 
 /** Holds feet still while they are on the ground; see `hold/foot-lock.ts`. */
-export const lockFeet: Command<LockFeet> = {
+export const lockFeet = command({
   id: 'takes.lockFeet',
+  args: { ...TAKES, easeSeconds: optional(number), toleranceMetres: optional(number) },
   label: (document, args) => `Lock feet of ${namesOfTakes(document, args)}`,
   run: (document, args) => runToEnd(lockFeetSteps(document, args)).document,
-};
+});
 
 /** What was locked, of all takes together. */
 export interface FeetReport {
@@ -132,9 +139,9 @@ export interface FeetReport {
 
 /** The same in steps, yielding progress every few milliseconds. */
 export function* lockFeetSteps(document: Document, args: LockFeet): Steps<FeetReport> {
-  const easeSeconds = finiteNumber(args.easeSeconds ?? EASE_SECONDS, 'The ease');
+  const easeSeconds = args.easeSeconds ?? EASE_SECONDS;
   if (!(easeSeconds >= 0)) throw new CommandError(`The ease must not be negative, found ${easeSeconds} s.`);
-  const toleranceMetres = finiteNumber(args.toleranceMetres ?? TOLERANCE_METRES, 'The tolerance');
+  const toleranceMetres = args.toleranceMetres ?? TOLERANCE_METRES;
   if (!(toleranceMetres > 0)) throw new CommandError(`The tolerance must be greater than 0, found ${toleranceMetres}.`);
   const options = { easeSeconds, toleranceMetres, framesPerSecond: KEYED_RATE };
   const contacts: LockedContact[] = [];

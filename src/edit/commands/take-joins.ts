@@ -2,13 +2,16 @@
  * Commands that put takes together from frames: join, cut out, insert. What follows is carried on over the ground from
  * what precedes it (`samples/join.ts`). Joining samples takes that have keys; cutting and inserting are for samples.
  */
+
 import { runToEnd, type Steps, within } from '../../evaluate/steps.ts';
 import type { ChannelClip } from '../../model/clip.ts';
 import type { Character, Document } from '../../model/document.ts';
 import type { Marker } from '../../model/markers.ts';
 import { rangeOfSamples, type Samples } from '../../model/samples.ts';
-import { finiteNumber, oneOf } from '../arguments.ts';
+import { described } from '../arguments.ts';
 import { changeCharacter, requireCharacter } from '../characters.ts';
+import { command } from '../command.ts';
+import { CommandError } from '../command-error.ts';
 import { markersWithin, retimed, rippledMarkers, withMarkers } from '../markers.ts';
 import { firstFrameFrom, framesBetween, lastFrameTo } from '../samples/frames.ts';
 import { JOIN_ALIGNMENTS, type JoinAlignment, joining } from '../samples/join.ts';
@@ -16,11 +19,14 @@ import { refuseTooMany } from '../samples/most-frames.ts';
 import { resampling } from '../samples/resample.ts';
 import { inChannelsOf } from '../samples/same-channels.ts';
 import { clipOfFrames, framesOnly, takeFrames } from '../samples/take-frames.ts';
-import { type Command, CommandError } from '../store.ts';
+import { TAKES, takeRef } from '../schema/parts.ts';
+import { boolean, filledText, number, oneOf, optional } from '../schema/shape.ts';
 import { uniqueTakeName } from '../takes.ts';
 import { withoutUnkeyed } from '../unkeyed.ts';
 import { changingTakes, namesOfTakes, type OfTakes, skeletonOf, takesToChange } from './take-edits.ts';
 import { nameOfTake, type TakeRef } from './takes.ts';
+
+const HOW_JOINED = { overlapSeconds: optional(number), align: optional(oneOf(JOIN_ALIGNMENTS)) } as const;
 
 /** How one piece goes on from another. */
 export interface HowJoined {
@@ -43,11 +49,12 @@ interface Joined {
 const OVERLAP_SECONDS = 0.25;
 
 /** Joins takes of the same skeleton in this order: a new take of the first one's character, which is shown. */
-export const joinTakes: Command<JoinTakes> = {
+export const joinTakes = command({
   id: 'takes.join',
+  args: { ...TAKES, ...HOW_JOINED, name: optional(filledText) },
   label: (document, args) => `Join ${namesOfTakes(document, args)}`,
   run: (document, args) => runToEnd(joinSteps(document, args)),
-};
+});
 
 /** The same in steps, yielding progress every few milliseconds. */
 export function* joinSteps(document: Document, args: JoinTakes): Steps<Document> {
@@ -96,16 +103,17 @@ export interface CutOut extends OfTakes, HowJoined {
 }
 
 /** Removes the frames from one time to another, both included, and closes the gap. */
-export const cutOutOfTakes: Command<CutOut> = {
+export const cutOutOfTakes = command({
   id: 'takes.cutOut',
+  args: { ...TAKES, ...HOW_JOINED, from: number, to: number, areOfTransport: optional(boolean) },
   label: (document, args) => `Cut out of ${namesOfTakes(document, args)}`,
   run: (document, args) => runToEnd(cutOutSteps(document, args)),
-};
+});
 
 /** The same in steps, yielding progress every few milliseconds. */
 export function cutOutSteps(document: Document, args: CutOut): Steps<Document> {
   const how = checkedHow(args);
-  const [from, to] = [finiteNumber(args.from, '"from"'), finiteNumber(args.to, '"to"')];
+  const [from, to] = [args.from, args.to];
   if (from > to) throw new CommandError(`The range ends at ${to} s, before it begins at ${from} s.`);
   return changingTakes(document, args.takes, function* (character, clip) {
     const samples = framesOnly(character, clip);
@@ -142,24 +150,29 @@ export interface InsertInto extends HowJoined {
 }
 
 /** Inserts another take, or holds the pose at a time. */
-export const insertIntoTake: Command<InsertInto> = {
+export const insertIntoTake = command({
   id: 'takes.insert',
+  args: {
+    into: takeRef,
+    atSeconds: number,
+    take: optional(takeRef),
+    holdSeconds: optional(number),
+    ...HOW_JOINED,
+  },
   label: (document, { into, take }) =>
     take
       ? `Insert ${nameOfTake(document, take)} into ${nameOfTake(document, into)}`
       : `Hold pose in ${nameOfTake(document, into)}`,
   run: (document, args) => runToEnd(insertSteps(document, args)),
-};
+});
 
 /** The same in steps, yielding progress every few milliseconds. */
 export function insertSteps(document: Document, args: InsertInto): Steps<Document> {
   const how = checkedHow(args);
-  const at = finiteNumber(args.atSeconds, '"atSeconds"');
-  if (!args.into) throw new CommandError('"into" must be a take.');
   return changingTakes(document, [args.into], (character, clip) =>
     args.take
-      ? insertingTake(document, character, clip, args.take, at, how)
-      : holding(character, clip, at, finiteNumber(args.holdSeconds, 'The time to hold')),
+      ? insertingTake(document, character, clip, args.take, args.atSeconds, how)
+      : holding(character, clip, args.atSeconds, args.holdSeconds),
   );
 }
 
@@ -199,8 +212,15 @@ function* insertingTake(
 }
 
 /** The frame at or after a time, repeated. */
-function* holding(character: Character, clip: ChannelClip, atSeconds: number, holdSeconds: number): Steps<ChannelClip> {
-  if (!(holdSeconds >= 0)) throw new CommandError(`The time to hold must not be negative, found ${holdSeconds}.`);
+function* holding(
+  character: Character,
+  clip: ChannelClip,
+  atSeconds: number,
+  holdSeconds?: number,
+): Steps<ChannelClip> {
+  if (holdSeconds === undefined || !(holdSeconds >= 0)) {
+    throw new CommandError(`The time to hold must not be negative, found ${described(holdSeconds)}.`);
+  }
   const samples = framesOnly(character, clip);
   const count = Math.round(holdSeconds / samples.frameSeconds);
   if (count === 0) return clip;
@@ -233,8 +253,8 @@ function framesOfOverlap({ overlapSeconds }: Joined, a: Samples, b: Samples): nu
 }
 
 function checkedHow({ overlapSeconds = OVERLAP_SECONDS, align = 'root' }: HowJoined): Joined {
-  if (!(finiteNumber(overlapSeconds, 'The cross-fade') >= 0)) {
+  if (!(overlapSeconds >= 0)) {
     throw new CommandError(`The cross-fade must not be negative, found ${overlapSeconds} s.`);
   }
-  return { overlapSeconds, align: oneOf<JoinAlignment>(align, JOIN_ALIGNMENTS, '"align"') };
+  return { overlapSeconds, align };
 }

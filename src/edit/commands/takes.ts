@@ -2,20 +2,24 @@
  * Commands on several takes: which of them play, when and where. Each is a single undo step, however many characters it
  * affects, since a folder of fifty files is fifty characters with a take each.
  */
+
 import { isSameSize, matchJoints } from '../../evaluate/joint-match.ts';
 import type { Vec3 } from '../../math/vec3.ts';
 import type { ChannelClip } from '../../model/clip.ts';
 import { type Character, type Document, findCharacter, shownClip } from '../../model/document.ts';
 import { NO_MARKS, type PartMark } from '../../model/part.ts';
 import type { Space } from '../../model/space.ts';
-import { finiteNumber, indexIn, listOf } from '../arguments.ts';
+import { indexIn } from '../arguments.ts';
 import { requireCharacter } from '../characters.ts';
+import { command } from '../command.ts';
+import { CommandError } from '../command-error.ts';
 import { cutName, SHORT_NAME } from '../cut-name.ts';
 import { driverSource, RETARGETED, withoutDriver } from '../drivers.ts';
 import { extentOf } from '../place-beside.ts';
 import { ownHeight } from '../same-height.ts';
+import { CHARACTERS, TAKES, takeRef } from '../schema/parts.ts';
+import { boolean, number, oneOf, optional, shape } from '../schema/shape.ts';
 import { characterIn } from '../step-names.ts';
-import { type Command, CommandError } from '../store.ts';
 import { withoutUnkeyed } from '../unkeyed.ts';
 
 /** One take of one character. */
@@ -26,15 +30,16 @@ export interface TakeRef {
 }
 
 /** Shows these takes; `alone` also hides all other characters. */
-export const showTakes: Command<{ readonly takes: readonly TakeRef[]; readonly alone?: boolean | undefined }> = {
+export const showTakes = command({
   id: 'takes.show',
+  args: { ...TAKES, alone: optional(boolean) },
   label(document, { takes, alone }) {
     const one = takes.length === 1 ? nameOfTake(document, takes[0]) : `${takes.length} takes`;
     if (!alone) return `Show ${one}`;
     return takes.length === 1 ? `Play ${one} alone` : `Play ${one} together`;
   },
   run: (document, { takes, alone }) => shown(document, takesIn(document, takes), alone === true),
-};
+});
 
 function shown(document: Document, takes: ReadonlyMap<string, number>, alone: boolean): Document {
   return mapCharacters(document, (c) => {
@@ -48,14 +53,11 @@ function shown(document: Document, takes: ReadonlyMap<string, number>, alone: bo
 }
 
 /** Makes takes start at the same transport time, by default 0. */
-export const alignStarts: Command<{
-  readonly characterIds: readonly string[];
-  readonly atSeconds?: number | undefined;
-}> = {
+export const alignStarts = command({
   id: 'takes.alignStarts',
+  args: { ...CHARACTERS, atSeconds: optional(number) },
   label: (document, { characterIds }) => `Align starts of ${namesOf(document, characterIds)}`,
   run(document, { characterIds, atSeconds = 0 }) {
-    finiteNumber(atSeconds, 'The time');
     const aligned = new Set(idsIn(document, characterIds));
     // The offset is added to transport time, so that the clip's first second falls on this time.
     const ofOwn = (clip: ChannelClip) => clip.range[0] - atSeconds + 0;
@@ -72,16 +74,16 @@ export const alignStarts: Command<{
       return offsetBy(c, ofOwn(clip) - theirs);
     });
   },
-};
+});
 
-export const setTimeOffsets: Command<{ readonly characterIds: readonly string[]; readonly seconds: number }> = {
+export const setTimeOffsets = command({
   id: 'takes.setTimeOffsets',
+  args: { ...CHARACTERS, seconds: number },
   label: (document, { characterIds }) => `Set start time of ${namesOf(document, characterIds)}`,
   run(document, { characterIds, seconds }) {
-    finiteNumber(seconds, 'The start time');
     return changeThese(document, characterIds, (c) => offsetBy(c, seconds));
   },
-};
+});
 
 /**
  * `grid`: side by side in rows, by their starting positions. `spot`: all start where the first one does. `space`: all
@@ -96,14 +98,11 @@ const ARRANGED: Readonly<Record<Arrangement, string>> = {
   space: 'in the same space',
 };
 
-export const arrange: Command<{ readonly characterIds: readonly string[]; readonly how: Arrangement }> = {
+export const arrange = command({
   id: 'takes.arrange',
-  label: (document, { characterIds, how }) =>
-    `Arrange ${namesOf(document, characterIds)} ${ARRANGED[how] ?? ''}`.trim(),
+  args: { ...CHARACTERS, how: oneOf(ARRANGEMENTS) },
+  label: (document, { characterIds, how }) => `Arrange ${namesOf(document, characterIds)} ${ARRANGED[how]}`,
   run(document, { characterIds, how }) {
-    if (!ARRANGEMENTS.includes(how)) {
-      throw new CommandError(`"how" must be one of ${Object.keys(ARRANGED).join(', ')}, found ${how}.`);
-    }
     const characters = idsIn(document, characterIds).map((id) => requireCharacter(document, id));
     const places =
       how === 'space' ? sameSpace(characters) : how === 'spot' ? onOneSpot(characters) : inGrid(characters);
@@ -112,7 +111,7 @@ export const arrange: Command<{ readonly characterIds: readonly string[]; readon
       return position ? placedAt(c, position) : c;
     });
   },
-};
+});
 
 /**
  * Overlays one take on another: shows both and nothing else, the second in the place of the first. Takes of one actor
@@ -120,12 +119,12 @@ export const arrange: Command<{ readonly characterIds: readonly string[]; readon
  * taller, the second is made as tall as the first. Two takes of one character can't both be shown: there the first is
  * shown, or the retargeted one, and the viewer draws the other over it.
  */
-export const overlayTakes: Command<{ readonly first: TakeRef; readonly second: TakeRef }> = {
+export const overlayTakes = command({
   id: 'takes.overlay',
+  args: { first: takeRef, second: takeRef },
   label: (document, { first, second }) =>
     `Compare ${nameOfTake(document, first, SHORT_NAME)} with ${nameOfTake(document, second, SHORT_NAME)}`,
   run(document, { first, second }) {
-    if (!first || !second) throw new CommandError('Comparing needs two takes.');
     if (first.characterId === second.characterId) {
       const [, one] = checkedRefs(document, [first, second], -1);
       return shown(document, takesIn(document, [one.clip === RETARGETED ? one : first]), true);
@@ -144,7 +143,7 @@ export const overlayTakes: Command<{ readonly first: TakeRef; readonly second: T
       return isSame && space && c.space && !liesAlike(c.space, space) ? { ...placed, space } : placed;
     });
   },
-};
+});
 
 function isSameActor({ skeleton: a }: Character, { skeleton: b }: Character): boolean {
   return !a || !b || isSameSize(a, b, matchJoints(a, b));
@@ -164,6 +163,8 @@ function overlaidScale(first: Character, second: Character): number {
 
 const hasUnit = ({ space }: Character) => space !== undefined && space.unit !== 'asIs';
 
+const wholeCharacters = shape('a list of characters', (value): value is readonly Character[] => Array.isArray(value));
+
 /**
  * Undoes the changes of overlaying takes: spaces, takes shown, visibility. Places and sizes are those from before,
  * whatever changed them meanwhile: while takes are compared they are part of the comparison. Other changes are kept.
@@ -171,12 +172,12 @@ const hasUnit = ({ space }: Character) => space !== undefined && space.unit !== 
  * @param before characters as they were before
  * @param overlaid the same ones right after
  */
-export const endOverlay: Command<{ readonly before: readonly Character[]; readonly overlaid: readonly Character[] }> = {
+export const endOverlay = command({
   id: 'takes.endOverlay',
+  args: { before: wholeCharacters, overlaid: wholeCharacters },
+  notFromScripts: 'it takes whole characters. Run "compare.stop"',
   label: (_document, { before, overlaid }) => `Stop comparing ${comparedNames(before, overlaid)}`,
   run(document, { before, overlaid }) {
-    listOf(before, 'The characters before');
-    listOf(overlaid, 'The characters compared');
     const was = new Map(before.map((c) => [c.id, c]));
     const became = new Map(overlaid.map((c) => [c.id, c]));
     return mapCharacters(document, (c) => {
@@ -184,7 +185,7 @@ export const endOverlay: Command<{ readonly before: readonly Character[]; readon
       return from && to ? putBack(document, c, from, to) : c;
     });
   },
-};
+});
 
 function putBack(document: Document, now: Character, from: Character, to: Character): Character {
   let c = withPlacements(now, from.placements);
@@ -224,8 +225,9 @@ function liesAlike(a: Space, b: Space): boolean {
 }
 
 /** Removes takes; a character that consists only of takes (a motion capture file) is removed with its last one. */
-export const removeTakes: Command<{ readonly takes: readonly TakeRef[] }> = {
+export const removeTakes = command({
   id: 'takes.remove',
+  args: TAKES,
   label: (document, { takes }) =>
     takes.length === 1 ? `Remove ${nameOfTake(document, takes[0])}` : `Remove ${takes.length} takes`,
   run(document, { takes }) {
@@ -245,7 +247,7 @@ export const removeTakes: Command<{ readonly takes: readonly TakeRef[] }> = {
     }
     return { ...document, characters };
   },
-};
+});
 
 /** Whether a character is only a skeleton that came with its motion, and not worth keeping without it. */
 function isOnlyTakes({ skins, morphs, skeleton, parts = NO_MARKS }: Character): boolean {
@@ -353,17 +355,15 @@ function changeThese(document: Document, ids: readonly string[], change: (c: Cha
 }
 
 function idsIn(document: Document, ids: readonly string[]): string[] {
-  const found = listOf(ids, 'The characters').map((id) => requireCharacter(document, String(id)).id);
+  const found = ids.map((id) => requireCharacter(document, id).id);
   if (!found.length) throw new CommandError('Give at least one character.');
   return found;
 }
 
 /** A retargeted take of the character is valid too. @param least the smallest valid index: -1 if no take is valid */
 export function checkedRefs(document: Document, takes: readonly TakeRef[], least: number): TakeRef[] {
-  return listOf(takes, 'The takes').map((given) => {
-    // Only these two fields are read, and both are checked.
-    const { characterId, clip } = (given ?? {}) as Partial<TakeRef>;
-    const character = requireCharacter(document, String(characterId));
+  return takes.map(({ characterId, clip }) => {
+    const character = requireCharacter(document, characterId);
     if (clip === RETARGETED && character.driver) return { characterId: character.id, clip };
     return { characterId: character.id, clip: indexIn(clip, least, character.clips.length, 'take') };
   });

@@ -1,22 +1,20 @@
 /** Discarding unkeyed changes: apart from `pose.ts`, since the page does it from its first frame on. */
-import { finiteNumber } from '../arguments.ts';
-import type { Command } from '../store.ts';
+import { command } from '../command.ts';
+import { nullable, number } from '../schema/shape.ts';
 import { countUnkeyed, documentWithoutUnkeyed } from '../unkeyed.ts';
 
-export interface DropUnkeyed {
-  /** Transport time whose unkeyed changes are kept; null discards all. */
-  readonly exceptSeconds: number | null;
-}
-
 /** Discards the unkeyed changes of all characters, so that keyed DOFs return to their keys. */
-export const discardUnkeyed: Command<DropUnkeyed> = {
+export const discardUnkeyed = command({
   id: 'pose.dropUnkeyed',
+  args: {
+    /** Transport time whose unkeyed changes are kept; null discards all. */
+    exceptSeconds: nullable(number),
+  },
   label(document, { exceptSeconds }) {
     const count = countUnkeyed(document, exceptSeconds);
     return `Discard ${count} unkeyed ${count === 1 ? 'change' : 'changes'}`;
   },
   run(document, { exceptSeconds }) {
-    if (exceptSeconds !== null) finiteNumber(exceptSeconds, '"exceptSeconds"');
     return documentWithoutUnkeyed(document, exceptSeconds);
   },
-};
+});

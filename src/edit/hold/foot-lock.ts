@@ -16,8 +16,8 @@ import type { ChannelClip } from '../../model/clip.ts';
 import type { Character } from '../../model/document.ts';
 import type { IkSetup } from '../../model/ik.ts';
 import type { Skeleton } from '../../model/skeleton.ts';
+import { CommandError } from '../command-error.ts';
 import { takeAlone } from '../samples/take-alone.ts';
-import { CommandError } from '../store.ts';
 import { holding } from './hold.ts';
 
 export interface FootLockOptions {

@@ -11,10 +11,10 @@
 
 import { smoothstep } from '../../math/smoothstep.ts';
 import type { Samples } from '../../model/samples.ts';
+import { CommandError } from '../command-error.ts';
 import { sameTime } from '../keys/same-time.ts';
 import { firstFrameFrom, lastFrameTo } from '../samples/frames.ts';
 import { refuseTooMany } from '../samples/most-frames.ts';
-import { CommandError } from '../store.ts';
 
 export interface HoldWindow {
   /** Seconds of the clip, strictly ascending: nothing changes before the first and after the last. */

@@ -18,7 +18,7 @@
  */
 import { lastNotAbove } from '../../math/search.ts';
 import type { KeyedChannel, Tangents } from '../../model/clip.ts';
-import { CommandError } from '../store.ts';
+import { CommandError } from '../command-error.ts';
 import { takeKeys } from './columns.ts';
 import { sameTime } from './same-time.ts';
 

@@ -4,8 +4,8 @@
  */
 import type { Channel, ChannelClip, KeyedChannel, Keys, Tangents } from '../../model/clip.ts';
 import type { ChannelKeys } from '../../model/session.ts';
+import { CommandError } from '../command-error.ts';
 import { sameValue } from '../delta.ts';
-import { CommandError } from '../store.ts';
 import { arrangeKeys, type EditedChannel } from './arrange.ts';
 import { type Key, type Tangent, takeKeys, tangent, withKeyList } from './columns.ts';
 import { type KeyPlacing, placeOf } from './cycle.ts';

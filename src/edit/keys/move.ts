@@ -3,7 +3,7 @@
  * are per second.
  */
 import type { KeyedChannel } from '../../model/clip.ts';
-import { CommandError } from '../store.ts';
+import { CommandError } from '../command-error.ts';
 import { arrangeKeys, type Collision, type EditedChannel, timesFor } from './arrange.ts';
 
 /**

@@ -9,7 +9,7 @@
  */
 import type { KeyedChannel, Tangents } from '../../model/clip.ts';
 import { FIXED_TANGENT } from '../../model/clip.ts';
-import { CommandError } from '../store.ts';
+import { CommandError } from '../command-error.ts';
 import { arrangeKeys, type Collision, type EditedChannel, timesFor } from './arrange.ts';
 import { withValues } from './move.ts';
 

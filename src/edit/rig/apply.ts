@@ -1,14 +1,14 @@
 /** What all rigging commands share: find the joint, change the skeleton, and rebind skins that are to stay. */
 import { type Character, type Document, findCharacter } from '../../model/document.ts';
 import type { Joint, Skeleton } from '../../model/skeleton.ts';
-import { finiteNumber, indexIn, oneOf } from '../arguments.ts';
+import { indexIn } from '../arguments.ts';
+import type { Edit } from '../change.ts';
 import { changeCharacter, requireCharacter } from '../characters.ts';
 import { jointIn } from '../step-names.ts';
-import type { Edit } from '../store.ts';
 import { withSkinsStaying } from './bind.ts';
 import { changedJoints, type JointMap } from './joint-map.ts';
 import { withSkeletonChanged } from './remap.ts';
-import { type Rigging, SKIN_MODES } from './rigging.ts';
+import type { Rigging } from './rigging.ts';
 import { requireSkeleton } from './shown.ts';
 
 /** The character, its skeleton and one of its joints, from a command's arguments. */
@@ -26,11 +26,6 @@ export function findJoint(document: Document, characterId: string, index: number
   return { character, skeleton, joint: skeleton.joints[index] };
 }
 
-/** Transport time in seconds of the displayed pose. */
-export function secondsOf({ timeSeconds = 0 }: Rigging): number {
-  return finiteNumber(timeSeconds, '"timeSeconds"');
-}
-
 /**
  * Changes a character's skeleton with everything that depends on it, as the result of a command.
  * @param selected index of the joint to select afterwards; undefined: selection unchanged
@@ -43,10 +38,9 @@ export function rigged(
   selected: number | undefined,
   then: (document: Document) => Document = (d) => d,
 ): Edit {
-  const { characterId, skin = 'follows' } = rigging;
-  const timeSeconds = secondsOf(rigging);
+  const { characterId, skin = 'follows', timeSeconds = 0 } = rigging;
   const before = requireCharacter(document, characterId);
-  const stays = oneOf(skin, SKIN_MODES, '"skin"') === 'stays';
+  const stays = skin === 'stays';
   let next = then(withSkeletonChanged(document, characterId, map));
   if (stays) next = changeCharacter(next, characterId, (after) => withSkinsStaying(before, after, map, timeSeconds));
   return { document: next, keys: [], ...(selected !== undefined && { selected: { characterId, joint: selected } }) };
@@ -57,9 +51,8 @@ export function rigged(
  * @param next the same document if nothing changed
  */
 export function boundAnew(document: Document, rigging: Rigging, next: Document): Document {
-  const { characterId, skin = 'follows' } = rigging;
-  const timeSeconds = secondsOf(rigging);
-  if (oneOf(skin, SKIN_MODES, '"skin"') === 'follows' || next === document) return next;
+  const { characterId, skin = 'follows', timeSeconds = 0 } = rigging;
+  if (skin === 'follows' || next === document) return next;
   const before = requireCharacter(document, characterId);
   return changeCharacter(next, characterId, (after) => {
     const map = changedJoints(requireSkeleton(before), requireSkeleton(after).joints);

@@ -9,9 +9,10 @@ import { type Character, type Document, findCharacter } from '../../model/docume
 import { filePose } from '../../model/dofs.ts';
 import { dofsOf, isOfBvh, turnsJoint } from '../../model/joint-types.ts';
 import type { Joint } from '../../model/skeleton.ts';
+import { documentIn } from '../change.ts';
 import { requireCharacter } from '../characters.ts';
+import { CommandError } from '../command-error.ts';
 import { setDofs } from '../commands/pose.ts';
-import { CommandError, documentIn } from '../store.ts';
 import { changedJoints } from './joint-map.ts';
 import { withSkeletonChanged } from './remap.ts';
 import { requireSkeleton, type ShownPose, shownAt, skeletonSize } from './shown.ts';

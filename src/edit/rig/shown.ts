@@ -3,7 +3,7 @@ import { type CompiledSkeleton, compileSkeleton, worldMatrices } from '../../eva
 import { dofCountOf, poseAt } from '../../evaluate/pose.ts';
 import type { Character } from '../../model/document.ts';
 import type { Skeleton } from '../../model/skeleton.ts';
-import { CommandError } from '../store.ts';
+import { CommandError } from '../command-error.ts';
 
 export interface ShownPose {
   readonly compiled: CompiledSkeleton;

@@ -29,7 +29,7 @@ import type { Character } from '../../model/document.ts';
 import { type CharacterDof, characterDofs } from '../../model/dofs.ts';
 import { columnOf, type Samples } from '../../model/samples.ts';
 import type { Skeleton } from '../../model/skeleton.ts';
-import { CommandError } from '../store.ts';
+import { CommandError } from '../command-error.ts';
 import { takingColumns } from './columns.ts';
 import { fittingFrames } from './fit-frames.ts';
 import { requireSamples } from './frames.ts';

@@ -7,8 +7,8 @@
  */
 import type { ChannelClip } from '../../model/clip.ts';
 import { rangeOfSamples, type Samples } from '../../model/samples.ts';
+import { CommandError } from '../command-error.ts';
 import { markersBeside, markersWithin, withMarkers } from '../markers.ts';
-import { CommandError } from '../store.ts';
 
 /** Up to this many values are copied: 8 MB. */
 const COPIED_VALUES = 1 << 20;

@@ -13,7 +13,7 @@ import { smoothstep } from '../../math/smoothstep.ts';
 import type { ChannelClip } from '../../model/clip.ts';
 import { characterDofs } from '../../model/dofs.ts';
 import type { Samples } from '../../model/samples.ts';
-import { CommandError } from '../store.ts';
+import { CommandError } from '../command-error.ts';
 import { blendPoses } from './blend-frames.ts';
 import { Carrier, type Carry, isCarried, STAYS } from './carry.ts';
 import type { Joining } from './join.ts';

@@ -1,6 +1,6 @@
 /** Limits the number of frames to what a page can hold. */
 import { MAX_FRAMES, MAX_VALUES } from '../../evaluate/bake.ts';
-import { CommandError } from '../store.ts';
+import { CommandError } from '../command-error.ts';
 
 /**
  * Refuses, in a sentence, more frames or values than can be held.

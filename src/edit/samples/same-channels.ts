@@ -10,8 +10,8 @@ import { dofsOf } from '../../model/joint-types.ts';
 import type { Samples } from '../../model/samples.ts';
 import type { Skeleton } from '../../model/skeleton.ts';
 import { DEFAULT_SPACE } from '../../model/space.ts';
+import { CommandError } from '../command-error.ts';
 import { sameValue } from '../delta.ts';
-import { CommandError } from '../store.ts';
 
 /** The same samples if the channels agree already. Refuses other skeletons, units and up axes. */
 export function inChannelsOf(target: Character, source: Character, samples: Samples): Samples {

@@ -8,7 +8,7 @@
  */
 import { smoothstep } from '../../math/smoothstep.ts';
 import { rangeOfSamples, type Samples } from '../../model/samples.ts';
-import { CommandError } from '../store.ts';
+import { CommandError } from '../command-error.ts';
 import { firstFrameFrom, lastFrameTo } from './frames.ts';
 
 /** Frames `first` up to (excluding) `end` of a take of `frameCount`. */

@@ -7,7 +7,7 @@ import { type ChannelClip, SAMPLED } from '../../model/clip.ts';
 import type { Character } from '../../model/document.ts';
 import { characterDofs, jointDofCount, rootDofCount } from '../../model/dofs.ts';
 import { rangeOfSamples, type Samples } from '../../model/samples.ts';
-import { CommandError } from '../store.ts';
+import { CommandError } from '../command-error.ts';
 import { firstFrameFrom, framesBetween, lastFrameTo, requireSamples } from './frames.ts';
 import { refuseTooMany } from './most-frames.ts';
 import { takeAlone } from './take-alone.ts';

@@ -16,12 +16,12 @@ import { type Channel, type ChannelClip, FIXED_TANGENT, restChannel, type Tangen
 import type { Character } from '../../model/document.ts';
 import { columnOf, type Samples } from '../../model/samples.ts';
 import type { Skeleton } from '../../model/skeleton.ts';
+import { CommandError } from '../command-error.ts';
 import { sameValue } from '../delta.ts';
 import { swappedPose, wholeReflection } from '../pose/mirror.ts';
 import type { Reflection } from '../pose/reflection.ts';
 import { signed } from '../pose/reflection-signs.ts';
 import { partnersByName } from '../pose/sides.ts';
-import { CommandError } from '../store.ts';
 import { jointRotations, unrollTriples } from './rotations.ts';
 
 /** What a take needs of its character to be mirrored. `pose` is for DOFs without a channel. */

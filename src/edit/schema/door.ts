@@ -3,9 +3,10 @@
  * result with numbers that aren't finite, such as times moved by 1e308.
  */
 import type { Document } from '../../model/document.ts';
-import { type Command, CommandError, documentIn, type Edit } from '../store.ts';
+import { documentIn, type Edit } from '../change.ts';
+import type { AnyCommand, Command } from '../command.ts';
+import { CommandError } from '../command-error.ts';
 import { misfit } from './shape.ts';
-import type { Taking } from './takes.ts';
 
 /** A command that changes the document as asked by a script. */
 export type ScriptedChange = Command<unknown, Document | Edit>;
@@ -25,11 +26,13 @@ export interface Defaults {
  * @throws CommandError with the command and the argument that doesn't fit
  */
 export function argumentsFrom(
-  { command, fields, shape }: Taking,
+  command: AnyCommand,
   given: unknown,
   defaults: Defaults,
   characterOf: FindCharacter,
 ): object {
+  const { args: fields, notFromScripts } = command;
+  if (notFromScripts) throw new CommandError(`${command.id}: Scripts can’t run this: ${notFromScripts}.`);
   try {
     const args = ownFields(given);
     const meant = refIn(args);
@@ -40,7 +43,7 @@ export function argumentsFrom(
     if (Object.hasOwn(fields, 'characterId') && (meant !== undefined || !command.makesCharacter)) {
       args.set('characterId', characterOf(meant));
     }
-    return shape.read(Object.fromEntries(args), '');
+    return command.read(Object.fromEntries(args));
   } catch (error) {
     // Getters and proxies may throw anything.
     const why =
@@ -63,14 +66,13 @@ function refIn(args: ReadonlyMap<string, unknown>): string | number | undefined 
 }
 
 /** The command, which refuses a result that has numbers that aren't finite. */
-export function finiteOnly({ command }: Taking): ScriptedChange {
+export function finiteOnly(command: AnyCommand): ScriptedChange {
   return {
     id: command.id,
-    ...(command.makesCharacter && { makesCharacter: true }),
-    // Its arguments are of its shape (`argumentsFrom`).
+    // Its arguments were read by its shapes (`argumentsFrom`).
     label: (document, args) => command.label(document, args as never),
     run(document, args) {
-      const change = command.run(document, args as never);
+      const change = command.runRead(document, args as never);
       const found = notFinite(document, documentIn(change), '');
       if (found === undefined) return change;
       throw new CommandError(`${command.id}: the result would not be finite: ${found}. Use smaller numbers.`);

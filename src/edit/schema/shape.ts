@@ -10,7 +10,7 @@
  * (Rejected: valibot and zod. Both copy, but words like these would have to be given for each of their checks.)
  */
 import { described } from '../arguments.ts';
-import { CommandError } from '../store.ts';
+import { CommandError } from '../command-error.ts';
 
 export interface Shape<T> {
   /** In words: `a finite number`. */
@@ -22,10 +22,14 @@ export interface Shape<T> {
   /**
    * A copy of the value.
    * @param path of the value within the arguments: `dofs[0].index`
+   * @param strange what happens to fields that are not known
    * @throws CommandError for a value of another shape
    */
-  read(value: unknown, path: string): T;
+  read(value: unknown, path: string, strange?: StrangeFields): T;
 }
+
+/** Scripts are told of them, since they are mistyped (the default); the page may give more than is asked for. */
+export type StrangeFields = 'refused' | 'left out';
 
 /** The type of values of a shape. */
 export type Shaped<S> = S extends Shape<infer T> ? T : never;
@@ -39,7 +43,8 @@ export function misfit(path: string, what: string, value: unknown): CommandError
   return new CommandError(`${path === '' ? 'The arguments' : `"${path}"`} must be ${what}, found ${described(value)}.`);
 }
 
-function shape<T>(what: string, fits: (value: unknown) => value is T): Shape<T> {
+/** A value that is taken as it is if it fits. @param what it must be, in words */
+export function shape<T>(what: string, fits: (value: unknown) => value is T): Shape<T> {
   return {
     what,
     read(value, path) {
@@ -55,6 +60,12 @@ export const boolean: Shape<boolean> = shape('true or false', (value) => typeof 
 export const text: Shape<string> = shape(
   `text of up to ${LONGEST_TEXT.toLocaleString('en')} characters`,
   (value): value is string => typeof value === 'string' && value.length <= LONGEST_TEXT,
+);
+
+/** As the name of something new. */
+export const filledText: Shape<string> = shape(
+  `text that isn’t blank, of up to ${LONGEST_TEXT.toLocaleString('en')} characters`,
+  (value): value is string => typeof value === 'string' && value.length <= LONGEST_TEXT && value.trim() !== '',
 );
 
 /** A whole number; −0 is 0. */
@@ -81,10 +92,10 @@ export function either<A, B>(a: Shape<A>, b: Shape<B>): Shape<A | B> {
   const what = `${a.what}, or ${b.what}`;
   return {
     what,
-    read(value, path) {
+    read(value, path, strange) {
       for (const one of [a, b]) {
         try {
-          return one.read(value, path);
+          return one.read(value, path, strange);
         } catch (error) {
           if (!(error instanceof CommandError)) throw error;
         }
@@ -97,7 +108,7 @@ export function either<A, B>(a: Shape<A>, b: Shape<B>): Shape<A | B> {
 export function nullable<T>(of: Shape<T>): Shape<T | null> {
   return {
     what: `${of.what}, or null`,
-    read: (value, path) => (value === null ? null : of.read(value, path)),
+    read: (value, path, strange) => (value === null ? null : of.read(value, path, strange)),
   };
 }
 
@@ -115,7 +126,8 @@ export function list<T>(of: Shape<T>): Shape<readonly T[]> {
   const what = `a list, each ${of.what}`;
   return {
     what,
-    read: (value, path) => itemsOf(value, path, what).map((item, i) => of.read(item, `${path}[${i}]`)),
+    read: (value, path, strange) =>
+      itemsOf(value, path, what).map((item, i) => of.read(item, `${path}[${i}]`, strange)),
   };
 }
 
@@ -180,18 +192,23 @@ export type Shapes<F extends Fields> = {
   readonly [K in Exclude<keyof F, OptionalNames<F>>]: Shaped<F[K]>;
 } & { readonly [K in OptionalNames<F>]?: Shaped<F[K]> };
 
-/** An object with these fields and no others, all its own. */
+/** The same, where undefined, too, leaves a field out. */
+export type Given<F extends Fields> = {
+  readonly [K in Exclude<keyof F, OptionalNames<F>>]: Shaped<F[K]>;
+} & { readonly [K in OptionalNames<F>]?: Shaped<F[K]> | undefined };
+
+/** An object with these fields, all its own. */
 export function record<const F extends Fields>(fields: F): Shape<Shapes<F>> {
   const names = Object.keys(fields);
   const what = `{ ${names.map((name) => `${name}${fields[name].isOptional ? '?' : ''}: ${fields[name].what}`).join('; ')} }`;
   return {
     what,
-    read(value, path) {
+    read(value, path, strange = 'refused') {
       if (typeof value !== 'object' || value === null || Array.isArray(value)) throw misfit(path, what, value);
       const under = (name: string) => (path === '' ? name : `${path}.${name}`);
-      const strange = Object.keys(value).find((name) => !Object.hasOwn(fields, name));
-      if (strange !== undefined) {
-        throw new CommandError(`"${under(strange)}" is not known here; expected ${names.join(', ') || 'nothing'}.`);
+      const unknown = strange === 'refused' && Object.keys(value).find((name) => !Object.hasOwn(fields, name));
+      if (unknown) {
+        throw new CommandError(`"${under(unknown)}" is not known here; expected ${names.join(', ') || 'nothing'}.`);
       }
       const found: Record<string, unknown> = {};
       for (const name of names) {
@@ -199,7 +216,7 @@ export function record<const F extends Fields>(fields: F): Shape<Shapes<F>> {
         const field: unknown = Object.hasOwn(value, name) ? Reflect.get(value, name) : undefined;
         const of = fields[name];
         if (field === undefined && of.isOptional) continue;
-        found[name] = of.read(field, under(name));
+        found[name] = of.read(field, under(name), strange);
       }
       // Each field was read by its shape.
       return found as Shapes<F>;

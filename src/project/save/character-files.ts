@@ -2,9 +2,10 @@
  * Converts a character to formats other than its own: BVH to `.skel` and `.anim`, any to `.bvh`. Page and command share
  * these models; the writers make text of them.
  */
+
+import { CommandError } from '../../edit/command-error.ts';
 import type { SampleKeyOptions } from '../../edit/convert/keys-of-samples.ts';
 import { skelClip, skelFigure, skelPose } from '../../edit/convert/skel-figure.ts';
-import { CommandError } from '../../edit/store.ts';
 import { framesOf, MAX_FRAMES, ownFrames, playedClip } from '../../evaluate/bake.ts';
 import type { BvhFigure } from '../../evaluate/bvh-figure.ts';
 import { framesFor, toBvhFigure } from '../../evaluate/bvh-figure.ts';

@@ -1,8 +1,9 @@
 /** What scripts run: commands and actions by their ids. */
+
+import type { AnyCommand } from '../../edit/command.ts';
 import type { CommandInfo } from '../../edit/commands/all.ts';
-import { COMMANDS_AT_HAND, FETCHED_IDS } from '../../edit/commands/at-hand.ts';
+import { COMMANDS_AT_HAND, mayBeFetched } from '../../edit/commands/at-hand.ts';
 import { argumentsFrom, finiteOnly } from '../../edit/schema/door.ts';
-import type { Taking } from '../../edit/schema/takes.ts';
 import { runAction } from '../state/action.ts';
 import { resolveCharacter } from '../state/character-ref.ts';
 import type { Uses } from '../state/workbench.ts';
@@ -18,23 +19,23 @@ export function runById(
 ): Promise<void> | undefined {
   const command = COMMANDS_AT_HAND.get(id);
   if (command) apply(wb, command, args);
-  else if (FETCHED_IDS.has(id)) return fetchAndRun(wb, id, args);
+  else if (mayBeFetched(id)) return fetchAndRun(wb, id, args);
   else return runAction(wb, id, args);
   return undefined;
 }
 
-async function fetchAndRun(wb: Uses<'store' | 'transport'>, id: string, args: unknown): Promise<void> {
+async function fetchAndRun(wb: Uses<'store' | 'actions' | 'transport'>, id: string, args: unknown): Promise<void> {
   const { ALL_COMMANDS } = await import('../../edit/commands/all.ts');
   const command = ALL_COMMANDS.get(id);
-  if (!command) throw new Error(`There is no command "${id}".`);
-  apply(wb, command, args);
+  if (command) apply(wb, command, args);
+  else await runAction(wb, id, args);
 }
 
-function apply({ store, transport }: Uses<'store' | 'transport'>, taking: Taking, args: unknown): void {
+function apply({ store, transport }: Uses<'store' | 'transport'>, command: AnyCommand, args: unknown): void {
   const { timeSeconds, range } = transport.get();
   const defaults = { timeSeconds, playedRange: range };
-  const given = argumentsFrom(taking, args, defaults, (ref) => resolveCharacter(store, ref).id);
-  store.apply(finiteOnly(taking), given);
+  const given = argumentsFrom(command, args, defaults, (ref) => resolveCharacter(store, ref).id);
+  store.apply(finiteOnly(command), given);
 }
 
 /** What each command takes, in words. */

@@ -1,6 +1,6 @@
 /** Finds, inspects and runs the page's actions (`Workbench.actions`). */
 
-import { CommandError } from '../../edit/store.ts';
+import { CommandError } from '../../edit/command-error.ts';
 import { type Character, findCharacter } from '../../model/document.ts';
 import { sentenceOf } from '../../model/failure.ts';
 import { watchEffect } from './effect.ts';

@@ -6,9 +6,11 @@
  * Auto-key asks once on release, for everything that the drag has changed: asking during the drag would end it, and not
  * asking would lengthen a walk with every touch.
  */
+
+import { documentIn, type Edit } from '../../edit/change.ts';
+import type { Command } from '../../edit/command.ts';
 import type { KeyOptions } from '../../edit/key-dofs.ts';
 import { changedCyclesOf, type OutsideCycle } from '../../edit/keys/cycle.ts';
-import { type Command, documentIn, type Edit } from '../../edit/store.ts';
 import { type Document, findCharacter } from '../../model/document.ts';
 import type { CycleQuestion } from './cycle-question.ts';
 import type { Uses } from './workbench.ts';

@@ -1,5 +1,5 @@
 /** Runs a change that may be refused: refusals become messages, other errors are bugs. */
-import { CommandError } from '../../edit/store.ts';
+import { CommandError } from '../../edit/command-error.ts';
 import type { Messages } from './messages.ts';
 
 export function attempt(messages: Pick<Messages, 'note'>, change: () => void): void {

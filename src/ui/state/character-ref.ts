@@ -1,6 +1,7 @@
 /** Characters as scripts name them. */
 import { described } from '../../edit/arguments.ts';
-import { CommandError, type Store } from '../../edit/store.ts';
+import { CommandError } from '../../edit/command-error.ts';
+import type { Store } from '../../edit/store.ts';
 import { cutText } from '../../model/cut-text.ts';
 import type { Character } from '../../model/document.ts';
 

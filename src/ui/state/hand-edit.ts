@@ -6,7 +6,10 @@
  * the same, so it continues in a new step. A drag of keys can't: it knows them by index in the old document, and its
  * amounts count from the press. Such an edit ends there, with its result so far as a step.
  */
-import { type Command, CommandError, type Edit, type Gesture, type Store } from '../../edit/store.ts';
+import type { Edit } from '../../edit/change.ts';
+import type { Command } from '../../edit/command.ts';
+import { CommandError } from '../../edit/command-error.ts';
+import type { Gesture, Store } from '../../edit/store.ts';
 import type { Document } from '../../model/document.ts';
 import { cyclesChanged } from './add-keys.ts';
 import { attempt } from './attempt.ts';

@@ -1,7 +1,7 @@
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
 import { unrolled, withExtrapolationBaked } from '../../../src/edit/channels/bake-extrapolation.ts';
-import { CommandError } from '../../../src/edit/store.ts';
+import { CommandError } from '../../../src/edit/command-error.ts';
 import { compileChannels } from '../../../src/evaluate/compiled-clip.ts';
 import { evaluateChannel } from '../../../src/evaluate/curves.ts';
 import {

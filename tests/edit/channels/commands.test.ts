@@ -1,4 +1,5 @@
 import { describe, expect, it } from 'vitest';
+import { CommandError } from '../../../src/edit/command-error.ts';
 import {
   bakeExtrapolation,
   bakePreview,
@@ -10,7 +11,7 @@ import {
   simplify,
   simplifyPreview,
 } from '../../../src/edit/commands/channels.ts';
-import { CommandError, Store } from '../../../src/edit/store.ts';
+import { Store } from '../../../src/edit/store.ts';
 import { runToEnd } from '../../../src/evaluate/steps.ts';
 import { type Channel, keysOf, restChannel } from '../../../src/model/clip.ts';
 import { type Document, shownClip } from '../../../src/model/document.ts';

@@ -1,7 +1,7 @@
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
 import { resampleChannel } from '../../../src/edit/channels/resample.ts';
-import { CommandError } from '../../../src/edit/store.ts';
+import { CommandError } from '../../../src/edit/command-error.ts';
 import { checkChannel } from '../../helpers/invariants.ts';
 import { channelOf, channels, expectNoCrowd, pointsOf, rowsOf, valueAt } from '../keys/channels.ts';
 import { largestSampled } from './sampled.ts';

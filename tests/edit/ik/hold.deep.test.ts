@@ -1,10 +1,11 @@
 /** Pins held over a range: what moves for it, and what is refused. */
 import { describe, expect, it } from 'vitest';
+import { CommandError } from '../../../src/edit/command-error.ts';
 import { holdPins, holdSteps } from '../../../src/edit/commands/hold.ts';
 import { pinPoint, setRootFree, setStiffness } from '../../../src/edit/commands/ik.ts';
 import { setDofs } from '../../../src/edit/commands/pose.ts';
 import { setRetarget } from '../../../src/edit/commands/retarget.ts';
-import { CommandError, Store } from '../../../src/edit/store.ts';
+import { Store } from '../../../src/edit/store.ts';
 import { runToEnd } from '../../../src/evaluate/steps.ts';
 import { type Channel, keysOf, restChannel } from '../../../src/model/clip.ts';
 import type { Character } from '../../../src/model/document.ts';

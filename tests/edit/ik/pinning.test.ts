@@ -1,7 +1,9 @@
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
+import type { Command } from '../../../src/edit/command.ts';
+import { CommandError } from '../../../src/edit/command-error.ts';
 import { clearPins, pinPoint, setPin, setRootFree, setStiffness, unpin } from '../../../src/edit/commands/ik.ts';
-import { type Command, CommandError, Store } from '../../../src/edit/store.ts';
+import { Store } from '../../../src/edit/store.ts';
 import type { Document } from '../../../src/model/document.ts';
 import { character, documentOf, skeleton } from '../../helpers/builders.ts';
 import { Dice, thrown } from '../dice.ts';

@@ -1,5 +1,6 @@
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
+import { documentIn } from '../../../src/edit/change.ts';
 import { keyPose } from '../../../src/edit/commands/keying.ts';
 import { addKey, insertKeys } from '../../../src/edit/commands/keys.ts';
 import { pasteKeys } from '../../../src/edit/commands/paste.ts';
@@ -7,7 +8,6 @@ import { setDofs } from '../../../src/edit/commands/pose.ts';
 import { copyKeys } from '../../../src/edit/keys/clipboard.ts';
 import { changedCycles, type OutsideCycle, period, placeOf, withRepeatsBaked } from '../../../src/edit/keys/cycle.ts';
 import { putKeyAt } from '../../../src/edit/keys/put-key.ts';
-import { documentIn } from '../../../src/edit/store.ts';
 import {
   type Channel,
   EXTRAPOLATIONS,

@@ -1,8 +1,8 @@
 import { describe, expect, it } from 'vitest';
+import { CommandError } from '../../../src/edit/command-error.ts';
 import { keyPose } from '../../../src/edit/commands/keying.ts';
 import { setLimit } from '../../../src/edit/commands/limits.ts';
 import { resetPose, setDofs } from '../../../src/edit/commands/pose.ts';
-import { CommandError } from '../../../src/edit/store.ts';
 import { keysOf } from '../../../src/model/clip.ts';
 import type { Document } from '../../../src/model/document.ts';
 import { shownClip } from '../../../src/model/document.ts';

@@ -1,4 +1,6 @@
 import { describe, expect, it } from 'vitest';
+import { documentIn } from '../../../src/edit/change.ts';
+import { CommandError } from '../../../src/edit/command-error.ts';
 import { setClamping, setDofs } from '../../../src/edit/commands/pose.ts';
 import {
   applyPose,
@@ -11,7 +13,7 @@ import {
 } from '../../../src/edit/commands/poses.ts';
 import { blendPoses } from '../../../src/edit/pose/blend.ts';
 import { poseByNames } from '../../../src/edit/pose/by-names.ts';
-import { CommandError, documentIn, Store } from '../../../src/edit/store.ts';
+import { Store } from '../../../src/edit/store.ts';
 import { compileSkeleton, worldMatrices } from '../../../src/evaluate/kinematics.ts';
 import { dofCountOf, poseAt } from '../../../src/evaluate/pose.ts';
 import { keysOf } from '../../../src/model/clip.ts';

@@ -1,5 +1,6 @@
 /** A small body for tests of rig commands, and what becomes of it. */
-import { type Command, documentIn, type Edit } from '../../../src/edit/store.ts';
+import { documentIn, type Edit } from '../../../src/edit/change.ts';
+import type { Command } from '../../../src/edit/command.ts';
 import { compileSkeleton, worldMatrices } from '../../../src/evaluate/kinematics.ts';
 import { dofCountOf, poseAt } from '../../../src/evaluate/pose.ts';
 import type { Character, Document } from '../../../src/model/document.ts';

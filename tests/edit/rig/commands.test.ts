@@ -1,8 +1,9 @@
 /** Commands that add, remove and reparent joints: `edit/commands/rig.ts`. */
 import { describe, expect, it } from 'vitest';
+import { documentIn } from '../../../src/edit/change.ts';
 import { addJoint, createRig, removeJoint, reparentJoint } from '../../../src/edit/commands/rig.ts';
 import { setMotion, setOffset } from '../../../src/edit/commands/rig-joint.ts';
-import { documentIn, Store } from '../../../src/edit/store.ts';
+import { Store } from '../../../src/edit/store.ts';
 import { poseAt } from '../../../src/evaluate/pose.ts';
 import { readSkel } from '../../../src/formats/skel/read.ts';
 import { readSkin } from '../../../src/formats/skin/read.ts';

@@ -1,9 +1,10 @@
 /** What stays in place in the displayed pose: vertices in bind mode, and pivots that a change does not mean to move. */
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
+import { documentIn } from '../../../src/edit/change.ts';
+import { CommandError } from '../../../src/edit/command-error.ts';
 import { addJoint, createRig } from '../../../src/edit/commands/rig.ts';
 import { setOffset } from '../../../src/edit/commands/rig-joint.ts';
-import { CommandError, documentIn } from '../../../src/edit/store.ts';
 import { blendMorphs, compileSkin, deform } from '../../../src/evaluate/deform.ts';
 import { compileSkeleton, worldMatrices } from '../../../src/evaluate/kinematics.ts';
 import { dofCountOf, poseAt } from '../../../src/evaluate/pose.ts';

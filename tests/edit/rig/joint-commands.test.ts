@@ -1,5 +1,6 @@
 /** Commands that change one joint: `edit/commands/rig-joint.ts`. */
 import { describe, expect, it } from 'vitest';
+import { documentIn } from '../../../src/edit/change.ts';
 import { addJoint } from '../../../src/edit/commands/rig.ts';
 import {
   renameJoint,
@@ -9,7 +10,6 @@ import {
   setMotion,
   setOffset,
 } from '../../../src/edit/commands/rig-joint.ts';
-import { documentIn } from '../../../src/edit/store.ts';
 import { keysOf } from '../../../src/model/clip.ts';
 import type { Character } from '../../../src/model/document.ts';
 import { type Joint, type Motion, type Skeleton, UNLIMITED } from '../../../src/model/skeleton.ts';
@@ -78,9 +78,9 @@ describe('rig.setMotion', () => {
     expect(setMotion.run(document, { ...of(1), motion: { kind: 'ball', order: 'xyz' } })).toBe(document);
     const set = (motion: object) => () => setMotion.run(document, { ...of(1), motion: motion as Motion });
     expect(set({ kind: 'hinge', axis: [0, 0, 0] })).toThrow('0 0 0 has none');
-    expect(set({ kind: 'ball', order: 'xxy' })).toThrow('The order must be one of');
-    expect(set({ kind: 'wheel' })).toThrow('The type of a joint must be one of');
-    expect(set({ kind: 'compound', dofs: ['tx', 'tx'] })).toThrow('list tx twice');
+    expect(set({ kind: 'ball', order: 'xxy' })).toThrow('"motion.order" must be one of');
+    expect(set({ kind: 'wheel' })).toThrow('"motion.kind" must be one of');
+    expect(set({ kind: 'compound', dofs: ['tx', 'tx'] })).toThrow('lists tx twice');
   });
 });
 

@@ -1,11 +1,11 @@
 /** The mirrored hierarchy moves as the mirror image of the original, whatever its joints are. */
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
+import { documentIn } from '../../../src/edit/change.ts';
 import { mirrorJoint } from '../../../src/edit/commands/rig.ts';
 import { mirroredMotion } from '../../../src/edit/rig/mirrored-motion.ts';
 import { mirroredName } from '../../../src/edit/rig/names.ts';
 import { AXIS_LETTERS } from '../../../src/edit/rig/rigging.ts';
-import { documentIn } from '../../../src/edit/store.ts';
 import { compileSkeleton, worldMatrices } from '../../../src/evaluate/kinematics.ts';
 import { jointMotion } from '../../../src/evaluate/motions.ts';
 import { firstDofs, restPose } from '../../../src/model/dofs.ts';

@@ -1,7 +1,8 @@
 /** Random characters with everything that refers to joints and DOFs, and rigging commands to try on them. */
 import fc from 'fast-check';
-import { COMMANDS_BY_ID } from '../../../src/edit/commands/all.ts';
-import type { Command, Edit } from '../../../src/edit/store.ts';
+import type { Edit } from '../../../src/edit/change.ts';
+import type { Command } from '../../../src/edit/command.ts';
+import { ALL_COMMANDS } from '../../../src/edit/commands/all.ts';
 import { RADIANS_PER_DEGREE } from '../../../src/math/degrees.ts';
 import type { Vec3 } from '../../../src/math/vec3.ts';
 import { type Channel, type ChannelClip, followingSamples, restChannel } from '../../../src/model/clip.ts';
@@ -312,7 +313,7 @@ function ownArguments(id: RigCommand, skeleton: Skeleton | undefined, joint: num
 
 /** A command by its id, to be given arguments that no compiler looked at. */
 export function rigCommand(id: string): Command<object, Document | Edit> {
-  const command = COMMANDS_BY_ID.get(id);
+  const command = ALL_COMMANDS.get(id);
   if (!command) throw new Error(`There is no command ${id}.`);
   // As from the console: it checks its arguments itself.
   return command as unknown as Command<object, Document | Edit>;

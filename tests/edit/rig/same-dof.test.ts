@@ -1,7 +1,8 @@
 import { describe, expect, it } from 'vitest';
+import { documentIn } from '../../../src/edit/change.ts';
 import { keysLostBy, setMotion } from '../../../src/edit/commands/rig-joint.ts';
 import { sameDof } from '../../../src/edit/rig/same-dof.ts';
-import { documentIn, Store } from '../../../src/edit/store.ts';
+import { Store } from '../../../src/edit/store.ts';
 import { compileSkeleton, worldMatrices } from '../../../src/evaluate/kinematics.ts';
 import { dofCountOf, poseAt } from '../../../src/evaluate/pose.ts';
 import type { Vec3 } from '../../../src/math/vec3.ts';

@@ -1,7 +1,8 @@
 /** Any sequence of rigging commands gives a valid rig that can be saved, and can be undone. */
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
-import { CommandError, Store } from '../../../src/edit/store.ts';
+import { CommandError } from '../../../src/edit/command-error.ts';
+import { Store } from '../../../src/edit/store.ts';
 import { readSkel } from '../../../src/formats/skel/read.ts';
 import { writeSkel } from '../../../src/formats/skel/write.ts';
 import { readSkin } from '../../../src/formats/skin/read.ts';

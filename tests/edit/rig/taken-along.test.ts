@@ -1,9 +1,10 @@
 /** What a rigging change carries along although it is about something else. */
 import { describe, expect, it, onTestFinished, vi } from 'vitest';
+import { documentIn } from '../../../src/edit/change.ts';
 import { setRetarget } from '../../../src/edit/commands/retarget.ts';
 import { addJoint, mirrorJoint, removeJoint, reparentJoint } from '../../../src/edit/commands/rig.ts';
 import { renameJoint } from '../../../src/edit/commands/rig-joint.ts';
-import { documentIn, Store } from '../../../src/edit/store.ts';
+import { Store } from '../../../src/edit/store.ts';
 import { blendMorphs, compileSkin, deform } from '../../../src/evaluate/deform.ts';
 import { compileSkeleton, worldMatrices } from '../../../src/evaluate/kinematics.ts';
 import { dofCountOf, poseAt } from '../../../src/evaluate/pose.ts';

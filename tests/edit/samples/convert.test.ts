@@ -1,6 +1,7 @@
 import { describe, expect, it } from 'vitest';
+import { CommandError } from '../../../src/edit/command-error.ts';
 import { convertSteps, convertToKeys } from '../../../src/edit/commands/samples.ts';
-import { CommandError, Store } from '../../../src/edit/store.ts';
+import { Store } from '../../../src/edit/store.ts';
 import { compileSkeleton, worldMatrices } from '../../../src/evaluate/kinematics.ts';
 import { poseAt } from '../../../src/evaluate/pose.ts';
 import { keysOf } from '../../../src/model/clip.ts';

@@ -1,4 +1,5 @@
 import { describe, expect, it } from 'vitest';
+import { documentIn } from '../../../src/edit/change.ts';
 import { setExtrapolation } from '../../../src/edit/commands/extrapolation.ts';
 import { keyPose } from '../../../src/edit/commands/keying.ts';
 import { addKey, insertKeys, removeKeys } from '../../../src/edit/commands/keys.ts';
@@ -6,7 +7,6 @@ import { pasteKeys } from '../../../src/edit/commands/paste.ts';
 import { setDofs } from '../../../src/edit/commands/pose.ts';
 import { convertToKeys } from '../../../src/edit/commands/samples.ts';
 import { copyKeys } from '../../../src/edit/keys/clipboard.ts';
-import { documentIn } from '../../../src/edit/store.ts';
 import { rangeOfKeys } from '../../../src/edit/takes.ts';
 import { keysOf } from '../../../src/model/clip.ts';
 import { shownClip } from '../../../src/model/document.ts';

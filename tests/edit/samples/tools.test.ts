@@ -1,4 +1,5 @@
 import { describe, expect, it } from 'vitest';
+import { CommandError } from '../../../src/edit/command-error.ts';
 import { eulerFilterSteps } from '../../../src/edit/commands/channels.ts';
 import { setRetarget } from '../../../src/edit/commands/retarget.ts';
 import {
@@ -16,7 +17,6 @@ import {
 import { refuseTooMany } from '../../../src/edit/samples/most-frames.ts';
 import { resampling } from '../../../src/edit/samples/resample.ts';
 import { takeAlone } from '../../../src/edit/samples/take-alone.ts';
-import { CommandError } from '../../../src/edit/store.ts';
 import { poseAt } from '../../../src/evaluate/pose.ts';
 import { runToEnd } from '../../../src/evaluate/steps.ts';
 import { type ChannelClip, keysOf } from '../../../src/model/clip.ts';

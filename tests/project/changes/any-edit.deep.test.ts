@@ -1,8 +1,9 @@
 /** What any edits changed in real files: the text is the file with the hunks, and reads as what saving writes. */
 import fc from 'fast-check';
 import { expect, it } from 'vitest';
-import { COMMANDS_BY_ID } from '../../../src/edit/commands/all.ts';
-import { CommandError, Store } from '../../../src/edit/store.ts';
+import { CommandError } from '../../../src/edit/command-error.ts';
+import { ALL_COMMANDS } from '../../../src/edit/commands/all.ts';
+import { Store } from '../../../src/edit/store.ts';
 import { readWhole } from '../../../src/formats/reader.ts';
 import { EMPTY_DOCUMENT } from '../../../src/model/document.ts';
 import type { FileContent, ParsedFile } from '../../../src/model/files.ts';
@@ -58,7 +59,7 @@ describeShared('what any edits changed in real files', () => {
         );
         store.select({ characterId: store.document.characters[0].id, joint: 0 });
         for (const [id, throws] of commands) {
-          const command = COMMANDS_BY_ID.get(id);
+          const command = ALL_COMMANDS.get(id);
           const args = command && argumentsFor(id, store, new Dice(throws));
           try {
             if (command && args) store.apply(command, args as never);

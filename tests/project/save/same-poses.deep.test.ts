@@ -5,8 +5,9 @@
 import { env } from 'node:process';
 import fc from 'fast-check';
 import { expect, it } from 'vitest';
-import { COMMANDS_BY_ID } from '../../../src/edit/commands/all.ts';
-import { CommandError, Store } from '../../../src/edit/store.ts';
+import { CommandError } from '../../../src/edit/command-error.ts';
+import { ALL_COMMANDS } from '../../../src/edit/commands/all.ts';
+import { Store } from '../../../src/edit/store.ts';
 import { framesFor } from '../../../src/evaluate/bvh-figure.ts';
 import { partsOf } from '../../../src/model/character-parts.ts';
 import { type ChannelClip, restChannel } from '../../../src/model/clip.ts';
@@ -38,7 +39,7 @@ function edited(document: Document, commands: readonly (readonly [string, readon
   const store = new Store(document);
   store.select({ characterId: 'c1', joint: 0 });
   for (const [id, throws] of commands) {
-    const command = COMMANDS_BY_ID.get(id);
+    const command = ALL_COMMANDS.get(id);
     const args = command && argumentsFor(id, store, new Dice(throws));
     try {
       // By name and with arguments made up: as from the console.

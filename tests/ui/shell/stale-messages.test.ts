@@ -1,6 +1,6 @@
 import { beforeEach, describe, expect, it } from 'vitest';
+import { CommandError } from '../../../src/edit/command-error.ts';
 import { removeCharacter, renameCharacter } from '../../../src/edit/commands/characters.ts';
-import { CommandError } from '../../../src/edit/store.ts';
 import { leaveRefusalsBehind } from '../../../src/ui/shell/stale-messages.ts';
 import { findAction, tryAction } from '../../../src/ui/state/action.ts';
 import type { Workbench } from '../../../src/ui/state/workbench.ts';

@@ -1,5 +1,5 @@
 import { afterEach, beforeEach, describe, expect, it, vi } from 'vitest';
-import type { Command } from '../../../src/edit/store.ts';
+import type { Command } from '../../../src/edit/command.ts';
 import type { Document } from '../../../src/model/document.ts';
 import { defaultUndoBytes, limitUndo } from '../../../src/ui/shell/undo-memory.ts';
 import { character, documentOf, skeleton, workbench } from '../builders.ts';

@@ -2,6 +2,8 @@
  * Drags of keys: moving them in time (alone, with all later ones, or as copies) and scaling their times. Each is one
  * command, previewed from the document at the press: one undo step on release, none after Escape.
  */
+import type { Edit } from '../../../edit/change.ts';
+import type { ArgsOf, Command } from '../../../edit/command.ts';
 import { moveKeys, rippleKeys, scaleKeys } from '../../../edit/commands/keys.ts';
 import { pasteKeys } from '../../../edit/commands/paste.ts';
 import { type CopiedKeys, copyKeys } from '../../../edit/keys/clipboard.ts';
@@ -85,8 +87,8 @@ const WAY_WORDS: Readonly<Record<MoveWay, string>> = { move: '', ripple: 'Ripple
 
 export class MoveKeys extends KeyDrag {
   private readonly copied: CopiedKeys | undefined;
-  private readonly moving: typeof moveKeys;
-  private readonly rippling: typeof rippleKeys;
+  private readonly moving: Command<ArgsOf<typeof moveKeys>, Edit>;
+  private readonly rippling: Command<ArgsOf<typeof rippleKeys>, Edit>;
 
   /** @param grabbedSeconds the key to be snapped: the grabbed one, else the first */
   constructor(
@@ -122,7 +124,7 @@ export class MoveKeys extends KeyDrag {
 
 /** Scales times about the other end, or with Alt about the playhead; values stay. */
 export class ScaleKeys extends KeyDrag {
-  private readonly scaling: typeof scaleKeys;
+  private readonly scaling: Command<ArgsOf<typeof scaleKeys>, Edit>;
 
   constructor(
     host: DopeHost,

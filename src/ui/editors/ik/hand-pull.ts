@@ -3,9 +3,10 @@
  * Owns the store's gesture; pointer motion belongs to `PinDrag` and `PinNudge`, the pose to `Pull`.
  */
 
+import type { Edit } from '../../../edit/change.ts';
+import type { Command } from '../../../edit/command.ts';
 import { type SetDofs, setDofs } from '../../../edit/commands/pose.ts';
 import { jointIn } from '../../../edit/step-names.ts';
-import type { Command, Edit } from '../../../edit/store.ts';
 import { currentTargets } from '../../../evaluate/ik/drag/current-targets.ts';
 import type { Hindrance } from '../../../evaluate/ik/drag/hindrance.ts';
 import { type Gap, type Grip, Pull } from '../../../evaluate/ik/drag/pull.ts';

@@ -1,8 +1,10 @@
 /** Edits of whole poses, for menus, keys and the library. Loaded on first use. */
 
+import { documentIn } from '../../../edit/change.ts';
+import type { ArgsOf } from '../../../edit/command.ts';
+import { CommandError } from '../../../edit/command-error.ts';
 import { setDofs } from '../../../edit/commands/pose.ts';
 import {
-  type ApplyPose,
   applyPose,
   keepPose,
   mirrorPose,
@@ -14,7 +16,6 @@ import {
 import { poseByNames, takePose } from '../../../edit/pose/by-names.ts';
 import { counterpartOf } from '../../../edit/pose/mirror.ts';
 import { jointIn } from '../../../edit/step-names.ts';
-import { CommandError, documentIn } from '../../../edit/store.ts';
 import { dofCountOf, poseAt } from '../../../evaluate/pose.ts';
 import { coupleOf } from '../../../model/couples.ts';
 import type { Character } from '../../../model/document.ts';
@@ -163,7 +164,7 @@ export function removePose(wb: Uses<'store' | 'messages'>, characterId: string, 
 
 export function take(
   wb: Uses<'store' | 'transport' | 'timeline' | 'settings' | 'messages'>,
-  change: Omit<ApplyPose, 'timeSeconds' | 'key'>,
+  change: Omit<ArgsOf<typeof applyPose>, 'timeSeconds' | 'key'>,
 ): void {
   attempt(wb.messages, () => addKeyed(wb, applyPose, { ...change, ...moment(wb) }));
 }

@@ -2,11 +2,13 @@
  * Keying what was captured. Sampled curves have a value at every frame and take no single keys, so those of the joints
  * become keys first. That changes them by up to a tolerance, so it is offered, not done; offer taken, it is one step.
  */
-import { type KeyPose, keyPose } from '../../../edit/commands/keying.ts';
+
+import { documentIn, type Edit } from '../../../edit/change.ts';
+import type { ArgsOf } from '../../../edit/command.ts';
+import { keyPose } from '../../../edit/commands/keying.ts';
 import { convertSteps } from '../../../edit/commands/samples.ts';
 import type { KeyOptions } from '../../../edit/key-dofs.ts';
 import { type Converted, usualTolerance } from '../../../edit/samples/convert.ts';
-import { documentIn, type Edit } from '../../../edit/store.ts';
 import { Trial } from '../../../edit/trial.ts';
 import type { Steps } from '../../../evaluate/steps.ts';
 import { type Character, type Document, findCharacter, shownClip } from '../../../model/document.ts';
@@ -73,7 +75,7 @@ function jointsOf(character: Character, channels: readonly number[]): string {
 }
 
 /** In slices, since long takes have many frames; if anything else changes meanwhile, nothing is done. */
-function convertAndKey(wb: Parts, args: KeyPose & { readonly dofs: readonly number[] }): void {
+function convertAndKey(wb: Parts, args: ArgsOf<typeof keyPose> & { readonly dofs: readonly number[] }): void {
   const { store, messages, transport } = wb;
   const { characterId, dofs, timeSeconds } = args;
   // What is keyed is what was displayed then.
@@ -102,7 +104,7 @@ function convertAndKey(wb: Parts, args: KeyPose & { readonly dofs: readonly numb
 function* converting(
   document: Document,
   { character, channels }: Wanted,
-  args: KeyPose,
+  args: ArgsOf<typeof keyPose>,
 ): Steps<{ readonly edit: Edit; readonly report: Converted }> {
   const tolerance = usualTolerance(character.skeleton);
   const { edit, report } = yield* convertSteps(document, { characterId: character.id, channels, tolerance });

@@ -2,11 +2,12 @@
  * The retargeting dialog: which character, whose take, which joint follows which, and a few options. The result is
  * previewed behind the dialog; one undo step when applied, none when closed.
  */
+
+import { CommandError } from '../../../edit/command-error.ts';
 import { bakeRetarget, clearRetarget, setRetarget } from '../../../edit/commands/retarget.ts';
 import { cutName, SHORT_NAME } from '../../../edit/cut-name.ts';
 import { driverSource, possibleSources } from '../../../edit/drivers.ts';
 import { intoRange, pause, play } from '../../../edit/playback.ts';
-import { CommandError } from '../../../edit/store.ts';
 import { Trial } from '../../../edit/trial.ts';
 import { retargetPlan } from '../../../evaluate/retarget/make-plan.ts';
 import { automaticPairs, type MatchedPair } from '../../../evaluate/retarget/match.ts';

@@ -1,5 +1,6 @@
 /** Rows of linked DOFs: what one follows, its gain and offset; and the way to link another. */
-import { type SetCouple, setCouple } from '../../../edit/commands/couples.ts';
+import type { ArgsOf } from '../../../edit/command.ts';
+import { setCouple } from '../../../edit/commands/couples.ts';
 import { findCharacter } from '../../../model/document.ts';
 import { jointName } from '../../../model/joint-name.ts';
 import { dofsOf } from '../../../model/joint-types.ts';
@@ -26,7 +27,7 @@ export function coupleRow(
   const { joints } = skeleton;
   const now = (): Couple | undefined =>
     findCharacter(wb.store.document, characterId)?.skeleton?.joints[joint]?.couples?.find((c) => c.dof === dof.name);
-  const put = (follows: SetCouple['follows']) => {
+  const put = (follows: ArgsOf<typeof setCouple>['follows']) => {
     coupleIt(wb, characterId, { joint, dof: dof.name, follows });
     update();
   };
@@ -124,7 +125,7 @@ export function addCoupleRow(
 function coupleIt(
   wb: Uses<'store' | 'transport' | 'timeline' | 'posing' | 'settings' | 'messages'>,
   characterId: string,
-  args: Pick<SetCouple, 'joint' | 'dof' | 'follows'>,
+  args: Pick<ArgsOf<typeof setCouple>, 'joint' | 'dof' | 'follows'>,
 ): void {
   pausePlayback(wb);
   attempt(wb.messages, () => wb.store.apply(setCouple, { ...rigging(wb, { id: characterId }), ...args }));

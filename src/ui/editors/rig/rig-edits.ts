@@ -1,10 +1,13 @@
 /** Edits of a skeleton from menus, keys and the tree: commands with the page's state filled in. */
+
+import { documentIn, type Edit } from '../../../edit/change.ts';
+import type { ArgsOf } from '../../../edit/command.ts';
+import { CommandError } from '../../../edit/command-error.ts';
 import { addJoint, createRig, mirrorJoint, removeJoint, reparentJoint } from '../../../edit/commands/rig.ts';
 import { keysLostBy, renameJoint, setFilePose, setMotion, setOffset } from '../../../edit/commands/rig-joint.ts';
 import { inTurn } from '../../../edit/in-turn.ts';
 import { snappedPoint } from '../../../edit/rig/dragged-places.ts';
-import type { NamedAxis, ReparentJoint, SetFilePose } from '../../../edit/rig/rigging.ts';
-import { CommandError, documentIn, type Edit } from '../../../edit/store.ts';
+import type { NamedAxis } from '../../../edit/rig/rigging.ts';
 import { boxOf } from '../../../evaluate/bounds.ts';
 import { roundStep } from '../../../math/round-steps.ts';
 import type { Vec3 } from '../../../math/vec3.ts';
@@ -153,7 +156,7 @@ export function mirrorSelected(
 export function moveUnder(
   wb: Uses<'store' | 'transport' | 'timeline' | 'posing' | 'settings' | 'messages'>,
   characterId: string,
-  place: Pick<ReparentJoint, 'joint' | 'parent' | 'before'>,
+  place: Pick<ArgsOf<typeof reparentJoint>, 'joint' | 'parent' | 'before'>,
 ): void {
   pausePlayback(wb);
   attempt(wb.messages, () => wb.store.apply(reparentJoint, { ...rigging(wb, { id: characterId }), ...place }));
@@ -203,7 +206,7 @@ export function changeMotions(
 /** @param joint absent: all of them */
 export function takeFilePose(
   wb: Uses<'store' | 'transport' | 'timeline' | 'posing' | 'settings' | 'messages'>,
-  from: SetFilePose['from'],
+  from: ArgsOf<typeof setFilePose>['from'],
   joint?: number,
 ): void {
   const character = currentCharacter(wb);

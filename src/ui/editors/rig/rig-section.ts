@@ -5,11 +5,12 @@
  * changes; numbers are only updated, also while dragging.
  */
 import type { GUI } from 'lil-gui';
+import type { Edit } from '../../../edit/change.ts';
+import type { Command } from '../../../edit/command.ts';
 import { reparentJoint } from '../../../edit/commands/rig.ts';
 import { renameJoint, setBox, setFilePose, setLength, setMotion, setOffset } from '../../../edit/commands/rig-joint.ts';
 import { inTurn } from '../../../edit/in-turn.ts';
 import { possibleParents } from '../../../edit/rig/parents.ts';
-import type { Command, Edit } from '../../../edit/store.ts';
 import { type Character, type Document, findCharacter } from '../../../model/document.ts';
 import { jointName } from '../../../model/joint-name.ts';
 import { dofsOf, isSameType, motionOfKind, takesLimits } from '../../../model/joint-types.ts';

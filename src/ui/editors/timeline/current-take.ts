@@ -6,9 +6,12 @@
  * invisible keys would break work unnoticed.) They stay selected meanwhile, and are edited again once they are in view;
  * selecting something else deselects them with the rest.
  */
+
+import type { Edit } from '../../../edit/change.ts';
+import type { Command } from '../../../edit/command.ts';
 import type { KeyPlacing } from '../../../edit/keys/cycle.ts';
 import { NO_KEY_SELECTION, unionKeys } from '../../../edit/keys/selection.ts';
-import { type Command, type Edit, withSelectedKeys } from '../../../edit/store.ts';
+import { withSelectedKeys } from '../../../edit/store.ts';
 import type { ChannelClip } from '../../../model/clip.ts';
 import { type Character, findCharacter, shownClip } from '../../../model/document.ts';
 import type { ChannelKeys } from '../../../model/session.ts';

@@ -1,7 +1,8 @@
 /** Texts of the question about keys outside a cycle. */
+
+import { CommandError } from '../../../edit/command-error.ts';
 import { type OutsideCycle, placeOf, withRepeatsBaked } from '../../../edit/keys/cycle.ts';
 import { sameTime } from '../../../edit/keys/same-time.ts';
-import { CommandError } from '../../../edit/store.ts';
 import type { KeyedChannel } from '../../../model/clip.ts';
 import { shownClip } from '../../../model/document.ts';
 import { plural, shown } from '../../kit/number-text.ts';

@@ -1,7 +1,8 @@
 /** Edits of the selected keys: each is one command and one undo step. */
+import type { ArgsOf } from '../../../edit/command.ts';
 import { setExtrapolation } from '../../../edit/commands/extrapolation.ts';
 import { insertKeys, moveKeys, removeKeys, rippleKeys, snapKeys } from '../../../edit/commands/keys.ts';
-import { type PasteKeys, pasteKeys } from '../../../edit/commands/paste.ts';
+import { pasteKeys } from '../../../edit/commands/paste.ts';
 import { breakTangents, setTangents, unifyTangents } from '../../../edit/commands/tangents.ts';
 import { type CopiedKeys, copyKeys } from '../../../edit/keys/clipboard.ts';
 import { countKeys } from '../../../edit/keys/selection.ts';
@@ -84,7 +85,7 @@ export function paste(
   }
   pausePlayback(wb);
   const { character } = take;
-  const pasted: PasteKeys = {
+  const pasted: ArgsOf<typeof pasteKeys> = {
     characterId: character.id,
     copied,
     timeSeconds: clipTime(wb, character),

@@ -3,7 +3,9 @@
  * undo step when applied, nothing when closed.
  */
 
-import { type Command, CommandError, type Edit } from '../../../edit/store.ts';
+import type { Edit } from '../../../edit/change.ts';
+import type { Command } from '../../../edit/command.ts';
+import { CommandError } from '../../../edit/command-error.ts';
 import { Trial } from '../../../edit/trial.ts';
 import type { Steps } from '../../../evaluate/steps.ts';
 import type { Document } from '../../../model/document.ts';

@@ -2,8 +2,9 @@
  * Converts a tool dialog's answers to arguments of its command: seconds of the transport to the clip's, displayed
  * degrees to radians. Units that were not asked for are left out.
  */
+import type { ArgsOf } from '../../../../edit/command.ts';
 import type { BakeExtrapolation, Resample, Simplify, Tolerances } from '../../../../edit/commands/channels.ts';
-import type { ScaleKeysArgs } from '../../../../edit/commands/keys.ts';
+import type { scaleKeys } from '../../../../edit/commands/keys.ts';
 import type { Character } from '../../../../model/document.ts';
 import { unitOfChannel } from '../../../../model/dofs.ts';
 import type { ChannelKeys } from '../../../../model/session.ts';
@@ -57,7 +58,7 @@ export function scaleArguments(
   keys: readonly ChannelKeys[],
   answers: Answers,
   angles: Settings['angles'],
-): ScaleKeysArgs {
+): ArgsOf<typeof scaleKeys> {
   const dofs = dofsFor(character);
   return {
     characterId: character.id,

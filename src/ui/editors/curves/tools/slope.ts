@@ -2,8 +2,10 @@
  * Dragging a tangent handle sets the slope of its side. The other side follows if both had the same slope (or always,
  * or never: a timeline setting); Alt breaks, Ctrl unifies.
  */
+
+import type { Edit } from '../../../../edit/change.ts';
+import type { ArgsOf, Command } from '../../../../edit/command.ts';
 import { setSlopes } from '../../../../edit/commands/tangents.ts';
-import type { Command, Edit } from '../../../../edit/store.ts';
 import { keySlope } from '../../../../evaluate/slopes.ts';
 import type { HandleMode } from '../../../state/timeline.ts';
 import { currentTake, editOfTake, selectedKeys } from '../../timeline/current-take.ts';
@@ -23,7 +25,7 @@ export function slopeDrag(plot: PlotAccess, hit: HandleHit): Drag {
     channel?.kind === 'keys' && sameSlope(keySlope(channel, hit.index, 'in'), keySlope(channel, hit.index, 'out'));
   const selected = selectedKeys(wb);
   // Sets one key's slope, but keeps the whole selection with its handles.
-  const command: Command<Parameters<typeof setSlopes.run>[1], Edit> = {
+  const command: Command<ArgsOf<typeof setSlopes>, Edit> = {
     ...setSlopes,
     run: (document, args) => ({ document: setSlopes.run(document, args).document, keys: selected }),
   };

@@ -1,0 +1,30 @@
+/** What a command makes of a document. */
+import type { Document } from '../model/document.ts';
+import type { ChannelKeys } from '../model/session.ts';
+
+/** A change with the selection after it. Whatever it does not specify stays selected if it still exists. */
+export interface Change {
+  readonly document: Document;
+  /** The character, and its joint, that was changed. */
+  readonly selected?: SelectedJoint;
+}
+
+/** A change of keys, which are selected at their new positions. */
+export interface Edit extends Change {
+  readonly keys: readonly ChannelKeys[];
+}
+
+/** The changed joint, by its index after the change; without `joint`: the character without a selected joint. */
+export interface SelectedJoint {
+  readonly characterId: string;
+  readonly joint?: number;
+}
+
+export function isChange(change: Document | Change): change is Change {
+  return 'document' in change;
+}
+
+/** The document of a change in either form. */
+export function documentIn(change: Document | Change): Document {
+  return isChange(change) ? change.document : change;
+}
