@@ -8,11 +8,12 @@ import type { Plugin, UserConfig } from 'vite';
 import { defineConfig, type TestProjectInlineConfiguration } from 'vitest/config';
 import { givenFiles } from './src/cli/given-files.ts';
 import { draco } from './vite.draco.ts';
+import { manual } from './vite.manual.ts';
 import { offline } from './vite.offline.ts';
 import { policy } from './vite.policy.ts';
 
 const page: UserConfig = {
-  plugins: [offline()],
+  plugins: [manual(), offline()],
   build: {
     sourcemap: true,
     // Size before gzip: three.js alone has 600 kB, 147 kB gzipped.

@@ -11,7 +11,7 @@
 /** The files of a build: their encoded paths below the page, `/` between folders, and their `integrity`, `sha256-…`. */
 export type BuiltFiles = Readonly<Record<string, string>>;
 
-/** The page itself. */
+/** The page itself, and the contents of the manual in their folder. */
 const PAGE = 'index.html';
 /** Folder of the files that have their content's hash in their names, so that those of earlier versions differ. */
 const ASSETS = 'assets/';
@@ -89,8 +89,10 @@ export class StoredPage {
         (cache) => cache.match(key, options),
         () => undefined,
       )) ?? fromNetwork();
-    if (mode === 'navigate') return path === '' || path === PAGE ? found(this.keyOf(PAGE)) : undefined;
-    if (Object.hasOwn(this.files, path)) return found(this.keyOf(path));
+    // Hosts answer a folder's address with its page.
+    const file = mode === 'navigate' && /(^|\/)$/.test(path) ? path + PAGE : path;
+    if (Object.hasOwn(this.files, file)) return found(this.keyOf(file));
+    if (mode === 'navigate') return undefined;
     // A script of an earlier version, whose page is still open.
     return path.startsWith(ASSETS) ? found(scope + path, { ignoreSearch: true }) : undefined;
   }

@@ -94,6 +94,15 @@ describe('a page stored by its service worker', () => {
     }
   });
 
+  it('a stored page answers with the pages of its manual, the contents for their folder', async () => {
+    const { page } = await installed({ ...OLD, 'manual/index.html': 'sha256-contents', 'manual/a.html': 'sha256-a' });
+    expect(await answer(page, `${SCOPE}manual/a.html#b`, navigate)).toBe('a');
+    for (const own of ['manual/', 'manual/index.html']) {
+      expect(await answer(page, SCOPE + own, navigate)).toBe('contents');
+    }
+    expect(await answer(page, `${SCOPE}manual/b.html`, navigate)).toBeUndefined();
+  });
+
   it('a stored page answers nothing else: no files of the user, other origins, other pages, or sent data', async () => {
     const { page, browser } = await installed(OLD);
     const count = browser.stored.length;
