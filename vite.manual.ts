@@ -233,7 +233,7 @@ function html(page: ManualPage, { body, headings, groups, contents, previous, ne
   const onPage = page !== contents && headings.length > 1;
   const own = headings.map(({ anchor, text }) => `<li><a href="#${escaped(anchor)}">${text}</a></li>`).join('');
   // After the title and what the page is for.
-  const [lead = '', rest = ''] = body.split(/(?<=<\/h1>\n<p>.*?<\/p>\n)/s);
+  const [lead = ''] = /^.*?<\/h1>\n(<p>.*?<\/p>\n)?/s.exec(body) ?? [];
   return `<!doctype html>
 <html lang="en">
 <head>
@@ -250,7 +250,7 @@ function html(page: ManualPage, { body, headings, groups, contents, previous, ne
 <header><a class="name" href="${to(contents.path)}">Marrow manual</a> <a href="${to('../index.html')}">Workbench</a></header>
 <div class="columns">
 <main id="content">
-${lead}${onPage ? `<nav class="on-page" aria-label="On this page"><ul>${own}</ul></nav>\n` : ''}${rest}
+${lead}${onPage ? `<nav class="on-page" aria-label="On this page"><ul>${own}</ul></nav>\n` : ''}${body.slice(lead.length)}
 <nav class="around" aria-label="Previous and next page">
 ${previous ? `<span>Previous: ${link(previous, ' rel="prev"')}</span>` : ''}
 ${next ? `<span class="next">Next: ${link(next, ' rel="next"')}</span>` : ''}
