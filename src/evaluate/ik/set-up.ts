@@ -9,7 +9,7 @@
  */
 import { transformPoint, type Vec3 } from '../../math/vec3.ts';
 import type { Character } from '../../model/document.ts';
-import { defaultIk, type IkSetup, type Pin } from '../../model/ik.ts';
+import { defaultIk, type IkSetup, type Pin, type StiffJoint } from '../../model/ik.ts';
 import type { Skeleton } from '../../model/skeleton.ts';
 import { compileSkeleton } from '../kinematics.ts';
 import { orientationAt } from './orientation.ts';
@@ -88,13 +88,15 @@ export function draggedIndex({ pins }: Pick<IkSetup, 'pins'>, dragged: DragTarge
 
 /**
  * Stiffness of each of the character's DOFs except morphs: `ikStiffness` with the settings' joints locked (Infinity) or
- * stiffened. Root translation depends on `rootIsFree` only; locking the root joint locks its rotation. If a locked
- * joint's DOFs are linked, the DOFs they follow are locked too, or it would bend with them.
+ * stiffened. Root translation depends on `rootIsFree` only; locking the root joint locks its rotation, and so does a
+ * root that is fixed, except in the axis-angle form, whose root is the first bone. If a locked joint's DOFs are linked,
+ * the DOFs they follow are locked too, or it would bend with them.
  */
 export function stiffnessOf(skeleton: Skeleton, { stiff, rootIsFree }: Omit<IkSetup, 'pins'>): Float64Array {
   const stiffness = ikStiffness(skeleton, rootIsFree);
   const { firstDof, travel, jointCount, couples } = compileSkeleton(skeleton);
-  for (const { joint, stiffness: factor = Infinity } of stiff) {
+  const root: readonly StiffJoint[] = rootIsFree || skeleton.form === 'axis-angle' ? [] : [{ joint: 0 }];
+  for (const { joint, stiffness: factor = Infinity } of [...stiff, ...root]) {
     if (joint >= jointCount) continue;
     for (let dof = firstDof[joint]; dof < firstDof[joint + 1]; dof++) {
       if (!travel.includes(dof)) stiffness[dof] *= factor;

@@ -109,14 +109,16 @@ describe('how unwilling DOFs are', () => {
       name: 'free',
       joints: [joint(-1, { motion: { kind: 'free', order: 'xyz' }, pose: [0, 0, 0, 0, 0, 0] })],
     };
-    expect([...stiffnessOf(free, { stiff: [{ joint: 0, stiffness: 2 }], rootIsFree: false })]).toEqual([
-      Infinity,
-      Infinity,
-      Infinity,
-      2,
-      2,
-      2,
+    expect([...stiffnessOf(free, { stiff: [{ joint: 0, stiffness: 2 }], rootIsFree: true })]).toEqual([
+      1, 1, 1, 2, 2, 2,
     ]);
+  });
+
+  it('keeps position and turn of a fixed root, but in the axis-angle form, whose root is a bone', () => {
+    const fixed = { stiff: [], rootIsFree: false };
+    const ends = [Infinity, Infinity, Infinity];
+    expect([...stiffnessOf(CHAIN, fixed)]).toEqual([...ends, ...ends, 1, 1, 1, 1, 1, 1]);
+    expect([...stiffnessOf({ ...CHAIN, form: 'axis-angle' }, fixed)]).toEqual([...ends, 1, 1, 1, 1, 1, 1, 1, 1, 1]);
   });
 
   it('locks what a locked joint follows, however far', () => {

@@ -8,7 +8,7 @@ import { characterDofs } from '../../../model/dofs.ts';
 import { pitchOf, quaternionDofs } from '../../../model/joint-types.ts';
 import { isUnlimited } from '../../../model/skeleton.ts';
 import { compileSkeleton } from '../../kinematics.ts';
-import { HandProblem } from './hand-problem.ts';
+import type { HandProblem } from './hand-problem.ts';
 
 /** Multiplies the limit of a step if restoring the pins needs it. */
 const MORE_FOR_PINS = 2;
@@ -70,7 +70,7 @@ export class Blend {
     before.set(shown);
     this.goOn(part);
     if (!of.holds) return;
-    this.between ??= new HandProblem(of.character, of.skeleton, shown, of.targets, of.dragged);
+    this.between ??= of.from(shown);
     const { between } = this;
     between.dofs.set(shown);
     between.moveHand(of.hand[0], of.hand[1], of.hand[2]);

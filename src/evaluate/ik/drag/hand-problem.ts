@@ -13,6 +13,7 @@ import type { Skeleton } from '../../../model/skeleton.ts';
 import { compileSkeleton } from '../../kinematics.ts';
 import { movedDofs } from '../../retarget/moved-dofs.ts';
 import { evaluatePose } from '../forward.ts';
+import type { Bending } from '../limb.ts';
 import { ikProblem, movePin } from '../problem.ts';
 import { type DragTarget, draggedIndex, ikOf, ikPinsOf, type PinTarget, stiffnessOf } from '../set-up.ts';
 import { type IkMode, solve } from '../solve.ts';
@@ -55,13 +56,14 @@ export class HandProblem {
     start: ArrayLike<number>,
     readonly targets: ReadonlyMap<number, PinTarget>,
     readonly dragged: DragTarget,
+    private readonly bending: Bending = 'body',
   ) {
     const setup = ikOf(character);
     this.dofs = Float64Array.from(start);
     const joint = 'pin' in dragged ? jointOfPin(setup, dragged.pin) : dragged.joint;
     this.problem = ikProblem(skeleton, ikPinsOf(setup, targets, dragged), this.dofs, {
       clamps: character.clampsToLimits,
-      stiffness: handStiffness(character, skeleton, joint),
+      stiffness: handStiffness(character, skeleton, joint, bending),
     });
     const { pins, reach } = this.problem;
     this.reach = reach;
@@ -72,6 +74,12 @@ export class HandProblem {
     for (let k = 0; k < 3; k++) this.hand[k] = pins.targets[3 * this.index + k];
     // Initialises the result for the pose before anything moves.
     this.run('drag', 1);
+  }
+
+  /** The same drag from another pose. @param character with other settings */
+  from(start: ArrayLike<number>, character = this.character): HandProblem {
+    const { skeleton, targets, dragged, bending } = this;
+    return new HandProblem(character, skeleton, start, targets, dragged, bending);
   }
 
   /** Moves the hand without solving. */
@@ -191,13 +199,32 @@ export class HandProblem {
   }
 }
 
-/** Stiffness of each of the character's DOFs while that joint is dragged. */
-export function handStiffness(character: Character, skeleton: Skeleton, joint: number): Float64Array {
+/**
+ * Stiffness of each of the character's DOFs while that joint is dragged.
+ * @param bending the joints that may bend; others only where their DOFs are linked to these
+ */
+export function handStiffness(
+  character: Character,
+  skeleton: Skeleton,
+  joint: number,
+  bending: Bending = 'body',
+): Float64Array {
   const moves = inertia(skeleton);
   const stays = staysBeside(character, skeleton, joint);
+  const bends = bendsWith(skeleton, bending);
   return stiffnessOf(skeleton, ikOf(character)).map((factor, dof) =>
-    stays(dof) ? Infinity : factor * (moves[dof] ?? 1),
+    stays(dof) || !bends(dof) ? Infinity : factor * (moves[dof] ?? 1),
   );
+}
+
+/** Whether a DOF is in reach. The root translates only with the whole body. */
+function bendsWith(skeleton: Skeleton, bending: Bending): (dof: number) => boolean {
+  if (bending === 'body') return () => true;
+  const { firstDof, travel } = compileSkeleton(skeleton);
+  const free = new Set<number>();
+  for (const joint of bending) for (let dof = firstDof[joint]; dof < firstDof[joint + 1]; dof++) free.add(dof);
+  for (const dof of travel) free.delete(dof);
+  return (dof) => free.has(dof);
 }
 
 function jointOfPin({ pins }: IkSetup, id: number): number {

@@ -5,7 +5,7 @@
  */
 import { compileSkeleton } from '../../kinematics.ts';
 import { ikOf } from '../set-up.ts';
-import { HandProblem } from './hand-problem.ts';
+import type { HandProblem } from './hand-problem.ts';
 
 /** Fraction of the reach that the point must come nearer. */
 const NEARER = 0.01;
@@ -62,9 +62,9 @@ export class LockTrial {
   }
 
   private withoutLocks(): HandProblem {
-    const { character, skeleton, targets, dragged } = this.of;
+    const { character } = this.of;
     const setup = ikOf(character);
     const ik = { ...setup, stiff: setup.stiff.filter(({ stiffness }) => stiffness !== undefined) };
-    return new HandProblem({ ...character, ik }, skeleton, this.pose, targets, dragged);
+    return this.of.from(this.pose, { ...character, ik });
   }
 }

@@ -9,9 +9,10 @@ import type { Character } from '../../../model/document.ts';
 import type { DofValue } from '../../../model/dofs.ts';
 import type { Skeleton } from '../../../model/skeleton.ts';
 import { compileSkeleton } from '../../kinematics.ts';
-import { type DragTarget, ikOf, type PinTarget, pointAt } from '../set-up.ts';
+import { type DragTarget, ikOf, type PinTarget, pinTargets, pointAt } from '../set-up.ts';
 import { Blend } from './blend.ts';
 import { changedValues } from './changed-values.ts';
+import { type DragReach, WHOLE } from './drag-reach.ts';
 import { HandProblem, IS_THERE } from './hand-problem.ts';
 import { gapCause, type Hindrance } from './hindrance.ts';
 import { Lead } from './lead.ts';
@@ -25,7 +26,7 @@ const SEEN_GAP = 0.01;
 
 /** A pin or dragged point that is not at its target. */
 export interface Gap {
-  /** Index into the setup's pins; their number for a point that is no pin. */
+  /** Index into the setup's pins, then of those for this drag alone; their number for a point that is no pin. */
   readonly index: number;
   readonly joint: number;
   /** In the space of the world matrices. */
@@ -67,6 +68,7 @@ export class Pull {
    * @param shown the pose at the start of the drag; copied
    * @param held targets of the pins, by id, in the character's space
    * @param placement from the character's space to the world's, not singular; copied
+   * @param reach what moves
    */
   constructor(
     character: Character,
@@ -75,18 +77,22 @@ export class Pull {
     held: ReadonlyMap<number, PinTarget>,
     { joint, point, pin }: Grip,
     placement: Float64Array = OWN_SPACE,
+    { bending, standing }: DragReach = WHOLE,
   ) {
-    this.rootStays = !ikOf(character).rootIsFree && compileSkeleton(skeleton).travel.some((dof) => dof >= 0);
+    const ik = ikOf(character);
+    const couldTravel = bending === 'body' && compileSkeleton(skeleton).travel.some((dof) => dof >= 0);
+    this.rootStays = !ik.rootIsFree && couldTravel;
     this.start = dofs.slice();
     invertAffine(placement, 0, this.toOwn, 0);
     const own = pointAt(world, joint, point);
     this.place = pointAt(placement, 0, own);
-    const targets = new Map(held);
+    const targets = new Map([...held, ...pinTargets({ pins: standing }, world)]);
     // At its position, not at the target of an earlier drag, since that is where it was grabbed.
     const before = pin === undefined ? undefined : held.get(pin);
     if (before && pin !== undefined) targets.set(pin, { ...before, position: own });
     const dragged: DragTarget = pin === undefined ? { joint, point, target: own } : { pin };
-    this.of = new HandProblem(character, skeleton, dofs, targets, dragged);
+    const holding = standing.length > 0 ? { ...character, ik: { ...ik, pins: [...ik.pins, ...standing] } } : character;
+    this.of = new HandProblem(holding, skeleton, dofs, targets, dragged, bending);
     this.lead = new Lead(this.of);
     this.blend = new Blend(this.of);
     this.locks = new LockTrial(this.of);
