@@ -4,6 +4,7 @@ import { VERSION } from '../../model/version.ts';
 import { enterRegion, focusNextRegion, focusSection } from '../kit/focus-regions.ts';
 import { currentCharacter } from '../state/action.ts';
 import { NO_CHARACTER, needs } from '../state/needs.ts';
+import { onDemand } from '../state/on-demand.ts';
 import { isPanelOpen, openPanel } from '../state/panels.ts';
 import { selectedJoint } from '../state/selected-joint.ts';
 import type { Settings } from '../state/settings.ts';
@@ -106,6 +107,20 @@ export const PAGE_ACTIONS: readonly Action[] = [
     run: (wb) => setting(wb, { angles: wb.settings.get().angles === 'degrees' ? 'radians' : 'degrees' }),
   },
   {
+    id: 'help.manual',
+    label: 'Manual',
+    detail: 'By key, the page about the active panel or dialog',
+    group: 'Page',
+    menu: 'Help',
+    shortcuts: ['F1'],
+    also: 'documentation guide reference tutorial',
+    inDialogs: true,
+    async run(wb, by) {
+      const manual = await onDemand(wb.messages, 'The manual', () => import('./manual.ts'));
+      manual?.openManual(wb, by === 'key');
+    },
+  },
+  {
     id: 'help.firstSteps',
     label: 'First steps',
     group: 'Page',
@@ -127,7 +142,7 @@ export const PAGE_ACTIONS: readonly Action[] = [
     label: 'Shortcuts',
     group: 'Page',
     menu: 'Help',
-    shortcuts: ['?', 'F1'],
+    shortcuts: ['?'],
     run: (wb) => wb.dialog.set('shortcuts'),
   },
   {

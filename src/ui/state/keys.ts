@@ -19,9 +19,12 @@ export function listenToKeys(wb: Uses<'actions' | 'settings' | 'dialog'>, signal
 
 /** Runs the key's action, unless the focused control, a panel or a dialog uses the key. */
 export function handleKey(wb: Uses<'actions' | 'settings' | 'dialog'>, event: KeyboardEvent): void {
-  if (event.defaultPrevented || event.isComposing || wb.dialog.get() !== undefined) return;
+  if (event.defaultPrevented || event.isComposing) return;
   const target = event.target instanceof Element ? event.target : document.body;
-  if (target.closest('[role=menu],dialog')) return;
+  if (wb.dialog.get() !== undefined || target.closest('[role=menu],dialog')) {
+    handleKeyOfDialog(wb, event);
+    return;
+  }
   if (isNowhere(target) && isUsedUnderPointer(event)) return;
   if (swallows(focusKind(target), event, isMac)) return;
   // The rest of a word isn't a row of shortcuts.
@@ -49,6 +52,15 @@ export function handleKey(wb: Uses<'actions' | 'settings' | 'dialog'>, event: Ke
   event.preventDefault();
   if (event.repeat && !action.repeats) return;
   tryAction(wb, action, 'key');
+}
+
+/** A dialog or a menu has all keys but those of actions about it. */
+function handleKeyOfDialog(wb: Uses<'actions' | 'settings'>, event: KeyboardEvent): void {
+  const all = actionsOf(wb).filter((action) => action.inDialogs);
+  const action = actionFor(shortcutsOf(event, isMac), all, undefined, wb.settings.get());
+  if (!action) return;
+  event.preventDefault();
+  if (!event.repeat) tryAction(wb, action, 'key');
 }
 
 /** With the focus nowhere, a key is given to the panel under the pointer as if that had the focus. */

@@ -126,6 +126,8 @@ export interface Action extends Bindable {
   readonly repeats?: boolean;
   /** Says nothing if it is disabled or changes nothing: Escape, which may be pressed to be sure. */
   readonly quiet?: boolean;
+  /** Its keys also work while a dialog is open. */
+  readonly inDialogs?: boolean;
   /** What is said if it changed nothing. */
   readonly unchanged?: string;
   /** Absent: always enabled. */

@@ -2,6 +2,7 @@
 import { BLOCKED, copyText } from '../../kit/clipboard.ts';
 import { button, element, uniqueId } from '../../kit/dom.ts';
 import { icon } from '../../kit/icons.ts';
+import { manualLink } from '../../state/manual-link.ts';
 import type { Uses } from '../../state/workbench.ts';
 import { SNIPPETS } from './snippets.ts';
 
@@ -61,7 +62,8 @@ export function startPage(wb: Uses<'files' | 'messages'>): HTMLElement {
         'p',
         { class: 'faint' },
         'Numbers are of the selected character, at the time that they state (time 1.5), else at the time shown. ' +
-          'Nothing in the document is changed.',
+          'Nothing in the document is changed. ',
+        manualLink('How to check a program', 'comparing'),
       ),
     ),
     element('div', { class: 'compare-snippets' }, ...SNIPPETS.map(([language, code]) => snippet(wb, language, code))),

@@ -4,6 +4,7 @@ import type { Flag } from '../../../review/flags.ts';
 import { element, setText } from '../../kit/dom.ts';
 import { middleCut } from '../../kit/middle-cut.ts';
 import { setTooltip } from '../../kit/tooltip.ts';
+import { manualLink } from '../../state/manual-link.ts';
 import { flagItem } from './flag-item.ts';
 import type { ReviewRow } from './rows.ts';
 
@@ -27,6 +28,7 @@ export class ReviewDetail {
     placeholder: 'walk, calm',
   });
   private readonly notes = element('textarea', { class: 'review-field', rows: 2 });
+  private readonly explained = manualLink('What do flags mean?', 'flags');
   private readonly tagsLabel = element('span');
   private readonly notesLabel = element('span');
   private listed: readonly Flag[] | undefined;
@@ -42,6 +44,7 @@ export class ReviewDetail {
       element('label', { class: 'review-label' }, this.notesLabel, this.notes),
       this.none,
       this.flags,
+      this.explained,
     );
   }
 
@@ -63,6 +66,7 @@ export class ReviewDetail {
     this.none.hidden = this.none.textContent === '';
     if (found === this.listed) return;
     this.listed = found;
+    this.explained.hidden = !found?.length;
     this.flags.replaceChildren(...(found ?? []).map((flag) => flagItem(flag, this.events.seek)));
   }
 }

@@ -3,6 +3,7 @@ import { OUTSIDE_CYCLE } from '../../../edit/keys/cycle.ts';
 import type { DialogContent } from '../../kit/dialog.ts';
 import { element } from '../../kit/dom.ts';
 import { attempt } from '../../state/attempt.ts';
+import { manualLink } from '../../state/manual-link.ts';
 import type { Uses } from '../../state/workbench.ts';
 import { cycleText, OUTSIDE_LABELS } from './cycle-text.ts';
 
@@ -39,7 +40,7 @@ export function cycleDialog(wb: Uses<'transport' | 'timeline' | 'messages'>, clo
   const body = element(
     'div',
     { class: 'tool-form' },
-    element('p', {}, about),
+    element('p', {}, about, ' ', manualLink('What is a cycle?', 'cycle')),
     ...choices,
     element('label', { class: 'cycle-always' }, always, 'Don’t ask again until the page is reloaded'),
     element('div', { class: 'tool-buttons' }, cancel),
