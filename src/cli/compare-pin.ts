@@ -1,8 +1,8 @@
 /** `marrow compare --pin`: targets of a solver of inverse kinematics, for dumps that state none. */
 import type { SolverTask, Targets } from '../lesson/targets.ts';
 import type { Skeleton } from '../model/skeleton.ts';
-import { UsageError } from './arguments.ts';
 import { type AskedPin, resolvePin } from './pin-argument.ts';
+import { UsageError } from './usage-error.ts';
 
 /** Numbers that are judged by the pins, and by those that they state. @throws UsageError if these don't fit */
 export function withPins(

@@ -2,7 +2,7 @@
 import { resolve } from 'node:path';
 import { CommandError } from '../edit/command-error.ts';
 import { spaceText } from '../evaluate/space.ts';
-import type { GlbOptions } from '../exchange/glb/options.ts';
+import { DEFAULT_GLB, type GlbOptions } from '../exchange/glb/options.ts';
 import { diagnosticsOf } from '../exchange/glb/report.ts';
 import { TakeError } from '../exchange/glb/take-motion.ts';
 import { type Diagnostic, withoutPlace } from '../model/diagnostic.ts';
@@ -10,28 +10,26 @@ import { type Character, type Document, EMPTY_DOCUMENT } from '../model/document
 import { byPath, type ParsedFile } from '../model/files.ts';
 import { openFiles } from '../project/open/open-files.ts';
 import { refusal } from '../project/save/conversion.ts';
-import { type Arguments, numberOf, UsageError } from './arguments.ts';
 import type { PickOptions } from './convert-one.ts';
+import { oneOf, text, whole } from './options/kinds.ts';
+import { flag, type OptionValues, option, section } from './options/option.ts';
 import { writeOutput } from './write-output.ts';
 
 /** Options of `convert` for `.glb` only. */
-export const GLB_OPTIONS = {
-  keys: 'value',
-  influences: 'value',
-  take: 'value',
-  'no-body': 'flag',
-  raw: 'flag',
-} as const;
+export const GLB_OPTIONS = section('Only for an output that ends in .glb', {
+  keys: option(
+    oneOf(['linear', 'cubic']),
+    'Interpolates keys by straight lines, the default, or by cubic splines, which are fewer but which Blender takes for straight lines.',
+  ),
+  influences: option(whole('N', 1), 'Keeps at most this many attachments per vertex, the strongest, instead of all.'),
+  take: option(text('NAME', 'the name of a take'), 'Writes only the take of this name instead of all.'),
+  'no-body': flag('Leaves out the bones that a character without a skin is shown by.'),
+  raw: flag("Keeps the file's own unit, axes and origin instead of metres and y up."),
+});
+export type GlbOptionValues = OptionValues<typeof GLB_OPTIONS>;
 
 export function isGlb(name: string): boolean {
   return /\.glb$/i.test(name);
-}
-
-/** @throws UsageError if options for `.glb` are given with another output */
-export function refuseGlbOptions(given: Arguments): void {
-  const own = (['keys', 'influences', 'take'] as const).find((name) => given.value(name) !== undefined);
-  const name = own ?? (['no-body', 'raw'] as const).find((flag) => given.flag(flag));
-  if (name) throw new UsageError(`--${name} is for .glb files; the output must end in .glb.`);
 }
 
 export interface WrittenGlb {
@@ -41,7 +39,7 @@ export interface WrittenGlb {
 
 /** @param out relative to the folder */
 export async function convertToGlb(
-  given: Arguments,
+  given: GlbOptionValues,
   files: readonly ParsedFile[],
   out: string,
   folder: string,
@@ -69,7 +67,7 @@ export async function convertToGlb(
   try {
     const [character] = whole;
     const edited = edit ? edit(character) : character;
-    const written = await write(edited, options, given.flag('raw'), name, resolve(folder, out));
+    const written = await write(edited, options, given.raw, name, resolve(folder, out));
     return { ...written, diagnostics: [...diagnostics, ...written.diagnostics] };
   } catch (error) {
     if (!(error instanceof TakeError || error instanceof CommandError)) throw error;
@@ -117,20 +115,13 @@ function spaceTold({ space }: Character, name: string): readonly Diagnostic[] {
 }
 
 function readOptions(
-  given: Arguments,
+  { keys, influences, take, 'no-body': isBare }: GlbOptionValues,
   { framesPerSecond, tolerance }: { readonly framesPerSecond?: number; readonly tolerance?: number },
 ): GlbOptions {
-  const keys = given.value('keys') ?? 'linear';
-  if (keys !== 'linear' && keys !== 'cubic') throw new UsageError(`--keys must be linear or cubic, found "${keys}".`);
-  const text = given.value('influences');
-  const influences = text === undefined ? undefined : numberOf('influences', text);
-  if (influences !== undefined && !(Number.isInteger(influences) && influences > 0)) {
-    throw new UsageError(`--influences must be a whole number greater than 0, found ${text}.`);
-  }
-  const take = given.value('take');
   return {
-    keys,
-    body: !given.flag('no-body'),
+    ...DEFAULT_GLB,
+    ...(keys !== undefined && { keys }),
+    body: !isBare,
     ...(framesPerSecond !== undefined && { framesPerSecond }),
     ...(tolerance !== undefined && { tolerance }),
     ...(influences !== undefined && { influences }),

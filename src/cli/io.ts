@@ -22,17 +22,3 @@ export type Exits = Readonly<Partial<Record<ExitCode, string>>> & { readonly 0: 
 
 /** Of commands that read files and print what is in them. */
 export const FILE_EXITS: Exits = { 0: 'all files were read', 1: 'a file has errors or is missing', 2: 'wrong usage' };
-
-/** A subcommand of `marrow`. */
-export interface CliCommand {
-  readonly name: string;
-  /** Arguments, as shown in the usage line. */
-  readonly usage: string;
-  /** Summary in one line. */
-  readonly summary: string;
-  /** Its options, a line each, for its own help; ends with a line break. */
-  readonly details?: string;
-  readonly exits: Exits;
-  /** @throws UsageError */
-  run(args: readonly string[], io: CommandIo): Promise<ExitCode>;
-}

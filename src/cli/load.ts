@@ -22,7 +22,6 @@ import { perObject } from '../model/per-object.ts';
 import { unreadMessage } from '../project/foreign.ts';
 import { type OpenResult, openFiles } from '../project/open/open-files.ts';
 import { type Format, formatOf } from '../project/readers.ts';
-import { UsageError } from './arguments.ts';
 import { findGiven, type GivenPath, isFile, type MissingPath } from './paths.ts';
 import { fileBytes, readPieces } from './read-file.ts';
 import { reasonOf } from './reason.ts';
@@ -68,10 +67,8 @@ export function findFiles(args: readonly string[], folder: string): FoundFiles {
 /**
  * @param args files, folders and zips, relative to `folder`
  * @param otherwise the format of files whose names have none
- * @throws UsageError if there are none
  */
 export function loadFiles(args: readonly string[], folder: string, otherwise?: Format): Loaded {
-  if (args.length === 0) throw new UsageError('Give at least one file.');
   return loadAll(findFiles(args, folder), otherwise);
 }
 
@@ -104,7 +101,6 @@ function loadAll({ files, missing, problems }: FoundFiles, otherwise?: Format, i
 
 /** As `loadFiles`, and files of other programs too, whose readers are fetched and look for further files. */
 export async function loadAny(args: readonly string[], folder: string, otherwise?: Format): Promise<Loaded> {
-  if (args.length === 0) throw new UsageError('Give at least one file.');
   const found = findFiles(args, folder);
   return loadAll(found, otherwise, await importGiven(found.files, folder));
 }

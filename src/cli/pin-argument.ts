@@ -1,8 +1,10 @@
 /** `--pin JOINT[@x,y,z]=x,y,z[,weight]`: a point of a joint, by default its tip or origin, and where it shall be. */
 import type { IkPin } from '../evaluate/ik/pins.ts';
 import type { Vec3 } from '../math/vec3.ts';
+import { cutText } from '../model/cut-text.ts';
 import type { Skeleton } from '../model/skeleton.ts';
-import { numbersOf, UsageError } from './arguments.ts';
+import { type Kind, numbers, readValue } from './options/kinds.ts';
+import { UsageError } from './usage-error.ts';
 
 /** A parsed `--pin`, before the skeleton is known. */
 export interface AskedPin {
@@ -13,17 +15,27 @@ export interface AskedPin {
   readonly what: string;
 }
 
+const NUMBERS = numbers('x,y,z');
+
+export const PIN: Kind<AskedPin> = {
+  placeholder: 'JOINT[@x,y,z]=x,y,z[,weight]',
+  what: 'JOINT=x,y,z, a joint and where it shall be',
+  read: readPin,
+};
+
 /** @throws UsageError if it isn't `JOINT[@x,y,z]=x,y,z[,weight]` */
-export function readPin(text: string): AskedPin {
+function readPin(text: string): AskedPin {
   // The last one: a name may contain `=`, numbers don't.
   const equals = text.lastIndexOf('=');
-  if (equals < 0) throw new UsageError(`--pin takes JOINT=x,y,z; "${text}" has no "=".`);
-  const numbers = numbersOf('pin', text.slice(equals + 1));
-  if (numbers.length !== 3 && numbers.length !== 4) {
-    throw new UsageError(`--pin takes 3 numbers and an optional weight after "="; "${text}" has ${numbers.length}.`);
+  if (equals < 0) throw new UsageError(`--pin takes JOINT=x,y,z; "${cutText(text)}" has no "=".`);
+  const values = readValue(NUMBERS, text.slice(equals + 1), '--pin');
+  if (values.length !== 3 && values.length !== 4) {
+    throw new UsageError(
+      `--pin takes 3 numbers and an optional weight after "="; "${cutText(text)}" has ${values.length}.`,
+    );
   }
-  const [x, y, z, weight = 1] = numbers;
-  if (!(weight > 0)) throw new UsageError(`--pin takes weights greater than 0; "${text}" has ${weight}.`);
+  const [x, y, z, weight = 1] = values;
+  if (!(weight > 0)) throw new UsageError(`--pin takes weights greater than 0; "${cutText(text)}" has ${weight}.`);
   return { text, target: [x, y, z], weight, what: text.slice(0, equals) };
 }
 
@@ -32,7 +44,7 @@ export function resolvePin(skeleton: Skeleton, { what, target, weight, text }: A
   const at = what.lastIndexOf('@');
   const hasPoint = at >= 0 && !skeleton.joints.some(({ name }) => name === what);
   const joint = jointCalled(skeleton, hasPoint ? what.slice(0, at) : what);
-  const point = hasPoint ? numbersOf('pin', what.slice(at + 1)) : [0, skeleton.joints[joint].length ?? 0, 0];
+  const point = hasPoint ? readValue(NUMBERS, what.slice(at + 1), '--pin') : [0, skeleton.joints[joint].length ?? 0, 0];
   if (point.length !== 3)
     throw new UsageError(`--pin takes a point as JOINT@x,y,z; "${text}" has ${point.length} numbers there.`);
   const [x, y, z] = point;

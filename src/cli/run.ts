@@ -1,5 +1,4 @@
 /** The command as a function: arguments in, exit code out. */
-import { UsageError } from './arguments.ts';
 import { channels } from './commands/channels.ts';
 import { compareCommand } from './commands/compare.ts';
 import { convert } from './commands/convert.ts';
@@ -10,11 +9,16 @@ import { info } from './commands/info.ts';
 import { kit } from './commands/kit.ts';
 import { pose } from './commands/pose.ts';
 import { review } from './commands/review.ts';
-import type { CliCommand, CommandIo, ExitCode } from './io.ts';
+import type { CommandIo, ExitCode } from './io.ts';
+import { exitsText, helpText, usageLines, usageText } from './options/help.ts';
+import { nearestName } from './options/nearest-name.ts';
+import type { ShellCommand } from './options/shell-command.ts';
 import { printable, printableLine } from './printable.ts';
 import { isOfSystem, reasonOf } from './reason.ts';
+import { UsageError } from './usage-error.ts';
 
-const COMMANDS: readonly CliCommand[] = [
+/** All subcommands, in the order of the help. */
+export const COMMANDS: readonly ShellCommand[] = [
   info,
   pose,
   ik,
@@ -41,12 +45,11 @@ export async function run(args: readonly string[], given: CommandIo): Promise<Ex
     return 0;
   }
   if (!command) {
-    io.err(`marrow: ${name === undefined ? 'no command given.' : `there is no command "${name}".`}\n${help()}`);
+    io.err(`marrow: ${name === undefined ? 'no command given.' : unknownCommand(name)}\n${help()}`);
     return 2;
   }
   if (beforeDashes(rest).some((arg) => arg === '--help' || arg === '-h')) {
-    const details = command.details === undefined ? '' : `\n${command.details}`;
-    await io.out(`${usageLine(command)}\n\n${command.summary}\n${details}\nExit codes: ${exitsOf(command)}.\n`);
+    await io.out(helpText(command));
     return 0;
   }
   try {
@@ -54,7 +57,7 @@ export async function run(args: readonly string[], given: CommandIo): Promise<Ex
   } catch (error) {
     io.progress?.('');
     if (error instanceof UsageError) {
-      io.err(`marrow: ${error.message}\n${usageLine(command)}\n`);
+      io.err(`marrow: ${error.message}\n${usageText(command)}\nOptions: marrow ${command.name} --help\n`);
       return 2;
     }
     if (!isOfSystem(error)) throw error;
@@ -69,22 +72,31 @@ function beforeDashes(args: readonly string[]): readonly string[] {
   return end < 0 ? args : args.slice(0, end);
 }
 
-function usageLine(command: CliCommand): string {
-  return `usage: marrow ${command.name} ${command.usage}`;
-}
-
-function exitsOf({ exits }: CliCommand): string {
-  return Object.entries(exits)
-    .map(([code, outcome]) => `${code} ${outcome}`)
-    .join(', ');
+function unknownCommand(name: string): string {
+  const nearest = nearestName(
+    name,
+    COMMANDS.map((command) => command.name),
+  );
+  const hint = nearest === undefined ? '' : ` Did you mean "${nearest}"?`;
+  return `there is no command "${name}".${hint}`;
 }
 
 function help(): string {
-  const lines = COMMANDS.map((c) => `  marrow ${c.name} ${c.usage}\n      ${c.summary}\n      exits: ${exitsOf(c)}`);
-  return `usage:\n${lines.join('\n')}
+  const lines = COMMANDS.map((command) => {
+    const usage = usageLines(command).map((line) => `  ${line}\n`);
+    return `${usage.join('')}      ${command.summary}\n      exits: ${exitsText(command)}`;
+  });
+  return `usage:
+${lines.join('\n')}
 
-FILE may be a folder or a zip: all files in it. Options as "--x v" or "--x=v"; values may begin with a minus.
-Paths are relative to the caller's folder; angles are radians, times seconds.
-Exit code 3 of any command: the standard output could not be written.
+${COMMON_HELP.join('\n')}
 `;
 }
+
+/** True of all commands. */
+const COMMON_HELP: readonly string[] = [
+  'marrow COMMAND --help explains the options of a command. FILE may be a folder or a zip: all files in it.',
+  'Options are written "--x v" or "--x=v"; values may begin with a minus, and after "--" all are files.',
+  "Paths are relative to the caller's folder; angles are in radians, times in seconds.",
+  'Exit code 3 of any command: the standard output could not be written.',
+];

@@ -3,11 +3,11 @@ import { resolve } from 'node:path';
 import { hasErrors } from '../model/diagnostic.ts';
 import type { ListedTake } from '../review/list.ts';
 import { readList } from '../review/read-list.ts';
-import { UsageError } from './arguments.ts';
 import type { CommandIo } from './io.ts';
 import { fileText } from './read-file.ts';
 import { reasonOf } from './reason.ts';
 import { report } from './report.ts';
+import { UsageError } from './usage-error.ts';
 
 /**
  * @param option its name, for messages

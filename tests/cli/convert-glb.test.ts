@@ -106,8 +106,8 @@ describe('marrow convert to .glb', () => {
   });
 
   it.each([
-    [['--keys', 'bezier'], '--keys must be linear or cubic, found "bezier".'],
-    [['--influences', '0'], '--influences must be a whole number greater than 0, found 0.'],
+    [['--keys', 'bezier'], '--keys takes one of linear, cubic, found "bezier".'],
+    [['--influences', '0'], '--influences takes a whole number of at least 1, found "0".'],
   ])('convert refuses %j', async (options, message) => {
     const { code, err } = await command(['convert', ...JOINTS, 'no.glb', ...options], folder);
     expect(code).toBe(2);

@@ -391,7 +391,7 @@ describe('marrow export', () => {
     );
     expect(await wrong(...all, '--shard', '5/4')).toMatch('--shard takes a part and their number');
     expect(await wrong(...all, '--crop', '3')).toMatch('--crop takes two times');
-    expect(await wrong(...all, '--crop', '3,1')).toMatch('found 3 and 1');
+    expect(await wrong(...all, '--crop', '3,1')).toMatch('the earlier one first, found "3,1"');
     expect(await wrong(...all, '--jobs', '1.5')).toMatch('--jobs takes a whole number');
     expect(await wrong(...all, '--map', 'map.csv')).toMatch('--map needs --retarget');
     expect(await wrong(...all, '--retarget', 'gone.bvh')).toMatch(

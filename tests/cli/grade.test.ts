@@ -400,13 +400,13 @@ describe('marrow grade', () => {
     for (const [args, message] of [
       [['grade', 'class'], '--reference is missing'],
       [['grade', '--reference', 'ref'], 'takes one folder'],
-      [['grade', 'none', '--reference', 'ref'], 'There is no folder or zip "none"'],
+      [['grade', 'none', '--reference', 'ref'], 'There is no folder "none"'],
       [['grade', 'class', '--reference', 'none'], 'There is no folder or zip "none"'],
       [['grade', 'class', '--reference', 'broken'], 'broken/test.skel:1:'],
       [['grade', 'class', '--reference', 'bare'], 'has no skeleton'],
       [['grade', 'bare', '--reference', 'ref'], 'There are no folders or zips in "bare"'],
       [[...GRADE, '--csv', '--html'], 'Give one of'],
-      [[...GRADE, '--tolerance', '-1'], 'above 0'],
+      [[...GRADE, '--tolerance', '-1'], 'greater than 0'],
     ] as const) {
       const { code, err } = await command(args, folder);
       expect([code, err], args.join(' ')).toEqual([2, expect.stringContaining(message)]);

@@ -66,7 +66,7 @@ it.each([
     2,
     '--map takes a file; right is none.',
   ],
-  [['export', 'takes', '--to', 'npz', '--out', 'new', '--jobs', '1e9'], 2, '--jobs takes a number up to 512'],
+  [['export', 'takes', '--to', 'npz', '--out', 'new', '--jobs', '1e9'], 2, '--jobs takes a whole number from 1 to 512'],
   [['export', 'takes', '--to', 'npz', '--out', 'a.skel'], 2, 'a file of this name exists.'],
   [
     ['convert', 'takes', '--to', 'anim', '--out', 'a.skel/new'],

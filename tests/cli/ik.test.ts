@@ -116,7 +116,7 @@ describe('marrow ik', () => {
   });
 
   it('reports invalid pins', async () => {
-    expect(await told('arms.skel')).toMatch('at least one pin');
+    expect(await told('arms.skel')).toMatch('--pin is missing: JOINT=x,y,z');
     expect(await told('arms.skel', '--pin', 'elbow')).toMatch('has no "="');
     expect(await told('arms.skel', '--pin', 'elbow=1,2')).toMatch('"elbow=1,2" has 2');
     expect(await told('arms.skel', '--pin', 'elbow=1,2,x')).toMatch('found "x"');

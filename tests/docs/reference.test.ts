@@ -3,13 +3,15 @@
  * is out of date; `npm run docs` writes them.
  */
 import { expect, it } from 'vitest';
+import { type HelpPart, helpParts, usageLines } from '../../src/cli/options/help.ts';
+import type { ShellCommand } from '../../src/cli/options/shell-command.ts';
+import { COMMANDS } from '../../src/cli/run.ts';
 import { commandList } from '../../src/edit/commands/all.ts';
 import { MOUSE_GESTURES } from '../../src/ui/shell/mouse-gestures.ts';
 import { actionLabel, actionsOf } from '../../src/ui/state/action.ts';
 import { GROUPS } from '../../src/ui/state/menus.ts';
 import { shortcutText } from '../../src/ui/state/shortcuts.ts';
 import type { Action } from '../../src/ui/state/workbench.ts';
-import { command } from '../helpers/command.ts';
 import { workbench } from '../ui/builders.ts';
 
 const MADE = '<!-- Made from the code by `npm run docs`. -->';
@@ -20,7 +22,7 @@ it('the page of shortcuts has every action with a key, and every gesture of the 
 });
 
 it('the page of the command has what its help says', async () => {
-  await expect(await commandPage()).toMatchFileSnapshot(page('command'));
+  await expect(commandPage()).toMatchFileSnapshot(page('command'));
 });
 
 it('the page of script commands has the arguments of each', async () => {
@@ -69,12 +71,31 @@ ${mouse.join('\n\n')}
 `;
 }
 
-async function commandPage(): Promise<string> {
-  const { out: help } = await command(['--help']);
-  const names = [...help.matchAll(/^ {2}marrow (\w+) /gm)].map(([, name = '']) => name);
-  const parts = await Promise.all(
-    names.map(async (name) => `## ${name}\n\n\`\`\`text\n${(await command([name, '--help'])).out.trimEnd()}\n\`\`\``),
+/** Part of a command's page; tables have the terms of its help. */
+function partText(part: HelpPart): string {
+  if ('text' in part) return part.text;
+  if ('examples' in part) return `\`\`\`sh\n${part.examples.join('\n')}\n\`\`\``;
+  const { heading = 'Input', terms } = part;
+  return table(
+    [heading, ''],
+    terms.map(([term, what]) => [`\`${term}\``, what]),
   );
+}
+
+function commandSection(shellCommand: ShellCommand): string {
+  const { name, exits } = shellCommand;
+  return [
+    `## ${name}`,
+    `\`\`\`text\n${usageLines(shellCommand).join('\n')}\n\`\`\``,
+    ...helpParts(shellCommand).map(partText),
+    table(
+      ['Exit code', ''],
+      Object.entries(exits).map(([code, outcome]) => [code, outcome]),
+    ),
+  ].join('\n\n');
+}
+
+function commandPage(): string {
   return `${MADE}
 
 # The \`marrow\` command
@@ -86,21 +107,11 @@ With \`--json\` it prints JSON: angles in radians, times in seconds, matrices co
 Files are named by their paths everywhere. Outputs are written whole or not at all, also on a full disk or after a kill.
 Instead of a file a pipe will do, of up to 256 MB: \`marrow compare wasp.skel <(./mine)\`.
 
-\`\`\`sh
-marrow info wasp.skel wasp.skin
-marrow pose wasp.skel wasp.skin wasp_walk.anim --time 1.5 --vertices --json
-marrow channels wasp_walk.anim --times -1,0,0.5 --json
-marrow compare wasp.skel wasp_walk.anim mine.txt --time 1.5
-marrow convert wasp.skel wasp.skin wasp_walk.anim wasp.glb
-marrow convert take.bvh --retarget other.bvh --crop 2,10 out.bvh
-marrow review takes/ --out list.csv
-marrow export takes/ --only list.csv --to npz --out dataset/
-\`\`\`
+\`marrow COMMAND --help\` explains the options, as this page does. They are written \`--x v\` or \`--x=v\`; values may begin with
+a minus, and after \`--\` all are files. A folder or a zip stands for all files in it. Exit code 3 of any command: the
+standard output could not be written.
 
-${parts.join('\n\n')}
-
-FILE may be a folder: all files in it. Options are written \`--x v\` or \`--x=v\`; values may begin with a minus. Exit code 3
-of any command: the standard output could not be written.
+${COMMANDS.map(commandSection).join('\n\n')}
 `;
 }
 

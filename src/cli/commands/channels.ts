@@ -4,34 +4,39 @@ import { evaluateChannel, evaluateSlope } from '../../evaluate/curves.ts';
 import { resolvedSlopes } from '../../evaluate/slopes.ts';
 import { type ChannelClip, keysOf, TANGENT_KINDS } from '../../model/clip.ts';
 import { hasErrors } from '../../model/diagnostic.ts';
-import { numbersOf, parseArguments, UsageError } from '../arguments.ts';
-import { type CliCommand, FILE_EXITS } from '../io.ts';
+import { FILE_EXITS } from '../io.ts';
 import { loadAny } from '../load.ts';
+import { files } from '../options/inputs.ts';
+import { numbers } from '../options/kinds.ts';
+import { flag, option } from '../options/option.ts';
+import { shellCommand } from '../options/shell-command.ts';
 import { printJson, report } from '../report.ts';
+import { UsageError } from '../usage-error.ts';
 
-export const channels: CliCommand = {
+export const channels = shellCommand({
   name: 'channels',
-  usage: 'FILE.anim --times t,t,… [--json]',
-  summary: 'the value of each channel at each time; with --json its slopes and keys, too',
+  summary: 'Prints the value of each channel of an animation at each time.',
+  inputs: files('FILE.anim', { 'FILE.anim': 'An animation; no skeleton is needed, and no limits are enforced.' }),
+  options: {
+    times: option(numbers('T,T,…'), 'Evaluates the channels at these times, in seconds.', { isRequired: true }),
+    json: flag('Prints JSON, which also has the slopes at the times and the keys of each channel.'),
+  },
+  examples: ['marrow channels wasp_walk.anim --times -1,0,0.5 --json'],
   exits: FILE_EXITS,
-  async run(args, io) {
-    const given = parseArguments(args, { times: 'value', json: 'flag' });
-    const text = given.value('times');
-    if (text === undefined) throw new UsageError('--times is missing: --times t,t,…');
-    const times = numbersOf('times', text);
-    const { all, diagnostics } = await loadAny(given.files, io.folder);
+  async run({ inputs, options: { times, json } }, io) {
+    const { all, diagnostics } = await loadAny(inputs, io.folder);
     if (all.length !== 1 || all[0].kind !== 'anim') throw new UsageError('channels takes one .anim file.');
     report(diagnostics, io);
     const { content } = all[0];
     const clip = content?.kind === 'anim' ? content.clip : undefined;
     const values = clip ? valuesAt(clip, times) : [];
-    if (given.flag('json')) {
+    if (json) {
       const curves = clip && { slopes: slopesAt(clip, times), keys: clip.channels.map((_, c) => keysIn(clip, c)) };
       await printJson({ channels: values, times, ...curves, diagnostics }, io);
     } else await io.out(values.map((row, c) => `channel ${c}: ${row.join(' ')}\n`).join(''));
     return hasErrors(diagnostics) ? 1 : 0;
   },
-};
+});
 
 function valuesAt(clip: ChannelClip, times: readonly number[]): number[][] {
   const compiled = compileClip(clip);

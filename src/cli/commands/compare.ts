@@ -13,61 +13,84 @@ import { DEFAULT_TOLERANCE } from '../../lesson/errors.ts';
 import { type Diagnostic, hasErrors, withoutPlace } from '../../model/diagnostic.ts';
 import type { Character } from '../../model/document.ts';
 import { dumpFormat } from '../../project/readers.ts';
-import { type Arguments, numberOf, numbersOf, parseArguments, UsageError } from '../arguments.ts';
 import { withPins } from '../compare-pin.ts';
 import { comparisonJson, comparisonText } from '../compare-text.ts';
-import type { CliCommand } from '../io.ts';
 import { loadAny, openLoaded } from '../load.ts';
-import { readPin } from '../pin-argument.ts';
+import { files } from '../options/inputs.ts';
+import { type Kind, number, numbers, positive } from '../options/kinds.ts';
+import { flag, option } from '../options/option.ts';
+import { shellCommand } from '../options/shell-command.ts';
+import { PIN } from '../pin-argument.ts';
 import { printJson, report } from '../report.ts';
 
-export const compareCommand: CliCommand = {
+const TIMES = numbers('T,T,…', 1);
+/** Each once, since each names a dump or a list. */
+const DISTINCT_TIMES: Kind<readonly number[]> = {
+  ...TIMES,
+  what: `${TIMES.what}, each once`,
+  read(text, misfit) {
+    const times = TIMES.read(text, misfit);
+    return new Set(times).size < times.length ? misfit() : times;
+  },
+};
+
+export const compareCommand = shellCommand({
   name: 'compare',
-  usage: 'FILE… DUMP… [--time T | --times T,T,…] [--pin JOINT=x,y,z …] [--one-step] [--tolerance X] [--json]',
-  summary: "where another program's numbers are wrong, and the mistake that explains them",
-  details: `FILES are those of one character: .skel, .skin, .morph, .anim, or .bvh, glTF, FBX. A DUMP is what your program prints,
-as text, CSV, JSON, OBJ or PLY; names, brackets, commas, units and headings around the numbers are skipped:
-
-  matrices   12 or 16 numbers a joint, in one line or in rows, by rows or by columns; world, or headed "local"
-  points     3 numbers a joint or a vertex; normals are headed "normals"
-  channels   rows of a time and a value per channel, or "channel N" above rows of a time and a value
-
-Joints are in depth-first order, or have their name or index before their numbers: hip: …, hip (…), hip vec3(…),
-joint 7 (hip) …. A dump states its time in a line above its numbers, time 1.5, t = 1.5 s, "time": 1.5 in JSON, or at the
-end of its name, mine@1.5.txt; several times may follow each other. A dump of inverse kinematics states its target in a
-line, target hand 0.3 1.2 0, with one step where it is of one step; "targets": [{"joint": "hand", "position": [0.3, 1.2, 0]}]
-and "oneStep": true in JSON.
-
-  --time T         the time, in seconds, of dumps that state none; without it the file pose
-  --times T,T,…    the same for several times, a list of numbers or a dump for each
-  --tolerance X    how far numbers may be off, of the character's size or in radians; default ${DEFAULT_TOLERANCE}
-  --pin JOINT[@x,y,z]=x,y,z
-                   the dump is of inverse kinematics: matrices or joint positions after your solver, from the file pose (or
-                   --time T), has moved this point of a joint, by default its tip or origin, to x,y,z; any solution
-                   agrees, else the mistake is named: the wrong end effector, a step of unscaled Jᵀe; one for each target
-  --one-step       the dump is after one step of the solver, Jᵀe of any length, damped or pseudo-inverse, which also tells
-                   a Jacobian read in the wrong order, and a step in degrees
-  --json           as JSON: what was compared, what is wrong first, the causes, else the pattern of what differs
-
-For example: marrow compare wasp.skel wasp_walk.anim mine.txt --time 1.5
-             marrow compare arm.skel mine.txt --pin hand=0.3,1.2,0
-`,
+  summary: "Finds where another program's numbers are wrong, and the mistake that explains them.",
+  inputs: files('FILE… DUMP…', {
+    FILE: 'The files of one character: `.skel`, `.skin`, `.morph`, `.anim`, or `.bvh`, glTF, FBX.',
+    DUMP: 'What your program prints, as text, CSV, JSON, OBJ or PLY.',
+  }),
+  options: {
+    time: option(
+      number('T'),
+      'Sets the time, in seconds, of dumps that state none, which otherwise are of the file pose.',
+    ),
+    times: option(
+      DISTINCT_TIMES,
+      'Sets the times of dumps that state none, one after the other within a dump or one for each dump.',
+    ),
+    tolerance: option(
+      positive('X'),
+      "Allows numbers to be off by this much, as a fraction of the character's size or in radians.",
+      { default: DEFAULT_TOLERANCE },
+    ),
+    pin: option(
+      PIN,
+      'Compares with inverse kinematics: matrices or joint positions after your solver, from the file pose or that of `--time`, has moved this point of a joint, by default its tip or origin, to x,y,z.',
+      { isRepeated: true },
+    ),
+    'one-step': flag(
+      'Compares with one step of the solver, Jᵀe of any length, damped or pseudo-inverse; this also finds a Jacobian read in the wrong order and a step in degrees.',
+    ),
+    json: flag(
+      'Prints JSON: what was compared, what is wrong first, the causes, or, if none, the pattern of the errors.',
+    ),
+  },
+  exclusive: [['time', 'times']],
+  about: [
+    'Names, brackets, commas, units and headings around the numbers of a dump are skipped.',
+    {
+      heading: 'Numbers of a dump',
+      terms: {
+        matrices:
+          '12 or 16 numbers per joint, in one line or in rows, by rows or by columns; world matrices, or local ones under the heading "local".',
+        points: '3 numbers per joint or vertex; normals have the heading "normals".',
+        channels: 'Rows of a time and a value per channel, or "channel N" above rows of a time and a value.',
+      },
+    },
+    'Joints are in depth-first order, or have their name or index before their numbers: `hip: …`, `hip (…)`, `hip vec3(…)`, `joint 7 (hip) …`.',
+    'A dump states its time in a line above its numbers, `time 1.5` or `t = 1.5 s`, as `"time": 1.5` in JSON, or at the end of its name, `mine@1.5.txt`; several times may follow each other.',
+    'A dump of inverse kinematics states its target in a line, `target hand 0.3 1.2 0`, with the line "one step" if it is of one step; in JSON as `"targets": [{"joint": "hand", "position": [0.3, 1.2, 0]}]` and `"oneStep": true`. Any solution agrees; otherwise Marrow names the mistake, such as the wrong end effector or a step of unscaled Jᵀe.',
+  ],
+  examples: [
+    'marrow compare wasp.skel wasp_walk.anim mine.txt --time 1.5',
+    'marrow compare arm.skel mine.txt --pin hand=0.3,1.2,0',
+  ],
   exits: { 0: 'all agree', 1: 'numbers differ', 2: 'wrong usage, or a file is missing, has errors or does not fit' },
-  async run(args, io) {
-    const given = parseArguments(args, {
-      time: 'value',
-      times: 'value',
-      pin: 'value',
-      'one-step': 'flag',
-      tolerance: 'value',
-      json: 'flag',
-    });
-    const pins = given.values('pin').map(readPin);
-    const times = timesOf(given);
-    const toleranceText = given.value('tolerance');
-    const tolerance = toleranceText === undefined ? DEFAULT_TOLERANCE : numberOf('tolerance', toleranceText);
-    if (!(tolerance > 0)) throw new UsageError(`--tolerance takes a number above 0, not ${tolerance}.`);
-    const { document, dumps, diagnostics: opened } = openLoaded(await loadAny(given.files, io.folder, dumpFormat()));
+  async run({ inputs, options: { time, tolerance, pin: pins, 'one-step': isOneStep, json, ...options } }, io) {
+    const times = time === undefined ? (options.times ?? []) : [time];
+    const { document, dumps, diagnostics: opened } = openLoaded(await loadAny(inputs, io.folder, dumpFormat()));
     const diagnostics = [...opened];
     const named = dumps.map(({ dump, source }): NamedDump => ({ fileName: source.path, dump }));
     const { fitted, character, dumps: fittedDumps } = fitBest(document.characters, named, times, tolerance);
@@ -79,30 +102,18 @@ For example: marrow compare wasp.skel wasp_walk.anim mine.txt --time 1.5
     }
     report(diagnostics, io);
     if (hasErrors(diagnostics) || !fitted.targets || !character) {
-      if (given.flag('json')) await printJson({ diagnostics }, io);
+      if (json) await printJson({ diagnostics }, io);
       return 2;
     }
-    const targets = withPins(fitted.targets, character.skeleton, pins, given.flag('one-step'));
+    const targets = withPins(fitted.targets, character.skeleton, pins, isOneStep);
     const comparison = runToEnd(compare(character, targets, tolerance));
     const isNamed = document.characters.length > 1;
     const told = { comparison, character, isNamed, targets, dumps: fittedDumps, asked: times };
-    if (given.flag('json')) await printJson({ ...comparisonJson(told), diagnostics }, io);
+    if (json) await printJson({ ...comparisonJson(told), diagnostics }, io);
     else await io.out(comparisonText(told));
     return comparison.agrees ? 0 : 1;
   },
-};
-
-/** Of dumps that state none; empty if not given. */
-function timesOf(given: Arguments): readonly number[] {
-  const [time, times] = [given.value('time'), given.value('times')];
-  if (time !== undefined && times !== undefined) throw new UsageError('Give one of --time and --times.');
-  if (time !== undefined) return [numberOf('time', time)];
-  if (times === undefined) return [];
-  const numbers = numbersOf('times', times);
-  if (numbers.length === 0) throw new UsageError('--times takes at least one number; found none.');
-  if (new Set(numbers).size < numbers.length) throw new UsageError('--times takes each time once.');
-  return numbers;
-}
+});
 
 /** The character that the dumps fit best, or all roots of a file; else the first one, with what is wrong. */
 function fitBest(

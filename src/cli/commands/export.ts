@@ -1,71 +1,56 @@
 /** `marrow export`: takes as arrays of numbers, a file each, for programs that learn from them. */
-import { parseArguments, UsageError } from '../arguments.ts';
 import { exportGiven } from '../export/export-given.ts';
-import { type ExportFormat, FORMATS } from '../export/formats.ts';
+import { FORMAT_NAMES } from '../export/formats.ts';
 import { EDITING, SHARING } from '../export/switches.ts';
-import type { CliCommand } from '../io.ts';
+import { anyInputs } from '../options/inputs.ts';
+import { ending, positive, text } from '../options/kinds.ts';
+import { flag, option } from '../options/option.ts';
+import { shellCommand } from '../options/shell-command.ts';
 
-const NAMES = Object.keys(FORMATS);
-
-export const exportCommand: CliCommand = {
+export const exportCommand = shellCommand({
   name: 'export',
-  usage: `PATHS… --to ${NAMES.join('|')} --out DIR [options]`,
-  summary: 'the takes of files and folders as arrays of numbers, a file each, with a manifest; options: export --help',
-  details: `PATHS are motion capture, glTF, FBX, or skeletons with their animations. Each take becomes DIR/PATH.npz, at its path below
-the folder that was named, or, where that would be the same for two, below the folder that all share; several in one file
-become PATH.1.npz, PATH.2.npz. Those in walks.zip are in DIR/walks. DIR/manifest.ndjson has a line for each.
-
-what is exported
-  --to FORMAT            npz: numpy arrays; parquet, csv: a row a frame, world positions and quaternions of each joint, the
-                         rest in the file's metadata, or in a .json beside it; json: all arrays as text
-  --out DIR              made if it is not there
-  --float64              numbers in double precision; default: single
-  --raw                  the file's own unit, axes and origin; default: metres, y up, on the ground, as the file states
-                         or as guessed
-  --space FILE           takes of the skeleton in FILE have its unit, up axis and ground; default: each its own
-
-what is done before
-  --retarget FILE        onto the skeleton in FILE, a folder or zip too
-  --map FILE             joint pairs for it, lines "target,source"; default: matched by name and shape
-  --fps N                frames per second; default: the take's own, or 60 for keys at uneven times
-  --mirror               left and right exchanged, before --retarget
-  --crop FROM,TO         seconds of the take; either may be left out
-
-which takes, and where
-  --only LIST            takes of a list, but for those with the verdict bad: CSV or JSON of a review, or plain paths;
-                         without PATHS, the paths of the list
-  --files-from FILE      paths from the lines of FILE, or of the standard input for -
-  --shard I/N            part I of N: every N-th take; all parts may run at once, on any machine
-  --jobs N               threads; default: as many as cores
-  --resume               skips takes whose input, options and version are those of an earlier run
-  --force                replaces files that exist
-  --no-checks            leaves the flags out of the manifest; the checks take about a fifth of the time
-  --no-times             leaves milliseconds out of the manifest: its bytes then depend on inputs and options only
-  --json                 prints the summary as JSON
-`,
+  summary: 'Writes the takes of files and folders as arrays of numbers, a file each, with a manifest.',
+  inputs: anyInputs(['PATHS…'], {
+    PATHS: 'Motion capture, glTF, FBX, or skeletons with their animations: files, folders and zips.',
+  }),
+  options: {
+    to: option(
+      ending(FORMAT_NAMES),
+      'Writes npz, arrays of numpy; parquet or csv, a row per frame with world positions and quaternions of each joint, and the rest in the metadata or in a .json beside it; or json, all arrays as text.',
+      { isRequired: true },
+    ),
+    out: option(
+      text('DIR', 'the folder for the exported files'),
+      'Writes into this folder, which is made if it does not exist.',
+      {
+        isRequired: true,
+      },
+    ),
+    fps: option(
+      positive('N'),
+      "Samples at this many frames per second instead of the take's own, or 60 for keys at uneven times.",
+    ),
+    float64: flag('Writes numbers in double instead of single precision.'),
+    raw: flag(
+      "Keeps the file's own unit, axes and origin instead of metres, y up, on the ground, as the file states or as guessed.",
+    ),
+    force: flag('Overwrites files that exist.'),
+    'no-checks': flag('Leaves the flags out of the manifest; the checks take about a fifth of the time.'),
+    json: flag('Prints the summary as JSON.'),
+    ...EDITING,
+    ...SHARING,
+  },
+  about: [
+    'Each take becomes `DIR/PATH.npz`, at its path below the folder that was named, or, where that would be the same for two, below the folder that all share; several in one file become `PATH.1.npz`, `PATH.2.npz`. Those in `walks.zip` are in `DIR/walks`. `DIR/manifest.ndjson` has a line for each.',
+  ],
+  examples: ['marrow export takes/ --only list.csv --to npz --out dataset/'],
   exits: { 0: 'all takes were exported', 1: 'some failed; they are listed', 2: 'wrong usage' },
-  async run(args, io) {
-    const given = parseArguments(args, {
-      ...{ to: 'value', out: 'value', float64: 'flag', raw: 'flag', fps: 'value' },
-      ...{ force: 'flag', 'no-checks': 'flag', json: 'flag' },
-      ...EDITING,
-      ...SHARING,
-    });
-    const to = formatOf(given.value('to'));
-    return exportGiven(given, io, {
-      to,
-      precision: given.flag('float64') ? 'float64' : 'float32',
-      isRaw: given.flag('raw'),
-      isChecked: !given.flag('no-checks'),
+  run({ inputs, options }, io) {
+    return exportGiven(inputs, options, io, {
+      to: options.to,
+      precision: options.float64 ? 'float64' : 'float32',
+      isRaw: options.raw,
+      isChecked: !options['no-checks'],
     });
   },
-};
-
-function formatOf(text: string | undefined): ExportFormat {
-  const known = NAMES.join(', ');
-  if (text === undefined) throw new UsageError(`--to is missing: one of ${known}.`);
-  const name = text.replace(/^\./, '').toLowerCase();
-  const isFormat = (each: string): each is ExportFormat => Object.hasOwn(FORMATS, each);
-  if (!isFormat(name)) throw new UsageError(`--to takes one of ${known}, found "${text}".`);
-  return name;
-}
+});

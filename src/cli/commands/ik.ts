@@ -13,40 +13,50 @@ import { dofCountOf, poseAt } from '../../evaluate/pose.ts';
 import { hasErrors } from '../../model/diagnostic.ts';
 import type { Character } from '../../model/document.ts';
 import { jointDofCount, rootDofCount } from '../../model/dofs.ts';
-import { numbersOf, parseArguments, UsageError } from '../arguments.ts';
-import { type CliCommand, FILE_EXITS } from '../io.ts';
+import { FILE_EXITS } from '../io.ts';
 import { loadAny, openLoaded } from '../load.ts';
-import { type AskedPin, readPin, resolvePin } from '../pin-argument.ts';
+import { files } from '../options/inputs.ts';
+import { numbers } from '../options/kinds.ts';
+import { flag, option } from '../options/option.ts';
+import { shellCommand } from '../options/shell-command.ts';
+import { type AskedPin, PIN, resolvePin } from '../pin-argument.ts';
 import { printJson, report } from '../report.ts';
+import { UsageError } from '../usage-error.ts';
 
-export const ik: CliCommand = {
+export const ik = shellCommand({
   name: 'ik',
-  usage: 'FILE.skel --pin JOINT[@x,y,z]=x,y,z[,weight] … [--dofs v,v,…] [--free-root] [--json]',
-  summary: 'the pose that moves points on joints (a name or #index; by default tip or origin) to their targets',
+  summary: 'Solves for the pose that moves points of joints to their targets, or as close as possible.',
+  inputs: files('FILE.skel', { 'FILE.skel': 'A skeleton, or another file with one.' }),
+  options: {
+    pin: option(
+      PIN,
+      'Moves a point of a joint, by default its tip or origin, to x,y,z; the joint is a name or `#index`, and pins with more weight come closer when not all can be reached.',
+      { isRequired: true, isRepeated: true },
+    ),
+    dofs: option(numbers('v,v,…'), 'Starts from these values of all joint DOFs instead of the file pose.'),
+    'free-root': flag('Lets the root move as well.'),
+    json: flag('Prints the pose as JSON, with the distance left at each pin.'),
+  },
+  examples: ['marrow ik arm.skel --pin hand=0.3,1.2,0'],
   exits: FILE_EXITS,
-  async run(args, io) {
-    const given = parseArguments(args, { pin: 'value', dofs: 'value', 'free-root': 'flag', json: 'flag' });
-    const asked = given.values('pin').map(readPin);
-    if (asked.length === 0) throw new UsageError('ik needs at least one pin: --pin JOINT=x,y,z');
-    const dofs = given.value('dofs');
-    const start = dofs === undefined ? undefined : numbersOf('dofs', dofs);
-    const opened = openLoaded(await loadAny(given.files, io.folder));
+  async run({ inputs, options: { pin: asked, dofs: start, 'free-root': isRootFree, json } }, io) {
+    const opened = openLoaded(await loadAny(inputs, io.folder));
     const { diagnostics } = opened;
     report(diagnostics, io);
     const posable = opened.document.characters.filter((character) => character.skeleton);
     if (hasErrors(diagnostics) && posable.length !== 1) {
-      if (given.flag('json')) await printJson({ diagnostics }, io);
+      if (json) await printJson({ diagnostics }, io);
       return 1;
     }
     const [character, another] = posable;
     if (!character) throw new UsageError('ik needs a file with a skeleton; these have none.');
     if (another) throw new UsageError(`ik takes one character; these files have ${posable.length}.`);
-    const posed = poseWithPins(character, asked, start, given.flag('free-root'));
-    if (given.flag('json')) await printJson({ ...posed, diagnostics }, io);
+    const posed = poseWithPins(character, asked, start, isRootFree);
+    if (json) await printJson({ ...posed, diagnostics }, io);
     else await io.out(asText(posed));
     return hasErrors(diagnostics) ? 1 : 0;
   },
-};
+});
 
 interface Posed {
   /** Of all joints, in the order that `marrow pose --dofs` takes. */

@@ -2,36 +2,42 @@
 import { hasErrors } from '../../model/diagnostic.ts';
 import type { Character, Document } from '../../model/document.ts';
 import { factsOf } from '../../project/kinds.ts';
-import { parseArguments } from '../arguments.ts';
-import { type CliCommand, FILE_EXITS } from '../io.ts';
+import { FILE_EXITS } from '../io.ts';
 import { type LoadedFile, loadAny, nothingRead, openLoaded, withoutSkeleton } from '../load.ts';
+import { ANY_FILE, files } from '../options/inputs.ts';
+import { flag } from '../options/option.ts';
+import { shellCommand } from '../options/shell-command.ts';
 import { printJson, report } from '../report.ts';
 
-export const info: CliCommand = {
+export const info = shellCommand({
   name: 'info',
-  usage: 'FILE… [--json]',
-  summary: 'what files contain, their problems, and which belong together',
+  summary: 'Lists what files contain, their problems, and which belong together.',
+  inputs: files('FILE…', { FILE: ANY_FILE }),
+  options: { json: flag('Prints files, characters and problems as JSON.') },
+  examples: ['marrow info wasp.skel wasp.skin'],
   exits: FILE_EXITS,
-  async run(args, io) {
-    const given = parseArguments(args, { json: 'flag' });
-    const loaded = await loadAny(given.files, io.folder);
+  async run({ inputs, options: { json } }, io) {
+    const loaded = await loadAny(inputs, io.folder);
     const opened = openLoaded(loaded);
     const diagnostics = [
       ...opened.diagnostics,
       ...withoutSkeleton(opened.document.characters),
       // A folder counts by its content.
-      ...nothingRead(loaded, given.files),
+      ...nothingRead(loaded, inputs),
     ];
     report(diagnostics, io);
-    const files = loaded.all.map(describeFile);
-    if (given.flag('json')) {
+    const described = loaded.all.map(describeFile);
+    if (json) {
       const { document } = opened;
       const unused = document.unused.map(({ file, why }) => ({ name: file.source.path, why }));
-      await printJson({ files, characters: document.characters.map(describeCharacter), unused, diagnostics }, io);
-    } else if (files.length > 0) await io.out(asText(files, opened.document));
+      await printJson(
+        { files: described, characters: document.characters.map(describeCharacter), unused, diagnostics },
+        io,
+      );
+    } else if (described.length > 0) await io.out(asText(described, opened.document));
     return hasErrors(diagnostics) ? 1 : 0;
   },
-};
+});
 
 interface FileFacts {
   /** With folders: a class hands in many files of one name. */

@@ -2,29 +2,32 @@
 import { existsSync } from 'node:fs';
 import { join, resolve } from 'node:path';
 import { testKit } from '../../kit/kit.ts';
-import { parseArguments, UsageError } from '../arguments.ts';
-import type { CliCommand } from '../io.ts';
+import { oneFolder } from '../options/inputs.ts';
+import { flag } from '../options/option.ts';
+import { shellCommand } from '../options/shell-command.ts';
 import { printJson } from '../report.ts';
 import { writeInFolder } from '../write-output.ts';
 
-export const kit: CliCommand = {
+export const kit = shellCommand({
   name: 'kit',
-  usage: 'OUT [--force] [--json]',
-  summary: 'writes small test files that tell known mistakes apart, with their answers, into the folder OUT',
+  summary: 'Writes small test files that tell known mistakes apart, with their answers, into a folder.',
+  inputs: oneFolder('OUT', 'folder to write to', 'The folder for the files; it is made if it does not exist.'),
+  options: {
+    force: flag('Overwrites files of the kit that exist.'),
+    json: flag('Prints the names of the written files as JSON.'),
+  },
+  examples: ['marrow kit kit/'],
   exits: {
     0: 'all files were written',
     1: 'a file of the kit is there already',
     2: 'wrong usage',
     3: 'a file could not be written',
   },
-  async run(args, io) {
-    const given = parseArguments(args, { force: 'flag', json: 'flag' });
-    const [out, ...others] = given.files;
-    if (out === undefined || others.length > 0) throw new UsageError('kit takes one folder to write to.');
+  async run({ inputs: out, options: { force, json } }, io) {
     const folder = resolve(io.folder, out);
     const files = testKit();
     const there = [...files.keys()].filter((name) => existsSync(join(folder, name)));
-    if (there.length > 0 && !given.flag('force')) {
+    if (there.length > 0 && !force) {
       io.err(`marrow: ${there.join(', ')} in ${out} ${there.length === 1 ? 'exists' : 'exist'}; --force replaces.\n`);
       return 1;
     }
@@ -33,11 +36,11 @@ export const kit: CliCommand = {
       io.err(`marrow: ${failure}.\n`);
       return 3;
     }
-    if (given.flag('json')) await printJson({ written: [...files.keys()].map((name) => `${out}/${name}`) }, io);
+    if (json) await printJson({ written: [...files.keys()].map((name) => `${out}/${name}`) }, io);
     else await io.out(`${[...files.keys()].map((name) => `${out}/${name}\n`).join('')}`);
     return 0;
   },
-};
+});
 
 /** @returns why a file could not be written */
 function writeAll(folder: string, files: ReadonlyMap<string, string>): string | undefined {

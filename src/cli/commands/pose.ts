@@ -15,38 +15,49 @@ import { type Character, shownClip, shownSkin } from '../../model/document.ts';
 import { jointDofCount, rootDofCount } from '../../model/dofs.ts';
 import { jointTypeOf } from '../../model/joint-types.ts';
 import { refusal } from '../../project/save/conversion.ts';
-import { type Arguments, numberOf, numbersOf, parseArguments, UsageError } from '../arguments.ts';
-import { type CliCommand, FILE_EXITS } from '../io.ts';
+import { FILE_EXITS } from '../io.ts';
 import { loadAny, nothingRead, openLoaded, withoutSkeleton } from '../load.ts';
+import { ANY_FILE, files } from '../options/inputs.ts';
+import { number, numbers, point, whole } from '../options/kinds.ts';
+import { flag, type OptionValues, option } from '../options/option.ts';
+import { shellCommand } from '../options/shell-command.ts';
 import { printJson, report } from '../report.ts';
+import { UsageError } from '../usage-error.ts';
 
-export const pose: CliCommand = {
+const POSE = {
+  time: option(number('T'), 'Poses the character at this time of its take, in seconds, instead of in the file pose.'),
+  frame: option(whole('N'), 'Poses the character at this frame of motion capture, counted from 0.'),
+  root: option(point('x,y,z'), 'Sets the root translation.'),
+  dofs: option(numbers('v,v,…'), 'Sets all joint DOFs, in the order of the skeleton, angles in radians.'),
+  morphs: option(numbers('w,w,…'), 'Sets the weights of all morphs.'),
+};
+
+export const pose = shellCommand({
   name: 'pose',
-  usage:
-    'FILE… [--time T | --times T,T,… | --frame N] [--root x,y,z] [--dofs v,v,…] [--morphs w,w,…] [--vertices] [--json]',
-  summary: 'joints and vertices in a pose or at times of the animation; --json: W, L, W·B⁻¹ of each joint',
+  summary: 'Prints joints and vertices in a pose or at times of a take.',
+  inputs: files('FILE…', { FILE: ANY_FILE }),
+  options: {
+    ...POSE,
+    times: option(numbers('T,T,…', 1), 'Poses the character at each of these times, in seconds.'),
+    vertices: flag('Prints the vertices of the skin too, with their normals.'),
+    json: flag('Prints JSON, which also has the local matrix L and the skinning matrix W·B⁻¹ of each joint.'),
+  },
+  exclusive: [['time', 'times', 'frame']],
+  about: [
+    'The pose is the file pose, then that of the take, then the values that are set, each overriding those before; limits are enforced.',
+  ],
+  examples: ['marrow pose wasp.skel wasp.skin wasp_walk.anim --time 1.5 --vertices --json'],
   exits: FILE_EXITS,
-  async run(args, io) {
-    const given = parseArguments(args, {
-      time: 'value',
-      times: 'value',
-      frame: 'value',
-      root: 'value',
-      dofs: 'value',
-      morphs: 'value',
-      vertices: 'flag',
-      json: 'flag',
-    });
-    const asked = readAsked(given);
-    const times = readTimes(given);
-    const loaded = await loadAny(given.files, io.folder);
+  async run({ inputs, options }, io) {
+    const { times, vertices, json, ...asked } = options;
+    const loaded = await loadAny(inputs, io.folder);
     const opened = openLoaded(loaded);
     const { characters } = opened.document;
     const diagnostics = [
       ...opened.diagnostics,
       ...withoutSkeleton(characters),
-      ...nothingRead(loaded, given.files),
-      ...(loaded.files.length > 0 && characters.length === 0 ? [withoutCharacter(given.files)] : []),
+      ...nothingRead(loaded, inputs),
+      ...(loaded.files.length > 0 && characters.length === 0 ? [withoutCharacter(inputs)] : []),
     ];
     // Reported first: a broken file explains why a list doesn't match.
     report(diagnostics, io);
@@ -57,9 +68,9 @@ export const pose: CliCommand = {
     const fitting = characters.filter((c) => fits(c, asked));
     const frames = (times ?? [asked.time]).map((time) => ({
       ...(time !== undefined && { time }),
-      characters: fitting.map((c) => poseCharacter(c, { ...asked, time }, given.flag('vertices'))),
+      characters: fitting.map((c) => poseCharacter(c, { ...asked, time }, vertices)),
     }));
-    if (given.flag('json')) await printJson({ ...(times ? { frames } : frames[0]), diagnostics }, io);
+    if (json) await printJson({ ...(times ? { frames } : frames[0]), diagnostics }, io);
     else {
       for (const { time, characters: posed } of frames) {
         if (times) await io.out(`time ${time}\n`);
@@ -68,56 +79,15 @@ export const pose: CliCommand = {
     }
     return hasErrors(diagnostics) ? 1 : 0;
   },
-};
+});
 
 function withoutCharacter(files: readonly string[]): Diagnostic {
   const message = 'Expected a skeleton, a skin or an animation, found none that could be opened.';
   return refusal('character-missing', message, files.join(' '));
 }
 
-/** Undefined: not given, so left to the animation or the files. */
-interface Asked {
-  readonly time: number | undefined;
-  /** Sample index, from 0. */
-  readonly frame: number | undefined;
-  readonly root: readonly number[] | undefined;
-  readonly dofs: readonly number[] | undefined;
-  readonly morphs: readonly number[] | undefined;
-}
-
-function readAsked(given: Arguments): Asked {
-  const list = (name: string) => {
-    const text = given.value(name);
-    return text === undefined ? undefined : numbersOf(name, text);
-  };
-  const time = given.value('time');
-  const frameText = given.value('frame');
-  const frame = frameText === undefined ? undefined : numberOf('frame', frameText);
-  if (time !== undefined && frame !== undefined) throw new UsageError('Give either --time or --frame, not both.');
-  if (frame !== undefined && !Number.isInteger(frame))
-    throw new UsageError(`--frame takes a whole number, not ${frame}.`);
-  const root = list('root');
-  if (root && root.length !== 3) throw new UsageError(`--root takes 3 numbers, x,y,z; found ${root.length}.`);
-  return {
-    time: time === undefined ? undefined : numberOf('time', time),
-    frame,
-    root,
-    dofs: list('dofs'),
-    morphs: list('morphs'),
-  };
-}
-
-/** Several times, each a frame of the result. */
-function readTimes(given: Arguments): readonly number[] | undefined {
-  const text = given.value('times');
-  if (text === undefined) return undefined;
-  if (given.value('time') !== undefined || given.value('frame') !== undefined) {
-    throw new UsageError('Give one of --time, --times and --frame.');
-  }
-  const times = numbersOf('times', text);
-  if (times.length === 0) throw new UsageError('--times takes at least one number; found none.');
-  return times;
-}
+/** Undefined: not given, so left to the take or the files. */
+type Asked = OptionValues<typeof POSE>;
 
 /** A list applies to every character with such DOFs; a list of another length is an error. */
 function checkCounts(characters: readonly Character[], { dofs, morphs }: Asked): void {

@@ -11,35 +11,43 @@ import { type ListedTake, listedTake, type TakeFacts } from '../../review/list.t
 import { matchPaths } from '../../review/match-paths.ts';
 import { takeFacts } from '../../review/take-facts.ts';
 import { listAsCsv, listAsJson } from '../../review/write-list.ts';
-import { parseArguments, UsageError } from '../arguments.ts';
-import type { CliCommand, CommandIo } from '../io.ts';
+import type { CommandIo } from '../io.ts';
 import { findFiles, loadFound, openLoaded } from '../load.ts';
+import { ANY_FILE, files } from '../options/inputs.ts';
+import { type Kind, text } from '../options/kinds.ts';
+import { flag, option } from '../options/option.ts';
+import { shellCommand } from '../options/shell-command.ts';
 import { report } from '../report.ts';
 import { takeListOf } from '../take-list.ts';
 import { openedTogether } from '../together.ts';
 import { writeOutput } from '../write-output.ts';
 
-export const review: CliCommand = {
+/** The name of a list to be written. */
+const LIST_NAME: Kind<string> = {
+  placeholder: 'LIST.csv|LIST.json',
+  what: 'a name that ends in .csv or .json',
+  read: (name, misfit) => (/\.(csv|json)$/i.test(name) ? name : misfit()),
+};
+
+export const review = shellCommand({
   name: 'review',
-  usage: 'FILE… [--list LIST] [--out LIST.csv|LIST.json] [--json]',
-  summary:
-    'lists takes with what looks wrong in them, as CSV; --list keeps the verdicts, stars, tags and notes of a list',
+  summary: 'Lists takes with what looks wrong in them, as CSV.',
+  inputs: files('FILE…', { FILE: ANY_FILE }),
+  options: {
+    list: option(text('LIST', 'a file'), 'Keeps the verdicts, stars, tags and notes of this list, CSV or JSON.'),
+    out: option(LIST_NAME, 'Writes the list into this file instead of printing it.'),
+    json: flag('Writes the list as JSON, whatever the file is called.'),
+  },
+  examples: ['marrow review takes/ --out list.csv'],
   exits: {
     0: 'all files were read',
     1: 'a file has errors or is missing',
     2: 'wrong usage',
     3: 'the list could not be written',
   },
-  async run(args, io) {
-    const given = parseArguments(args, { list: 'value', out: 'value', json: 'flag' });
-    if (given.files.length === 0) throw new UsageError('Give at least one file.');
-    const out = given.value('out');
-    if (out !== undefined && !/\.(csv|json)$/i.test(out)) {
-      throw new UsageError(`--out takes a name that ends in .csv or .json; found "${out}".`);
-    }
-    const list = given.value('list');
+  async run({ inputs, options: { list, out, json } }, io) {
     const before = list === undefined ? [] : takeListOf(list, 'list', io);
-    const { takes, diagnostics } = await takesIn(given.files, io);
+    const { takes, diagnostics } = await takesIn(inputs, io);
     const known = matchPaths(
       before,
       takes.map(({ path }) => path),
@@ -48,11 +56,11 @@ export const review: CliCommand = {
       const { verdict, stars, tags, notes } = known.get(take.path) ?? NO_REVIEW;
       return { ...take, verdict, stars, tags, notes };
     });
-    const asJson = given.flag('json') || out?.toLowerCase().endsWith('.json');
-    const text = asJson ? listAsJson(listed) : listAsCsv(listed);
-    if (out === undefined) await io.out(text);
+    const asJson = json || out?.toLowerCase().endsWith('.json');
+    const content = asJson ? listAsJson(listed) : listAsCsv(listed);
+    if (out === undefined) await io.out(content);
     else {
-      const written = writeOutput(resolve(io.folder, out), [text]);
+      const written = writeOutput(resolve(io.folder, out), [content]);
       if ('failure' in written) {
         io.err(`marrow: ${out} could not be written: ${written.failure}.\n`);
         return 3;
@@ -60,7 +68,7 @@ export const review: CliCommand = {
     }
     return hasErrors(diagnostics) ? 1 : 0;
   },
-};
+});
 
 async function takesIn(args: readonly string[], io: CommandIo) {
   const { files, problems } = findFiles(args, io.folder);

@@ -2,25 +2,39 @@
 import { mkdirSync } from 'node:fs';
 import { resolve } from 'node:path';
 import { CommandError } from '../../edit/command-error.ts';
-import { type Arguments, UsageError } from '../arguments.ts';
 import type { CommandIo, ExitCode } from '../io.ts';
+import type { OptionValues } from '../options/option.ts';
 import { findGiven } from '../paths.ts';
 import { reasonOf } from '../reason.ts';
 import { printJson } from '../report.ts';
+import { UsageError } from '../usage-error.ts';
 import { exportTakes } from './export-takes.ts';
 import { inputsOf } from './inputs.ts';
 import type { ExportSettings } from './settings.ts';
-import { editingOf, jobsOf, positive, shardOf } from './switches.ts';
+import { type EDITING, editingOf, type SHARING } from './switches.ts';
 import { loadTarget } from './target.ts';
 import { timeLeft } from './time-left.ts';
 
 /** What the commands say differently. */
 export type OwnSettings = Pick<ExportSettings, 'to' | 'precision' | 'isRaw' | 'isChecked' | 'tolerance'>;
 
-/** @throws UsageError before anything is written */
-export async function exportGiven(given: Arguments, io: CommandIo, own: OwnSettings): Promise<ExitCode> {
+/** The options that the commands share. */
+export interface ExportOptions extends OptionValues<typeof EDITING>, OptionValues<typeof SHARING> {
+  readonly out: string;
+  readonly fps: number | undefined;
+  readonly force: boolean;
+  readonly json: boolean;
+}
+
+/** @param given files and folders, as arguments @throws UsageError before anything is written */
+export async function exportGiven(
+  given: readonly string[],
+  options: ExportOptions,
+  io: CommandIo,
+  own: OwnSettings,
+): Promise<ExitCode> {
   try {
-    return await exportAll(given, io, own);
+    return await exportAll(given, options, io, own);
   } catch (error) {
     if (!(error instanceof CommandError)) throw error;
     io.progress?.('');
@@ -38,15 +52,15 @@ function makeFolder(out: string, folder: string): void {
   }
 }
 
-async function exportAll(given: Arguments, io: CommandIo, own: OwnSettings): Promise<ExitCode> {
-  const out = given.value('out');
-  if (out === undefined) throw new UsageError('--out is missing: the folder for the exported files.');
-  const editing = editingOf(given);
-  const { retarget = [], map, space } = editing;
-  const fps = positive(given, 'fps');
-  const [shard, threads] = [shardOf(given), jobsOf(given)];
-  const resumes = given.flag('resume');
-  const { inputs, parts } = await inputsOf(given, io);
+async function exportAll(
+  given: readonly string[],
+  options: ExportOptions,
+  io: CommandIo,
+  own: OwnSettings,
+): Promise<ExitCode> {
+  const { out, fps, force, json, retarget, map, space, shard, jobs: threads, resume: resumes } = options;
+  const editing = editingOf(options);
+  const { inputs, parts } = await inputsOf(given, options, io);
   // Also by each thread; here so that a wrong file is told before anything is written.
   await loadTarget(editing, io.folder);
   makeFolder(out, io.folder);
@@ -58,8 +72,8 @@ async function exportAll(given: Arguments, io: CommandIo, own: OwnSettings): Pro
         ...own,
         ...{ folder: io.folder, out: resolve(io.folder, out), parts },
         ...(fps !== undefined && { fps }),
-        replaces: resumes || given.flag('force'),
-        isTimed: !given.flag('no-times'),
+        replaces: resumes || force,
+        isTimed: !options['no-times'],
       },
       ...{ inputs, shard, resumes, threads },
       dependsOn: findGiven(
@@ -79,7 +93,7 @@ async function exportAll(given: Arguments, io: CommandIo, own: OwnSettings): Pro
       `marrow: ${stale.length} output${s} of earlier runs ${verb} no longer listed, and ${verb} still there: ${few(stale)}.\n`,
     );
   }
-  if (given.flag('json')) await printJson(summary, io);
+  if (json) await printJson(summary, io);
   else {
     const part = shard ? `part ${shard.index} of ${shard.count}: ` : '';
     const nothing = written === 0 && failures.length === 0;

@@ -49,3 +49,6 @@ export const FORMATS = {
 } as const satisfies Readonly<Record<string, ExportWriter>>;
 
 export type ExportFormat = keyof typeof FORMATS;
+
+// The type of an object's keys is not that of its own ones, which these are.
+export const FORMAT_NAMES = Object.keys(FORMATS) as readonly ExportFormat[];

@@ -2,21 +2,26 @@
 import { resolve } from 'node:path';
 import type { ListedTake } from '../../review/list.ts';
 import { matchPaths } from '../../review/match-paths.ts';
-import { type Arguments, UsageError } from '../arguments.ts';
 import type { CommandIo } from '../io.ts';
+import type { OptionValues } from '../options/option.ts';
 import { fileText } from '../read-file.ts';
 import { reasonOf } from '../reason.ts';
 import { takeListOf } from '../take-list.ts';
+import { UsageError } from '../usage-error.ts';
 import { zipOf } from '../zips.ts';
+import type { SHARING } from './switches.ts';
 import { type TakeInput, type TakeInputs, takeInputs } from './take-inputs.ts';
 
-/** @throws UsageError if there are none */
-export async function inputsOf(given: Arguments, io: CommandIo): Promise<TakeInputs> {
-  const only = given.value('only');
+/** @param given files and folders, as arguments @throws UsageError if there are none */
+export async function inputsOf(
+  given: readonly string[],
+  { only, 'files-from': from }: OptionValues<typeof SHARING>,
+  io: CommandIo,
+): Promise<TakeInputs> {
   const list = only === undefined ? undefined : takeListOf(only, 'only', io);
   const wanted = list?.filter(isWanted);
   if (wanted?.length === 0) throw new UsageError(`--only: all takes of ${only} have the verdict bad.`);
-  const named = await pathsOf(given, io);
+  const named = await pathsOf(given, from, io);
   const listed = wanted && new Set(wanted.map(({ path }) => zipOf(path, io.folder)));
   const paths = named.length === 0 && listed ? [...listed] : named;
   if (paths.length === 0) throw new UsageError('Give files or folders with takes, --files-from or --only.');
@@ -51,14 +56,13 @@ function listedIn(inputs: readonly TakeInput[], list: readonly ListedTake[], nam
 }
 
 /** The paths given as arguments and by `--files-from`: lines of a file, or of the standard input for `-`. */
-async function pathsOf(given: Arguments, io: CommandIo): Promise<readonly string[]> {
-  const from = given.value('files-from');
-  if (from === undefined) return given.files;
+async function pathsOf(given: readonly string[], from: string | undefined, io: CommandIo): Promise<readonly string[]> {
+  if (from === undefined) return given;
   const listed = from === '-' ? await io.input?.() : textOf(resolve(io.folder, from), from);
   // `find -print0` separates names by zeros, since they may contain line ends.
   const names = (listed ?? '').split(listed?.includes('\0') ? '\0' : /\r?\n/).filter((name) => name !== '');
   if (names.length === 0) throw new UsageError(`--files-from ${from}: expected a path in each line, found none.`);
-  return [...given.files, ...names];
+  return [...given, ...names];
 }
 
 function textOf(path: string, name: string): string {

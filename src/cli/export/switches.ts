@@ -1,42 +1,23 @@
-/** Switches that say which takes are meant and what is done to them, of `export` and `convert`. */
+/** Options that say which takes are meant and what is done to them, of `export` and `convert`. */
 import type { Crop, TakeOptions } from '../../dataset/take.ts';
-import { type Arguments, numberOf, type OptionTypes, UsageError } from '../arguments.ts';
+import { type Kind, number, text, whole } from '../options/kinds.ts';
+import { flag, type Options, type OptionValues, option, section } from '../options/option.ts';
 import type { TargetFiles } from './target.ts';
 
-/** What is done to takes before they are written. */
-export const EDITING = { retarget: 'value', map: 'value', space: 'value', mirror: 'flag', crop: 'value' } as const;
+const SECONDS = number('T');
 
-/** Which takes are meant, and how the work is shared. */
-export const SHARING = {
-  only: 'value',
-  'files-from': 'value',
-  shard: 'value',
-  jobs: 'value',
-  resume: 'flag',
-  'no-times': 'flag',
-} as const;
-
-/** The first of these options that is given; undefined if none is. */
-export function firstGiven(given: Arguments, types: OptionTypes): string | undefined {
-  return Object.keys(types).find((name) =>
-    types[name] === 'flag' ? given.flag(name) : given.value(name) !== undefined,
-  );
-}
-
-/** What takes are edited by, with the target as its files. @throws UsageError */
-export function editingOf(given: Arguments): TargetFiles & Pick<TakeOptions, 'crop' | 'isMirrored'> {
-  const [map, space] = ['map', 'space'].map((name) => given.value(name));
-  const retarget = given.values('retarget');
-  if (map !== undefined && retarget.length === 0) throw new UsageError('--map needs --retarget.');
-  const crop = cropOf(given);
-  return {
-    ...(retarget.length > 0 && { retarget }),
-    ...(map !== undefined && { map }),
-    ...(space !== undefined && { space }),
-    ...(crop && { crop }),
-    isMirrored: given.flag('mirror'),
-  };
-}
+/** Seconds, of which either may be left out. */
+const CROP: Kind<Crop> = {
+  placeholder: 'FROM,TO',
+  what: 'two times, FROM,TO, in seconds, the earlier one first',
+  read(given, misfit) {
+    const parts = given.split(',');
+    if (parts.length !== 2) return misfit();
+    const [from, to] = parts.map((part) => (part.trim() === '' ? undefined : SECONDS.read(part, () => misfit())));
+    if (from !== undefined && to !== undefined && from > to) return misfit();
+    return { ...(from !== undefined && { from }), ...(to !== undefined && { to }) };
+  },
+};
 
 /** One of several processes that share a list: number `index`, from 1, of `count`. */
 export interface Shard {
@@ -44,50 +25,86 @@ export interface Shard {
   readonly count: number;
 }
 
-/** @throws UsageError unless it is greater than 0 */
-export function positive(given: Arguments, name: string): number | undefined {
-  const text = given.value(name);
-  const value = text === undefined ? undefined : numberOf(name, text);
-  if (value !== undefined && !(value > 0)) throw new UsageError(`--${name} must be greater than 0, found ${value}.`);
-  return value;
-}
-
-/** `--crop FROM,TO`: seconds, either of which may be left out. @throws UsageError */
-function cropOf(given: Arguments): Crop | undefined {
-  const text = given.value('crop');
-  if (text === undefined) return undefined;
-  const parts = text.split(',');
-  if (parts.length !== 2) throw new UsageError(`--crop takes two times, FROM,TO, in seconds; found "${text}".`);
-  const [from, to] = parts.map((part) => (part.trim() === '' ? undefined : numberOf('crop', part)));
-  if (from !== undefined && to !== undefined && from > to) {
-    throw new UsageError(`--crop takes an earlier and a later time, found ${from} and ${to}.`);
-  }
-  return { ...(from !== undefined && { from }), ...(to !== undefined && { to }) };
-}
-
-/** `--shard i/n`. @throws UsageError */
-export function shardOf(given: Arguments): Shard | undefined {
-  const text = given.value('shard');
-  if (text === undefined) return undefined;
-  const [, i, n] = /^(\d+)\/(\d+)$/.exec(text.trim()) ?? [];
-  const [index, count] = [Number(i), Number(n)];
-  if (!(index >= 1 && index <= count)) {
-    throw new UsageError(`--shard takes a part and their number, 1/4 to 4/4 for four; found "${text}".`);
-  }
-  return { index, count };
-}
+const SHARD: Kind<Shard> = {
+  placeholder: 'I/N',
+  what: 'a part and their number, such as 1/4 to 4/4 for four',
+  read(given, misfit) {
+    const [, i, n] = /^(\d+)\/(\d+)$/.exec(given.trim()) ?? [];
+    const [index, count] = [Number(i), Number(n)];
+    return index >= 1 && index <= count ? { index, count } : misfit();
+  },
+};
 
 /** More than machines have cores; each takes some 50 MB. */
 const MAX_THREADS = 512;
 
-/** `--jobs N`: number of threads. @throws UsageError */
-export function jobsOf(given: Arguments): number | undefined {
-  const jobs = positive(given, 'jobs');
-  if (jobs !== undefined && jobs > MAX_THREADS) {
-    throw new UsageError(`--jobs takes a number up to ${MAX_THREADS}, found ${jobs}.`);
-  }
-  if (jobs !== undefined && !Number.isInteger(jobs)) throw new UsageError(`--jobs takes a whole number, not ${jobs}.`);
-  return jobs;
+/** What is done to takes before they are written. */
+export const EDITING = section('What is done to takes before they are written', {
+  retarget: option(
+    text('FILE', 'a file'),
+    'Retargets takes to the character in this file, folder or zip; if it is in several files, name each.',
+    { isRepeated: true },
+  ),
+  map: option(
+    text('FILE', 'a file'),
+    'Pairs joints for retargeting by the lines "target,source" of this file instead of by name and shape.',
+    { needs: 'retarget' },
+  ),
+  space: option(
+    text('FILE', 'a file'),
+    'Gives takes of the skeleton in this file its unit, up axis and ground; otherwise each take has its own.',
+  ),
+  mirror: flag('Swaps left and right, before retargeting.'),
+  crop: option(CROP, 'Keeps these seconds of each take; either time may be left out.'),
+});
+
+/** Which takes are meant, and how the work is shared. */
+export const SHARING = section('Which takes, and how the work is shared', {
+  only: option(
+    text('LIST', 'a list of takes'),
+    'Takes those of a list that do not have the verdict bad: CSV or JSON of a review, or paths; without inputs, the paths of the list are the inputs.',
+    { needs: 'to' },
+  ),
+  'files-from': option(
+    text('FILE', 'a file, or - for the standard input'),
+    'Reads paths of inputs from the lines of this file, or of the standard input for -.',
+    { needs: 'to' },
+  ),
+  shard: option(SHARD, 'Does part I of N, every N-th take; all parts may run at the same time, on any machine.', {
+    needs: 'to',
+  }),
+  jobs: option(whole('N', 1, MAX_THREADS), 'Runs this many threads instead of as many as there are cores.', {
+    needs: 'to',
+  }),
+  resume: flag('Skips takes whose input, options and version are those of an earlier run.', { needs: 'to' }),
+  'no-times': flag('Leaves milliseconds out of the manifest, so that its bytes depend on inputs and options only.', {
+    needs: 'to',
+  }),
+});
+
+/** The first of these options that is given; undefined if none is. */
+export function firstGiven(values: Readonly<Record<string, unknown>>, options: Options): string | undefined {
+  return Object.keys(options).find((name) => {
+    const value = values[name];
+    return Array.isArray(value) ? value.length > 0 : value !== undefined && value !== false;
+  });
+}
+
+/** What takes are edited by, with the target as its files. */
+export function editingOf({
+  retarget,
+  map,
+  space,
+  crop,
+  mirror: isMirrored,
+}: OptionValues<typeof EDITING>): TargetFiles & Pick<TakeOptions, 'crop' | 'isMirrored'> {
+  return {
+    ...(retarget.length > 0 && { retarget }),
+    ...(map !== undefined && { map }),
+    ...(space !== undefined && { space }),
+    ...(crop && { crop }),
+    isMirrored,
+  };
 }
 
 /** The items of one part: every n-th, so that large and small ones are spread over all. */

@@ -8,9 +8,9 @@
 import { dirname, extname, relative, resolve, sep } from 'node:path';
 import { isBuffer, openingOf } from '../../project/kinds.ts';
 import { formatOf } from '../../project/readers.ts';
-import { UsageError } from '../arguments.ts';
 import { findGiven, type GivenPath, isFolder } from '../paths.ts';
 import { groupsIn, isWhole } from '../together.ts';
+import { UsageError } from '../usage-error.ts';
 import { unpackedPath, withZipsUnpacked } from '../zips.ts';
 
 /** A file with a take, or with several. */

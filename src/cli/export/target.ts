@@ -7,12 +7,12 @@ import { CommandError } from '../../edit/command-error.ts';
 import type { Character } from '../../model/document.ts';
 import { skeletonKey } from '../../model/skeleton-key.ts';
 import type { Space } from '../../model/space.ts';
-import { UsageError } from '../arguments.ts';
 import { loadAny, openLoaded } from '../load.ts';
 import { isFile } from '../paths.ts';
 import { fileText } from '../read-file.ts';
 import { reasonOf } from '../reason.ts';
 import { describe } from '../report.ts';
+import { UsageError } from '../usage-error.ts';
 
 /** As written on the command line. */
 export interface TargetFiles {

@@ -2,7 +2,7 @@
 import { type Diagnostic, withoutPlace } from '../../model/diagnostic.ts';
 import { baseName } from '../../model/files.ts';
 import { formatOf } from '../../project/readers.ts';
-import { UsageError } from '../arguments.ts';
+import type { Kind } from '../options/kinds.ts';
 import type { PartGrade } from './grade.ts';
 
 const NUMBERS = ['world', 'local', 'positions', 'vertices', 'normals', 'channels'] as const;
@@ -15,23 +15,26 @@ export type Need =
   /** A file of this name, without its folders. */
   | { readonly name: string };
 
-/** @param text separated by commas @throws UsageError */
-export function needsOf(text: string): readonly Need[] {
-  const terms = text
-    .split(',')
-    .map((term) => term.trim())
-    .filter((term) => term !== '');
-  if (terms.length === 0) throw new UsageError('--needs takes at least one part; found none.');
-  return terms.map((term): Need => {
-    const lower = term.toLowerCase();
-    const numbers = NUMBERS.find((name) => name === lower);
-    if (numbers) return { numbers };
-    const files = FILES.find((name) => name === lower.replace(/^\./, ''));
-    if (files) return { files };
-    if (term.includes('.') && formatOf(term)) return { name: baseName(term) };
-    const known = [...NUMBERS, ...FILES].join(', ');
-    throw new UsageError(`--needs takes ${known}, or names of files such as curves.txt; found "${term}".`);
-  });
+/** Separated by commas. */
+export const NEEDS: Kind<readonly Need[]> = {
+  placeholder: 'PART,…',
+  what: `${[...NUMBERS, ...FILES].join(', ')}, or names of files such as curves.txt`,
+  read(text, misfit) {
+    const terms = text
+      .split(',')
+      .map((term) => term.trim())
+      .filter((term) => term !== '');
+    return terms.length === 0 ? misfit() : terms.map((term) => needOf(term) ?? misfit(term));
+  },
+};
+
+function needOf(term: string): Need | undefined {
+  const lower = term.toLowerCase();
+  const numbers = NUMBERS.find((name) => name === lower);
+  if (numbers) return { numbers };
+  const files = FILES.find((name) => name === lower.replace(/^\./, ''));
+  if (files) return { files };
+  return term.includes('.') && formatOf(term) ? { name: baseName(term) } : undefined;
 }
 
 /** What is needed and was not compared. @param path of the submission, for messages */

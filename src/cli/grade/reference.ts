@@ -3,9 +3,9 @@ import { joinedFigures } from '../../lesson/dump/joined-figures.ts';
 import type { Diagnostic } from '../../model/diagnostic.ts';
 import { type Character, shownClip } from '../../model/document.ts';
 import type { ParsedFile } from '../../model/files.ts';
-import { UsageError } from '../arguments.ts';
 import { loadInside, openLoaded } from '../load.ts';
 import { report } from '../report.ts';
+import { UsageError } from '../usage-error.ts';
 import { type RightDump, rightDumps } from './right-dumps.ts';
 
 export interface Reference {
