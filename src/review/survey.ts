@@ -2,13 +2,12 @@
 import { percentile } from '../evaluate/frame-shapes.ts';
 import { fingerBases } from '../evaluate/retarget/fingers.ts';
 import { LIMB_SIDES, partsOf } from '../evaluate/retarget/roles.ts';
+import { footTip, type PointTree, tipBelow } from '../evaluate/retarget/tip.ts';
 import type { Space } from '../model/space.ts';
 import type { TakeFrames } from './frames.ts';
 
 /** Frames that are looked at, evenly over the take. */
 const MOST = 128;
-/** Metres; what is nearer to its joint points nowhere. */
-const SOMEWHERE = 0.01;
 /** Percentile of all heights of a foot at which it is on the ground. */
 const STANDING = 0.12;
 
@@ -26,10 +25,8 @@ export interface Foot {
   readonly ankle: number;
   /** The point that it points to: the toe joint, another one below, or an End Site; -1 for none. */
   readonly tip: number;
-  /** The toe joint, or the ankle without one. */
-  readonly ball: number;
-  /** Heights of ball and ankle when it is on the ground; metres. */
-  readonly ballLevel: number;
+  /** Heights of both when it is on the ground; metres. */
+  readonly tipLevel: number;
   readonly ankleLevel: number;
 }
 
@@ -57,6 +54,7 @@ export function survey(frames: TakeFrames, space: Space | undefined): Survey {
   const { skeleton, count, pointCount, above } = frames;
   const parts = partsOf(skeleton, space?.up);
   const { single } = parts;
+  const { joints } = skeleton;
   const dofs = new Float64Array(frames.dofCount);
   const looked = Math.min(MOST, count);
   const points = Array.from({ length: looked }, (_, i) => {
@@ -75,28 +73,32 @@ export function survey(frames: TakeFrames, space: Space | undefined): Survey {
   const hinges: Hinge[] = [];
   const feet: Foot[] = [];
   const hands: Hand[] = [];
-  // A joint, or else an End Site, that is somewhere else.
-  const below = (joint: number) => above.findIndex((parent, p) => parent === joint && lengthOf(p) > SOMEWHERE);
+  const tree: PointTree = { above, lengthOf };
+  const heights = (point: number, isMeant = (_: Float64Array) => true) =>
+    points.filter(isMeant).map((at) => at[3 * point + 1]);
+  const levelOf = (point: number) => percentile(heights(point), STANDING);
   for (const side of LIMB_SIDES) {
     const [arm, forearm, hand] = (['arm', 'forearm', 'hand'] as const).map((part) => single.get(`${side} ${part}`));
     if (arm !== undefined && forearm !== undefined && hand !== undefined) {
       hinges.push({ upper: arm, middle: forearm, lower: hand, isKnee: false });
       const fingers = fingerBases(skeleton, parts, hand);
-      const tip = fingers.get('middle') ?? [...fingers.values()][0] ?? below(hand);
+      const tip = fingers.get('middle') ?? [...fingers.values()][0] ?? tipBelow(tree, hand);
       if (tip >= 0) hands.push({ elbow: forearm, wrist: hand, tip });
     }
     const [thigh, shin, ankle] = (['thigh', 'shin', 'foot'] as const).map((part) => single.get(`${side} ${part}`));
     if (thigh === undefined || shin === undefined || ankle === undefined) continue;
     hinges.push({ upper: thigh, middle: shin, lower: ankle, isKnee: true });
-    const toe = single.get(`${side} toe`);
-    const ball = toe ?? ankle;
-    const levelOf = (joint: number) =>
-      percentile(
-        points.map((at) => at[3 * joint + 1]),
-        STANDING,
-      );
-    const tip = toe ?? below(ankle);
-    feet.push({ thigh, shin, ankle, tip, ball, ballLevel: levelOf(ball), ankleLevel: levelOf(ankle) });
+    const tip = footTip(tree, parts, ankle);
+    const ankleLevel = levelOf(ankle);
+    // A foot without a toe joint is rigid: rolling over its end, it puts that below the ground.
+    const tipLevel =
+      tip < joints.length
+        ? levelOf(tip)
+        : percentile(
+            heights(tip, (at) => at[3 * ankle + 1] <= ankleLevel),
+            0.5,
+          );
+    feet.push({ thigh, shin, ankle, tip, tipLevel, ankleLevel });
   }
   const leg = feet.reduce((sum, { thigh, ankle }) => sum + chain(above, lengthOf, ankle, thigh), 0);
   return { hips: single.get('hips') ?? 0, feet, hands, hinges, leg: feet.length ? leg / feet.length : 0, lengthOf };

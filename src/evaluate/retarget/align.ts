@@ -70,10 +70,11 @@ export function bodiesOf(
   }
   const roles = rolesOf(target, targetSpace);
   const sourceParts = partsOf(source, sourceSpace?.up);
+  const sourceRest = figureOf(source, sourceSpace);
   const feet = LIMB_SIDES.flatMap((side): FeetPair[] => {
     const ankle = driven({ roles, sourceOf }, `${side} foot`);
-    const own = ankle < 0 ? undefined : footOf(target, roles, ankle);
-    const other = own && footOf(source, sourceParts, sourceOf[ankle]);
+    const own = ankle < 0 ? undefined : footOf(target, targetSpace, roles.rest, roles, ankle);
+    const other = own && footOf(source, sourceSpace, sourceRest, sourceParts, sourceOf[ankle]);
     return own && other ? [{ side, own, source: other }] : [];
   });
   const rest = { ...roles.rest, soles: true };

@@ -184,9 +184,9 @@ export function offsetAt({ contacts, offsets }: FootTrack, seconds: number, out:
 
 const FADE = 0.12;
 
-/** 1 during a contact, decreasing within 0.12 s of it; 0 in the air. */
-export function standing({ contacts }: FootTrack, seconds: number): number {
-  let nearest = FADE;
+/** 1 during a contact, decreasing within some seconds of it, 0.12 by default; 0 in the air. */
+export function standing({ contacts }: FootTrack, seconds: number, fade = FADE): number {
+  let nearest = fade;
   for (let low = 0, high = contacts.length / 2; low < high; ) {
     const mid = (low + high) >> 1;
     const from = contacts[2 * mid];
@@ -196,5 +196,5 @@ export function standing({ contacts }: FootTrack, seconds: number): number {
     if (seconds < from) high = mid;
     else low = mid + 1;
   }
-  return 1 - smoothstep(0, FADE, nearest);
+  return 1 - smoothstep(0, fade, nearest);
 }

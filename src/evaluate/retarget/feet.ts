@@ -5,8 +5,11 @@
  */
 import { copy3, multiply3, swing, turnAbout, turnVector } from '../../math/mat3.ts';
 import type { Skeleton } from '../../model/skeleton.ts';
-import type { RetargetFigure } from './figure.ts';
-import { type BodyParts, LIMB_SIDES } from './roles.ts';
+import type { Space } from '../../model/space.ts';
+import { metresPerUnit } from '../metres.ts';
+import { distance, type RetargetFigure } from './figure.ts';
+import type { BodyParts } from './roles.ts';
+import { footTip, type PointTree, tipBelow } from './tip.ts';
 
 /** A joint that points somewhere, with all below it. */
 export interface PointedJoints {
@@ -22,22 +25,36 @@ export interface Foot extends PointedJoints {
   readonly toes: PointedJoints | undefined;
 }
 
-/** The foot at the end of a leg; undefined if nothing tells where it points. */
-export function footOf(skeleton: Skeleton, { single }: BodyParts, ankle: number): Foot | undefined {
-  const below = fromOn(skeleton, ankle);
-  const toe = LIMB_SIDES.map((side) => single.get(`${side} toe`) ?? -1).find((j) => below.includes(j));
-  const foot = pointed(skeleton, ankle, toe);
+/**
+ * The foot at the end of a leg; undefined if nothing tells where it points.
+ * @param rest the skeleton in its file pose
+ */
+export function footOf(
+  skeleton: Skeleton,
+  space: Space | undefined,
+  rest: RetargetFigure,
+  parts: BodyParts,
+  ankle: number,
+): Foot | undefined {
+  const { joints } = skeleton;
+  const ends = joints.flatMap(({ endSites = [] }, joint) => endSites.map((at) => ({ joint, at })));
+  const metres = space ? metresPerUnit(space) : 1;
+  const tree: PointTree = {
+    above: Int32Array.from([...joints.map(({ parent }) => parent), ...ends.map(({ joint }) => joint)]),
+    lengthOf: (point) =>
+      point < joints.length
+        ? distance(rest, point, joints[point].parent)
+        : metres * Math.hypot(...ends[point - joints.length].at),
+  };
+  const pointed = (joint: number, point: number): PointedJoints | undefined => {
+    if (point < 0) return undefined;
+    const tip = point < joints.length ? point : Float64Array.from(ends[point - joints.length].at);
+    return { joints: fromOn(skeleton, joint), tip };
+  };
+  const foot = pointed(ankle, footTip(tree, parts, ankle));
   if (!foot) return undefined;
-  const toes = typeof foot.tip === 'number' ? pointed(skeleton, foot.tip) : undefined;
-  return { ...foot, shin: skeleton.joints[ankle].parent, toes };
-}
-
-/** @param tip default: the first joint below, or the End Site */
-function pointed(skeleton: Skeleton, joint: number, tip?: number): PointedJoints | undefined {
-  const joints = fromOn(skeleton, joint);
-  const [end] = skeleton.joints[joint].endSites ?? [];
-  const at = tip ?? joints[1] ?? (end && Math.hypot(...end) > 0 ? Float64Array.from(end) : undefined);
-  return at === undefined ? undefined : { joints, tip: at };
+  const toes = typeof foot.tip === 'number' ? pointed(foot.tip, tipBelow(tree, foot.tip)) : undefined;
+  return { ...foot, shin: joints[ankle].parent, toes };
 }
 
 /** A joint and all below it. */

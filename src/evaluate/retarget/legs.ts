@@ -67,6 +67,8 @@ const USUAL = Math.PI / 36;
 const MOST = Math.PI / 4;
 /** In the air, where a foot has no place to keep. */
 const IN_THE_AIR = Math.PI / 60;
+/** Seconds in which it becomes that: a leg that let go sooner would put its foot down again before that has swung. */
+const LIFTING = 0.2;
 
 /**
  * The feet, each with how far the bones of its leg may turn for it: the less the more they would have to all the time. Once
@@ -83,7 +85,7 @@ export function limitedTurns(plan: RetargetPlan): readonly FootTrack[] {
     solveFreely(plan, seconds, dofs);
     moveHips(plan, seconds, dofs);
     plan.feet.forEach((foot, f) => {
-      const angle = measureLeg(plan, foot, seconds) ? Math.acos(Math.min(1, aim(plan, foot.limb, 2))) : 0;
+      const angle = measureLeg(plan, foot, seconds) ? Math.acos(Math.min(1, aim(plan, foot.limb, 1))) : 0;
       turned[f][i] = standing(foot, seconds) > 0 ? angle : Math.min(IN_THE_AIR, angle);
     });
   }
@@ -114,11 +116,11 @@ function bendLeg(plan: RetargetPlan, foot: FootTrack, seconds: number): boolean 
   const { wanted } = plan;
   const { limb } = foot;
   if (!measureLeg(plan, foot, seconds)) return false;
-  const turns = Math.cos(IN_THE_AIR + standing(foot, seconds) * (foot.turns - IN_THE_AIR));
-  if (aim(plan, limb, 2) < turns) {
-    // A foot that bones would have to turn too far for stays above or below its place, and only then beside it.
+  const turns = Math.cos(IN_THE_AIR + standing(foot, seconds, LIFTING) * (foot.turns - IN_THE_AIR));
+  if (aim(plan, limb, 1) < turns) {
+    // Part of the straight way there: over the ground first and then up, small changes would make knees jump.
     let way = 0;
-    for (let step = 1; step > EXACTLY; step /= 2) if (aim(plan, limb, way + step) >= turns) way += step;
+    for (let step = 0.5; step > EXACTLY; step /= 2) if (aim(plan, limb, way + step) >= turns) way += step;
     aim(plan, limb, way);
   }
   turnTo(wanted, limb.upper, bone, thighWay);
@@ -142,21 +144,15 @@ function measureLeg(plan: RetargetPlan, foot: FootTrack, seconds: number): boole
 
 /**
  * Finds the directions of thigh and shin that bring the ankle of a measured leg nearer to its place.
- * @param way up to 1, the fraction of the way over the ground; from there to 2, that of the height too
+ * @param way the fraction of the way to there
  * @returns the cosine of the angle of the one that turns further
  */
 function aim(plan: RetargetPlan, limb: Limb, way: number): number {
   const { targetWorld } = plan;
   const [l1, l2] = [thighLength, shinLength];
   const { upper, end } = limb;
-  const { up } = plan.targetSpace;
-  let height = 0;
-  for (let i = 0; i < 3; i++) height += off[i] * up[3 * i + 1];
-  const over = Math.min(1, way);
-  const along = Math.max(0, way - 1) - over;
   for (let i = 0; i < 3; i++) {
-    const at = targetWorld[16 * end + 12 + i] + over * off[i] + along * height * up[3 * i + 1];
-    u[i] = at - targetWorld[16 * upper + 12 + i];
+    u[i] = targetWorld[16 * end + 12 + i] + way * off[i] - targetWorld[16 * upper + 12 + i];
     thighWay[i] = bone[i];
     shinWay[i] = toBone[i];
   }

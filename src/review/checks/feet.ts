@@ -1,8 +1,9 @@
 /**
- * Foot sliding. A foot is flat on the ground while its ball and its ankle are at most 3 % of a leg's length above where
- * they usually are on it, with the hips above it by half a leg's length; it swings with its heel higher, and comes down
- * with its toes higher. It slides if ball and ankle both move 15 cm over the ground meanwhile: turning on its heel or
- * its ball, a foot moves one of them. Creeping by 10 cm a second is no slide.
+ * Foot sliding. A foot is flat on the ground while its tip (the ball, or the end of the toes) and its ankle are at most
+ * 3 % of a leg's length above where they usually are on it, with the hips above it by half a leg's length; it swings with
+ * its heel higher, and comes down with its toes higher. It slides if tip and ankle both move 15 cm over the ground
+ * meanwhile: turning on its heel or its ball, a foot moves one of them. Creeping by 10 cm a second is no slide. A foot of
+ * which only the ankle is known is not judged: that moves as far when it turns on its ball.
  */
 import type { Flag } from '../flags.ts';
 import type { TakeFrames } from '../frames.ts';
@@ -19,7 +20,7 @@ const CREEPING = 0.1;
 interface FlatFoot {
   readonly foot: Foot;
   readonly span: Span;
-  /** Where it was, as far as creeping doesn't explain the way since: x z of ball and ankle. */
+  /** Where it was, as far as creeping doesn't explain the way since: x z of tip and ankle. */
   readonly from: Float64Array;
   /** The last frame at which it wasn't moving yet. */
   since: number;
@@ -38,13 +39,8 @@ export class FootSliding implements Check {
     private readonly frames: TakeFrames,
     private readonly survey: Survey,
   ) {
-    this.feet = survey.feet.map((foot) => ({
-      foot,
-      span: new Span(1),
-      from: new Float64Array(4),
-      since: 0,
-      amount: 0,
-    }));
+    const judged = survey.feet.filter(({ tip }) => tip >= 0);
+    this.feet = judged.map((foot) => ({ foot, span: new Span(1), from: new Float64Array(4), since: 0, amount: 0 }));
     this.creep = CREEPING * frames.frameSeconds;
   }
 
@@ -53,10 +49,10 @@ export class FootSliding implements Check {
     const low = FLAT * survey.leg;
     for (const flat of this.feet) {
       const { foot, span, from } = flat;
-      const ball = 3 * foot.ball;
+      const tip = 3 * foot.tip;
       const ankle = 3 * foot.ankle;
       const isFlat =
-        points[ball + 1] < foot.ballLevel + low &&
+        points[tip + 1] < foot.tipLevel + low &&
         points[ankle + 1] < foot.ankleLevel + low &&
         points[3 * survey.hips + 1] - points[ankle + 1] > UPRIGHT * survey.leg;
       if (!isFlat) {
@@ -64,8 +60,8 @@ export class FootSliding implements Check {
         continue;
       }
       if (!span.isOpen) {
-        from[0] = points[ball];
-        from[1] = points[ball + 2];
+        from[0] = points[tip];
+        from[1] = points[tip + 2];
         from[2] = points[ankle];
         from[3] = points[ankle + 2];
         flat.since = frame;
@@ -73,7 +69,7 @@ export class FootSliding implements Check {
       }
       span.add(frame, 0);
       const way = Math.min(
-        follow(from, 0, points[ball], points[ball + 2], this.creep),
+        follow(from, 0, points[tip], points[tip + 2], this.creep),
         follow(from, 2, points[ankle], points[ankle + 2], this.creep),
       );
       if (way < NOISE && flat.amount < WAY) flat.since = frame;
@@ -82,7 +78,8 @@ export class FootSliding implements Check {
   }
 
   private close({ foot, span, since, amount }: FlatFoot): void {
-    if (span.isOpen && amount > WAY) this.flags.push(flagOf(this.frames, 'slide', since, span.end, amount, foot.ball));
+    const joint = foot.tip < this.frames.skeleton.joints.length ? foot.tip : foot.ankle;
+    if (span.isOpen && amount > WAY) this.flags.push(flagOf(this.frames, 'slide', since, span.end, amount, joint));
     span.clear();
   }
 
