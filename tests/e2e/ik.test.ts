@@ -27,7 +27,6 @@ it('draws what can’t be reached and names the limit, until it is reached or gi
     await drawn(page);
     await intoIk(page);
     await page.evaluate(async () => {
-      await window.marrow.run('ik.setRootFree', { isFree: false });
       await window.marrow.run('ik.setStiffness', { joints: [0], stiffness: 'locked' });
       window.marrow.run('view.right');
     });

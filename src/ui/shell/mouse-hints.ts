@@ -12,6 +12,8 @@ export interface MousePlace {
   readonly mode: PosingMode;
   /** Name of the joint under the pointer in the viewport. */
   readonly joint?: string;
+  /** IK mode: what a drag of that joint moves. */
+  readonly moves?: string | undefined;
   /** Rig mode: clicks add joints. */
   readonly isAdding?: boolean;
   /** *Snap to frames* is on. */
@@ -111,7 +113,7 @@ function inFk(place: MousePlace, isHandle: boolean): readonly MouseHint[] {
   ];
 }
 
-function inIk({ joint }: MousePlace, isHandle: boolean): readonly MouseHint[] {
+function inIk({ joint, moves = 'Move it while pins hold' }: MousePlace, isHandle: boolean): readonly MouseHint[] {
   if (isHandle) {
     return [
       ['Move the pin or turn the ring', 'drag'],
@@ -123,7 +125,7 @@ function inIk({ joint }: MousePlace, isHandle: boolean): readonly MouseHint[] {
   if (joint !== undefined) {
     return [
       [`Pin ${joint}`, 'click'],
-      ['Move it while pins hold', 'drag'],
+      [moves, 'drag'],
       ['Select it', 'Shift+click'],
       ['Add or remove', 'Ctrl+click'],
     ];

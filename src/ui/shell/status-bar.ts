@@ -109,6 +109,7 @@ function placeAt(
     isAdding: posing.rig.adding.get(),
     snapsToFrames: timeline.view.get().snapsToFrames,
     ...(hovered && skeleton && { joint: jointName(skeleton, hovered.joint) }),
+    ...(hovered && { moves: posing.ik.whatMoves?.(hovered.characterId, hovered.joint) }),
   };
   return place;
 }

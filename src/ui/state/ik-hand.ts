@@ -5,6 +5,12 @@
 import { HeldTargets } from '../../evaluate/ik/drag/held-targets.ts';
 import { type Observable, observable } from '../kit/observable.ts';
 
+/** Where *Chain* ends: a joint of a character. */
+export interface ChainTop {
+  readonly characterId: string;
+  readonly joint: number;
+}
+
 /** A pin of a character, by its id. */
 export interface PinRef {
   readonly characterId: string;
@@ -17,6 +23,10 @@ export class IkHand {
   /** Highlighted by a row of the inspector. */
   readonly pointedAt: Observable<PinRef | undefined> = observable<PinRef | undefined>(undefined);
   readonly targets = new HeldTargets();
+  /** The joint that was selected when *Chain* was chosen; undefined: chains end at the root. */
+  readonly chainTop: Observable<ChainTop | undefined> = observable<ChainTop | undefined>(undefined);
+  /** What a drag of a joint would move, for the status bar: `Bend upper_arm_l to hand_l`. Given by IK's tool. */
+  whatMoves: ((characterId: string, joint: number) => string | undefined) | undefined;
   /** Whether anything was dragged yet: until then a hint is shown. */
   readonly hasDragged: Observable<boolean> = observable(false);
   /** Whether the current or last drag needed the root to move. */

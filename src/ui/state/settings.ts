@@ -11,6 +11,8 @@ export const ANGLES = ['degrees', 'radians'] as const;
 export const NEW_KEY_TANGENTS = ['smooth', 'linear', 'flat'] as const;
 /** Smallest and largest. */
 export const GIZMO_SCALES = [0.5, 2] as const;
+/** What bends with a dragged joint; `usual` until one was chosen: what is usual for the form of the skeleton. */
+export const IK_REACHES = ['usual', 'limb', 'body', 'chain'] as const;
 export const TIME_DISPLAYS = ['seconds', 'frames'] as const;
 
 export interface Settings {
@@ -23,6 +25,7 @@ export interface Settings {
   readonly newKeyTangents: (typeof NEW_KEY_TANGENTS)[number];
   /** Factor of the size of the viewport's gizmo, within `GIZMO_SCALES`. */
   readonly gizmoScale: number;
+  readonly ikReach: (typeof IK_REACHES)[number];
   /** Whether joints and boxes snap to the grid in rig mode, unless Shift is held. */
   readonly snapsToGrid: boolean;
   /** What the tab *Measure* plots, by its own names; unknown ones are its defaults. */
@@ -74,6 +77,7 @@ export const DEFAULT_SETTINGS: Settings = {
   },
   newKeyTangents: 'smooth',
   gizmoScale: 1,
+  ikReach: 'usual',
   snapsToGrid: true,
   undoMegabytes: 0,
   measured: { quantity: 'speed', subject: 'joints' },
@@ -125,6 +129,7 @@ export function parseSettings(text: string | null): Settings {
     panels: { ...sameTypes(d.panels, asRecord(kept.panels)), drawer: d.panels.drawer, timelineDrawer: false },
     newKeyTangents: oneOf(NEW_KEY_TANGENTS, kept.newKeyTangents, d.newKeyTangents),
     gizmoScale: within(GIZMO_SCALES, kept.gizmoScale, d.gizmoScale),
+    ikReach: oneOf(IK_REACHES, kept.ikReach, d.ikReach),
     snapsToGrid: typeof kept.snapsToGrid === 'boolean' ? kept.snapsToGrid : d.snapsToGrid,
     undoMegabytes: within([0, 1e5], kept.undoMegabytes, d.undoMegabytes),
     measured: sameTypes(d.measured, asRecord(kept.measured)),

@@ -88,7 +88,6 @@ export const IK: readonly Check[] = [
       await click(page, foot);
       await expect.poll(() => pins(page)).toEqual([]);
 
-      await page.evaluate(() => window.marrow.run('ik.setRootFree', { isFree: false }));
       await click(page, foot);
       const from = await onPage(page, foot);
       await page.mouse.move(from.x, from.y);

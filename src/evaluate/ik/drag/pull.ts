@@ -7,6 +7,7 @@ import { invertAffine, setIdentity } from '../../../math/mat4.ts';
 import { subtract, type Vec3 } from '../../../math/vec3.ts';
 import type { Character } from '../../../model/document.ts';
 import type { DofValue } from '../../../model/dofs.ts';
+import type { Pin } from '../../../model/ik.ts';
 import type { Skeleton } from '../../../model/skeleton.ts';
 import { compileSkeleton } from '../../kinematics.ts';
 import { type DragTarget, ikOf, type PinTarget, pinTargets, pointAt } from '../set-up.ts';
@@ -55,6 +56,8 @@ interface ShownPose {
 }
 
 export class Pull {
+  /** Feet that hold by themselves while the drag lasts. */
+  readonly standing: readonly Pin[];
   private place: Vec3;
   private readonly of: HandProblem;
   private readonly lead: Lead;
@@ -80,6 +83,7 @@ export class Pull {
     { bending, standing }: DragReach = WHOLE,
   ) {
     const ik = ikOf(character);
+    this.standing = standing;
     const couldTravel = bending === 'body' && compileSkeleton(skeleton).travel.some((dof) => dof >= 0);
     this.rootStays = !ik.rootIsFree && couldTravel;
     this.start = dofs.slice();

@@ -1,12 +1,15 @@
 /** Actions of inverse kinematics: pins, joint locks, root motion. Their scripts are loaded on first use. */
 
 import { defaultIk } from '../../../model/ik.ts';
+import { jointName } from '../../../model/joint-name.ts';
 import { currentCharacter } from '../../state/action.ts';
 import { NO_SKELETON, needs } from '../../state/needs.ts';
-import { selectedJoints, selectedJointsText } from '../../state/selected-joint.ts';
+import { selectedJoint, selectedJoints, selectedJointsText } from '../../state/selected-joint.ts';
 import type { Action, Uses } from '../../state/workbench.ts';
+import { type ChosenReach, REACH_MEANINGS, REACH_NAMES, reachShown } from './reach-choice.ts';
 
 const MENU = 'Edit/Pins';
+const REACH_MENU = 'Edit/Reach of IK';
 const edits = () => import('./pin-edits.ts');
 const ikOfCurrent = (wb: Uses<'store'>) => {
   const character = currentCharacter(wb);
@@ -29,7 +32,42 @@ const areLocked = (wb: Uses<'store'>) => {
   return isEach(wb, (joint) => ik?.stiff.some((one) => one.joint === joint && one.stiffness === undefined));
 };
 
+/** @param what its name in the menu if that tells more */
+function reachAction(reach: ChosenReach, id: string, what?: (wb: Uses<'store'>) => string): Action {
+  return {
+    id,
+    name: `IK reach: ${REACH_NAMES[reach].toLowerCase()}`,
+    label: what ?? REACH_NAMES[reach],
+    detail: REACH_MEANINGS[reach],
+    group: 'Pose',
+    menu: REACH_MENU,
+    section: 1,
+    radio: true,
+    checked: (wb) => reachShown(wb, currentCharacter(wb)) === reach,
+    async run(wb) {
+      (await import('./set-reach.ts')).setReach(wb, { reach });
+    },
+  };
+}
+
 export const IK_ACTIONS: readonly Action[] = [
+  reachAction('limb', 'ik.reachLimb'),
+  reachAction('body', 'ik.reachBody'),
+  reachAction('chain', 'ik.reachChain', (wb) => {
+    const selected = selectedJoint(wb);
+    return `Chain up to ${selected ? jointName(selected.skeleton, selected.joint) : 'the root'}`;
+  }),
+  {
+    id: 'ik.setReach',
+    label: 'Switch IK between limb and full body',
+    also: 'reach',
+    group: 'Pose',
+    menu: REACH_MENU,
+    section: 2,
+    async run(wb, args) {
+      (await import('./set-reach.ts')).setReach(wb, args);
+    },
+  },
   {
     id: 'ik.pinJoint',
     name: 'Pin or unpin selected joints',

@@ -14,12 +14,14 @@ import { ikOf } from '../../../evaluate/ik/set-up.ts';
 import { isSingular } from '../../../math/mat4.ts';
 import type { Vec3 } from '../../../math/vec3.ts';
 import { type Character, type Document, findCharacter } from '../../../model/document.ts';
+import type { Pin } from '../../../model/ik.ts';
 import { jointName } from '../../../model/joint-name.ts';
 import { addKeyed } from '../../state/add-keys.ts';
 import { HandEdit } from '../../state/hand-edit.ts';
 import type { Workbench } from '../../state/workbench.ts';
 import { autoKey, standStillToPose } from '../posing/pose-edits.ts';
 import { tellFollows } from '../posing/tell-follows.ts';
+import { reachOfDrag } from './reach.ts';
 
 /** What is dragged. */
 export interface IkGrip extends Grip {
@@ -32,6 +34,8 @@ export interface PullState {
   readonly grip: IkGrip;
   readonly gaps: readonly Gap[];
   readonly hindrance: Hindrance;
+  /** Feet that hold by themselves while it lasts. */
+  readonly standing: readonly Pin[];
 }
 
 export class HandPull {
@@ -127,7 +131,7 @@ export class HandPull {
   /** For drawing. */
   get state(): PullState {
     const { pull, grip } = this;
-    return { grip, gaps: pull.gaps(), hindrance: pull.hindrance };
+    return { grip, gaps: pull.gaps(), hindrance: pull.hindrance, standing: pull.standing };
   }
 
   private show(): void {
@@ -158,7 +162,8 @@ export class HandPull {
 }
 
 /** Of the pose that is shown. */
-function pullOf({ viewport, posing }: Workbench, character: Character, grip: IkGrip): Pull | undefined {
+function pullOf(wb: Workbench, character: Character, grip: IkGrip): Pull | undefined {
+  const { viewport, posing } = wb;
   const { id, skeleton } = character;
   const facts = viewport.character(id);
   const placement = viewport.placementOf(id, grip.placement);
@@ -166,5 +171,6 @@ function pullOf({ viewport, posing }: Workbench, character: Character, grip: IkG
   const { dofs, worlds: world } = facts;
   if (16 * grip.joint + 16 > world.length) return undefined;
   const held = currentTargets(posing.ik.targets, id, ikOf(character), dofs, world);
-  return new Pull(character, skeleton, { dofs, world }, held, grip, placement);
+  const reach = reachOfDrag(wb, character, skeleton, world, placement, grip.joint);
+  return new Pull(character, skeleton, { dofs, world }, held, grip, placement, reach);
 }

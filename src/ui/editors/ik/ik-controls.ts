@@ -1,13 +1,18 @@
-/** IK controls beside the mode switch: whether the root may move, removing all pins, and a hint. */
+/** IK controls beside the mode switch: the reach of a drag, whether the root may move, removing all pins, and a hint. */
 
 import { ikOf } from '../../../evaluate/ik/set-up.ts';
 import { button, element, keepsFocusElsewhere, setAttribute, setText } from '../../kit/dom.ts';
 import { oncePerFrame } from '../../kit/frame.ts';
+import { icon } from '../../kit/icons.ts';
+import { type MenuEntry, menuButton } from '../../kit/menu.ts';
+import { setTooltip } from '../../kit/tooltip.ts';
 import { touchWords } from '../../kit/touch-words.ts';
-import { currentCharacter, tryById } from '../../state/action.ts';
+import { currentCharacter, findAction, tryById } from '../../state/action.ts';
+import { itemOf } from '../../state/menu-entries.ts';
 import { setActionTooltip } from '../../state/tooltips.ts';
 import type { Uses } from '../../state/workbench.ts';
 import { whileShown } from '../posing/while-shown.ts';
+import { REACH_MEANINGS, REACH_NAMES, reachShown } from './reach-choice.ts';
 
 /** Created once; up to date while shown. */
 export function ikControls(wb: Uses<'store' | 'actions' | 'posing' | 'settings'>): HTMLElement {
@@ -21,6 +26,11 @@ export function ikControls(wb: Uses<'store' | 'actions' | 'posing' | 'settings'>
       ? `${character.name}’s root moves when a pin needs it`
       : `${character.name}’s root is fixed; only joints bend`;
   });
+  const reach = keepsFocusElsewhere(
+    element('button', { type: 'button', class: 'tool text-tool ik-reach' }, element('span', {}), icon('fold')),
+  );
+  setTooltip(reach, () => `Reach: ${REACH_MEANINGS[reachShown(wb, currentCharacter(wb))]}`);
+  menuButton(reach, 'Reach of IK', () => reachEntries(wb));
   const all = keepsFocusElsewhere(
     button('Unpin all', { class: 'tool' }, 'Unpin all', () => tryById(wb, 'ik.letAllGo')),
   );
@@ -30,12 +40,15 @@ export function ikControls(wb: Uses<'store' | 'actions' | 'posing' | 'settings'>
   );
   setActionTooltip(wb, hold, 'ik.holdPins', 'Hold pins over a range of the take');
   const hint = element('span', { class: 'ik-hint', role: 'note' });
-  const tools = element('div', { class: 'ik-tools tools' }, root, all, hold);
+  const tools = element('div', { class: 'ik-tools tools' }, reach, root, all, hold);
   const { hasDragged, wantsRoot } = wb.posing.ik;
   const show = () => {
     const character = currentCharacter(wb);
     const setup = character?.skeleton && ikOf(character);
     root.disabled = setup === undefined;
+    const reachName = REACH_NAMES[reachShown(wb, character)];
+    if (reach.firstElementChild) setText(reach.firstElementChild, reachName);
+    setAttribute(reach, 'aria-label', `Reach of IK: ${reachName}`);
     all.disabled = hold.disabled = !setup?.pins.length;
     setAttribute(root, 'aria-pressed', String(setup?.rootIsFree ?? false));
     setText(root, setup?.rootIsFree === false ? 'Root fixed' : 'Root moves');
@@ -52,10 +65,18 @@ export function ikControls(wb: Uses<'store' | 'actions' | 'posing' | 'settings'>
         if (now.document.characters !== before.document.characters || now.selection !== before.selection) showSoon();
       }),
       hasDragged.subscribe(show),
+      wb.settings.subscribe(showSoon),
       wantsRoot.subscribe(showSoon),
     ];
   });
   return controls;
+}
+
+function reachEntries(wb: Uses<'store' | 'actions' | 'settings'>): readonly MenuEntry[] {
+  return ['ik.reachLimb', 'ik.reachBody', 'ik.reachChain'].flatMap((id) => {
+    const action = findAction(wb, id);
+    return action ? [itemOf(wb, action)] : [];
+  });
 }
 
 /** What to do first, and next. */

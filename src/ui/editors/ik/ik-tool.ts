@@ -33,6 +33,7 @@ import { PinNudge } from './pin-nudge.ts';
 import { type HandNow, paintPins } from './pin-picture.ts';
 import { besidePins } from './pins-beside.ts';
 import { pinsInPicture, pinUnder, pointUnder, type SeenPin, type SeenPoint } from './pins-on-screen.ts';
+import { whatMoves } from './reach.ts';
 import { deselectLostPin } from './selected-pin.ts';
 
 /** With more triangles than this, hover picking would be slow: points are then highlighted on press only. */
@@ -75,6 +76,7 @@ class IkTool implements ModeTool {
     this.controls ??= ikControls(wb);
     wb.posing.controls.set(this.controls);
     wb.posing.beside = (id, dofs) => besidePins(wb, id, dofs);
+    wb.posing.ik.whatMoves = (id, joint) => whatMoves(wb, id, joint);
     // Another joint may have been selected in another mode.
     deselectLostPin(wb, true);
     const redraw = () => wb.viewport.requestRender();
@@ -109,6 +111,7 @@ class IkTool implements ModeTool {
     this.readout = undefined;
     wb.posing.controls.set(undefined);
     wb.posing.beside = undefined;
+    wb.posing.ik.whatMoves = undefined;
   }
 
   press(at: CanvasPointer): CanvasDrag | undefined {

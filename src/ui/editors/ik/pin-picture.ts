@@ -2,6 +2,7 @@
  * What IK draws over the scene and writes beside its points, as of the current frame. Nothing is drawn without pins,
  * locked joints or a hovered point.
  */
+import type { DragReach } from '../../../evaluate/ik/drag/drag-reach.ts';
 import { ikOf, pinTarget, pointAt } from '../../../evaluate/ik/set-up.ts';
 import { type Vec3, ZERO } from '../../../math/vec3.ts';
 import { type Character, shownSkin } from '../../../model/document.ts';
@@ -25,6 +26,7 @@ import {
   type SeenSkeleton,
   seenSkeletons,
 } from './pins-on-screen.ts';
+import { reachOfDrag } from './reach.ts';
 
 /** CSS pixels. */
 const PIN_SIZE = 12;
@@ -189,7 +191,7 @@ function paintStiff(painter: PinPainter, seen: SeenSkeleton): void {
 
 /** The points of the hovered joint that could be pinned, and the one that a click would pin. */
 function paintPoints(
-  wb: Uses<'viewport' | 'settings'>,
+  wb: Uses<'viewport' | 'settings' | 'posing'>,
   painter: PinPainter,
   seen: SeenSkeleton,
   hovered: SeenPoint,
@@ -198,6 +200,7 @@ function paintPoints(
   const { joint, natural } = hovered;
   if (joint >= skeleton.joints.length) return [];
   const cover = coverOf(seen);
+  paintReach(painter, seen, joint, reachOfDrag(wb, character, skeleton, seen.world, seen.toWorld, joint));
   for (const { point } of offeredPoints(wb, character, skeleton, joint)) {
     painter.mark(inWorld(seen, joint, point), { shape: 'dot', color: 'pin', size: 5, opacity: 0.7, cover });
   }
@@ -213,8 +216,9 @@ function paintPoints(
 
 /** What is dragged, and the targets that can't be reached. */
 function paintPull(wb: Uses<'viewport'>, painter: PinPainter, seen: SeenSkeleton, pull: PullState): Label[] {
-  const { grip, gaps, hindrance } = pull;
+  const { grip, gaps, hindrance, standing } = pull;
   const { character, toWorld } = seen;
+  paintStanding(painter, seen, standing);
   if (grip.pin === undefined)
     painter.mark(inWorld(seen, grip.joint, grip.point), { shape: 'round', color: 'selected', size: 10 });
   return gaps.flatMap(({ index, joint, from, to }) => {
@@ -229,6 +233,26 @@ function paintPull(wb: Uses<'viewport'>, painter: PinPainter, seen: SeenSkeleton
       `${jointName(character.skeleton, joint)}: ${text}`,
     );
   });
+}
+
+/** Feet that hold by themselves, as pins do. */
+function paintStanding(painter: PinPainter, seen: SeenSkeleton, standing: readonly Pin[]): void {
+  for (const { joint, point } of standing) {
+    painter.mark(inWorld(seen, joint, point), { shape: 'square', color: 'pin', size: PIN_SIZE, cover: coverOf(seen) });
+  }
+}
+
+/** What a drag from here would move: the bones between the joints that would bend, and the feet that would hold. */
+function paintReach(painter: PinPainter, seen: SeenSkeleton, joint: number, { bending, standing }: DragReach): void {
+  paintStanding(painter, seen, standing);
+  if (bending === 'body') return;
+  const joints = new Set(bending);
+  for (let j = joint; joints.has(j); j = seen.skeleton.joints[j].parent) {
+    const at = inWorld(seen, j, ZERO);
+    painter.mark(at, { shape: 'dot', color: 'hovered', size: 6 });
+    const { parent } = seen.skeleton.joints[j];
+    if (joints.has(parent)) painter.line(inWorld(seen, parent, ZERO), at, 'hovered', 2, false);
+  }
 }
 
 /** Targets that an earlier drag could not reach. */

@@ -4,9 +4,10 @@ import { setDofs } from '../../../../src/edit/commands/pose.ts';
 import { setHidden } from '../../../../src/edit/commands/spaces.ts';
 import type { Vec3 } from '../../../../src/math/vec3.ts';
 import { shownClip } from '../../../../src/model/document.ts';
+import type { Joint } from '../../../../src/model/skeleton.ts';
 import { HandPull } from '../../../../src/ui/editors/ik/hand-pull.ts';
 import { clip, documentOf } from '../../builders.ts';
-import { apart, BODY_JOINT, body, FORE_L, FORE_R, HAND_L, HAND_R, ikPage, pin } from './ik-page.ts';
+import { apart, BODY, BODY_JOINT, body, FORE_L, FORE_R, HAND_L, HAND_R, ikPage, pin } from './ik-page.ts';
 
 /** Of a body that is 6 wide. */
 const THERE = 2e-3;
@@ -26,6 +27,10 @@ function begin(grip: Parameters<typeof HandPull.begin>[1] = BODY_GRIP): HandPull
   if (!hand) throw new Error('There is something to be dragged.');
   anchor = hand.hand;
   return hand;
+}
+
+function wholeBody(): void {
+  page.wb.settings.update((now) => ({ ...now, ikReach: 'body' }));
 }
 
 /** As a hand goes there. */
@@ -137,6 +142,7 @@ describe('a hand that drags a point', () => {
   });
 
   it('names the pins that hold it back, and not one that could move', () => {
+    wholeBody();
     const hand = begin(LEFT_GRIP);
     go(hand, [3, 0, 0]);
     expect(hand.state.hindrance).toMatchObject({ holders: [HAND_R], canMove: true, rootStays: false });
@@ -145,7 +151,9 @@ describe('a hand that drags a point', () => {
 
   it('names the lock in the way, and no other', () => {
     page.stop();
-    const kept = body();
+    // Its right hand doesn't stand on the ground.
+    const joints = BODY.joints.map((one, j): Joint => (j === FORE_R ? { ...one, offset: [-1, 1, 0] } : one));
+    const kept = body({ skeleton: { ...BODY, joints } });
     const ik = { pins: [pin(1, HAND_L)], stiff: [{ joint: FORE_L }, { joint: FORE_R }], rootIsFree: true };
     page = ikPage(documentOf({ ...kept, ik }));
     const hand = begin();
@@ -181,6 +189,7 @@ describe('a hand that drags a point', () => {
     page.stop();
     const kept = body();
     page = ikPage(documentOf({ ...kept, ik: { pins: [], stiff: [], rootIsFree: false } }));
+    wholeBody();
     const { wantsRoot } = page.wb.posing.ik;
     const { characterId, placement, joint, point } = LEFT_GRIP;
     const hand = begin({ characterId, placement, joint, point });

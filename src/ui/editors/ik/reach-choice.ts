@@ -1,0 +1,37 @@
+/** Which reach of IK is chosen, in words: shared by the bar, the menu and the search. */
+import type { Character } from '../../../model/document.ts';
+import { jointName } from '../../../model/joint-name.ts';
+import { currentCharacter } from '../../state/action.ts';
+import type { Uses } from '../../state/workbench.ts';
+
+export const CHOSEN_REACHES = ['limb', 'body', 'chain'] as const;
+export type ChosenReach = (typeof CHOSEN_REACHES)[number];
+
+export const REACH_NAMES: Readonly<Record<ChosenReach, string>> = { limb: 'Limb', body: 'Full body', chain: 'Chain' };
+
+/** A sentence each. */
+export const REACH_MEANINGS: Readonly<Record<ChosenReach, string>> = {
+  limb: 'A dragged joint bends its own limb: a hand its arm, a foot its leg, a head its neck',
+  body: 'A dragged joint moves the whole character, and feet that stand on the ground hold',
+  chain: 'A dragged joint bends all joints up to a chosen one: select it, then choose this',
+};
+
+/** The reach that a drag has. */
+export function reachShown(wb: Uses<'settings'>, character: Pick<Character, 'skeleton'> | undefined): ChosenReach {
+  const { ikReach } = wb.settings.get();
+  if (ikReach !== 'usual') return ikReach;
+  return character?.skeleton?.form === 'axis-angle' ? 'chain' : 'limb';
+}
+
+/** The joint where chains of the character end; undefined: at the root. */
+export function chainTopOf({ posing }: Uses<'posing'>, { id, skeleton }: Character): number | undefined {
+  const top = posing.ik.chainTop.get();
+  return top?.characterId === id && skeleton && top.joint < skeleton.joints.length ? top.joint : undefined;
+}
+
+/** `Chain up to spine`: where chains end now. */
+export function chainText(wb: Uses<'store' | 'posing'>): string {
+  const character = currentCharacter(wb);
+  const top = character && chainTopOf(wb, character);
+  return `Chain up to ${character && top !== undefined ? jointName(character.skeleton, top) : 'the root'}`;
+}
