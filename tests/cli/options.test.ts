@@ -162,6 +162,22 @@ it.each(COMMANDS.map((each) => [each.name, each] as const))('the record of marro
   expect(each.summary).toMatch(/^[A-Z].*\.$/);
 });
 
+it.each(['x'.repeat(5000), `${'x'.repeat(5000)}=1,2`, '1,'.repeat(5000)])(
+  'a long value is refused in a short sentence',
+  (long) => {
+    for (const { options } of COMMANDS) {
+      for (const [name, { read }] of Object.entries(options)) {
+        try {
+          read([long], `--${name}`);
+        } catch (error) {
+          if (!(error instanceof UsageError)) throw error;
+          expect(error.message.length, name).toBeLessThan(500);
+        }
+      }
+    }
+  },
+);
+
 it('any arguments are taken, or refused in a sentence and with the usage', () => {
   const names = fc.constantFrom(...COMMANDS.flatMap(({ options }) => Object.keys(options)));
   const option = fc.oneof(names, fc.string(), fc.constantFrom('__proto__', 'toString', '=', ''));

@@ -77,7 +77,7 @@ function partText(part: HelpPart): string {
   if ('examples' in part) return `\`\`\`sh\n${part.examples.join('\n')}\n\`\`\``;
   const { heading = 'Input', terms } = part;
   return table(
-    [heading, ''],
+    [heading, 'Meaning'],
     terms.map(([term, what]) => [`\`${term}\``, what]),
   );
 }
@@ -89,7 +89,7 @@ function commandSection(shellCommand: ShellCommand): string {
     `\`\`\`text\n${usageLines(shellCommand).join('\n')}\n\`\`\``,
     ...helpParts(shellCommand).map(partText),
     table(
-      ['Exit code', ''],
+      ['Exit code', 'Meaning'],
       Object.entries(exits).map(([code, outcome]) => [code, outcome]),
     ),
   ].join('\n\n');

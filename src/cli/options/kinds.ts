@@ -29,11 +29,12 @@ export function text(placeholder: string, what: string): Kind<string> {
   return { placeholder, what, read: (given) => given };
 }
 
-/** A number that a double can hold. */
+/** A finite number. */
 export function number(placeholder: string): Kind<number> {
   return numberKind(placeholder, 'a number', () => true);
 }
 
+/** A number greater than 0. */
 export function positive(placeholder: string): Kind<number> {
   return numberKind(placeholder, 'a number greater than 0', (value) => value > 0);
 }
@@ -68,7 +69,7 @@ export function numbers(placeholder: string, least = 0): Kind<readonly number[]>
   };
 }
 
-/** The coordinates of a point. */
+/** The three coordinates of a point. */
 export function point(placeholder: string): Kind<readonly [number, number, number]> {
   const { read } = numbers(placeholder);
   return {

@@ -1,20 +1,5 @@
 /** Random arguments for the command's subcommands: real ones, odd ones, out of order. */
-
-/** Where `--help` of a subcommand names its options. */
-const OPTION = /--[a-z][a-z0-9-]*/g;
-
-export const SUBCOMMANDS = [
-  'info',
-  'pose',
-  'ik',
-  'channels',
-  'compare',
-  'grade',
-  'kit',
-  'convert',
-  'export',
-  'review',
-] as const;
+import type { ShellCommand } from '../../../src/cli/options/shell-command.ts';
 
 /** Of options, and names of files. None is an absolute path. */
 export const ODD_VALUES: readonly string[] = [
@@ -31,16 +16,16 @@ export const ODD_VALUES: readonly string[] = [
   ...['npz', 'parquet', 'csv', 'json', 'skel', 'anim', 'bvh', 'rig', '.NPZ', '--json', '--', '--help=1', '-h'],
 ];
 
-/** @param help of the subcommand: its options are read from it */
-export function randomArguments(name: string, help: string, below: (count: number) => number): string[] {
-  const options = [...new Set(help.match(OPTION) ?? [])].filter((option) => option !== '--help');
+/** @param below draws a whole number from 0 to below its argument */
+export function randomArguments({ name, options }: ShellCommand, below: (count: number) => number): string[] {
+  const names = Object.keys(options);
   const pick = <T>(items: readonly T[]): T => items[below(items.length)];
   const args = [name];
   // Half of them begin with what the subcommand needs, so that it comes to read its options.
   if (below(2) === 0) args.push(...pick(NEEDED[name] ?? [[]]));
   const count = below(6);
   for (let i = 0; i < count; i++) {
-    const option = options.length > 0 ? pick(options) : '--json';
+    const option = `--${pick(names)}`;
     const kind = below(10);
     if (kind < 3) args.push(option, pick(ODD_VALUES));
     else if (kind < 5) args.push(`${option}=${pick(ODD_VALUES)}`);

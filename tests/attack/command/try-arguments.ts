@@ -1,7 +1,8 @@
 /** Random arguments, most of them in this process, since one of its own takes a quarter of a second. */
+import { COMMANDS } from '../../../src/cli/run.ts';
 import { command } from '../../helpers/command.ts';
 import type { Attempt } from '../attack.ts';
-import { randomArguments, SUBCOMMANDS } from './arguments.ts';
+import { randomArguments } from './arguments.ts';
 import { marrow } from './process.ts';
 import { makeScene } from './scene.ts';
 import { tell } from './tell.ts';
@@ -16,9 +17,7 @@ export async function tryArguments(attempt: Attempt, count: number): Promise<num
   let longest = 0;
   try {
     for (let i = 0; i < count; i++) {
-      const name = SUBCOMMANDS[attempt.below(SUBCOMMANDS.length)];
-      const { out: help } = await command([name, '--help'], scene.folder);
-      const args = randomArguments(name, help, attempt.below);
+      const args = randomArguments(COMMANDS[attempt.below(COMMANDS.length)], attempt.below);
       const isProcess = attempt.below(20) === 0;
       const begun = performance.now();
       const ended = await (isProcess ? marrow(args, scene.folder) : inProcess(args, scene.folder));
