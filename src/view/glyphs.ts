@@ -1,6 +1,6 @@
 /**
  * Numbers and axis letters in the scene at a fixed size on screen: one instanced quad per glyph from a glyph atlas, one
- * draw call for all. They are part of the scene, so characters occlude them and screenshots contain them. (HTML labels
+ * draw call for all. They are part of the scene, drawn before characters and screenshots contain them. (HTML labels
  * would float over everything.)
  *
  *     instance: position (x y z), offset of the glyph in CSS pixels (x y), glyph index, colour r g b a
@@ -139,8 +139,8 @@ export class Glyphs {
 
 function glyphMaterial(): ShaderMaterial {
   return new ShaderMaterial({
-    transparent: true,
-    // Custom, so that it blends in the opaque list too.
+    depthTest: false,
+    // Custom, so that it blends in the opaque list, which is drawn first.
     blending: CustomBlending,
     blendEquation: AddEquation,
     blendSrc: SrcAlphaFactor,
@@ -184,7 +184,7 @@ function glyphMaterial(): ShaderMaterial {
       varying vec4 vTint;
       void main() {
         vec2 ink = texture2D(glyphs, vUv).rg;
-        float around = 0.75 * ink.g;
+        float around = 0.25 * ink.g;
         float alpha = max(ink.r, around);
         if (alpha < 0.01) discard;
         gl_FragColor = vec4(mix(halo, vTint.rgb, ink.r / alpha * ink.r), alpha * vTint.a);

@@ -37,7 +37,10 @@ const AXES: Readonly<Record<GridPlane, readonly [number, number]>> = { ground: [
 /** Minimum CSS pixels between labelled lines at the camera's target. */
 const SPACING_PX = 92;
 /** How far from the target lines are labelled, in spacings. */
-const LABEL_REACH = 7;
+const LABEL_REACH = 4;
+/** Before the characters: nothing of the floor is ever drawn over a body. Its shadow is drawn between (`stage.ts`). */
+const LINES_ORDER = -900;
+const NUMBERS_ORDER = -840;
 
 export interface GridView {
   readonly target: Vector3;
@@ -57,6 +60,7 @@ export class Grid {
   private readonly quad: Mesh<BufferGeometry, ShaderMaterial>;
   private readonly glyphs = new Glyphs(512);
   private readonly labelColor = new Color();
+  private poolOpacity = 0;
   private readonly axisColors = [new Color(), new Color(), new Color()];
   private readonly at = [0, 0, 0];
   private readonly drawnFor = { target: new Vector3(Number.NaN), distance: 0, unitsPerPixel: 0, plane: '' };
@@ -71,8 +75,8 @@ export class Grid {
     this.quad = new Mesh(geometry, gridMaterial());
     this.quad.frustumCulled = false;
     this.quad.matrixAutoUpdate = false;
-    this.quad.renderOrder = -20;
-    this.glyphs.object.renderOrder = -10;
+    this.quad.renderOrder = LINES_ORDER;
+    this.glyphs.object.renderOrder = NUMBERS_ORDER;
     this.object.add(this.quad, this.glyphs.object);
   }
 
@@ -84,7 +88,9 @@ export class Grid {
     [theme.axisX, theme.axisY, theme.axisZ].forEach((css, i) => {
       this.axisColors[i].copy(rawColor(css));
     });
-    this.labelColor.copy(rawColor(theme.label));
+    uniforms.poolColor.value.copy(rawColor(theme.pool));
+    this.poolOpacity = theme.poolOpacity;
+    this.labelColor.copy(rawColor(theme.gridLabel));
     this.glyphs.setHalo(theme.labelHalo);
     this.drawnFor.distance = Number.NaN;
   }
@@ -96,7 +102,7 @@ export class Grid {
 
   /** Distance from the target at which lines have faded out. */
   static reach(distance: number): number {
-    return 5 * distance;
+    return 2.6 * distance;
   }
 
   /** Call every frame in which the camera moved. */
@@ -129,15 +135,7 @@ export class Grid {
     uniforms.radius.value = radius;
     uniforms.uColor.value.copy(this.axisColors[u]);
     uniforms.vColor.value.copy(this.axisColors[v]);
-    const upright = plane !== 'ground';
-    this.quad.material.depthTest = !upright;
-    // Drawn before everything else, so in the opaque list; it still blends.
-    this.quad.material.transparent = !upright;
-    this.quad.renderOrder = upright ? -900 : -20;
-    // Its numbers too: they are in the plane that a model stands in.
-    this.glyphs.object.material.depthTest = !upright;
-    this.glyphs.object.material.transparent = !upright;
-    this.glyphs.object.renderOrder = upright ? -890 : -10;
+    uniforms.pool.value = plane === 'ground' ? this.poolOpacity : 0;
 
     const m = this.quad.matrix.identity().elements;
     m.fill(0, 0, 12);
@@ -179,7 +177,7 @@ export class Grid {
         const value = i * spacing;
         const away = Math.abs(value - centre) / near;
         at[along] = value;
-        glyphs.add(gridLabel(i, spacing), at[0], at[1], at[2], 4, -8, this.labelColor, 1 - away ** 3);
+        glyphs.add(gridLabel(i, spacing), at[0], at[1], at[2], 4, -8, this.labelColor, 0.9 * (1 - away * away));
       }
       // The axis's name, on the other side of its line, where labels begin to fade.
       const named = Math.floor((centre + 0.7 * near) / spacing);
@@ -195,10 +193,10 @@ export class Grid {
 function gridMaterial(): ShaderMaterial {
   return new ShaderMaterial({
     side: DoubleSide,
+    depthTest: false,
     depthWrite: false,
-    transparent: true,
     toneMapped: false,
-    // Custom, so that it blends in the opaque list too.
+    // Custom, so that it blends in the opaque list, which is drawn first.
     blending: CustomBlending,
     blendEquation: AddEquation,
     blendSrc: SrcAlphaFactor,
@@ -206,9 +204,6 @@ function gridMaterial(): ShaderMaterial {
     // Keeps the canvas opaque: the page would show through its lines.
     blendSrcAlpha: OneFactor,
     blendDstAlpha: OneMinusSrcAlphaFactor,
-    polygonOffset: true,
-    polygonOffsetFactor: 1,
-    polygonOffsetUnits: 4,
     uniforms: {
       spacing: { value: new Vector2(0.2, 1) },
       centre: { value: new Vector2() },
@@ -219,6 +214,8 @@ function gridMaterial(): ShaderMaterial {
       majorColor: { value: new Color() },
       uColor: { value: new Color() },
       vColor: { value: new Color() },
+      pool: { value: 0 },
+      poolColor: { value: new Color() },
     },
     vertexShader: /* glsl */ `
       uniform float radius;
@@ -238,6 +235,8 @@ function gridMaterial(): ShaderMaterial {
       uniform vec3 majorColor;
       uniform vec3 uColor;
       uniform vec3 vColor;
+      uniform float pool;
+      uniform vec3 poolColor;
       varying vec2 vAt;
 
       // Coverage of this pixel by lines \`every\` apart, for lines across u (.x) and v (.y).
@@ -261,11 +260,14 @@ function gridMaterial(): ShaderMaterial {
         color = strong > color.a ? vec4(majorColor, strong) : color;
         // v is 0 along the first axis, u along the second.
         vec2 axis = 1.0 - smoothstep(vec2(0.3), vec2(1.3), abs(vAt - zero) / pixel);
-        if (axis.y > 0.0) color = vec4(mix(color.rgb, uColor, axis.y), max(color.a, 0.8 * axis.y));
-        if (axis.x > 0.0) color = vec4(mix(color.rgb, vColor, axis.x), max(color.a, 0.8 * axis.x));
+        if (axis.y > 0.0) color = vec4(mix(color.rgb, uColor, axis.y), max(color.a, 0.5 * axis.y));
+        if (axis.x > 0.0) color = vec4(mix(color.rgb, vColor, axis.x), max(color.a, 0.5 * axis.x));
         float away = length(vAt - centre) / radius;
         float fade = 1.0 - smoothstep(0.05, 1.0, away);
         color.a *= fade * fade;
+        // Light on the floor, under the lines.
+        float lit = pool * exp(-26.0 * away * away) * (1.0 - color.a);
+        color = vec4((color.rgb * color.a + poolColor * lit) / max(color.a + lit, 1e-6), color.a + lit);
         if (color.a < 0.002) discard;
         gl_FragColor = color;
       }

@@ -2,9 +2,9 @@
  * The scene around characters: background, lights and the shadow on the ground.
  *
  *     key    warm, from above left, casts the shadow
- *     rim    cool, from behind right: lights the outline
+ *     rim    cool, from behind right of the camera's view: lights the outline, whichever side is seen
  *     sky    soft from above, warm from the ground
- *     fill   faint, from the camera: no side of a character is too dark
+ *     fill   soft, from beside the camera: no side of a character is too dark
  *
  * The shadow hardens on contact: casters close to the ground give a dark, sharp shadow, higher ones a wide and faint
  * one. Both come from one shadow map, sampled narrow and wide, the wide samples only from casters far above the ground.
@@ -14,8 +14,8 @@ import {
   Box3,
   BufferAttribute,
   BufferGeometry,
-  type Camera,
   Color,
+  CustomBlending,
   DirectionalLight,
   Group,
   HemisphereLight,
@@ -24,7 +24,11 @@ import {
   type Material,
   Mesh,
   NeutralToneMapping,
+  OneFactor,
+  OneMinusSrcAlphaFactor,
+  type OrthographicCamera,
   PCFShadowMap,
+  type PerspectiveCamera,
   PlaneGeometry,
   Points,
   Scene,
@@ -32,6 +36,7 @@ import {
   ShadowMaterial,
   Skeleton,
   Sphere,
+  SrcAlphaFactor,
   Texture,
   Vector3,
   type WebGLRenderer,
@@ -41,7 +46,12 @@ import { rawColor } from './thick-lines.ts';
 
 /** Directions towards the lights. */
 const KEY = new Vector3(-0.24, 1, 0.72).normalize();
-const RIM = new Vector3(0.62, 0.55, -0.85).normalize();
+/** The same along the camera's axes: to its right, up, and towards it from its target. */
+const RIM = new Vector3(0.62, 0.5, -0.78).normalize();
+const FILL = new Vector3(0.45, 0.25, 1).normalize();
+
+/** Of the floor, before the characters and without depth test: nothing of it is ever drawn over a body. */
+const SHADOW_ORDER = -850;
 
 /** Side of the shadow map in pixels. */
 const SHADOW_MAP = 2048;
@@ -57,10 +67,10 @@ export class Stage {
   readonly scene = new Scene();
   /** Parent of the characters. */
   readonly content = new Group();
-  private readonly key = new DirectionalLight('#ffe9d0', 2.3);
-  private readonly rim = new DirectionalLight('#aecbff', 1.9);
-  private readonly fill = new DirectionalLight('#f4f6ff', 0.8);
-  private readonly sky = new HemisphereLight('#e6eeff', '#b8b0a8', 1.45);
+  private readonly key = new DirectionalLight('#fff0de', 2);
+  private readonly rim = new DirectionalLight('#b9d2ff', 2.4);
+  private readonly fill = new DirectionalLight('#fff4e8', 0.95);
+  private readonly sky = new HemisphereLight('#eaf0ff', '#cfc6bb', 1.5);
   private readonly background = createBackground();
   private readonly ground = new Mesh(new PlaneGeometry(1, 1).rotateX(-Math.PI / 2), createShadowMaterial());
   private readonly sphere = new Sphere();
@@ -78,11 +88,10 @@ export class Stage {
     key.shadow.mapSize.set(SHADOW_MAP, SHADOW_MAP);
     key.shadow.radius = 2.5;
     key.shadow.intensity = 0.85;
-    rim.position.copy(RIM);
     ground.receiveShadow = true;
-    ground.renderOrder = -30;
+    ground.renderOrder = SHADOW_ORDER;
     ground.frustumCulled = false;
-    this.scene.add(this.background, this.content, ground, key, key.target, rim, fill, fill.target, sky);
+    this.scene.add(this.background, this.content, ground, key, key.target, rim, fill, sky);
     this.right.crossVectors(new Vector3(0, 1, 0), KEY).normalize();
     this.up.crossVectors(KEY, this.right);
   }
@@ -91,7 +100,9 @@ export class Stage {
     renderer.toneMappingExposure = theme.exposure;
     const { uniforms } = this.background.material;
     uniforms.top.value.copy(rawColor(theme.backgroundTop));
+    uniforms.haze.value.copy(rawColor(theme.horizon));
     uniforms.bottom.value.copy(rawColor(theme.backgroundBottom));
+    uniforms.vignette.value = theme.vignette;
     this.ground.material.color.set(theme.shadow);
     this.ground.material.opacity = theme.shadowOpacity;
   }
@@ -107,11 +118,12 @@ export class Stage {
     this.key.castShadow = on;
   }
 
-  /** Call before each frame: moves the fill light to the camera. */
-  light(camera: Camera): void {
-    const { fill } = this;
-    fill.target.position.set(0, 0, 0);
-    fill.position.setFromMatrixColumn(camera.matrixWorld, 2).addScaledVector(this.up, 0);
+  /** Call before each frame: rim, fill and horizon go with the camera. */
+  light(camera: PerspectiveCamera | OrthographicCamera): void {
+    // Lights shine towards the origin, where their targets stay.
+    this.rim.position.copy(RIM).transformDirection(camera.matrixWorld);
+    this.fill.position.copy(FILL).transformDirection(camera.matrixWorld);
+    this.background.material.uniforms.horizon.value = horizonOf(camera);
   }
 
   /**
@@ -190,7 +202,18 @@ function texturesOf({ properties }: WebGLRenderer, material: Material): readonly
   return Object.values(uniforms).flatMap(({ value }) => (value instanceof Texture ? [value] : []));
 }
 
-/** A gradient behind everything, slightly lighter in the centre, dithered against banding. */
+/** Where the horizon is without one: above anything that is seen. */
+const NO_HORIZON = 3;
+
+/** Height of the horizon in the picture, from -1 at the bottom to 1 at the top. */
+function horizonOf(camera: PerspectiveCamera | OrthographicCamera): number {
+  if (!('isPerspectiveCamera' in camera)) return NO_HORIZON;
+  const m = camera.matrixWorld.elements;
+  const slope = m[9] / Math.hypot(m[8], m[10]);
+  return Math.min(NO_HORIZON, Math.max(-NO_HORIZON, slope * camera.projectionMatrix.elements[5]));
+}
+
+/** A haze at the horizon that fades upwards and downwards, behind everything, dithered against banding. */
 function createBackground(): Mesh<BufferGeometry, ShaderMaterial> {
   const geometry = new BufferGeometry();
   geometry.setAttribute('position', new BufferAttribute(new Float32Array([-1, -1, 0, 3, -1, 0, -1, 3, 0]), 3));
@@ -198,7 +221,13 @@ function createBackground(): Mesh<BufferGeometry, ShaderMaterial> {
     depthTest: false,
     depthWrite: false,
     toneMapped: false,
-    uniforms: { top: { value: new Color() }, bottom: { value: new Color() } },
+    uniforms: {
+      top: { value: new Color() },
+      haze: { value: new Color() },
+      bottom: { value: new Color() },
+      horizon: { value: 0 },
+      vignette: { value: 0 },
+    },
     vertexShader: /* glsl */ `
       varying vec2 vAt;
       void main() {
@@ -208,12 +237,17 @@ function createBackground(): Mesh<BufferGeometry, ShaderMaterial> {
     `,
     fragmentShader: /* glsl */ `
       uniform vec3 top;
+      uniform vec3 haze;
       uniform vec3 bottom;
+      uniform float horizon;
+      uniform float vignette;
       varying vec2 vAt;
       void main() {
-        float height = smoothstep(-1.1, 1.0, vAt.y);
-        vec3 color = mix(bottom, top, height);
-        color += 0.022 * (1.0 - smoothstep(0.0, 1.3, length(vAt * vec2(0.9, 1.0))));
+        float above = vAt.y - horizon;
+        vec3 color = above > 0.0
+          ? mix(top, haze, exp(-above * above / 0.5))
+          : mix(bottom, haze, exp(-above * above / 0.9));
+        color *= 1.0 - vignette * smoothstep(0.55, 1.6, length(vAt * vec2(0.85, 1.0)));
         // Interleaved gradient noise (Jimenez 2014).
         float noise = fract(52.9829189 * fract(dot(gl_FragCoord.xy, vec2(0.06711056, 0.00583715))));
         gl_FragColor = vec4(color + (noise - 0.5) / 255.0, 1.0);
@@ -229,10 +263,15 @@ function createBackground(): Mesh<BufferGeometry, ShaderMaterial> {
 /** three.js's ShadowMaterial with our own shadow sampling. */
 function createShadowMaterial(): ShadowMaterial {
   const material = new ShadowMaterial({
+    depthTest: false,
     depthWrite: false,
-    polygonOffset: true,
-    polygonOffsetFactor: 1,
-    polygonOffsetUnits: 6,
+    // In the opaque list, which is drawn first, yet blended.
+    transparent: false,
+    blending: CustomBlending,
+    blendSrc: SrcAlphaFactor,
+    blendDst: OneMinusSrcAlphaFactor,
+    blendSrcAlpha: OneFactor,
+    blendDstAlpha: OneMinusSrcAlphaFactor,
   });
   const uniforms = { lifted: { value: 0.05 } };
   material.userData.uniforms = uniforms;
@@ -265,7 +304,7 @@ function createShadowMaterial(): ShadowMaterial {
           float wide = darkness(at, 0.035, phi);
           float high = darkness(vec3(at.xy, at.z - lifted), 0.012, phi);
           float contact = max(narrow - high, 0.0);
-          return (0.62 * wide + 0.5 * contact + 0.12 * narrow) * (1.0 - smoothstep(0.9, 1.0, edge));
+          return (0.5 * wide + 0.85 * contact + 0.16 * narrow) * (1.0 - smoothstep(0.9, 1.0, edge));
         }
         #else
         float groundShadow() { return 0.0; }

@@ -14,18 +14,26 @@ export type Tints = ReadonlyMap<string, Tint>;
 export const NO_TINTS: Tints = new Map();
 
 export interface StageTheme {
-  /** Background, from the top of the viewport to its bottom. */
+  /** Background at the top of the viewport, at the horizon, and at the bottom. */
   readonly backgroundTop: string;
+  readonly horizon: string;
   readonly backgroundBottom: string;
+  /** How much darker the corners are, 0 to 1. */
+  readonly vignette: number;
   /** Grid lines at the labelled spacing, and between them. */
   readonly gridMajor: string;
   readonly gridMinor: string;
   readonly gridMajorOpacity: number;
   readonly gridMinorOpacity: number;
+  /** Light on the floor around what the camera looks at. */
+  readonly pool: string;
+  readonly poolOpacity: number;
+  /** Numbers on the grid. */
+  readonly gridLabel: string;
   readonly axisX: string;
   readonly axisY: string;
   readonly axisZ: string;
-  /** Numbers on the grid, names of joints. */
+  /** Names of joints. */
   readonly label: string;
   /** Outline of labels, so that they are readable on anything. */
   readonly labelHalo: string;
@@ -61,19 +69,24 @@ export interface StageTheme {
 
 export const STAGE_THEMES: Readonly<Record<ThemeName, StageTheme>> = {
   dark: {
-    backgroundTop: '#34383d',
-    backgroundBottom: '#202327',
+    backgroundTop: '#25292d',
+    horizon: '#363c42',
+    backgroundBottom: '#1b1e21',
+    vignette: 0.1,
     gridMajor: '#aab4c0',
     gridMinor: '#aab4c0',
-    gridMajorOpacity: 0.24,
-    gridMinorOpacity: 0.1,
+    gridMajorOpacity: 0.2,
+    gridMinorOpacity: 0.08,
+    pool: '#8b95a1',
+    poolOpacity: 0.16,
+    gridLabel: '#98a1ab',
     axisX: '#ff8078',
     axisY: '#85cf63',
     axisZ: '#7fb2ff',
     label: '#b9c0c8',
     labelHalo: '#25282c',
     bone: '#cfd3d8',
-    box: '#b9bfc6',
+    box: '#a8afb7',
     boxEdge: '#b4c2d1',
     boxEdgeOpacity: 0.6,
     selected: '#ff9a3c',
@@ -92,12 +105,17 @@ export const STAGE_THEMES: Readonly<Record<ThemeName, StageTheme>> = {
     exposure: 1.04,
   },
   light: {
-    backgroundTop: '#f4f5f7',
+    backgroundTop: '#e9ecf0',
+    horizon: '#f7f8fa',
     backgroundBottom: '#d9dde2',
+    vignette: 0.04,
     gridMajor: '#3c4754',
     gridMinor: '#3c4754',
-    gridMajorOpacity: 0.26,
-    gridMinorOpacity: 0.11,
+    gridMajorOpacity: 0.2,
+    gridMinorOpacity: 0.09,
+    pool: '#ffffff',
+    poolOpacity: 0.6,
+    gridLabel: '#4a535d',
     axisX: '#b5271f',
     axisY: '#2a6b17',
     axisZ: '#1f56bd',

@@ -22,7 +22,7 @@ const CASES = NAMES.flatMap((name) => READ.map((part) => ({ name, part })));
 describe('the colours of the viewport', () => {
   it.each(CASES)('$part reads on all of the $name background', ({ name, part }) => {
     const theme = STAGE_THEMES[name];
-    for (const ground of [theme.backgroundTop, theme.backgroundBottom, theme.labelHalo]) {
+    for (const ground of [theme.backgroundTop, theme.horizon, theme.backgroundBottom, theme.labelHalo]) {
       expect(contrast(String(theme[part]), ground)).toBeGreaterThanOrEqual(4.5);
     }
   });
