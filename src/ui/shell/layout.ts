@@ -4,7 +4,7 @@
  *     menu bar
  *     outliner | viewport | inspector        outliner and inspector collapse, and become drawers on a narrow page
  *     transport
- *     timeline: curves, dope sheet and lists collapses; closed at first on a narrow page
+ *     timeline: curves, dope sheet and lists collapses; closed at first
  */
 import { element } from '../kit/dom.ts';
 import { REGION } from '../kit/focus.ts';

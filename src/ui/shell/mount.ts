@@ -22,6 +22,7 @@ import { menuBar } from './menu-bar.ts';
 import { commands, runById } from './run-by-id.ts';
 import { leaveRefusalsBehind } from './stale-messages.ts';
 import { statusBar } from './status-bar.ts';
+import { timelineOpeners } from './timeline-openers.ts';
 import { timelinePanel } from './timeline-panel.ts';
 import { TABS } from './timeline-tabs.ts';
 import { limitUndo } from './undo-memory.ts';
@@ -87,7 +88,7 @@ export function mountWorkbench(
       outliner: outliner(wb),
       stage,
       inspector: inspectorPanel(wb),
-      transport: transport(wb, scrubber),
+      transport: transport(wb, scrubber, timelineOpeners(wb)),
       timeline: timelinePanel(wb, loadTab, signal),
       status: statusBar(wb, signal),
     },

@@ -21,6 +21,8 @@ import type { Scrubber } from './scrubber.ts';
 export function transport(
   wb: Uses<'store' | 'actions' | 'transport' | 'timeline' | 'settings' | 'messages'>,
   scrubber: Scrubber,
+  /** What opens the collapsed timeline. */
+  openers: HTMLElement,
 ): HTMLElement {
   return element(
     'section',
@@ -34,6 +36,7 @@ export function transport(
       keying(wb),
       timelineButton(wb),
       ...times(wb),
+      openers,
       ...range(wb),
     ),
     scrubber.element,
