@@ -192,7 +192,9 @@ function openSample() {
   return opener.open(
     async (signal) => {
       const [first] = await samples;
-      return first ? fetchSample(first, document.baseURI, signal) : [];
+      if (!first) return [];
+      sampleDisplay.show(first.shows);
+      return fetchSample(first, document.baseURI, signal);
     },
     { asOpeningSample: true },
   );

@@ -8,7 +8,7 @@ import type { Display } from '../model/session.ts';
 import type { Observable } from '../ui/kit/observable.ts';
 import type { Settings } from '../ui/state/settings.ts';
 
-const SWITCHES = ['names', 'bones', 'axes'] as const;
+const SWITCHES = ['names', 'bones', 'axes', 'followRoot'] as const;
 /** The switches that examples may ask for. */
 export type SampleSwitches = Readonly<Partial<Pick<Display, (typeof SWITCHES)[number]>>>;
 

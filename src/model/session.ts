@@ -68,6 +68,8 @@ export interface Display {
   readonly ghostStepIn: GhostUnit;
   /** Keeps the camera on the selected joint. */
   readonly follow: boolean;
+  /** Moves the camera over the ground with the root: of the selected character, or of the only one. */
+  readonly followRoot: boolean;
   /** Cancels the root's travel over the ground. */
   readonly inPlace: boolean;
 }
@@ -91,5 +93,6 @@ export const DEFAULT_DISPLAY: Display = {
   ghostStep: 0.2,
   ghostStepIn: 'seconds',
   follow: false,
+  followRoot: false,
   inPlace: false,
 };

@@ -17,6 +17,6 @@ export interface Sample {
   readonly clip: ChannelClip;
   readonly rig: Rig;
   /** Parts of the display that the example switches on; absent: none. */
-  readonly shows?: Pick<Partial<Display>, 'names' | 'bones' | 'axes'>;
+  readonly shows?: Pick<Partial<Display>, 'names' | 'bones' | 'axes' | 'followRoot'>;
   readonly textures: readonly { readonly name: string; readonly bytes: Uint8Array }[];
 }

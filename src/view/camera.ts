@@ -225,7 +225,7 @@ export class CameraRig {
    */
   lookFirst(boxes: readonly Box3[], coveredTop: number, facing = 0): void {
     this.travel.stop();
-    this.place({ ...this.read(newView()), azimuth: 0.6 + facing, polar: 1.32 });
+    this.place({ ...this.read(newView()), azimuth: 0.62 + facing, polar: 1.37 });
     this.frame(boxes, coveredTop, false);
   }
 

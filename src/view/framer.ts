@@ -15,6 +15,8 @@ import { isWellSeen } from './well-seen.ts';
 
 /** Around a vertex, frame this fraction of the character's size. */
 const AROUND_VERTEX = 0.06;
+/** Above and below characters that are followed, as a part of their height. */
+const ROOM_FOR_MOTION = 0.12;
 
 export class Framer {
   /** CSS pixels at the top of the viewport covered by overlays. */
@@ -85,16 +87,28 @@ export class Framer {
     } else rig.frame(this.characters.boundsOfMotion(playedRange, timeSeconds, [entry]), this.coveredTop(), true);
   }
 
-  /** Each frame, before the camera is updated: starts the requested move. */
-  settle(playedRange: readonly [number, number], timeSeconds: number): void {
+  /**
+   * Each frame, before the camera is updated: starts the requested move.
+   *
+   * @param isFollowing the camera goes with the characters, which are framed as they stand, with room for their motion
+   */
+  settle(playedRange: readonly [number, number], timeSeconds: number, isFollowing = false): void {
     const { rig, characters } = this;
     if (this.everything !== 'no' && !characters.content.isEmpty()) {
-      const motion = characters.boundsOfMotion(playedRange, timeSeconds);
+      const motion = isFollowing ? [this.standing()] : characters.boundsOfMotion(playedRange, timeSeconds);
       if (this.everything === 'first look') rig.lookFirst(motion, this.coveredTop(), quarterFaced(characters.visible));
       else rig.frame(motion, this.coveredTop(), true);
       this.everything = 'no';
     }
     if (this.revealing.length > 0) this.bringIntoView(playedRange, timeSeconds);
+  }
+
+  /** Around the characters as they are now. */
+  private standing(): Box3 {
+    const box = new Box3();
+    for (const { view } of this.characters.visible) box.union(view.bounds(this.ownBox));
+    const { y } = box.getSize(this.size);
+    return box.expandByVector(this.size.set(0, ROOM_FOR_MOTION * y, 0));
   }
 
   private bringIntoView(playedRange: readonly [number, number], timeSeconds: number): void {

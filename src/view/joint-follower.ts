@@ -1,4 +1,7 @@
-/** Makes the camera follow the selected joint: moves to it when it is selected, then along with it. */
+/**
+ * Makes the camera follow the selected joint: moves to it when it is selected, then along with it. A root is only
+ * followed over the ground, from wherever the camera looks.
+ */
 import { Vector3 } from 'three';
 import type { Character } from '../model/document.ts';
 import type { CameraRig } from './camera.ts';
@@ -7,7 +10,7 @@ import type { SkeletonDrawing } from './skeleton-drawing.ts';
 export class JointFollower {
   private characterId: string | undefined;
   private copy = 0;
-  private joint = -1;
+  private joint: number | 'root' = -1;
   /** Drags that hold the camera. */
   private holds = 0;
   private wasHeld = false;
@@ -30,11 +33,12 @@ export class JointFollower {
    *
    * @param character undefined: nothing is followed
    * @param copy index of its placement
+   * @param joint index; 'root': the first joint's way over the ground
    */
   follow(
     character: Pick<Character, 'id'> | undefined,
     copy: number,
-    joint: number | undefined,
+    joint: number | 'root' | undefined,
     skeletons: Pick<SkeletonDrawing, 'positionOf'>,
     rig: Pick<CameraRig, 'shift' | 'moveTo'>,
   ): void {
@@ -44,16 +48,19 @@ export class JointFollower {
     const stays = isHeld || this.wasHeld;
     this.wasHeld = isHeld;
     const characterId = character?.id;
+    const isRoot = joint === 'root';
+    const index = isRoot ? 0 : joint;
     const found =
-      characterId !== undefined && joint !== undefined && skeletons.positionOf(characterId, copy, joint, point);
-    if (!found) {
+      characterId !== undefined && index !== undefined && skeletons.positionOf(characterId, copy, index, point);
+    if (!found || joint === undefined) {
       this.characterId = undefined;
       return;
     }
     const isSame = this.characterId === characterId && this.copy === copy && this.joint === joint;
+    if (isRoot) point.y = 0;
     if (!stays) {
       if (isSame) rig.shift(this.step.subVectors(point, this.last));
-      else rig.moveTo(point);
+      else if (!isRoot) rig.moveTo(point);
     }
     this.characterId = characterId;
     this.copy = copy;

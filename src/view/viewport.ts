@@ -362,8 +362,11 @@ export class Viewport {
     const { shown, follower } = this;
     if (!shown.update()) return;
     const { display, selection, characters, picked, skeletons } = shown;
-    const followed = display.follow ? characters.seen(selection.characterId)?.character : undefined;
-    follower.follow(followed, followed ? picked.of(followed) : 0, selection.joint, skeletons, this.rig);
+    const followed = followedBy(display, selection);
+    const { visible } = characters;
+    const only = followed === 'root' && visible.length === 1 ? visible[0] : undefined;
+    const character = followed === undefined ? undefined : (characters.seen(selection.characterId) ?? only)?.character;
+    follower.follow(character, character ? picked.of(character) : 0, followed, skeletons, this.rig);
   }
 
   /** @throws whatever three.js does */
@@ -372,7 +375,7 @@ export class Viewport {
     const { stage, grid, display, characters } = shown;
     if (!screen.canDraw) return;
     this.update();
-    framer.settle(shown.playedRange, shown.timeSeconds);
+    framer.settle(shown.playedRange, shown.timeSeconds, display.followRoot);
     rig.tick(nowMs);
     rig.fitDepth(characters.content, display.grid);
     const { camera } = rig;
@@ -386,4 +389,10 @@ export class Viewport {
     shown.drawLabels(camera);
     orientation.update(camera);
   }
+}
+
+/** What the camera follows: a selected joint before the root. */
+function followedBy({ follow, followRoot }: Display, { joint }: Selection): number | 'root' | undefined {
+  if (follow && joint !== undefined) return joint;
+  return followRoot ? 'root' : undefined;
 }

@@ -68,3 +68,18 @@ it('is held until all who hold it have let go, each of which counts once', () =>
   follow(6);
   expect(moves).toEqual(['to 1', 'by 2']);
 });
+
+it('goes along with a root over the ground, from where the camera looks', () => {
+  const shifts: Vector3[] = [];
+  const along = { moveTo: rig.moveTo, shift: (by: Vector3) => void shifts.push(by.clone()) };
+  for (const [x, y] of [
+    [1, 1],
+    [3, 1.2],
+    [3, 0.9],
+  ]) {
+    place.set(x, y, 0);
+    follower.follow({ id: 'c1' }, 0, 'root', skeletons, along);
+  }
+  expect(moves).toEqual([]);
+  expect(shifts).toEqual([new Vector3(2, 0, 0), new Vector3(0, 0, 0)]);
+});

@@ -1,11 +1,11 @@
 /** The crawler example. */
-import { roundSeconds } from '../motion/circle.ts';
+import { pathSeconds } from '../motion/path.ts';
 import { gaitChannels } from '../motion/walk.ts';
 import { encodePng } from '../paint/png.ts';
 import type { Sample } from '../sample.ts';
 import { bindingMatrices, posedFrames } from '../shape/skeletons.ts';
 import { buildCrawlerMesh, paintCrawler } from './body.ts';
-import { CRAWL_CIRCLE, cornersOf, crawlPose } from './gait.ts';
+import { CRAWL_PATH, cornersOf, crawlPose } from './gait.ts';
 import { CRAWLER_SKELETON, LEGS } from './skeleton.ts';
 
 export function crawlerSample(): Sample {
@@ -22,10 +22,10 @@ export function crawlerSample(): Sample {
     morphs: [],
     clip: {
       name: 'crawler_walk',
-      range: [0, roundSeconds(CRAWL_CIRCLE)],
+      range: [0, pathSeconds(CRAWL_PATH)],
       channels: gaitChannels({
         skeleton: CRAWLER_SKELETON,
-        circle: CRAWL_CIRCLE,
+        path: CRAWL_PATH,
         poseAt: crawlPose,
         frame: 0.012,
         care: (joint) => {

@@ -6,12 +6,12 @@
  */
 
 import { add, subtract, type Vec3 } from '../../math/vec3.ts';
-import { type Circle, carriedBack } from '../motion/circle.ts';
+import { circlePath } from '../motion/path.ts';
 import type { WalkPose } from '../motion/walk.ts';
 import { apply, ballRotation, inverse, mixVec, rotationY } from '../shape/vectors.ts';
 import { BODY_HEIGHT, COXA, FEMUR, LEGS, type LegPlan, TIBIA } from './skeleton.ts';
 
-export const CRAWL_CIRCLE: Circle = { radius: 1, strides: 12, strideSeconds: 0.6 };
+export const CRAWL_PATH = circlePath(1, 12, 0.6);
 
 /** Phase at which a foot lifts off; it is planted before. */
 export const LIFTS = 0.56;
@@ -25,8 +25,8 @@ const wave = (phase: number, lag = 0): number => Math.sin(TAU * (phase - lag));
 /** Position of a leg's foot at its own phase x, in path space. */
 function footAt(leg: LegPlan, x: number): Vec3 {
   const out = apply(rotationY(-leg.side * leg.azimuth), [leg.side * SPREAD, 0, 0]);
-  const rest: Vec3 = [-CRAWL_CIRCLE.radius + leg.hip[0] + out[0], 0, leg.hip[2] + out[2]];
-  const planted = (strides: number) => carriedBack(CRAWL_CIRCLE, x - MID_STANCE - strides, rest);
+  const rest: Vec3 = [CRAWL_PATH.middle + leg.hip[0] + out[0], 0, leg.hip[2] + out[2]];
+  const planted = (strides: number) => CRAWL_PATH.carriedBack(x - MID_STANCE - strides, rest);
   if (x < LIFTS) return planted(0);
   const s = (x - LIFTS) / (1 - LIFTS);
   const far = s * s * s * (10 - 15 * s + 6 * s * s);
@@ -37,7 +37,7 @@ function footAt(leg: LegPlan, x: number): Vec3 {
 export function crawlPose(anyPhase: number): WalkPose {
   const phase = anyPhase - Math.floor(anyPhase);
   const angles = new Map<string, Vec3>();
-  const root: Vec3 = [-CRAWL_CIRCLE.radius + 0.012 * wave(phase, 0.1), BODY_HEIGHT + 0.014 * wave(2 * phase, 0.1), 0];
+  const root: Vec3 = [CRAWL_PATH.middle + 0.012 * wave(phase, 0.1), BODY_HEIGHT + 0.014 * wave(2 * phase, 0.1), 0];
   const body: Vec3 = [0.025 * wave(2 * phase, 0.3), 0.05 * wave(phase, 0.05), 0.035 * wave(phase, 0.15) - 0.02];
   angles.set('body', body);
   const turn = ballRotation(body);

@@ -1,12 +1,12 @@
 /**
- * Converts a gait (a pose for each phase of a stride, in path space) to channels: the root's for a whole circle, the
- * joints' for one stride, cycled.
+ * Converts a gait (a pose for each phase of a stride, in path space) to channels: the joints' for one stride, cycled, and
+ * the root's, which on a circle take its whole round.
  */
 import type { Vec3 } from '../../math/vec3.ts';
 import type { Channel } from '../../model/clip.ts';
 import type { Skeleton } from '../../model/skeleton.ts';
-import { type Circle, circleHeading, roundSeconds, toWorld } from './circle.ts';
 import { fitChannel } from './fit.ts';
+import { pathSeconds, type WalkPath } from './path.ts';
 
 export interface WalkPose {
   /** The root joint in path space. */
@@ -17,7 +17,7 @@ export interface WalkPose {
 
 export interface Walk {
   readonly skeleton: Skeleton;
-  readonly circle: Circle;
+  readonly path: WalkPath;
   readonly poseAt: (phase: number) => WalkPose;
   /** Seconds between possible keys; strides and corners are multiples of it. */
   readonly frame: number;
@@ -25,24 +25,24 @@ export interface Walk {
   readonly care: (joint: string) => { readonly tolerance: number; readonly corners?: readonly number[] };
 }
 
-/** Units: a tenth of a percent of a character about as high as its circle's radius. */
+/** Units: a tenth of a percent of a character about a unit high. */
 const ROOT_TOLERANCE = 0.001;
 
-/** Channels of the root translation and all joints, in clip order. Joint 0 turns with the circle. */
-export function gaitChannels({ skeleton, circle, poseAt, frame, care }: Walk): Channel[] {
-  const stride = circle.strideSeconds;
-  const round = roundSeconds(circle);
+/** Channels of the root translation and all joints, in clip order. Joint 0 turns with the path. */
+export function gaitChannels({ skeleton, path, poseAt, frame, care }: Walk): Channel[] {
+  const stride = path.strideSeconds;
+  const round = pathSeconds(path);
   const translation = [0, 1, 2].map((axis) =>
-    fitChannel((t) => toWorld(circle, t, poseAt(t / stride).root)[axis] - skeleton.joints[0].offset[axis], {
+    fitChannel((t) => path.toWorld(t, poseAt(t / stride).root)[axis] - skeleton.joints[0].offset[axis], {
       from: 0,
-      to: axis === 1 ? stride : round,
+      to: axis === 1 || path.isStraight ? stride : round,
       frame,
       tolerance: ROOT_TOLERANCE,
-      extrapolation: 'cycle',
+      extrapolation: axis === 2 && path.isStraight ? 'cycle_offset' : 'cycle',
     }),
   );
   const turning = [0, 1, 2].map((axis) =>
-    fitChannel((t) => (axis === 1 ? circleHeading(circle, t) : 0), {
+    fitChannel((t) => (axis === 1 ? path.heading(t) : 0), {
       from: 0,
       to: round,
       frame: round,

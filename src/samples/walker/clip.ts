@@ -1,14 +1,14 @@
 /** The walker's clip: the gait as channels, then the face's and the chest's. */
 import { smoothstep } from '../../math/smoothstep.ts';
 import type { Channel, ChannelClip } from '../../model/clip.ts';
-import { roundSeconds } from '../motion/circle.ts';
 import { fitChannel } from '../motion/fit.ts';
+import { pathSeconds } from '../motion/path.ts';
 import { gaitChannels } from '../motion/walk.ts';
 import { round } from '../shape/vectors.ts';
-import { TOE_LEAVES, WALK_CIRCLE, walkPose } from './gait.ts';
+import { TOE_LEAVES, WALK_PATH, walkPose } from './gait.ts';
 import { WALKER_SKELETON } from './skeleton.ts';
 
-const ROUND = roundSeconds(WALK_CIRCLE);
+const ROUND = pathSeconds(WALK_PATH);
 /** Fiftieths of a second: the gait's corners, at tenths of a stride, are on keys. */
 const FRAME = 0.02;
 const CARRIES = /^(hips|thigh|shin|foot|toe)/;
@@ -16,7 +16,7 @@ const CARRIES = /^(hips|thigh|shin|foot|toe)/;
 export function walkerClip(): ChannelClip {
   const walk = gaitChannels({
     skeleton: WALKER_SKELETON,
-    circle: WALK_CIRCLE,
+    path: WALK_PATH,
     poseAt: walkPose,
     frame: FRAME,
     care: (joint) => {
@@ -34,7 +34,7 @@ export function walkerClip(): ChannelClip {
 const weight = (motion: (t: number) => number, period: number): Channel =>
   fitChannel(motion, { from: 0, to: round(period, 4), frame: FRAME, tolerance: 0.03, extrapolation: 'cycle' });
 
-/** Three blinks per circle, two of them close together. */
+/** Three blinks, two of them close together. */
 function blink(): Channel {
   const times = [1.2, 3.9, 4.3];
   const shut = (t: number, at: number) => smoothstep(at - 0.08, at, t) * smoothstep(at + 0.16, at + 0.04, t);

@@ -9,7 +9,7 @@
  */
 
 import { add, cross, scaled, subtract, type Vec3 } from '../../math/vec3.ts';
-import { type Circle, carriedBack } from '../motion/circle.ts';
+import { straightPath } from '../motion/path.ts';
 import type { WalkPose } from '../motion/walk.ts';
 import {
   apply,
@@ -28,7 +28,8 @@ import {
 } from '../shape/vectors.ts';
 import { ANKLE_HEIGHT, HEEL_CONTACT, HIP_HEIGHT, SHIN, THIGH, THIGH_OFFSET, TOE_OFFSET } from './skeleton.ts';
 
-export const WALK_CIRCLE: Circle = { radius: 1.12, strides: 8, strideSeconds: 0.8 };
+/** Seven metres, a multiple of the grid's numbered lines: where the take begins anew, the floor looks the same. */
+export const WALK_PATH = straightPath(7, 8, 0.8);
 
 /** Phases of a foot's own stride; the tests measure foot sliding between them. */
 export const FLAT_FROM = 0.1;
@@ -56,11 +57,11 @@ interface Foot {
 /** A foot at its own phase x, in path space. side: 1 left, −1 right. */
 function footAt(x: number, side: number): Foot {
   const yaw = TOE_OUT * side;
-  const ankleFlat: Vec3 = [-WALK_CIRCLE.radius + STANCE_WIDTH * side, ANKLE_HEIGHT, -0.02];
+  const ankleFlat: Vec3 = [WALK_PATH.middle + STANCE_WIDTH * side, ANKLE_HEIGHT, -0.02];
   const planted = (local: Vec3, strides: number) =>
-    carriedBack(WALK_CIRCLE, x - MID_STANCE - strides, add(ankleFlat, apply(rotationY(yaw), local)));
+    WALK_PATH.carriedBack(x - MID_STANCE - strides, add(ankleFlat, apply(rotationY(yaw), local)));
   const turnFor = (strides: number, pitch: number) =>
-    rotate(rotationY((-TAU * (x - MID_STANCE - strides)) / WALK_CIRCLE.strides + yaw), rotationX(pitch));
+    rotate(rotationY(yaw - WALK_PATH.heading((x - MID_STANCE - strides) * WALK_PATH.strideSeconds)), rotationX(pitch));
 
   if (x < FLAT_FROM) {
     const pitch = STRIKE_PITCH * (1 - x / FLAT_FROM) ** 2;
@@ -131,7 +132,7 @@ function hipsAt(phase: number): { at: Vec3; turn: Mat3; angles: Vec3 } {
     -0.16 * Math.cos(TAU * (phase - 0.02)),
     -0.03 + 0.075 * wave(phase, 0.02),
   ];
-  return { at: [-WALK_CIRCLE.radius + sway, HIP_HEIGHT - 0.032 + bob, surge], turn: ballRotation(angles), angles };
+  return { at: [WALK_PATH.middle + sway, HIP_HEIGHT - 0.032 + bob, surge], turn: ballRotation(angles), angles };
 }
 
 const SIDES = [
@@ -184,7 +185,7 @@ export function walkPose(anyPhase: number): WalkPose {
   angles.set('spine', spine);
   angles.set('chest', chest);
   angles.set('neck', neck);
-  // The head looks slightly into the turn, and keeps only a trace of the body's motion.
+  // The head looks slightly aside, to where the page first looks from, and keeps only a trace of the body's motion.
   const carried = rotate(hips.turn, ballRotation(spine), ballRotation(chest), ballRotation(neck));
   const gaze = ballRotation([-0.02 + 0.028 * wave(2 * phase, 0.32), 0.22, 0.045 * wave(phase, 0.12)]);
   angles.set('head', ballAngles(rotate(inverse(carried), gaze)));

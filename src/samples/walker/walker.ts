@@ -14,7 +14,7 @@ export function walkerSample(): Sample {
   return {
     id: 'walker',
     label: 'Walker',
-    description: 'A small explorer out for a stroll: a walk cycle round a circle, three morphs, a painted skin.',
+    description: 'A small explorer out for a stroll: a walk cycle, three morphs, a painted skin.',
     skeleton: WALKER_SKELETON,
     skin: body.mesh.skin('walker', bindingMatrices(posedFrames(WALKER_SKELETON)), {
       name: 'walker',
@@ -22,6 +22,7 @@ export function walkerSample(): Sample {
     }),
     morphs: walkerMorphs(body),
     clip: walkerClip(),
+    shows: { followRoot: true },
     rig: {
       name: 'walker',
       skeleton: 'walker.skel',

@@ -155,6 +155,7 @@ function parseDisplay(kept: Record<string, unknown>): Display {
     ghostStepIn: oneOf(GHOST_UNITS, kept.ghostStepIn, DEFAULT_DISPLAY.ghostStepIn),
     // Not remembered: a camera that follows from the start looks like a fault.
     follow: DEFAULT_DISPLAY.follow,
+    followRoot: DEFAULT_DISPLAY.followRoot,
   };
 }
 

@@ -79,6 +79,7 @@ export const VIEW_ACTIONS: readonly Action[] = [
     also: 'perspective projection parallel',
   },
   { ...toggle('follow', 'Follow joint', undefined, ['Shift+F'], 'View/Camera', 2), group: 'Camera' },
+  { ...toggle('followRoot', 'Follow root', undefined, [], 'View/Camera', 2), group: 'Camera', also: 'camera tracks' },
   {
     ...toggle('inPlace', 'In place', undefined, [], 'View/Camera', 2),
     group: 'Camera',
