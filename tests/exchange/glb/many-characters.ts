@@ -87,8 +87,8 @@ export function randomTake(skeleton: Skeleton, seed: number, size: number, style
 }
 
 const STYLES: readonly (readonly [string, TakeStyle])[] = [
-  ['calm', { angle: 0.5, seconds: 4, keysPerSecond: 1 }],
-  ['wide', { angle: 2.5, seconds: 4, keysPerSecond: 1 }],
+  ['calm', { angle: 0.5, seconds: 2, keysPerSecond: 1 }],
+  ['wide', { angle: 2.5, seconds: 2, keysPerSecond: 1 }],
   ['fast', { angle: 1.5, seconds: 2, keysPerSecond: 4 }],
   ['wild', { angle: 1.5, seconds: 2, keysPerSecond: 1, isWild: true }],
 ];
