@@ -33,7 +33,11 @@ const leave = (page: Page) =>
 
 async function openWalker(page: Page): Promise<void> {
   await page.waitForFunction(() => window.marrow.characters()[0]?.dofs.length === 93);
-  await page.evaluate(() => window.marrow.seek(0));
+  await page.evaluate(async () => {
+    window.marrow.seek(0);
+    // Where the camera looks from is measured while time goes on.
+    await window.marrow.run('view.followRoot');
+  });
   await page.getByRole('treeitem', { name: new RegExp(`^${ARM.joint}`) }).click();
   await page.getByRole('textbox', { name: /^rx\b/ }).first().waitFor();
 }
