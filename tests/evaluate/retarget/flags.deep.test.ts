@@ -1,4 +1,4 @@
-/** Every real humanoid retargeted to every other one brings no tremor, spike or slide that the source hasn't. */
+/** Real humanoids retargeted to others bring no tremor, spike or slide that the source hasn't. */
 import { expect, it } from 'vitest';
 import { retargetPlan } from '../../../src/evaluate/retarget/make-plan.ts';
 import type { Character } from '../../../src/model/document.ts';
@@ -44,10 +44,12 @@ function isKnown(flag: Flag, known: readonly Flag[]): boolean {
 }
 
 describeShared('what review flags in each of 14 real humanoids on each other', () => {
-  it.each(HUMANOIDS)('%s on 13 other humanoids', (file) => {
+  it.each(HUMANOIDS)('%s on a third of the other humanoids', (file) => {
     const source = captured(file);
-    const more = HUMANOIDS.flatMap((target) => {
-      if (target === file) return [];
+    const own = HUMANOIDS.indexOf(file);
+    // Another third for each source: all pairs take minutes.
+    const more = HUMANOIDS.flatMap((target, t) => {
+      if (target === file || (t + own) % 3 > 0) return [];
       const shown = retargeted(source, captured(target));
       const { driver } = shown;
       if (!driver) throw new Error(`${target} is not retargeted.`);
