@@ -47,7 +47,7 @@ export function ikControls(wb: Uses<'store' | 'actions' | 'posing' | 'settings'>
     const setup = character?.skeleton && ikOf(character);
     root.disabled = setup === undefined;
     const reachName = REACH_NAMES[reachShown(wb, character)];
-    if (reach.firstElementChild) setText(reach.firstElementChild, reachName);
+    if (reach.firstElementChild) setText(reach.firstElementChild, `Reach: ${reachName}`);
     setAttribute(reach, 'aria-label', `Reach of IK: ${reachName}`);
     all.disabled = hold.disabled = !setup?.pins.length;
     setAttribute(root, 'aria-pressed', String(setup?.rootIsFree ?? false));

@@ -22,7 +22,9 @@ export function setReach(wb: Uses<'store' | 'posing' | 'settings' | 'messages'>,
   const { reach, top } = isAsked ? ARGS.read(given, '') : ({ reach: next, top: undefined } as const);
   if (reach === 'chain') chooseTop(wb, top);
   wb.settings.update((now) => ({ ...now, ikReach: reach }));
-  wb.messages.note(`IK reach: ${reach === 'chain' ? chainText(wb) : REACH_NAMES[reach]}.`);
+  // In IK mode the bar shows it.
+  if (wb.posing.mode.get() !== 'ik')
+    wb.messages.note(`IK reach: ${reach === 'chain' ? chainText(wb) : REACH_NAMES[reach]}.`);
 }
 
 function chooseTop(wb: Uses<'store' | 'posing'>, top: number | undefined): void {
