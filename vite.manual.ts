@@ -202,8 +202,21 @@ interface Parser {
 function sizeOf(path: string): string {
   const bytes = readFileSync(path);
   if (path.endsWith('.png')) return ` width="${bytes.readUInt32BE(16)}" height="${bytes.readUInt32BE(20)}"`;
+  if (path.endsWith('.webp')) {
+    const [width, height] = webpSize(bytes);
+    return ` width="${width}" height="${height}"`;
+  }
   if (path.endsWith('.gif')) return ` width="${bytes.readUInt16LE(6)}" height="${bytes.readUInt16LE(8)}"`;
   return '';
+}
+
+/** https://developers.google.com/speed/webp/docs/riff_container: extended, without loss, or with loss. */
+function webpSize(bytes: Buffer): readonly [width: number, height: number] {
+  const kind = bytes.toString('latin1', 12, 16);
+  if (kind === 'VP8X') return [bytes.readUIntLE(24, 3) + 1, bytes.readUIntLE(27, 3) + 1];
+  if (kind === 'VP8 ') return [bytes.readUInt16LE(26) & 0x3fff, bytes.readUInt16LE(28) & 0x3fff];
+  const packed = bytes.readUInt32LE(21);
+  return [(packed & 0x3fff) + 1, ((packed >> 14) & 0x3fff) + 1];
 }
 
 /** The address of a file of the manual on a page of it. */

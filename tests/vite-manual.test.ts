@@ -1,10 +1,12 @@
 /** The manual as it is built: plain pages without script, in which every address leads somewhere. */
-import { existsSync } from 'node:fs';
+import { existsSync, readdirSync, readFileSync, statSync } from 'node:fs';
 import { posix } from 'node:path';
 import { fileURLToPath } from 'node:url';
 import { describe, expect, it } from 'vitest';
 import { manualFiles } from '../vite.manual.ts';
+import { fileOf, SHOTS } from './pictures/shots.ts';
 
+const ROOT = fileURLToPath(new URL('../', import.meta.url));
 const files = await manualFiles();
 const pages = [...files.keys()].filter((path) => path.endsWith('.html'));
 
@@ -23,9 +25,7 @@ const addressesOf = (path: string) =>
       return { file: file === '' ? `manual/${path}` : posix.join('manual', posix.dirname(path), file), anchor };
     });
 const isBuilt = (file: string) =>
-  files.has(file.replace(/^manual\//, '')) ||
-  file === 'index.html' ||
-  existsSync(fileURLToPath(new URL(`../public/${file}`, import.meta.url)));
+  files.has(file.replace(/^manual\//, '')) || file === 'index.html' || existsSync(`${ROOT}public/${file}`);
 
 describe('the manual', () => {
   it('the manual has pages, and all their links and pictures lead to files and headings of it', () => {
@@ -70,5 +70,14 @@ describe('the manual', () => {
       const pictures = textOf(path).match(/<img [^>]*>/g) ?? [];
       expect(pictures.filter((picture) => !/ alt="[^"]{10,}"/.test(picture))).toEqual([]);
     }
+  });
+
+  it('the pictures are those that their script makes, none over 150 kB, and each is shown', () => {
+    const pictures = readdirSync(`${ROOT}docs/pictures`);
+    expect(pictures.sort()).toEqual(SHOTS.map(fileOf).sort());
+    expect(pictures.filter((name) => statSync(`${ROOT}docs/pictures/${name}`).size > 150_000)).toEqual([]);
+    const readme = readFileSync(`${ROOT}README.md`, 'utf8');
+    const isShown = (name: string) => files.has(`pictures/${name}`) || readme.includes(`docs/pictures/${name}`);
+    expect(pictures.filter((name) => !isShown(name))).toEqual([]);
   });
 });

@@ -29,6 +29,7 @@ const TYPES: Readonly<Record<string, string>> = {
   '.png': 'image/png',
   '.jpg': 'image/jpeg',
   '.webp': 'image/webp',
+  '.gif': 'image/gif',
   '.bmp': 'image/bmp',
   '.ico': 'image/x-icon',
 };

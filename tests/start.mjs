@@ -1,8 +1,12 @@
-/** `npm run attack`: run.ts, which Node can't read by itself in all versions that the project supports. */
+/**
+ * Runs a script of the project in TypeScript, which Node can't read by itself in all versions that the project supports:
+ * `node tests/start.mjs attack/run.ts ARGUMENTS…`. It exports `run`, which returns the exit status.
+ */
 import { fileURLToPath } from 'node:url';
 import { createServer, createServerModuleRunner } from 'vite';
 
-const file = fileURLToPath(new URL('run.ts', import.meta.url));
+const [script, ...args] = process.argv.slice(2);
+const file = fileURLToPath(new URL(script, import.meta.url));
 // `runnerImport` can't import anything once it is done, as functions do that fetch code on demand.
 const server = await createServer({
   configFile: false,
@@ -12,4 +16,4 @@ const server = await createServer({
 });
 const module = await createServerModuleRunner(server.environments.ssr, { hmr: false }).import(file);
 // Browsers and servers that are shared end with the process.
-process.exit(await module.run(process.argv.slice(2)));
+process.exit(await module.run(args));
