@@ -1,4 +1,5 @@
 /** `--pin JOINT[@x,y,z]=x,y,z[,weight]`: a point of a joint, by default its tip or origin, and where it shall be. */
+import type { IkReach } from '../evaluate/ik/limb.ts';
 import type { IkPin } from '../evaluate/ik/pins.ts';
 import type { Vec3 } from '../math/vec3.ts';
 import { cutText } from '../model/cut-text.ts';
@@ -49,6 +50,20 @@ export function resolvePin(skeleton: Skeleton, { what, target, weight, text }: A
     throw new UsageError(`--pin takes a point as JOINT@x,y,z; "${text}" has ${point.length} numbers there.`);
   const [x, y, z] = point;
   return { joint, point: [x, y, z], target, weight };
+}
+
+/** `--reach`: `limb`, `body`, or `chain:JOINT`, the joint up to which a chain goes. */
+export const REACH: Kind<string> = {
+  placeholder: 'limb|body|chain:JOINT',
+  what: 'limb, body or chain:JOINT',
+  read: (text, misfit) => (text === 'limb' || text === 'body' || text.startsWith(CHAIN) ? text : misfit()),
+};
+const CHAIN = 'chain:';
+
+/** @throws UsageError if the skeleton has no such joint */
+export function resolveReach(skeleton: Skeleton, text: string): IkReach {
+  if (text.startsWith(CHAIN)) return { top: jointCalled(skeleton, text.slice(CHAIN.length)) };
+  return text === 'body' ? 'body' : 'limb';
 }
 
 /** `#index`, or a name that is unique in the skeleton. */

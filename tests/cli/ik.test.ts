@@ -11,6 +11,7 @@ interface IkJson {
   readonly dofs: readonly number[];
   readonly root: readonly number[];
   readonly iterations: number;
+  readonly reach?: readonly number[] | 'body';
   readonly pins: readonly {
     readonly joint: number;
     readonly position: readonly number[];
@@ -47,6 +48,24 @@ const told = async (...args: string[]) => {
 };
 
 describeShared('marrow ik, against the reference', () => {
+  it('tells which joints bend, and bends no others', async () => {
+    const file = sharedPath('data/cse169/wasp.skel');
+    const solved = (...reach: string[]) =>
+      commandJson<IkJson>(['ik', file, '--pin', '#6=0,0.2,-1.5', ...reach], folder);
+    const limb = await solved('--reach', 'limb');
+    expect(limb.reach).toEqual([2, 3, 4, 5, 6]);
+    const chain = await solved('--reach', 'chain:#4');
+    expect(chain.reach).toEqual([4, 5, 6]);
+    expect((await solved('--reach', 'body')).reach).toBe('body');
+    const all = await solved();
+    expect(all.reach).toBeUndefined();
+    for (const { root } of [limb, chain]) expect(root).toEqual(all.root);
+    expect(await told(file, '--pin', '#6=0,0,0', '--reach', 'arm')).toContain(
+      '--reach takes limb, body or chain:JOINT',
+    );
+    expect(await told(file, '--pin', '#6=0,0,0', '--reach', 'body', '--free-root')).toContain('goes without --reach');
+  });
+
   it('brings tips of axis-angle skeletons to reachable targets', async () => {
     const cases = ikCases();
     for (const [name, list] of Object.entries(cases.multi)) {

@@ -8,6 +8,7 @@ import { tipOf } from '../../model/bone-ends.ts';
 import { dofsOf, turnsJoint } from '../../model/joint-types.ts';
 import { perSkeleton } from '../../model/per-skeleton.ts';
 import type { Joint, Skeleton } from '../../model/skeleton.ts';
+import { compileSkeleton } from '../kinematics.ts';
 
 /** Indices of the joints that bend, ascending; or all of them, with root translation. */
 export type Bending = readonly number[] | 'body';
@@ -56,6 +57,16 @@ export function union(of: readonly Bending[]): Bending {
     for (const joint of one) joints.add(joint);
   }
   return [...joints].sort((a, b) => a - b);
+}
+
+/** Whether a DOF is in reach. The root translates only with the whole body. */
+export function bendsWith(skeleton: Skeleton, bending: Bending): (dof: number) => boolean {
+  if (bending === 'body') return () => true;
+  const { firstDof, travel } = compileSkeleton(skeleton);
+  const free = new Set<number>();
+  for (const joint of bending) for (let dof = firstDof[joint]; dof < firstDof[joint + 1]; dof++) free.add(dof);
+  for (const dof of travel) free.delete(dof);
+  return (dof) => free.has(dof);
 }
 
 /** Whether two or more branches of two joints or more begin below a joint where others do. */

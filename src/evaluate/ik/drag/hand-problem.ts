@@ -13,7 +13,7 @@ import type { Skeleton } from '../../../model/skeleton.ts';
 import { compileSkeleton } from '../../kinematics.ts';
 import { movedDofs } from '../../retarget/moved-dofs.ts';
 import { evaluatePose } from '../forward.ts';
-import type { Bending } from '../limb.ts';
+import { type Bending, bendsWith } from '../limb.ts';
 import { ikProblem, movePin } from '../problem.ts';
 import { type DragTarget, draggedIndex, ikOf, ikPinsOf, type PinTarget, stiffnessOf } from '../set-up.ts';
 import { type IkMode, solve } from '../solve.ts';
@@ -215,16 +215,6 @@ export function handStiffness(
   return stiffnessOf(skeleton, ikOf(character)).map((factor, dof) =>
     stays(dof) || !bends(dof) ? Infinity : factor * (moves[dof] ?? 1),
   );
-}
-
-/** Whether a DOF is in reach. The root translates only with the whole body. */
-function bendsWith(skeleton: Skeleton, bending: Bending): (dof: number) => boolean {
-  if (bending === 'body') return () => true;
-  const { firstDof, travel } = compileSkeleton(skeleton);
-  const free = new Set<number>();
-  for (const joint of bending) for (let dof = firstDof[joint]; dof < firstDof[joint + 1]; dof++) free.add(dof);
-  for (const dof of travel) free.delete(dof);
-  return (dof) => free.has(dof);
 }
 
 function jointOfPin({ pins }: IkSetup, id: number): number {
