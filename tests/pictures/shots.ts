@@ -123,8 +123,8 @@ export const SHOTS: readonly Shot[] = [
       const base64 = await page.evaluate(async () => {
         const made = await window.marrow.video({
           format: 'gif',
-          width: 400,
-          height: 400,
+          width: 360,
+          height: 360,
           framesPerSecond: 10,
           range: [0, 0.8],
           hasGrid: false,
@@ -172,6 +172,7 @@ export const SHOTS: readonly Shot[] = [
     example: 'tangents',
     theme: 'light',
     async act(page) {
+      await tab(page, 'curves');
       await select(page, 'wrist');
       await page.locator('.curve-plot').first().hover();
       await page.keyboard.press('Control+a');
@@ -181,6 +182,7 @@ export const SHOTS: readonly Shot[] = [
     name: 'why',
     example: 'tangents',
     async act(page) {
+      await tab(page, 'curves');
       await seek(page, 0.5);
       await select(page, 'wrist');
       await run(page, 'timeline.showsWhy');
@@ -312,7 +314,8 @@ export const SHOTS: readonly Shot[] = [
     async act(page) {
       await drop(page, await takes());
       await tab(page, 'review');
-      await page.locator('.review-row').first().waitFor();
+      // Once all are checked.
+      await page.getByText('24 takes', { exact: true }).waitFor();
     },
   },
   {
