@@ -107,17 +107,21 @@ export function descendFrom(
 }
 
 /** Marks the variables at a limit whose gradient points outward. */
-export function freezeAtLimits({ variables, scratch, errors, jacobian, rows }: IkProblem, dofs: Float64Array): void {
+export function freezeAtLimits(
+  { variables, scratch, errors, jacobian, rows }: IkProblem,
+  dofs: Float64Array,
+  near = 0,
+): void {
   const { count: n, dof, lower, upper, isLimited } = variables;
   const { held } = scratch;
   held.fill(0);
   if (!isLimited) return;
   for (let v = 0; v < n; v++) {
     const value = dofs[dof[v]];
-    if (value > lower[v] && value < upper[v]) continue;
+    if (value > lower[v] + near && value < upper[v] - near) continue;
     let gradient = 0;
     for (let r = 0; r < rows; r++) gradient += jacobian[r * n + v] * errors[r];
-    if (value <= lower[v] ? gradient > 0 : gradient < 0) held[v] = 1;
+    if (value <= lower[v] + near ? gradient > 0 : gradient < 0) held[v] = 1;
   }
 }
 

@@ -22,6 +22,9 @@ interface ModeOptions extends DescentOptions {
   readonly restarts: number;
 }
 
+/** Radians, factors or lengths from a limit that count as at it. */
+const ROUNDING = 1e-12;
+
 /** Fraction of the reach: errors below this are not worth a restart and invisible on screen. */
 const NEAR_ENOUGH = 1e-4;
 
@@ -79,7 +82,8 @@ function writeResult(problem: IkProblem, dofs: Float64Array, aim: number): IkRes
   result.bindingCount = 0;
   if (descent.isThere || !variables.isLimited) return result;
   writeJacobian(problem, dofs);
-  freezeAtLimits(problem, dofs);
+  // A step that ends at a limit may miss it by rounding.
+  freezeAtLimits(problem, dofs, ROUNDING);
   for (let v = 0; v < variables.count; v++) if (held[v]) result.binding[result.bindingCount++] = variables.dof[v];
   return result;
 }

@@ -24,7 +24,7 @@ export class IkHand {
   readonly pointedAt: Observable<PinRef | undefined> = observable<PinRef | undefined>(undefined);
   readonly targets = new HeldTargets();
   /** The joint that was selected when *Chain* was chosen; undefined: chains end at the root. */
-  readonly chainTop: Observable<ChainTop | undefined> = observable<ChainTop | undefined>(undefined);
+  chainTop: ChainTop | undefined;
   /** What a drag of a joint would move, for the status bar: `Bend upper_arm_l to hand_l`. Given by IK's tool. */
   whatMoves: ((characterId: string, joint: number) => string | undefined) | undefined;
   /** Whether anything was dragged yet: until then a hint is shown. */

@@ -25,7 +25,7 @@ export function reachShown(wb: Uses<'settings'>, character: Pick<Character, 'ske
 
 /** The joint where chains of the character end; undefined: at the root. */
 export function chainTopOf({ posing }: Uses<'posing'>, { id, skeleton }: Character): number | undefined {
-  const top = posing.ik.chainTop.get();
+  const top = posing.ik.chainTop;
   return top?.characterId === id && skeleton && top.joint < skeleton.joints.length ? top.joint : undefined;
 }
 

@@ -34,5 +34,5 @@ function chooseTop(wb: Uses<'store' | 'posing'>, top: number | undefined): void 
     throw new CommandError(`"top" must be the index of a joint: there are ${count} joints, found ${top}.`);
   }
   const joint = top ?? selectedJoint(wb)?.joint;
-  wb.posing.ik.chainTop.set(character && joint !== undefined ? { characterId: character.id, joint } : undefined);
+  wb.posing.ik.chainTop = character && joint !== undefined ? { characterId: character.id, joint } : undefined;
 }
