@@ -86,9 +86,9 @@ it('moves nothing but the arm when the walker’s hand is dragged up, and its fe
       await expectArmOnly(page, hand, await limbFrom(page, 'upper_arm_l'));
       await expect.poll(text).toEqual(files);
 
-      await page.getByRole('button', { name: 'Reach of IK: Limb' }).click();
+      await page.getByRole('button', { name: 'Reach: Limb' }).click();
       await page.getByRole('menuitemradio', { name: /^Full body/ }).click();
-      await page.getByRole('button', { name: 'Reach of IK: Full body' }).waitFor();
+      await page.getByRole('button', { name: 'Reach: Full body' }).waitFor();
       const before = await shown(page);
       const feet = ['foot_l', 'foot_r', 'toe_l', 'toe_r'].map((name) => names.indexOf(name));
       const low = (j: number) => place(before, j)[1];
@@ -125,9 +125,9 @@ describeShared('captures and axis-angle skeletons', () => {
       await page.waitForFunction(() => window.marrow.characters()[0]?.name === 'human');
       await drawn(page);
       await intoIk(page);
-      await page.getByRole('button', { name: 'Reach of IK: Chain' }).waitFor();
+      await page.getByRole('button', { name: 'Reach: Chain' }).waitFor();
       await page.evaluate(() => window.marrow.run('ik.setReach', { reach: 'limb' }));
-      await page.getByRole('button', { name: 'Reach of IK: Limb' }).waitFor();
+      await page.getByRole('button', { name: 'Reach: Limb' }).waitFor();
       await expectArmOnly(page, { joint: 9, point: [0, 0.05, 0], by: [8, -25] }, [5, 6, 7, 8, 9]);
     }));
 });

@@ -36,7 +36,7 @@ async function openWalker(page: Page): Promise<void> {
   await page.evaluate(async () => {
     window.marrow.seek(0);
     // Where the camera looks from is measured while time goes on.
-    await window.marrow.run('view.followRoot');
+    await window.marrow.run('draw.followRoot');
   });
   await page.getByRole('treeitem', { name: new RegExp(`^${ARM.joint}`) }).click();
   await page.getByRole('textbox', { name: /^rx\b/ }).first().waitFor();

@@ -48,7 +48,7 @@ export function ikControls(wb: Uses<'store' | 'actions' | 'posing' | 'settings'>
     root.disabled = setup === undefined;
     const reachName = REACH_NAMES[reachShown(wb, character)];
     if (reach.firstElementChild) setText(reach.firstElementChild, `Reach: ${reachName}`);
-    setAttribute(reach, 'aria-label', `Reach of IK: ${reachName}`);
+    setAttribute(reach, 'aria-label', `Reach: ${reachName}`);
     all.disabled = hold.disabled = !setup?.pins.length;
     setAttribute(root, 'aria-pressed', String(setup?.rootIsFree ?? false));
     setText(root, setup?.rootIsFree === false ? 'Root fixed' : 'Root moves');
