@@ -65,8 +65,8 @@ export const DEFAULT_SETTINGS: Settings = {
   angles: 'degrees',
   timeDisplay: 'seconds',
   panels: {
-    outlinerWidth: 208,
-    inspectorWidth: 272,
+    outlinerWidth: 220,
+    inspectorWidth: 264,
     filesHeight: 0,
     timelineHeight: 0,
     outlinerOpen: true,
