@@ -40,8 +40,11 @@ export async function run(names: readonly string[]): Promise<number> {
     const page = await context.newPage();
     page.setDefaultTimeout(120_000);
     await page.addInitScript(() => localStorage.setItem('marrow.settings', JSON.stringify({ firstSteps: false })));
-    const { files = [] } = EXAMPLES.find(({ id }) => id === shot.example) ?? {};
-    await page.goto(`${server.url}?files=${files.map((file) => `samples/${file}`).join(',')}`);
+    const [opening] = EXAMPLES;
+    const { id, files = [] } = EXAMPLES.find((example) => example.id === shot.example) ?? {};
+    // The first is what the page opens with, as it shows it.
+    const query = id === opening?.id ? '' : `?files=${files.map((file) => `samples/${file}`).join(',')}`;
+    await page.goto(server.url + query);
     await page.waitForFunction(() => window.marrow?.characters().length > 0 && !document.querySelector('#app.frame'));
     await page.locator('.inspector .lil-gui').first().waitFor({ state: 'attached' });
     try {
