@@ -9,6 +9,7 @@
  *
  * With `RIGHT_CURVES` the value is that of `evaluate/curves.ts`.
  */
+import { repetitionAt } from '../../evaluate/curves.ts';
 import { lastNotAbove } from '../../math/search.ts';
 import {
   type Channel,
@@ -170,14 +171,7 @@ function fold(
   const start = isOfRange && of !== 'length of range' ? range[0] : first;
   const length = isOfRange ? range[1] - range[0] : end - first;
   const stop = start + length;
-  let period = Math.floor((time - start) / length);
-  let rest = time - start - period * length;
-  // As in `evaluate/curves.ts`: a boundary missed only by rounding is that boundary.
-  const rounding = 4 * Number.EPSILON * Math.max(Math.abs(time), Math.abs(start), Math.abs(stop));
-  if (rest >= length - rounding) {
-    period++;
-    rest = 0;
-  } else if (rest < rounding) rest = 0;
+  let { period, since: rest } = repetitionAt(start, stop, time);
   const isUnfolded = modulo !== 'floor' && time < start && rest !== 0;
   if (isUnfolded) {
     rest -= length;
