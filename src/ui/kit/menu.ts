@@ -3,7 +3,7 @@
  * and context menus; what the entries do is up to the caller.
  */
 import { element, uniqueId } from './dom.ts';
-import { icon } from './icons.ts';
+import { type IconName, icon } from './icons.ts';
 import { touchWords } from './touch-words.ts';
 
 export type MenuEntry =
@@ -15,6 +15,8 @@ export type MenuEntry =
 export interface MenuItem {
   readonly kind: 'item';
   readonly label: string;
+  /** Before the label, where a menu shows those of its buttons elsewhere. */
+  readonly icon?: IconName | undefined;
   readonly detail?: string | undefined;
   /** Shown at the right edge. */
   readonly shortcut?: string | undefined;
@@ -22,8 +24,7 @@ export interface MenuItem {
   readonly enabled: boolean;
   /** Chosen while disabled: says why. Without it the menu stays open. */
   readonly refuse?: (() => void) | undefined;
-  /** Absent: not checkable. */
-  /** `mixed`: of some of what is selected. Not for `radio`. */
+  /** Absent: not checkable. `mixed`: of some of what is selected, not for `radio`. */
   readonly checked?: boolean | 'mixed' | undefined;
   readonly radio?: boolean | undefined;
   run(): void;
@@ -53,6 +54,10 @@ export interface MenuOptions {
   readonly opensByClick?: boolean;
   /** Opened by keyboard: focuses the first entry. */
   readonly focusFirst?: boolean;
+  /** Index of the item that is in view, and focused first, instead of the first. */
+  readonly startAt?: number;
+  /** Pixels. */
+  readonly minWidth?: number;
   /** Called once. */
   onClose?(): void;
   /** Left or right arrow out of the menu: the menu bar moves to its neighbour. */
@@ -104,6 +109,10 @@ export class Menu {
     this.element.setAttribute('aria-label', options.label);
     const ticks = entries.some((e) => e.kind === 'item' && e.checked !== undefined);
     this.element.classList.toggle('with-ticks', ticks);
+    this.element.classList.toggle(
+      'with-icons',
+      entries.some((e) => e.kind === 'item' && e.icon !== undefined),
+    );
     // A submenu fills a small screen: there is no other place to tap.
     if (parent && window.matchMedia(SMALL).matches) this.element.append(this.buildBack());
     for (const entry of entries) this.element.append(this.build(entry));
@@ -112,10 +121,14 @@ export class Menu {
   }
 
   showAt(anchor: Anchor, side: 'below' | 'beside'): void {
-    document.body.append(this.element);
+    const { minWidth, focusFirst, startAt = 0 } = this.options;
+    // A modal dialog covers, and disables, everything that isn't in it.
+    (document.querySelector('dialog:modal') ?? document.body).append(this.element);
+    if (minWidth) this.element.style.minWidth = `${minWidth}px`;
     place(this.element, anchor, side);
     if (!this.parent) document.addEventListener('pointerdown', this.onOutside, true);
-    if (this.options.focusFirst) this.focusAt(0);
+    if (startAt > 0) this.items[startAt]?.scrollIntoView({ block: 'nearest' });
+    if (focusFirst) this.focusAt(Math.max(0, startAt));
     else this.element.focus({ preventScroll: true });
   }
 
@@ -184,7 +197,7 @@ export class Menu {
     const text = element('span', { class: 'menu-label' }, entry.label);
     // The space is for screen readers.
     if (entry.detail) text.append(' ', element('span', { class: 'menu-detail' }, touchWords(entry.detail)));
-    item.append(tick, text);
+    item.append(tick, ...(entry.icon ? [icon(entry.icon)] : []), text);
     if (entry.shortcut) item.append(element('kbd', { 'aria-hidden': 'true' }, entry.shortcut));
     item.addEventListener('pointerenter', (event) => {
       if (hovers(event)) this.hover(item);

@@ -89,11 +89,11 @@ function showDialog(
     dialog.remove();
     if (isShown(dialog)) close();
   });
-  // At once, also from a field that would revert its number first; but not from what waits for a key.
+  // At once, also from a field that would revert its number first; but not from a menu, nor from what waits for a key.
   dialog.addEventListener(
     'keydown',
     (event) => {
-      if (event.key !== 'Escape' || event.isComposing || dialog.querySelector('.waiting')) return;
+      if (event.key !== 'Escape' || event.isComposing || dialog.querySelector('.waiting, .menu')) return;
       event.preventDefault();
       event.stopPropagation();
       close();

@@ -9,6 +9,7 @@ import { followPeriods } from '../editors/timeline/period.ts';
 import { Scrubber } from '../editors/transport/scrubber.ts';
 import { transport } from '../editors/transport/transport.ts';
 import type { Observable } from '../kit/observable.ts';
+import { openSelectsAsMenus } from '../kit/select-menu.ts';
 import { startTooltips } from '../kit/tooltip-layer.ts';
 import { listenToKeys } from '../state/keys.ts';
 import type { TimelineTab, TimelineTabName } from '../state/timeline.ts';
@@ -96,6 +97,7 @@ export function mountWorkbench(
   );
   startDialogs(wb, root);
   startTooltips(signal);
+  openSelectsAsMenus(signal);
   listenToKeys(wb, signal);
   return { run: (id, args) => runById(wb, id, args), commands };
 }

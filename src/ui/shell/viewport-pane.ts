@@ -3,31 +3,20 @@
  * at its bottom. Pointer input goes to the mode's tool; what that doesn't use picks, or moves the camera.
  */
 import { type Character, type Document, shownSkin } from '../../model/document.ts';
-import type { Display, Selection, SkinStyle } from '../../model/session.ts';
+import type { Display, Selection } from '../../model/session.ts';
 import { Annotations } from '../../view/annotations.ts';
 import { stageBanner } from '../editors/compare/stage-banner.ts';
 import { modeBar } from '../editors/posing/mode-bar.ts';
-import {
-  areBoxesVisible,
-  BOX_STYLES,
-  isSkinVisible,
-  NO_BOXES,
-  NO_SKIN,
-  SKIN_STYLES,
-} from '../editors/viewport/actions.ts';
 import { withBoxSelect } from '../editors/viewport/box-select.ts';
 import { type CanvasPointer, listenToCanvas } from '../editors/viewport/canvas-tools.ts';
-import { button, element, keepsFocusElsewhere, setAttribute, setText, uniqueId } from '../kit/dom.ts';
+import { displayBar } from '../editors/viewport/display-bar.ts';
+import { element, setAttribute, setText, uniqueId } from '../kit/dom.ts';
 import { HAS_KEYS } from '../kit/focus.ts';
-import { icon } from '../kit/icons.ts';
-import { asksForMenu, menuButton } from '../kit/menu.ts';
-import { toolbar } from '../kit/roving.ts';
+import { asksForMenu } from '../kit/menu.ts';
 import { setTooltip } from '../kit/tooltip.ts';
-import { actionsOf, currentCharacter, isChecked, tryById } from '../state/action.ts';
-import { itemOf } from '../state/menu-entries.ts';
+import { currentCharacter, tryById } from '../state/action.ts';
 import { onDemand } from '../state/on-demand.ts';
 import { addsToSelection, selectHit } from '../state/select-joints.ts';
-import { setActionTooltip } from '../state/tooltips.ts';
 import type { Uses, Workbench } from '../state/workbench.ts';
 import { emptyStage } from './empty-stage.ts';
 import { firstSteps } from './first-steps.ts';
@@ -37,13 +26,6 @@ import { messageLine } from './message-line.ts';
 import { modeTools } from './mode-tools.ts';
 import { newVersion } from './new-version.ts';
 import { pinsInFk } from './pins-in-fk.ts';
-
-/** In the bar, where their labels have no room. */
-const SHORT_STYLES: ReadonlyMap<SkinStyle, string> = new Map([
-  ['heat', 'Weights'],
-  ['four', 'Four'],
-]);
-const TOGGLES = ['bones', 'axes', 'names', 'normals', 'ghosts', 'grid', 'shadow', 'orthographic'] as const;
 
 /** For screen readers. */
 const VIEWPORT_KEYS =
@@ -65,7 +47,7 @@ export function viewportPane(wb: Workbench, signal: AbortSignal): HTMLElement {
   viewport.annotate((characters, redraw) => new Annotations(characters, redraw));
   handTools(wb, signal);
   pinsInFk(wb, signal);
-  const head = element('div', { class: 'stage-head' }, modeBar(wb), displayStrip(wb));
+  const head = element('div', { class: 'stage-head' }, modeBar(wb), displayBar(wb));
   const stage = element(
     'main',
     { class: 'stage', 'aria-label': 'Viewport', 'data-panel': 'viewport' },
@@ -146,65 +128,6 @@ function handTools(wb: Workbench, signal: AbortSignal): void {
       void menus().then((module) => module?.openMenuAt(wb, at, isSelected));
     },
   );
-}
-
-function displayStrip(wb: Uses<'store' | 'actions' | 'settings'>): HTMLElement {
-  const actions = actionsOf(wb);
-  const strip = toolbar(element('div', { class: 'display-strip tools', 'aria-label': 'Display' }));
-  const skin = keepsFocusElsewhere(element('button', { type: 'button', class: 'tool text-tool skin-tool' }));
-  const boxes = keepsFocusElsewhere(button('Boxes', { class: 'tool' }, icon('boxes'), () => {}));
-  const within = (prefix: string) => actions.filter((a) => a.id.startsWith(prefix));
-  menuButton(skin, 'Skin', () => within('draw.skin.').map((a) => itemOf(wb, a)));
-  const boxItems = () => within('draw.boxes.').map((a) => itemOf(wb, a));
-  menuButton(boxes, 'Boxes', boxItems);
-  // In little room one menu has all of it.
-  const all = keepsFocusElsewhere(
-    element('button', { type: 'button', class: 'tool text-tool display-menu', 'aria-label': 'Display' }, icon('eye')),
-  );
-  all.append(element('span', {}, 'Display'), icon('fold'));
-  menuButton(all, 'Display', () => [
-    { kind: 'menu', label: 'Boxes', entries: boxItems },
-    ...TOGGLES.flatMap((what) => within(`draw.${what}`).map((a) => itemOf(wb, a))),
-  ]);
-  strip.append(skin, boxes, all);
-  const shown: (() => void)[] = [];
-  for (const what of TOGGLES) {
-    const action = actions.find((a) => a.id === `draw.${what}`);
-    if (!action || typeof action.label !== 'string' || !action.icon) continue;
-    const made = keepsFocusElsewhere(
-      button(action.label, { class: 'tool' }, icon(action.icon), () => tryById(wb, action.id)),
-    );
-    const { label } = action;
-    setActionTooltip(wb, made, action.id, label);
-    shown.push(() => made.setAttribute('aria-pressed', String(isChecked(wb, action) ?? false)));
-    strip.append(made);
-  }
-  const nameOf = <T>(styles: readonly (readonly [T, string])[], style: T) =>
-    styles.find(([s]) => s === style)?.[1] ?? '';
-  const boxStyle = () => nameOf(BOX_STYLES, wb.settings.get().display.boxes).toLowerCase();
-  setActionTooltip(wb, skin, 'draw.nextSkin', () => (isSkinVisible(wb) ? 'Skin' : NO_SKIN));
-  setActionTooltip(wb, boxes, 'draw.nextBoxes', () => (areBoxesVisible(wb) ? `Boxes: ${boxStyle()}` : NO_BOXES));
-  const show = () => {
-    const { display } = wb.settings.get();
-    const label = nameOf(SKIN_STYLES, display.skin);
-    const hasSkin = isSkinVisible(wb);
-    const short = !hasSkin ? 'No skin' : (SHORT_STYLES.get(display.skin) ?? label);
-    skin.replaceChildren(icon('skin'), element('span', {}, short), icon('fold'));
-    skin.setAttribute('aria-label', hasSkin ? `Skin: ${short}` : short);
-    skin.disabled = !hasSkin;
-    // *Unless skinned* counts as off: pressed, it would suggest boxes where none are drawn.
-    const hasBoxes = areBoxesVisible(wb);
-    boxes.setAttribute('aria-pressed', String(hasBoxes && (display.boxes === 'wire' || display.boxes === 'solid')));
-    boxes.classList.toggle('does-little', !hasBoxes);
-    boxes.setAttribute('aria-label', `Boxes: ${boxStyle()}`);
-    for (const update of shown) update();
-  };
-  wb.settings.subscribe(show);
-  wb.store.subscribe((now, before) => {
-    if (now.document.characters !== before.document.characters) show();
-  });
-  show();
-  return strip;
 }
 
 /** The legend and numbers of the skin style *Four attachments*, loaded with its first use. */

@@ -45,7 +45,8 @@ function inSections(actions: readonly Action[]): Action[] {
   return [...actions].sort((a, b) => placeOf(a) - placeOf(b));
 }
 
-function itemsOf(wb: Uses<'actions' | 'settings'>, actions: readonly Action[]): MenuEntry[] {
+/** Entries of these actions, with a line where the section changes. */
+export function itemsOf(wb: Uses<'actions' | 'settings'>, actions: readonly Action[]): MenuEntry[] {
   const entries: MenuEntry[] = [];
   let before: Action | undefined;
   for (const action of actions) {

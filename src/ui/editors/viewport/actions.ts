@@ -1,7 +1,9 @@
 /** Actions for camera and display. */
 import { hasBoxes } from '../../../model/boxes.ts';
 import { type Character, shownSkin } from '../../../model/document.ts';
+import { baseName, sameName } from '../../../model/files.ts';
 import type { BoxStyle, Display, SkinStyle } from '../../../model/session.ts';
+import { looksOf } from '../../../view/skin-looks.ts';
 import type { IconName } from '../../kit/icons.ts';
 import type { Action, Uses } from '../../state/workbench.ts';
 
@@ -41,11 +43,28 @@ export const isSkinVisible = (wb: Uses<'store'>) => isAnyVisible(wb, (c) => show
 export const areBoxesVisible = (wb: Uses<'store'>) =>
   isAnyVisible(wb, ({ skeleton }) => skeleton !== undefined && hasBoxes(skeleton));
 
+/** Without one the style *Textured* draws the same as *Solid*. */
+const isAnyTextured = (wb: Uses<'store'>) =>
+  isAnyVisible(wb, (character) => {
+    const skin = shownSkin(character);
+    const isThere = (name: string) => character.textures.some((one) => sameName(one.name, baseName(name)));
+    return (
+      skin !== undefined && looksOf(skin).looks.some(({ texture, color }) => color || (texture && isThere(texture)))
+    );
+  });
+
+/** The style that skins look like: the chosen one, but for textures where there are none. */
+export function drawnSkin(wb: Uses<'store' | 'settings'>): SkinStyle {
+  const { skin } = wb.settings.get().display;
+  return skin === 'textured' && !isAnyTextured(wb) ? 'solid' : skin;
+}
+
 export const NO_SKIN = 'No visible character has a skin.';
 export const NO_BOXES = 'No visible character has boxes; they are drawn as bones.';
 
 /** Without boxes only the choice of bones matters. */
 const needsBoxes = (style: BoxStyle) => style === 'wire' || style === 'solid';
+const skinStyles = (wb: Uses<'store'>) => SKIN_STYLES.filter(([style]) => style !== 'textured' || isAnyTextured(wb));
 const boxStyles = (wb: Uses<'store'>) => BOX_STYLES.filter(([style]) => !needsBoxes(style) || areBoxesVisible(wb));
 
 export const VIEW_ACTIONS: readonly Action[] = [
@@ -99,9 +118,9 @@ export const VIEW_ACTIONS: readonly Action[] = [
       radio: true,
       also: 'material shading wireframe texture heat map influences',
       ...(skin === 'heat' && { shortcuts: ['H'] }),
-      enabled: isSkinVisible,
-      whyNot: () => NO_SKIN,
-      checked: (wb) => wb.settings.get().display.skin === skin,
+      enabled: (wb) => isSkinVisible(wb) && (skin !== 'textured' || isAnyTextured(wb)),
+      whyNot: (wb) => (isSkinVisible(wb) ? 'No visible skin has a texture or colours.' : NO_SKIN),
+      checked: (wb) => drawnSkin(wb) === skin,
       run: (wb) => setDisplay(wb, { skin }),
     }),
   ),
@@ -112,7 +131,7 @@ export const VIEW_ACTIONS: readonly Action[] = [
     shortcuts: ['S'],
     enabled: isSkinVisible,
     whyNot: () => NO_SKIN,
-    run: (wb) => setDisplay(wb, { skin: following(SKIN_STYLES, wb.settings.get().display.skin) }),
+    run: (wb) => setDisplay(wb, { skin: following(skinStyles(wb), drawnSkin(wb)) }),
   },
   ...BOX_STYLES.map(
     ([boxes, label]): Action => ({
