@@ -257,3 +257,48 @@ it('the scrubber seeks at the range’s first pixel, its handles are outside, an
     },
     { walking: true },
   ));
+
+/** What is drawn around elements: outlines, and marks of panels. Fields that are typed in have one as everywhere. */
+const framed = (page: Page) =>
+  page.evaluate(() =>
+    [...document.querySelectorAll('body *')].flatMap((one) => {
+      const own = getComputedStyle(one);
+      const mark = getComputedStyle(one, '::after');
+      const isOutlined = own.outlineStyle !== 'none' && Number.parseFloat(own.outlineWidth) > 0;
+      const isMarked = mark.content !== 'none' && mark.borderTopWidth === '2px' && mark.position === 'absolute';
+      const isField = one instanceof HTMLInputElement && one === document.activeElement;
+      return (isOutlined || isMarked) && !isField ? [one.className.toString() || one.localName] : [];
+    }),
+  );
+
+it('presses draw no frames around panels; once a key has moved the focus, a line on top marks the active one', () =>
+  withPage(
+    async ({ page }) => {
+      await openWalker(page);
+      for (const [selector, x, y] of [
+        ['.stage', 0.9, 0.7],
+        ['.curve-plot', 0.5, 0.4],
+        ['.tree', 0.5, 0.5],
+        ['.scrubber', 0.5, 0.5],
+        ['.stage', 0.5, 0.7],
+      ] as const) {
+        await point(page, selector, x, y);
+        await page.mouse.down();
+        await page.mouse.up();
+        await expect.poll(() => framed(page), { message: selector }).toEqual([]);
+      }
+      // A shortcut moves no focus.
+      await page.keyboard.press('g');
+      await expect.poll(() => framed(page)).toEqual([]);
+      await page.mouse.move(2, 2);
+      await page.keyboard.press('F6');
+      await expect.poll(() => page.locator(':root').getAttribute('data-by-key')).toBe('');
+      while (!(await focused(page)).startsWith('stage')) await page.keyboard.press('F6');
+      await expect.poll(() => framed(page)).toEqual(['stage']);
+      await point(page, '.stage', 0.9, 0.8);
+      await page.mouse.down();
+      await page.mouse.up();
+      await expect.poll(() => framed(page)).toEqual([]);
+    },
+    { walking: true },
+  ));

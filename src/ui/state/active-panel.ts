@@ -2,7 +2,8 @@
  * The panel that the keyboard acts in: the one with the focus, unless the mouse has moved into another since. Whoever has
  * edited a curve and points at the viewport means the viewport; Delete would delete keys there that nobody looks at.
  * Moving the focus by keyboard overrides where the mouse rests. With the focus nowhere it is the panel under the mouse,
- * as in Maya and Blender. The panel is marked with `data-active`.
+ * as in Maya and Blender. The panel is marked with `data-active`; the mark is drawn once a key has moved the focus, until
+ * the next press, while the root has `data-by-key`: whoever works by mouse sees no frames.
  */
 
 /** Panels with keys of their own that change something; those in them too. */
@@ -43,8 +44,11 @@ export function watchActivePanel(signal: AbortSignal): void {
     active?.setAttribute('data-active', '');
     marked = active;
   };
+  const { dataset } = document.documentElement;
+  let isByKey = false;
   const moved = () => {
     pointed = undefined;
+    if (isByKey) dataset.byKey = '';
     mark();
   };
   window.addEventListener('focusin', moved, options);
@@ -56,9 +60,24 @@ export function watchActivePanel(signal: AbortSignal): void {
     mark();
   };
   // What is under a resting mouse may have been opened or closed.
-  window.addEventListener('keydown', mark, options);
+  window.addEventListener(
+    'keydown',
+    () => {
+      isByKey = true;
+      mark();
+    },
+    options,
+  );
   // A finger or a pen takes over from a mouse that rests elsewhere, also where the focus is already.
-  window.addEventListener('pointerdown', ({ target }) => point(target), options);
+  window.addEventListener(
+    'pointerdown',
+    ({ target }) => {
+      isByKey = false;
+      delete dataset.byKey;
+      point(target);
+    },
+    options,
+  );
   window.addEventListener(
     // Not `pointerover`, whose first after a drag says in Firefox that the button is still pressed.
     'mouseover',
