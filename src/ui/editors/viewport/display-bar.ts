@@ -69,14 +69,14 @@ export function displayBar(wb: Parts): HTMLElement {
 }
 
 /** Styles that what is open can be drawn in. */
-export function styleEntries(wb: Parts): readonly MenuEntry[] {
+function styleEntries(wb: Parts): readonly MenuEntry[] {
   const styles = isSkinVisible(wb) ? 'draw.skin.' : 'draw.boxes.';
   const possible = actionsOf(wb).filter((action) => action.id.startsWith(styles) && isEnabled(wb, action));
   return possible.map((action) => itemOf(wb, action));
 }
 
 /** All switches of what is drawn, with their keys. */
-export function switchEntries(wb: Parts): readonly MenuEntry[] {
+function switchEntries(wb: Parts): readonly MenuEntry[] {
   return SWITCHES.flatMap(([text, ids], i): MenuEntry[] => [
     ...(i > 0 ? [{ kind: 'line' } as const] : []),
     { kind: 'note', text },
@@ -91,7 +91,7 @@ function switchEntry(wb: Parts, id: string): readonly MenuEntry[] {
 }
 
 /** Framing, views and what the camera follows. */
-export function cameraEntries(wb: Parts): readonly MenuEntry[] {
+function cameraEntries(wb: Parts): readonly MenuEntry[] {
   // Keys that turn the camera step by step are no entries of a menu that closes.
   const views = actionsOf(wb).filter(({ menu, repeats }) => menu === 'View/Camera' && !repeats);
   return [...sectionsOf(wb, [['view.frameSelection', 'view.frameAll']]), { kind: 'line' }, ...itemsOf(wb, views)];
