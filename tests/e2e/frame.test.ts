@@ -112,11 +112,11 @@ describe('what a newcomer is told', () => {
     withPage(
       async ({ page, url }) => {
         const steps = page.getByRole('region', { name: 'First steps' });
-        await steps.getByText('Click a joint').waitFor();
+        await steps.getByText('Drag a hand, a foot or the head').waitFor();
         await page.evaluate(() => window.marrow.run('posing.ik'));
         await steps.waitFor({ state: 'hidden' });
         await page.evaluate(() => window.marrow.run('posing.fk'));
-        await steps.waitFor();
+        await steps.getByText('Click a joint').waitFor();
         await steps.getByRole('button', { name: 'Close first steps' }).click();
         await steps.waitFor({ state: 'hidden' });
         // Kept a moment after the change.

@@ -274,6 +274,7 @@ it('with the head of the walker selected, drags on nine other parts of the body 
       await page.evaluate(async () => {
         window.marrow.pause();
         window.marrow.seek(0.3);
+        await window.marrow.run('posing.fk');
         await window.marrow.run('view.front');
         await window.marrow.run('posing.select');
       });

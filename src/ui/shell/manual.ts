@@ -54,6 +54,7 @@ const TABS: Readonly<Record<TimelineTabName, ManualPage>> = {
 
 /** The viewport's, by what dragging does there. */
 const MODES: Readonly<Record<PosingMode, ManualPage>> = {
+  pose: 'guide/posing.html#pose',
   fk: 'guide/posing.html#fk',
   ik: 'guide/posing.html#ik',
   rig: 'guide/rigging.html',

@@ -1,7 +1,7 @@
 /**
- * The viewport's tool in each mode. Each is a script of its own, loaded when its mode is first entered; FK, the initial
- * one, when the page is idle. If loading fails, the mode switches to FK, and loading is retried when the mode is chosen
- * again.
+ * The viewport's tool in each mode. Each is a script of its own, loaded when its mode is first entered; Pose, the
+ * initial one, when the page is idle. If loading fails, the mode switches to Pose, and loading is retried when the mode is
+ * chosen again.
  */
 import type { CanvasTool } from '../editors/viewport/canvas-tools.ts';
 import type { ModeTool } from '../editors/viewport/mode-tool.ts';
@@ -13,6 +13,8 @@ async function fetchTool(wb: Workbench, mode: PosingMode): Promise<ModeTool> {
   switch (mode) {
     case 'select':
       return (await import('../editors/viewport/select-tool.ts')).selectTool(wb);
+    case 'pose':
+      return (await import('../editors/pose/pose-tool.ts')).poseTool(wb);
     case 'fk':
       return (await import('../editors/fk/fk-tool.ts')).fkTool(wb);
     case 'ik':
@@ -24,7 +26,8 @@ async function fetchTool(wb: Workbench, mode: PosingMode): Promise<ModeTool> {
 
 const NAMES: Readonly<Record<PosingMode, string>> = {
   select: 'Selection',
-  fk: 'Posing',
+  pose: 'Posing',
+  fk: 'Forward kinematics',
   ik: 'Inverse kinematics',
   rig: 'Rigging',
 };
@@ -69,7 +72,7 @@ export function modeTools(wb: Workbench, signal: AbortSignal, load = fetchTool):
     }
     entered = undefined;
     // Don't stay in a mode without a tool.
-    wb.posing.mode.set('fk');
+    wb.posing.mode.set('pose');
   };
   const stop = wb.posing.mode.subscribe((mode) => void enter(mode));
   whenIdle(wb, () => void enter(wb.posing.mode.get()));

@@ -3,6 +3,7 @@ import type { CommandInfo } from '../../edit/commands/all.ts';
 import type { ThemeName } from '../../view/theme.ts';
 import { outliner } from '../editors/outliner/outliner.ts';
 import { offerOverSamples } from '../editors/posing/auto-key-samples.ts';
+import { followForm } from '../editors/posing/mode-of-form.ts';
 import { followOpened } from '../editors/posing/opened.ts';
 import { followCharacter } from '../editors/timeline/follow-character.ts';
 import { followPeriods } from '../editors/timeline/period.ts';
@@ -71,6 +72,7 @@ export function mountWorkbench(
     leaveRefusalsBehind(wb),
     followCharacter(wb),
     followOpened(wb),
+    followForm(wb),
     followPeriods(wb),
     askAboutCycles(wb),
     limitUndo(wb),

@@ -51,6 +51,20 @@ export const MOUSE_GESTURES: readonly MouseGestures[] = [
     ],
   },
   {
+    where: 'Mouse in Pose mode',
+    lines: [
+      ['Pose a limb', 'drag its hand, foot or head, or its end'],
+      ['… in depth', 'Alt+drag'],
+      ['… in depth on a touchscreen', 'drag, then a second finger'],
+      ['Turn or move a DOF of the selected joint', 'drag its ring or arrow'],
+      ['… in fine steps, snapping', 'Shift+drag, Ctrl+drag'],
+      ['Move the selected joint by its limb', 'drag the dot in the middle of its rings'],
+      ['Move a pin', 'drag it'],
+      ['Orbit', 'drag anywhere else'],
+      ['Cancel drag', 'Esc'],
+    ],
+  },
+  {
     where: 'Mouse in IK mode',
     lines: [
       ['Pin a point, or remove a pin', 'click'],

@@ -12,7 +12,7 @@ export interface MousePlace {
   readonly mode: PosingMode;
   /** Name of the joint under the pointer in the viewport. */
   readonly joint?: string;
-  /** IK mode: what a drag of that joint moves. */
+  /** Pose and IK modes: what a drag of that joint moves. */
   readonly moves?: string | undefined;
   /** Rig mode: clicks add joints. */
   readonly isAdding?: boolean;
@@ -86,7 +86,7 @@ const HANDLES: readonly string[] = ['grab', 'move'];
 
 function inViewport(place: MousePlace): readonly MouseHint[] {
   const isHandle = HANDLES.includes(place.cursor);
-  return { select: inSelect, fk: inFk, ik: inIk, rig: inRig }[place.mode](place, isHandle);
+  return { select: inSelect, pose: inPose, fk: inFk, ik: inIk, rig: inRig }[place.mode](place, isHandle);
 }
 
 function inSelect({ joint }: MousePlace): readonly MouseHint[] {
@@ -94,15 +94,27 @@ function inSelect({ joint }: MousePlace): readonly MouseHint[] {
   return [...CAMERA, ['Select a joint', 'click'], ['Box select', 'Ctrl+drag']];
 }
 
+const ON_HANDLE: readonly MouseHint[] = [
+  ['Rotate or move', 'drag'],
+  ['Fine', 'Shift+drag'],
+  ['In steps', 'Ctrl+drag'],
+  ['Cancel', 'Esc'],
+];
+
+function inPose(place: MousePlace, isHandle: boolean): readonly MouseHint[] {
+  if (isHandle) return ON_HANDLE;
+  const { joint, moves } = place;
+  if (joint === undefined || moves === undefined) return inSelect(place);
+  return [
+    [moves, 'drag'],
+    ['In depth', 'Alt+drag'],
+    [`Select ${joint}`, 'click'],
+    ['Add or remove', 'Shift+click'],
+  ];
+}
+
 function inFk(place: MousePlace, isHandle: boolean): readonly MouseHint[] {
-  if (isHandle) {
-    return [
-      ['Rotate or move', 'drag'],
-      ['Fine', 'Shift+drag'],
-      ['In steps', 'Ctrl+drag'],
-      ['Cancel', 'Esc'],
-    ];
-  }
+  if (isHandle) return ON_HANDLE;
   const { joint } = place;
   if (joint === undefined) return inSelect(place);
   return [

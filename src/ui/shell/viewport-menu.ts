@@ -130,6 +130,7 @@ function jointEntries(wb: Workbench, selected: ResolvedJoint): MenuEntry[] {
         ['view.frameSelection', 'page.details'],
         MODE,
       ]);
+    case 'pose':
     case 'fk':
     case 'select':
       return sectionsOf(wb, [

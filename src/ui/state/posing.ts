@@ -10,11 +10,10 @@ import { IkHand } from './ik-hand.ts';
 import { RigHand } from './rig-hand.ts';
 
 /**
- * `fk`: joints are rotated one by one. `ik`: points are pinned and dragged, and joints follow. `rig`: the skeleton
- * itself is edited.
- * `select`: clicks only select.
+ * `select`: clicks only select. `pose`: hands, feet and heads are dragged, and their limbs follow. `fk`: joints are
+ * rotated one by one. `ik`: points are pinned and dragged, and joints follow. `rig`: the skeleton itself is edited.
  */
-export const POSING_MODES = ['select', 'fk', 'ik', 'rig'] as const;
+export const POSING_MODES = ['select', 'pose', 'fk', 'ik', 'rig'] as const;
 export type PosingMode = (typeof POSING_MODES)[number];
 
 /** What the skin does when the skeleton is edited: it stays in place, or follows as if posed. */
@@ -53,9 +52,9 @@ export interface CopiedPose {
 }
 
 export class Posing {
-  readonly mode: Observable<PosingMode> = observable<PosingMode>('fk');
+  readonly mode: Observable<PosingMode> = observable<PosingMode>('pose');
   /** The mode that the select tool leads back to. */
-  private before: Exclude<PosingMode, 'select'> = 'fk';
+  private before: Exclude<PosingMode, 'select'> = 'pose';
   /** Controls of the mode's tool beside the mode switch (`mode-bar.ts`); the tool removes them when it leaves. */
   readonly controls: Observable<HTMLElement | undefined> = observable<HTMLElement | undefined>(undefined);
   /** For FK; see `active-dof.ts`. */

@@ -25,6 +25,8 @@ const SIDE_PART = 3;
 /** The canvas grows in steps, so that a dolly doesn't allocate one a frame. CSS pixels. */
 const SIDE_STEP = 48;
 const MAX_PIXELS_PER_PIXEL = 2;
+/** Hit tolerance around the pivot, CSS pixels. */
+const PIVOT_REACH = 7;
 
 export interface GizmoSource {
   /**
@@ -102,6 +104,14 @@ export class JointGizmo implements Overlay {
     if (!this.layout) return undefined;
     const { left, top } = this.container.getBoundingClientRect();
     return handleAt(this.layout, clientX - left, clientY - top, slack, this.source.state().active);
+  }
+
+  /** Whether a point of the page is on the dot at the joint's pivot. @param slack extra tolerance, CSS pixels */
+  isOnPivot(clientX: number, clientY: number, slack = 0): boolean {
+    if (!this.layout) return false;
+    const { left, top } = this.container.getBoundingClientRect();
+    const [x, y] = this.layout.pivot;
+    return Math.hypot(clientX - left - x, clientY - top - y) <= PIVOT_REACH + slack;
   }
 
   /** Radius of a joint's rings, CSS pixels. */

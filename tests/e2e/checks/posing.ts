@@ -22,10 +22,11 @@ const ARM = `balljoint shoulder {
 
 export const dofs = (page: Page) => page.evaluate(() => window.marrow.characters()[0]?.dofs ?? []);
 export const undo = (page: Page) => page.evaluate(() => window.marrow.steps().undo);
-/** Opens the arm, selects its elbow, and waits for its gizmo. */
+/** Opens the arm in FK, selects its elbow, and waits for its gizmo. */
 export async function openArm(page: Page, joint = 'elbow'): Promise<void> {
   await dropFiles(page, [{ name: 'arm.skel', bytes: ARM }]);
   await page.waitForFunction(() => window.marrow.characters()[0]?.name === 'arm');
+  await page.evaluate(() => window.marrow.run('posing.fk'));
   await page
     .getByRole('treeitem', { name: new RegExp(`^${joint}`) })
     .first()

@@ -65,8 +65,8 @@ describe('the tool of the mode', () => {
     expect(fetched()).toEqual([]);
     becomeIdle();
     expect(current()).toBeUndefined();
-    await arrive('fk');
-    expect(log).toEqual(['+fk']);
+    await arrive('pose');
+    expect(log).toEqual(['+pose']);
     expect(current()).toBeDefined();
   });
 
@@ -82,14 +82,14 @@ describe('the tool of the mode', () => {
   it('the tool of the mode is put down when another mode is chosen, and fetched only once', async () => {
     const { mode, becomeIdle, arrive, log, fetched } = page();
     becomeIdle();
-    await arrive('fk');
+    await arrive('pose');
     mode.set('rig');
-    expect(log).toEqual(['+fk', '-fk']);
+    expect(log).toEqual(['+pose', '-pose']);
     await arrive('rig');
-    mode.set('fk');
+    mode.set('pose');
     await settled();
-    expect(log).toEqual(['+fk', '-fk', '+rig', '-rig', '+fk']);
-    expect(fetched()).toEqual(['fk', 'rig']);
+    expect(log).toEqual(['+pose', '-pose', '+rig', '-rig', '+pose']);
+    expect(fetched()).toEqual(['pose', 'rig']);
   });
 
   it('the tool of the mode is not entered where it comes after its mode was left', async () => {
@@ -112,19 +112,19 @@ describe('the tool of the mode', () => {
     expect(fetched()).toEqual(['ik', 'rig']);
   });
 
-  it('could not be fetched: that is said, FK is gone back to, and choosing it again asks again', async () => {
+  it('could not be fetched: that is said, Pose is gone back to, and choosing it again asks again', async () => {
     const { wb, mode, becomeIdle, arrive, fail, log, fetched } = page();
     becomeIdle();
-    await arrive('fk');
+    await arrive('pose');
     mode.set('ik');
     await fail('ik');
-    expect(mode.get()).toBe('fk');
+    expect(mode.get()).toBe('pose');
     expect(wb.messages.list.get().map(({ severity }) => severity)).toEqual(['error']);
-    expect(log).toEqual(['+fk', '-fk', '+fk']);
+    expect(log).toEqual(['+pose', '-pose', '+pose']);
     mode.set('ik');
     await arrive('ik');
-    expect(log.slice(3)).toEqual(['-fk', '+ik']);
-    expect(fetched()).toEqual(['fk', 'ik', 'ik']);
+    expect(log.slice(3)).toEqual(['-pose', '+ik']);
+    expect(fetched()).toEqual(['pose', 'ik', 'ik']);
   });
 
   it('could not be fetched after its mode was left: the mode that is there stays', async () => {
@@ -137,28 +137,28 @@ describe('the tool of the mode', () => {
     expect(log).toEqual(['+rig']);
   });
 
-  it('the tool of the mode is asked for again where FK itself could not be fetched', async () => {
+  it('the tool of the mode is asked for again where Pose itself could not be fetched', async () => {
     const { mode, becomeIdle, arrive, fail, log } = page();
     becomeIdle();
-    await fail('fk');
-    expect(mode.get()).toBe('fk');
+    await fail('pose');
+    expect(mode.get()).toBe('pose');
     mode.set('ik');
     await arrive('ik');
-    mode.set('fk');
-    await arrive('fk');
-    expect(log).toEqual(['+ik', '-ik', '+fk']);
+    mode.set('pose');
+    await arrive('pose');
+    expect(log).toEqual(['+ik', '-ik', '+pose']);
   });
 
   it('the tool of the mode is put down with the page, and none comes after', async () => {
     const { mode, becomeIdle, arrive, log, current, stop, fetched } = page();
     becomeIdle();
-    await arrive('fk');
+    await arrive('pose');
     stop();
-    expect(log).toEqual(['+fk', '-fk']);
+    expect(log).toEqual(['+pose', '-pose']);
     expect(current()).toBeUndefined();
     mode.set('ik');
     await settled();
-    expect(fetched()).toEqual(['fk']);
+    expect(fetched()).toEqual(['pose']);
   });
 
   it('the tool of the mode is not entered where it comes after the page is gone', async () => {

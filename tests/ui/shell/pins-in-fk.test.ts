@@ -17,6 +17,7 @@ const settled = async () => {
 /** A page that counts the overlays it shows. */
 function page(pins: boolean) {
   const { wb, stop } = ikPage(documentOf(pins ? body() : body({ ik: { pins: [], stiff: [], rootIsFree: true } })));
+  wb.posing.mode.set('fk');
   stopPage = stop;
   const counts = { shown: 0, loaded: 0, disposed: 0 };
   const viewport = {
@@ -35,11 +36,11 @@ function page(pins: boolean) {
   return { wb, counts, leave };
 }
 
-it('pins are drawn in FK mode and left to IK and rig in theirs', async () => {
+it('pins are drawn in FK mode and left to IK, Pose and rig in theirs', async () => {
   const { wb, counts } = page(true);
   await settled();
   expect(counts.shown).toBe(1);
-  for (const mode of ['ik', 'rig', 'fk'] as const) {
+  for (const mode of ['ik', 'pose', 'rig', 'fk'] as const) {
     wb.posing.mode.set(mode);
     await settled();
     expect(counts.shown).toBe(mode === 'fk' ? 1 : 0);

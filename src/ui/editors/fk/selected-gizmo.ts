@@ -85,6 +85,12 @@ export class SelectedGizmo {
     return this.gizmo?.at(at.clientX, at.clientY, at.pointerType === 'touch' ? FINGER : 0);
   }
 
+  /** Whether the pointer is on the dot in the middle of the rings. */
+  isOnPivot(at: CanvasPointer): boolean {
+    if (!selectedJoint(this.wb)) return false;
+    return this.gizmo?.isOnPivot(at.clientX, at.clientY, at.pointerType === 'touch' ? FINGER : 0) ?? false;
+  }
+
   /** Lights up a handle, and shows its value beside the pointer. */
   light(id: HandleId | undefined, at: CanvasPointer | undefined): void {
     if (at && id?.kind === 'dof') this.showValue(id.dof, at);

@@ -1,6 +1,10 @@
-/** IK controls beside the mode switch: the reach of a drag, whether the root may move, removing all pins, and a hint. */
+/**
+ * IK controls beside the mode switch: the reach of a drag, whether the root may move, removing all pins, and a hint. Pose
+ * mode has the reach, and the others once they matter.
+ */
 
 import { ikOf } from '../../../evaluate/ik/set-up.ts';
+import { defaultIk } from '../../../model/ik.ts';
 import { button, element, keepsFocusElsewhere, setAttribute, setText } from '../../kit/dom.ts';
 import { oncePerFrame } from '../../kit/frame.ts';
 import { icon } from '../../kit/icons.ts';
@@ -15,7 +19,10 @@ import { whileShown } from '../posing/while-shown.ts';
 import { REACH_MEANINGS, REACH_NAMES, reachShown } from './reach-choice.ts';
 
 /** Created once; up to date while shown. */
-export function ikControls(wb: Uses<'store' | 'actions' | 'posing' | 'settings'>): HTMLElement {
+export function ikControls(
+  wb: Uses<'store' | 'actions' | 'posing' | 'settings'>,
+  mode: 'pose' | 'ik' = 'ik',
+): HTMLElement {
   const root = keepsFocusElsewhere(
     button('Root moves', { class: 'tool ik-root' }, 'Root moves', () => tryById(wb, 'ik.rootFree')),
   );
@@ -40,7 +47,7 @@ export function ikControls(wb: Uses<'store' | 'actions' | 'posing' | 'settings'>
   );
   setActionTooltip(wb, hold, 'ik.holdPins', 'Hold pins over a range of the take');
   const hint = element('span', { class: 'ik-hint', role: 'note' });
-  const tools = element('div', { class: 'ik-tools tools' }, reach, root, all, hold);
+  const tools = element('div', { class: 'ik-tools tools' }, reach, root, all, ...(mode === 'ik' ? [hold] : []));
   const { hasDragged, wantsRoot } = wb.posing.ik;
   const show = () => {
     const character = currentCharacter(wb);
@@ -50,11 +57,16 @@ export function ikControls(wb: Uses<'store' | 'actions' | 'posing' | 'settings'>
     if (reach.firstElementChild) setText(reach.firstElementChild, `Reach: ${reachName}`);
     setAttribute(reach, 'aria-label', `Reach: ${reachName}`);
     all.disabled = hold.disabled = !setup?.pins.length;
+    if (mode === 'pose') {
+      // What has been set in IK acts here too, and can be undone where one meets it.
+      root.hidden = setup === undefined || setup.rootIsFree === defaultIk(character?.skeleton).rootIsFree;
+      all.hidden = !setup?.pins.length;
+    }
     setAttribute(root, 'aria-pressed', String(setup?.rootIsFree ?? false));
     setText(root, setup?.rootIsFree === false ? 'Root fixed' : 'Root moves');
     root.classList.toggle('asked', setup?.rootIsFree === false && wantsRoot.get());
     setText(hint, ikHintText(setup?.pins.length ?? 0));
-    hint.hidden = hasDragged.get() || setup === undefined;
+    hint.hidden = mode === 'pose' || hasDragged.get() || setup === undefined;
   };
   const showSoon = oncePerFrame(show);
   const controls = element('div', { class: 'ik-controls' }, tools, hint);

@@ -47,6 +47,8 @@ export interface HandNow {
   readonly pull: PullState | undefined;
   readonly hoveredPin: SeenPin | undefined;
   readonly hoveredPoint: SeenPoint | undefined;
+  /** Whether a click pins the hovered point. */
+  readonly pins: boolean;
 }
 
 /** Draws everything. @returns labels to be shown */
@@ -66,7 +68,7 @@ export function paintPins(
     paintStiff(painter, seen);
     const isPulled = pull?.grip.characterId === character.id && pull.grip.placement === placement;
     const points = hoveredPoint?.characterId === character.id && hoveredPoint.placement === placement;
-    if (hoveredPoint && points && !pull) labels.push(...paintPoints(wb, painter, seen, hoveredPoint));
+    if (hoveredPoint && points && !pull) labels.push(...paintPoints(wb, painter, seen, hoveredPoint, hand.pins));
     for (const pin of character.ik?.pins ?? []) labels.push(...paintPin(wb, painter, seen, pin, hand));
     if (isPulled && pull) labels.push(...paintPull(wb, painter, seen, pull));
     else if (!pull) labels.push(...paintLeft(wb, painter, seen));
@@ -189,18 +191,24 @@ function paintStiff(painter: PinPainter, seen: SeenSkeleton): void {
   }
 }
 
-/** The points of the hovered joint that could be pinned, and the one that a click would pin. */
+/** What a drag of the hovered joint would move; the points that could be pinned, and the one that a click would pin. */
 function paintPoints(
   wb: Uses<'viewport' | 'settings' | 'posing'>,
   painter: PinPainter,
   seen: SeenSkeleton,
   hovered: SeenPoint,
+  pins: boolean,
 ): Label[] {
   const { character, skeleton } = seen;
   const { joint, natural } = hovered;
   if (joint >= skeleton.joints.length) return [];
   const cover = coverOf(seen);
   paintReach(painter, seen, joint, reachOfDrag(wb, character, skeleton, seen.world, seen.toWorld, joint));
+  if (!pins) {
+    const at = inWorld(seen, joint, natural?.point ?? hovered.point);
+    painter.mark(at, { shape: 'ring', color: 'hovered', size: PIN_SIZE });
+    return [];
+  }
   for (const { point } of offeredPoints(wb, character, skeleton, joint)) {
     painter.mark(inWorld(seen, joint, point), { shape: 'dot', color: 'pin', size: 5, opacity: 0.7, cover });
   }

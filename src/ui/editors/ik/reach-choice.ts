@@ -1,6 +1,7 @@
 /** Which reach of IK is chosen, in words: shared by the bar, the menu and the search. */
 import type { Character } from '../../../model/document.ts';
 import { jointName } from '../../../model/joint-name.ts';
+import type { Skeleton } from '../../../model/skeleton.ts';
 import { currentCharacter } from '../../state/action.ts';
 import type { Uses } from '../../state/workbench.ts';
 
@@ -16,11 +17,22 @@ export const REACH_MEANINGS: Readonly<Record<ChosenReach, string>> = {
   chain: 'A dragged joint bends all joints up to a chosen one: select it, then choose this',
 };
 
-/** The reach that a drag has. */
-export function reachShown(wb: Uses<'settings'>, character: Pick<Character, 'skeleton'> | undefined): ChosenReach {
+/** The reach that a drag has. Pose mode is by limbs, until another reach was chosen. */
+export function reachShown(
+  wb: Uses<'settings' | 'posing'>,
+  character: Pick<Character, 'skeleton'> | undefined,
+): ChosenReach {
   const { ikReach } = wb.settings.get();
   if (ikReach !== 'usual') return ikReach;
-  return character?.skeleton?.form === 'axis-angle' ? 'chain' : 'limb';
+  return isWholeChain(wb, character?.skeleton) ? 'chain' : 'limb';
+}
+
+/** Whether a drag bends all up to the root, as long as nothing was chosen. */
+export function isWholeChain(
+  { settings, posing }: Uses<'settings' | 'posing'>,
+  skeleton: Skeleton | undefined,
+): boolean {
+  return settings.get().ikReach === 'usual' && skeleton?.form === 'axis-angle' && posing.mode.get() !== 'pose';
 }
 
 /** The joint where chains of the character end; undefined: at the root. */

@@ -1,6 +1,7 @@
 /**
- * What bends when a joint is dragged in IK mode: as chosen in the bar, or what is usual for the skeleton. Skeletons in the
- * axis-angle form bend as in the program that form comes from, from the root on; others by limbs.
+ * What bends when a joint is dragged: as chosen in the bar, or what is usual for the skeleton. Skeletons in the
+ * axis-angle form bend in IK mode as in the program that form comes from, from the root on; others, and in Pose mode all,
+ * by limbs.
  */
 import { type DragReach, dragReach, WHOLE } from '../../../evaluate/ik/drag/drag-reach.ts';
 import type { IkReach } from '../../../evaluate/ik/limb.ts';
@@ -9,7 +10,7 @@ import { jointName } from '../../../model/joint-name.ts';
 import type { Skeleton } from '../../../model/skeleton.ts';
 import { plural } from '../../kit/number-text.ts';
 import type { Uses } from '../../state/workbench.ts';
-import { chainTopOf, reachShown } from './reach-choice.ts';
+import { chainTopOf, isWholeChain, reachShown } from './reach-choice.ts';
 
 /** @param placement from the character's space to the scene's */
 export function reachOfDrag(
@@ -20,7 +21,7 @@ export function reachOfDrag(
   placement: Float64Array,
   joint: number,
 ): DragReach {
-  if (wb.settings.get().ikReach === 'usual' && skeleton.form === 'axis-angle') return WHOLE;
+  if (isWholeChain(wb, skeleton)) return WHOLE;
   return dragReach(character, skeleton, world, placement, joint, chosenReach(wb, character));
 }
 

@@ -22,8 +22,8 @@ export function setReach(wb: Uses<'store' | 'posing' | 'settings' | 'messages'>,
   const { reach, top } = isAsked ? ARGS.read(given, '') : ({ reach: next, top: undefined } as const);
   if (reach === 'chain') chooseTop(wb, top);
   wb.settings.update((now) => ({ ...now, ikReach: reach }));
-  // In IK mode the bar shows it.
-  if (wb.posing.mode.get() !== 'ik')
+  // In Pose and IK modes the bar shows it.
+  if (wb.posing.mode.get() !== 'ik' && wb.posing.mode.get() !== 'pose')
     wb.messages.note(`IK reach: ${reach === 'chain' ? chainText(wb) : REACH_NAMES[reach]}.`);
 }
 

@@ -8,18 +8,22 @@ import { activeDof, chooseNextDof, nudgeDof } from './active-dof.ts';
 
 /** Factor of the gizmo's size for one key press: three double it. */
 const GIZMO_STEP = 2 ** (1 / 3);
-const NO_GIZMO = 'Only FK and IK modes have a gizmo.';
-const hasGizmo = ({ posing }: Uses<'posing'>) => posing.mode.get() === 'fk' || posing.mode.get() === 'ik';
+const NO_GIZMO = 'Only Pose, FK and IK modes have a gizmo.';
+const GIZMO_MODES: readonly PosingMode[] = ['pose', 'fk', 'ik'];
+const hasGizmo = ({ posing }: Uses<'posing'>) => GIZMO_MODES.includes(posing.mode.get());
+/** Modes that turn the DOFs of the selected joint. */
+const hasDofs = ({ posing }: Uses<'posing'>) => posing.mode.get() === 'pose' || posing.mode.get() === 'fk';
 
 export const POSING_ACTIONS: readonly Action[] = [
   mode('select', 'Select (no gizmo)'),
+  mode('pose', 'Pose: drag hands, feet and heads', ['W']),
   mode('fk', 'Forward kinematics (FK)'),
   mode('ik', 'Inverse kinematics (IK)'),
   mode('rig', 'Rig', ['Shift+E']),
   {
     id: 'posing.toggle',
     name: 'Switch between FK and IK',
-    label: (wb) => (wb.posing.mode.get() === 'fk' ? 'Switch to IK' : 'Switch to FK'),
+    label: (wb) => (nextKinematics(wb.posing.mode.get()) === 'ik' ? 'Switch to IK' : 'Switch to FK'),
     group: 'Pose',
     menu: 'Edit/Mode',
     section: 1,
@@ -45,7 +49,7 @@ export const POSING_ACTIONS: readonly Action[] = [
     // During a drag, Escape is handled by `canvas-tools.ts`: this runs otherwise, and one press too many to cancel a drag
     // must not end IK.
     run(wb) {
-      if (wb.posing.mode.get() === 'rig') wb.posing.mode.set('fk');
+      if (wb.posing.mode.get() === 'rig') wb.posing.mode.set('pose');
       else if (wb.posing.mode.get() === 'select') switchSelect(wb);
       else deselect(wb);
     },
@@ -66,9 +70,13 @@ function deselect({ store }: Uses<'store'>): void {
   else if (selection.characterId !== undefined) store.select(NOTHING_SELECTED);
 }
 
-/** From FK to IK; from any other mode to FK. */
 export function switchKinematics(wb: Uses<'posing'>): void {
-  wb.posing.mode.update((now) => (now === 'fk' ? 'ik' : 'fk'));
+  wb.posing.mode.update(nextKinematics);
+}
+
+/** From FK and Pose to IK; from any other mode to FK. */
+export function nextKinematics(now: PosingMode): 'fk' | 'ik' {
+  return now === 'fk' || now === 'pose' ? 'ik' : 'fk';
 }
 
 /** To the select tool, and back to the mode before. */
@@ -93,8 +101,8 @@ function mode(to: PosingMode, label: string, shortcuts?: readonly string[]): Act
 function dofKey(id: string, label: string, shortcuts: readonly string[], run: (wb: Workbench) => void): Action {
   const enabled = needs(
     (wb: Uses<'store' | 'posing'>) =>
-      wb.posing.mode.get() === 'fk' ? 'Select a joint with DOFs first.' : 'DOFs are rotated in FK mode.',
-    (wb: Uses<'store' | 'posing'>) => wb.posing.mode.get() === 'fk' && activeDof(wb) !== undefined,
+      hasDofs(wb) ? 'Select a joint with DOFs first.' : 'DOFs are rotated in Pose and FK modes.',
+    (wb: Uses<'store' | 'posing'>) => hasDofs(wb) && activeDof(wb) !== undefined,
   );
   return { id, label, group: 'Pose', shortcuts, panel: 'viewport', repeats: true, enabled, run };
 }

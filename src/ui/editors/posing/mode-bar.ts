@@ -9,15 +9,17 @@ import { POSING_MODES, type PosingMode } from '../../state/posing.ts';
 import { setActionTooltip } from '../../state/tooltips.ts';
 import type { Uses } from '../../state/workbench.ts';
 
-const TEXT: Readonly<Record<PosingMode, string>> = { select: 'Select', fk: 'FK', ik: 'IK', rig: 'Rig' };
+const TEXT: Readonly<Record<PosingMode, string>> = { select: 'Select', pose: 'Pose', fk: 'FK', ik: 'IK', rig: 'Rig' };
 /** Actions whose shortcuts lead to the modes. */
 const KEY_OF: Readonly<Record<PosingMode, string>> = {
   select: 'posing.selectTool',
+  pose: 'posing.pose',
   fk: 'posing.toggle',
   ik: 'posing.toggle',
   rig: 'posing.rig',
 };
 const MODE_LABELS: Readonly<Record<PosingMode, string>> = {
+  pose: 'Pose: drag a hand, a foot or a head to pose its limb, or a ring to turn the selected joint',
   fk: 'Forward kinematics: rotate joints one at a time with their rings or by dragging a bone up and down',
   select: 'Select: click joints without a gizmo in the way; every drag moves the camera',
   ik: 'Inverse kinematics: click to pin a point, drag to move any point or turn a ring while pins hold',

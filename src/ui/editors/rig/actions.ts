@@ -43,7 +43,7 @@ export const RIG_ACTIONS: readonly Action[] = [
     group: 'Rig',
     menu: 'Rig',
     checked: inRigMode,
-    run: (wb) => wb.posing.mode.update((now) => (now === 'rig' ? 'fk' : 'rig')),
+    run: (wb) => wb.posing.mode.update((now) => (now === 'rig' ? 'pose' : 'rig')),
   },
   {
     id: 'rigging.new',

@@ -9,7 +9,7 @@ import { needs } from '../../state/needs.ts';
 import { onDemand } from '../../state/on-demand.ts';
 import { stopsOnFrame } from '../../state/pause-playback.ts';
 import type { Action, Uses } from '../../state/workbench.ts';
-import { switchKinematics } from '../posing/actions.ts';
+import { nextKinematics, switchKinematics } from '../posing/actions.ts';
 import { shownMarkers } from '../timeline/shown-markers.ts';
 import { TURN } from '../viewport/actions.ts';
 import { sayRange } from './range-edits.ts';
@@ -41,7 +41,7 @@ export const PLAY_ACTIONS: readonly Action[] = [
     id: 'play.toggle',
     name: 'Play or pause',
     label(wb) {
-      if (hasNothingToPlay(wb)) return wb.posing.mode.get() === 'fk' ? 'Switch to IK' : 'Switch to FK';
+      if (hasNothingToPlay(wb)) return nextKinematics(wb.posing.mode.get()) === 'ik' ? 'Switch to IK' : 'Switch to FK';
       return wb.transport.get().playing ? 'Pause' : 'Play';
     },
     group: 'Play',

@@ -5,7 +5,7 @@ import { setActionTooltip } from '../../state/tooltips.ts';
 import type { Workbench } from '../../state/workbench.ts';
 import type { ModeTool } from './mode-tool.ts';
 
-const BACK = { fk: 'Back to FK', ik: 'Back to IK', rig: 'Back to rig' } as const;
+const BACK = { pose: 'Back to Pose', fk: 'Back to FK', ik: 'Back to IK', rig: 'Back to rig' } as const;
 
 export function selectTool(wb: Workbench): ModeTool {
   const back = keepsFocusElsewhere(element('button', { type: 'button', class: 'tool text-tool' }));

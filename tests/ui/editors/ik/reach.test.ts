@@ -68,9 +68,11 @@ describe('the reach of IK', () => {
     expect(reach()).toBe('usual');
   });
 
-  it('is everything up to the root for the axis-angle form until one is chosen', async () => {
+  it('is everything up to the root in IK mode for the axis-angle form until one is chosen', async () => {
     page.stop();
     page = ikPage(documentOf(body({ skeleton: { ...BODY, form: 'axis-angle' }, ik: FREE })));
+    expect(moves(HAND_L)).not.toBe('Bend all up to the root');
+    page.wb.posing.mode.set('ik');
     expect(moves(HAND_L)).toBe('Bend all up to the root');
     expect(changed(HAND_L).some((dof) => dof < 6)).toBe(true);
     await set({ reach: 'limb' });

@@ -23,13 +23,13 @@ function posing(more: Parameters<typeof character>[0] = {}) {
 }
 
 describe('the keys of posing', () => {
-  it('switch between FK and IK, and to rig mode', () => {
+  it('switch between FK and IK, to rig mode, and back to Pose', () => {
     const { wb, press } = posing();
-    const seen = ['E', 'E', 'Shift+E', 'E'].map((key) => {
+    const seen = ['E', 'E', 'Shift+E', 'E', 'W', 'E'].map((key) => {
       press(key);
       return wb.posing.mode.get();
     });
-    expect(seen).toEqual(['ik', 'fk', 'rig', 'fk']);
+    expect(seen).toEqual(['ik', 'fk', 'rig', 'fk', 'pose', 'ik']);
   });
 
   it.each(['viewport', 'outliner', undefined])('Escape leaves rig mode, then deselects (%s)', (panel) => {
@@ -37,7 +37,7 @@ describe('the keys of posing', () => {
     wb.store.select({ characterId: 'c1', joint: 1 });
     wb.posing.mode.set('rig');
     press('Escape', panel);
-    expect([wb.posing.mode.get(), wb.store.selection.joint]).toEqual(['fk', 1]);
+    expect([wb.posing.mode.get(), wb.store.selection.joint]).toEqual(['pose', 1]);
     press('Escape', panel);
     expect(wb.store.selection.characterId).toBeUndefined();
   });
@@ -59,7 +59,7 @@ describe('the keys of posing', () => {
       press(key, 'viewport');
       return wb.posing.mode.get();
     };
-    expect(['Q', 'Q'].map(after)).toEqual(['select', 'fk']);
+    expect(['Q', 'Q'].map(after)).toEqual(['select', 'pose']);
     wb.posing.mode.set('ik');
     expect(['Q', 'Q', 'Q', 'Escape'].map(after)).toEqual(['select', 'ik', 'select', 'ik']);
     expect(['Q', 'E'].map(after)).toEqual(['select', 'fk']);
@@ -81,7 +81,7 @@ describe('the keys of posing', () => {
     wb.posing.mode.set('rig');
     press(']');
     expect(size()).toBe(0.5);
-    expect(larger?.whyNot?.(wb)).toBe('Only FK and IK modes have a gizmo.');
+    expect(larger?.whyNot?.(wb)).toBe('Only Pose, FK and IK modes have a gizmo.');
     wb.posing.mode.set('ik');
     press(']');
     expect(size()).toBeGreaterThan(0.5);
@@ -104,7 +104,7 @@ describe('the keys of posing', () => {
     expect([still.wb.posing.mode.get(), still.wb.transport.get().playing]).toEqual(['ik', false]);
     const moving = posing({ clips: [clip([0, 1], channel(0, 1))] });
     moving.press('Space');
-    expect([moving.wb.posing.mode.get(), moving.wb.transport.get().playing]).toEqual(['fk', true]);
+    expect([moving.wb.posing.mode.get(), moving.wb.transport.get().playing]).toEqual(['pose', true]);
   });
 
   it.each(['viewport', undefined])('left and right step frames with a take, playing or not (%s)', (panel) => {
