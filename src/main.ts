@@ -130,7 +130,7 @@ opener.subscribe(({ given, files }) => {
   handles.note(given);
   const replaced = unsaved.opened(files);
   if (replaced.length) {
-    const text = `Unsaved changes of ${replaced.join(', ')} were replaced. Undo restores them.`;
+    const text = `Unsaved changes to ${replaced.join(', ')} were replaced. Undo restores them.`;
     messages.note(text, 'warning', 'until read');
   }
 });
@@ -206,7 +206,7 @@ function viewportIn(element: HTMLElement): Viewport {
     return new Viewport(element, (draw) => oncePerFrame(draw, 'draw'), {
       textureFailed: (_id, texture) =>
         messages.note(`The texture ${texture.name} can’t be read by this browser; drawn without texture.`, 'warning'),
-      drawingFailed: (error) => faults.tell('The picture can’t be drawn. Your work can be saved.', error),
+      drawingFailed: (error) => faults.tell('The viewport can’t be drawn. Your work can still be saved.', error),
     });
   } catch (error) {
     document.body.textContent =

@@ -17,7 +17,7 @@ it('the usage of attacks is printed where it is asked for, with what each shows'
 it.each([
   [['--only', 'reader'], 'There is no attack "reader".'],
   [['--only', 'readers', '--only', 'x'], 'There is no attack "x".'],
-  [['--minutes', 'ten'], '--minutes must be above 0, found ten.'],
+  [['--minutes', 'ten'], '--minutes must be greater than 0, found ten.'],
   [['--seed', '1.5'], '--seed must be a whole number, found 1.5.'],
   [['--replay', 'gone.json'], '--replay: gone.json could not be read: there is no such file or folder.'],
   [['--fast'], "Unknown option '--fast'"],

@@ -137,7 +137,7 @@ export function fileActions(parts: Parts): FileActions {
     canReload: (characterId) => canReload(parts, characterId),
     source,
     async pictures() {
-      const module = await onDemand(parts.messages, 'The export of pictures', () => import('./pictures.ts'));
+      const module = await onDemand(parts.messages, 'Picture export', () => import('./pictures.ts'));
       return module?.picturesOf(parts.pictured, (name, content) => parts.disk.download(name, content));
     },
   };

@@ -96,7 +96,7 @@ async function writerFor(
 function shotOptions(screen: HTMLCanvasElement, options: PictureOptions): ShotOptions {
   const { width = screen.clientWidth, height = screen.clientHeight } = options;
   if (!(width >= 1 && height >= 1))
-    throw new Error(`A picture’s width and height must be above 0, found ${width} × ${height}.`);
+    throw new Error(`A picture’s width and height must be greater than 0, found ${width} × ${height}.`);
   const { hasBackground = true, hasGrid = true, hasTools = false } = options;
   return { width: Math.round(width), height: Math.round(height), hasBackground, hasGrid, hasTools };
 }
@@ -109,7 +109,7 @@ function evenSize(pixels: number): number {
 function frameCanvas({ width, height }: ShotOptions): FrameCanvas {
   const canvas = new OffscreenCanvas(width, height);
   const pen = canvas.getContext('2d', { willReadFrequently: true });
-  if (!pen) throw new Error('This browser gives no 2D canvas.');
+  if (!pen) throw new Error('This browser does not provide a 2D canvas.');
   return { canvas, pen };
 }
 

@@ -51,7 +51,7 @@ export async function findText(
 ): Promise<SourceInput> {
   if (found) return { path, ...found };
   const file = handles.at(path);
-  if (!file) throw new Error('Its text is no longer at hand. Open the file again.');
+  if (!file) throw new Error('Its text is no longer available. Open the file again.');
   const { blob } = await readAgain(file, signal);
   return { path, blob, ...(file.path !== path && inside !== undefined && { inside }) };
 }

@@ -14,6 +14,7 @@ import type { TakeDigest } from '../review/digest.ts';
 import { matchPaths } from '../review/match-paths.ts';
 import { isTakeList, readList } from '../review/read-list.ts';
 import { isReviewable } from '../review/reviewable.ts';
+import { plural } from '../ui/kit/number-text.ts';
 import { type Observable, observable } from '../ui/kit/observable.ts';
 import { attempt } from '../ui/state/attempt.ts';
 import type { Messages } from '../ui/state/messages.ts';
@@ -65,7 +66,7 @@ export async function takeForReview(
     const paths = reviewed.map(({ path }) => path);
     attempt(parts.messages, () => parts.store.apply(addToReview, { paths }));
     showTab(parts);
-    if (isMany) parts.messages.note(`${takes.length} takes are listed for review. Open those that you need.`);
+    if (isMany) parts.messages.note(`${takes.length} takes are listed in the Review tab. Open the ones you need.`);
   }
   for (const { file, text } of lists) read(parts, file.path, text);
   // Beside takes for review, a folder's readmes are not worth a message.
@@ -109,8 +110,11 @@ function read(parts: ReviewingParts, path: string, text: string): void {
   attempt(messages, () => store.apply(readReview, { takes: said }));
   parts.timeline.review.areSaved(said);
   showTab(parts);
-  const left = missing.length > 0 ? `; ${missing.length} of the list are not in review` : '';
-  messages.note(`${found.size} takes have what ${baseName(path)} says of them${left}.`);
+  const left =
+    missing.length > 0
+      ? `; ${plural(missing.length, 'take in that list is', 'takes in that list are')} not in review`
+      : '';
+  messages.note(`Applied ${baseName(path)} to ${plural(found.size, 'take')}${left}.`);
 }
 
 function showTab(parts: ReviewingParts): void {

@@ -169,7 +169,7 @@ export class Saver {
         // A previous dialog or a long wait used up the click.
         if (error instanceof NotNowError) {
           dialogs = 'used up';
-          remedy = hadDialog ? 'The browser asks for one file at a time. Save again.' : error.message;
+          remedy = hadDialog ? 'The browser saves one file at a time. Save again for the next.' : error.message;
           left.push(job.name);
           continue;
         }

@@ -235,7 +235,7 @@ function keysOf(store: Store, ref: CharacterRef | undefined, index: number | und
       return indices.flatMap((k) => all[k] ?? []);
     });
   }
-  if (!channels[index]) throw new Error(`${character.name} shows no take with a channel ${index}.`);
+  if (!channels[index]) throw new Error(`${character.name} has no current take with a channel ${index}.`);
   return keyInfos(channels[index], index);
 }
 

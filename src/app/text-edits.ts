@@ -45,7 +45,7 @@ export class FileEdits implements TextEdits {
     const bytes = file.inside === undefined ? file.blob.size : source.bytes;
     if (bytes > MAX_COMPARED_BYTES) {
       throw new Error(
-        `Changes are shown in files up to ${inWords(MAX_COMPARED_BYTES)}; this one has ${inWords(bytes)}.`,
+        `Changes can be shown in files of up to ${inWords(MAX_COMPARED_BYTES)}; this one has ${inWords(bytes)}.`,
       );
     }
     return worker.run('changes', { file, source, owned: owned.map(alone) });

@@ -99,8 +99,8 @@ export function comparisonText(told: ToldComparison): string {
       const more = joints.length - named.length;
       return more > 0 ? `${named.join(', ')} and ${more} more` : named.join(', ');
     };
-    if (own.length > 0) lines.push(`Wrong by themselves: ${list(own)}.`);
-    if (inherited.length > 0) lines.push(`Wrong only because a parent is: ${list(inherited)}.`);
+    if (own.length > 0) lines.push(`Own error (wrong relative to the parent): ${list(own)}.`);
+    if (inherited.length > 0) lines.push(`Inherited (wrong only because a parent is): ${list(inherited)}.`);
     lines.push(...causesLines(causes, compared, isOfSeveral));
     const rest = unexplainedSentences(comparison, isOfSeveral);
     if (rest.length > 0) lines.push('', ...rest);
@@ -125,7 +125,7 @@ function causeLines(cause: Cause, compared: Compared, isOfSeveral: boolean): rea
     ...sentences.map((sentence) => `  ${sentence}`),
     ...alternatives.map((other) => `  Equally: ${other}.`),
     ...[...new Set(formulas)].map((formula) => `    ${formula}`),
-    `  Explains ${explains} of ${of} ${items}; what remains is at most ${short(residual)}.`,
+    `  Explains ${explains} of ${of} ${items}; the largest remaining error is ${short(residual)}.`,
   ];
 }
 
@@ -151,12 +151,12 @@ function dumpTimeLines({ character, targets, dumps, asked }: ToldComparison): re
     const others = asked.filter((each) => !times.includes(each));
     const isAsked = !isStated && asked.length > 0;
     const why = isStated
-      ? `, as it states${others.length > 0 ? `; --time${asked.length > 1 ? 's' : ''} ${asked.join(',')} is for dumps that state none` : ''}`
+      ? `, the time it states${others.length > 0 ? `; --time${asked.length > 1 ? 's' : ''} ${asked.join(',')} is only for dumps without a time` : ''}`
       : isAsked
         ? ', as asked'
         : time === undefined
-          ? ', since it states no time'
-          : ', as the others state';
+          ? ', because it states no time'
+          : ', the time the others state';
     return [`${dumps.length > 1 ? named.fileName : 'The dump'} is compared ${at}${why}.`];
   });
 }
@@ -167,16 +167,16 @@ function hintsOf({ comparison, character, dumps }: ToldComparison): readonly str
   const { frames } = comparison;
   const timed = frames.filter(({ agrees, time }) => !agrees && time !== undefined);
   if (!shownClip(character) && timed.length > 0) {
-    return [`The dump is of ${timed[0].time} s; give the .anim too, without which all times have the file pose.`];
+    return [`The dump is from ${timed[0].time} s. Give the .anim too: without it, every time has the file pose.`];
   }
   const joints = character.skeleton?.joints.length ?? 0;
   const isAllWrong = frames.some(({ own, inherited }) => joints > 0 && own.length + inherited.length === joints);
   if (!shownClip(character) && isAllWrong) {
-    return ['All joints differ. If the dump is of an animation, give the .anim too, and its time with --time T.'];
+    return ['All joints differ. If the dump is from an animation, give the .anim too, and the time with --time T.'];
   }
   const isOfPose = frames.some(({ agrees, time }) => !agrees && time === undefined);
   if (shownClip(character) && isOfPose && dumps.some(statesNoTime)) {
-    return ['The dump states no time; if it is not of the file pose, give its time with --time T.'];
+    return ['The dump states no time. If it is not the file pose, give its time with --time T.'];
   }
   return [];
 }
@@ -192,7 +192,7 @@ function timeText({ time, agrees, worst }: FrameComparison): string {
 
 /** `by 1.9 (0.476 of the size 4)` of lengths; other errors have no unit. */
 export function errorText({ what, error, length }: FirstWrong): string {
-  if (!Number.isFinite(error)) return 'which is no finite number';
+  if (!Number.isFinite(error)) return 'which is not a finite number';
   if (length !== undefined && length > 0)
     return `by ${short(length)} (${short(error)} of the size ${short(length / error)})`;
   return `by ${short(error)}${what === 'joint' ? ' in its rotation' : ''}`;

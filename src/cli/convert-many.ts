@@ -67,7 +67,7 @@ export async function convertMany(
   many.tellKept();
   many.tellUnits();
   if (groups.length === 0 && problems.length === 0) {
-    many.tell([refusal('nothing-to-convert', 'There is no file here to convert.', args.join(' '))]);
+    many.tell([refusal('nothing-to-convert', 'There is nothing to convert here.', args.join(' '))]);
   }
   return !many.hasFailed;
 }
@@ -112,7 +112,7 @@ class Many {
     for (const character of characters) {
       if (character.skeleton || character.clips.length === 0) continue;
       const [source] = character.sources;
-      const message = 'An animation alone has no joints. Give its skeleton too.';
+      const message = 'An animation alone has no joints. Add its skeleton.';
       this.tell([refusal('skeleton-missing', message, source?.path ?? character.name)]);
     }
     const posed = characters.filter(({ skeleton }) => skeleton);
@@ -182,8 +182,8 @@ class Many {
     const kind = `.${this.options.target}`;
     const message =
       this.kept.length === 1
-        ? `This is a ${kind} file already and stays as it is; --out FOLDER writes it anew.`
-        : `${this.kept.length} files are ${kind} files already and stay as they are; --out FOLDER writes them anew.`;
+        ? `This is already a ${kind} file and is left as it is; --out FOLDER rewrites it.`
+        : `${this.kept.length} files are already ${kind} files and are left as they are; --out FOLDER rewrites them.`;
     this.tell([withoutPlace('info', 'source-kept', message, first)]);
   }
 
@@ -203,10 +203,11 @@ class Many {
   }
 
   private obstacle(path: string, read: string): string | undefined {
-    if (this.done.has(key(path))) return 'Another file of this name was just written; left as it is.';
+    if (this.done.has(key(path))) return 'Another file of this name was just written; skipped.';
     if (this.options.replaces || !existsSync(path)) return undefined;
-    if (path === read) return 'This file would be replaced; --out FOLDER writes another one, --force replaces it.';
-    return 'A file of this name already exists; --force replaces it.';
+    if (path === read)
+      return 'This would overwrite the file. Use --out FOLDER to write elsewhere, or --force to overwrite.';
+    return 'A file of this name already exists. Use --force to overwrite it.';
   }
 
   /** Next to the source, or at the same path below the output folder. */

@@ -118,7 +118,7 @@ function partOf(files: readonly ParsedFile[], format: Format, out: string, optio
   const output = outputOf({ name: out, content: () => content });
   const textures = content.kind === 'skin' ? textureNames(content.skin) : [];
   if (textures.length === 0) return { output };
-  const message = `It names ${textures.join(', ')}, which this doesn't write. ${ALL_OF_THEM}`;
+  const message = `It names ${textures.join(', ')}, which would not be written. ${ALL_OF_THEM}`;
   return saying({ output }, [withoutPlace('info', 'texture-not-written', message, out)]);
 }
 
@@ -153,7 +153,9 @@ function skelInForm(skeletons: readonly Skeleton[], source: string, out: string)
     return { output: outputOf({ name: out, content: () => ({ kind: 'skel', skeletons: written }) }) };
   }
   const why =
-    skeletons.length === 1 ? axisAngleObstacle(skeletons[0]) : `it holds one tree, and there are ${skeletons.length}.`;
+    skeletons.length === 1
+      ? axisAngleObstacle(skeletons[0])
+      : `it holds one skeleton, and there are ${skeletons.length}.`;
   if (why !== undefined) {
     const message = `${out} can't be written in axis-angle form: ${why} Use .skel instead.`;
     return { refusal: refusal('axis-angle-impossible', message, out) };

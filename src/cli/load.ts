@@ -264,7 +264,7 @@ export function nothingRead({ all, files, diagnostics }: Loaded, args: readonly 
   if (files.length > 0 || hasErrors(diagnostics)) return [];
   const [code, message] =
     all.length === 0
-      ? ['nothing-found', 'There is no readable file here.']
+      ? ['nothing-found', 'There are no readable files here.']
       : ['nothing-read', 'Expected a file that Marrow reads, found none here.'];
   return [withoutPlace('error', code, message, args.join(' '))];
 }
@@ -277,7 +277,7 @@ export function withoutSkeleton(characters: readonly Character[]): Diagnostic[] 
     const found = others
       ? 'Expected a skeleton whose name begins its own, found several others. Name it after one of them, or give it that alone.'
       : 'Expected a skeleton with these files, found none.';
-    const assumed = skins.length > 0 ? 'vertices are those of the file, not moved' : 'channels alone, without joints';
+    const assumed = skins.length > 0 ? 'vertices are left as in the file' : 'channels alone, without joints';
     return [withoutPlace('info', 'skeleton-missing', found, sources[0]?.path ?? name, assumed)];
   });
 }

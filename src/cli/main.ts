@@ -48,7 +48,7 @@ if (!worksInThread({ grade: gradeWork, export: exportWork })) {
     input: () => text(process.stdin),
     program: new URL(import.meta.url),
   }).catch((error): ExitCode => {
-    tell(`marrow: this is a mistake of the program, please report it: ${printable(reasonOf(error))}\n`);
+    tell(`marrow: internal error, please report it: ${printable(reasonOf(error))}\n`);
     return 1;
   });
   if (unwritten !== undefined) tell(`marrow: the results could not be written: ${unwritten}.\n`);

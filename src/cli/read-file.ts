@@ -29,7 +29,7 @@ export function readPieces(path: string, take: (piece: Uint8Array) => void): num
       bytes += read;
       if (bytes <= limit) take(chunk.subarray(0, read));
     }
-    if (isSized && bytes !== before.size) throw new Error('it changed while it was read; try again');
+    if (isSized && bytes !== before.size) throw new Error('it changed while it was being read; try again');
     if (bytes > limit) throw new Error(`it has more than ${limit >> 20} MB or no end; save it to a file first`);
     return bytes;
   } finally {

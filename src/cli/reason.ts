@@ -3,13 +3,13 @@
 /** Errors of the system by their codes; the rest of a sentence that has named the file. */
 const REASONS: Readonly<Record<string, string>> = {
   EACCES: 'permission denied',
-  EBUSY: 'another program uses it',
+  EBUSY: 'another program is using it',
   EDQUOT: 'the disk quota is used up',
   EEXIST: 'a file of this name exists',
   EFBIG: 'it is larger than the system allows',
   EIO: 'the disk reports an error',
   EISDIR: 'it is a folder',
-  ELOOP: 'its links lead in a circle',
+  ELOOP: 'its links form a loop',
   EMFILE: 'too many files are open',
   ENAMETOOLONG: 'its name or path is too long for the system',
   ENFILE: 'too many files are open',
@@ -19,9 +19,9 @@ const REASONS: Readonly<Record<string, string>> = {
   ENOTDIR: 'a part of its path is a file, not a folder',
   ENOTEMPTY: 'the folder is not empty',
   ENXIO: 'it is a socket or a device that is not connected',
-  EPERM: 'the system does not permit it',
+  EPERM: 'the system does not allow it',
   EROFS: 'the disk is read-only',
-  ETXTBSY: 'another program runs it',
+  ETXTBSY: 'another program is running it',
   ERR_FS_FILE_TOO_LARGE: 'it is larger than 2 GiB',
   ERR_STRING_TOO_LONG: 'it is too large to be read as text',
 };

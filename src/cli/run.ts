@@ -95,8 +95,8 @@ ${COMMON_HELP.join('\n')}
 
 /** True of all commands. */
 const COMMON_HELP: readonly string[] = [
-  'marrow COMMAND --help explains the options of a command. FILE may be a folder or a zip: all files in it.',
-  'Options are written "--x v" or "--x=v"; values may begin with a minus, and after "--" all are files.',
-  "Paths are relative to the caller's folder; angles are in radians, times in seconds.",
-  'Exit code 3 of any command: the standard output could not be written.',
+  'marrow COMMAND --help explains the options of a command. FILE may be a folder or a zip, meaning all files in it.',
+  'Write options as "--x v" or "--x=v"; values may start with a minus, and everything after "--" is a file.',
+  'Paths are relative to the current folder. Angles are in radians, times in seconds.',
+  'Exit code 3, any command: standard output could not be written.',
 ];

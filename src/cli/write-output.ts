@@ -42,7 +42,7 @@ export function writeInFolder(path: string, pieces: Iterable<string | Uint8Array
   try {
     mkdirSync(dirname(path), { recursive: true });
   } catch (error) {
-    return { failure: `its folder could not be made: ${reasonOf(error)}` };
+    return { failure: `its folder could not be created: ${reasonOf(error)}` };
   }
   return writeOutput(path, pieces, folder);
 }

@@ -42,7 +42,7 @@ export function pairsOf(map: JointMap, target: Skeleton, source: Skeleton): read
 
 function jointNamed({ joints }: Skeleton, name: string, whose: string): number {
   const at = joints.findIndex((joint) => joint.name === name);
-  if (at < 0) throw new CommandError(`The map names ${name}, which is no joint of the ${whose}.`);
+  if (at < 0) throw new CommandError(`The map names ${name}, which is not a joint of the ${whose}.`);
   if (joints.findLastIndex((joint) => joint.name === name) !== at) {
     throw new CommandError(`The map names ${name}, but several joints of the ${whose} have that name.`);
   }

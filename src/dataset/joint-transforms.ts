@@ -36,7 +36,7 @@ const turnsOf = perSkeleton((skeleton): readonly (Turn | undefined)[] => {
   return skeleton.joints.map(({ motion }, j) => {
     if (turns[3 * j] < 0) return undefined;
     const euler = eulerDofs(motion);
-    if (!euler) throw new Error(`Joint ${j} turns by three angles, but has no order of them.`);
+    if (!euler) throw new Error(`Joint ${j} has three rotation angles but no rotation order.`);
     const [a, b, c] = appliedDofs(euler);
     return { dofs: [firstDof[j] + a, firstDof[j] + b, firstDof[j] + c], ...renamedAxes(euler.order) };
   });

@@ -175,7 +175,7 @@ function refuseTooLarge(frameCount: number, perFrame: number, precision: Precisi
   if (bytes <= MAX_BYTES) return;
   throw new CommandError(
     `Its ${frameCount.toLocaleString('en')} frames would be ${(bytes / 2 ** 30).toFixed(1)} GiB, but the maximum is ` +
-      `${MAX_BYTES / 2 ** 30} GiB. Crop it, or take fewer frames per second.`,
+      `${MAX_BYTES / 2 ** 30} GiB. Crop it, or lower the frame rate.`,
   );
 }
 

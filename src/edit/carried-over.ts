@@ -38,10 +38,11 @@ export function lostOver(before: Character, after: Character, file: string): Dia
     return names.length > 1 ? `${names[0]} and ${names.length - 1} more` : names[0];
   };
   const unposed = unmatchedPosedJoints(before, after.skeleton, to);
-  if (unposed.length) say('kept-pose-lost', `Poses in the library lost ${called(unposed)}, which no longer exists.`);
+  if (unposed.length)
+    say('kept-pose-lost', `${called(unposed)} no longer exists and was removed from the pose library.`);
   const gone = ({ joint }: { readonly joint: number }) => to[joint] < 0;
   const held = [...(ik?.pins ?? []), ...(ik?.stiff ?? [])].filter(gone).map(({ joint }) => joint);
-  if (held.length) say('ik-lost', `Pins, locks and stiffness of ${called(held)} are gone with the joint.`);
+  if (held.length) say('ik-lost', `Pins, locks and stiffness of ${called(held)} were removed with the joint.`);
   return problems;
 }
 

@@ -137,5 +137,5 @@ export function requireKeyable(clip: ChannelClip, channels: readonly number[]): 
 
 function followsSamples(count: number): string {
   const what = count === 1 ? 'This curve is sampled' : `${count} curves are sampled`;
-  return `${what}. Convert to keys first: Keys > Samples.`;
+  return `${what}. Convert to keys first (Keys > Samples).`;
 }

@@ -11,7 +11,7 @@ import { CommandError } from './command-error.ts';
 /** The shown take. Throws a `CommandError` if there is none. */
 export function requireTake(character: Character): ChannelClip {
   const clip = shownClip(character);
-  if (!clip) throw new CommandError(`${character.name} shows no take.`);
+  if (!clip) throw new CommandError(`${character.name} has no current take.`);
   return clip;
 }
 

@@ -63,7 +63,7 @@ export function checkClip(clip: ChannelClip, skeleton: Skeleton, morphCount: num
   if (given < needed) {
     return [withoutPlace('warning', 'channels-fewer', message, fileName, 'DOFs without a channel keep their pose')];
   }
-  const assumed = `the last ${count(given - forAll, 'channel')} drive nothing`;
+  const assumed = `the last ${count(given - forAll, 'channel')} are unused`;
   return [withoutPlace('warning', 'channels-more', message, fileName, assumed)];
 }
 

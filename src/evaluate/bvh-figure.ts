@@ -299,7 +299,7 @@ class Figuring {
     if (isScaled) {
       const names = skeleton.joints.filter(({ motion }) => stretches(motion)).map(({ name }) => name || '(no name)');
       const message = `BVH can't store the scale or shear of ${names.join(', ')}.`;
-      info('scale-not-held', message, 'joints keep their positions without it');
+      info('scale-not-held', message, 'left out; joints keep their positions');
     }
     if (character.morphs.length) {
       const count = character.morphs.length;

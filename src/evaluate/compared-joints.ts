@@ -125,7 +125,7 @@ export function whyLeftOut(
   const [here, there] = isFirst ? [first, second] : [second, first];
   const name = own.skeleton?.joints[joint]?.name ?? '';
   const same = other.skeleton?.joints.findIndex((j) => j.name === name) ?? -1;
-  if (same < 0) return `${other.name} has no counterpart of it`;
+  if (same < 0) return `${other.name} has no matching joint`;
   const taken = there.indexOf(same);
   if (taken < 0) return `${other.name} has a ${name} elsewhere in its hierarchy, as another part of the body`;
   const partner = own.skeleton?.joints[here[taken]]?.name ?? '';

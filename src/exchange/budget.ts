@@ -41,7 +41,7 @@ export class Budget {
     this.left -= numbers;
     if (this.left >= 0) return;
     this.fail(
-      `${what} goes beyond ${mostNumbers(this.bytes)} numbers in memory, more than is read of a file of ${this.bytes} bytes. It may be damaged, or use the same bytes too often: export it again, with less.`,
+      `${what} needs more than ${mostNumbers(this.bytes)} numbers in memory, the limit for a file of ${this.bytes} bytes. It may be damaged: export it again, with less data.`,
     );
   }
 }

@@ -170,7 +170,7 @@ function movedBy(m: Float64Array | undefined, values: Float64Array, w: 0 | 1): F
 }
 
 function tooFar(what: string): ImportError {
-  return new ImportError('scene-too-large', `${what} is farther away, or larger, than numbers go: 1.8e308 at most.`);
+  return new ImportError('scene-too-large', `${what} is too far away or too large for a number (1.8e308 at most).`);
 }
 
 /** Of each joint; one without vertices has its rest. */

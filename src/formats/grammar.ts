@@ -217,7 +217,8 @@ export function* skipStrange(t: Tokens, where: string, expected: string, blocks 
     yield* t.skipBlock();
     return;
   }
-  if (Number.isNaN(t.value())) t.warnOnce('keyword-unknown', t.keyword() || t.found(), message, 'skipped');
+  const unknown = () => `Unknown keyword ${t.found()} in ${where}; expected ${expected}.`;
+  if (Number.isNaN(t.value())) t.warnOnce('keyword-unknown', t.keyword() || t.found(), unknown, 'skipped');
   else t.warnOnce('number-unexpected', '', message, 'skipped');
   yield* t.skipUnknown();
 }

@@ -152,7 +152,7 @@ export async function readAgain(file: DiskFile, page: string, signal?: AbortSign
   try {
     await own.slice(0, 1).arrayBuffer();
   } catch {
-    throw new DiskError('It has changed on disk. Drop it again: this browser can’t read it otherwise.');
+    throw new DiskError('It has changed on disk. Drop it again, since this browser can’t reread it.');
   }
   return givenFile(path, own);
 }
@@ -202,9 +202,9 @@ function sentence(error: unknown): string {
   if (isNamed(error, 'NotAllowedError') || isNamed(error, 'SecurityError')) return 'The browser has no permission.';
   if (isNamed(error, 'NoModificationAllowedError')) return 'Another program or tab is writing to it.';
   if (isNamed(error, 'QuotaExceededError')) return 'There is not enough space.';
-  if (isNamed(error, 'NotReadableError')) return 'The system denies access to it.';
-  if (isNamed(error, 'TypeMismatchError')) return 'There is a folder of that name.';
-  if (isNamed(error, 'InvalidStateError')) return 'It has changed meanwhile. Try again.';
+  if (isNamed(error, 'NotReadableError')) return 'The system denied access to it.';
+  if (isNamed(error, 'TypeMismatchError')) return 'A folder has that name.';
+  if (isNamed(error, 'InvalidStateError')) return 'It changed in the meantime. Try again.';
   if (isNamed(error, 'AbortError'))
     return 'The browser or a virus scanner stopped it. Try again, or choose another place.';
   return sentenceOf(error);

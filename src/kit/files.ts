@@ -312,28 +312,29 @@ export const KIT_SETS: readonly KitSet[] = [
   },
   {
     name: 'sway',
-    about: 'The same skeleton moving, root and all.',
+    about: 'The same skeleton in motion, including its root.',
     files: ['tree.skel', 'tree_sway.anim'],
     times: [0.35, 1.2, 2.6],
     channelTimes: [],
   },
   {
     name: 'reed',
-    about: 'A skin with none to six attachments, bindings that are turned and scaled, weights that do not add up to 1.',
+    about:
+      'A skin with zero to six attachments per vertex, rotated and scaled bindings, and weights that do not sum to 1.',
     files: ['reed.skel', 'reed.skin'],
     times: [undefined],
     channelTimes: [],
   },
   {
     name: 'morphs',
-    about: 'The same skin moving, with two morphs; the last two channels are their weights.',
+    about: 'The same skin in motion, with two morphs; the last two channels are their weights.',
     files: ['reed.skel', 'reed.skin', 'reed_bulge.morph', 'reed_twist.morph', 'reed_move.anim'],
     times: [0.35, 1.2],
     channelTimes: [],
   },
   {
     name: 'curves',
-    about: 'Every tangent and extrapolation, keys at uneven times, a range that is not that of the keys.',
+    about: 'Every tangent and extrapolation, keys at uneven times, and a range that differs from that of the keys.',
     files: ['curves.anim'],
     times: [],
     channelTimes: CURVE_TIMES,
@@ -348,7 +349,7 @@ export const KIT_SETS: readonly KitSet[] = [
   {
     name: 'orders',
     about:
-      "Joints with rotation orders of their own, which go beyond the course's format: skip it if you don't read them.",
+      "Joints with their own rotation orders, an extension of the course's format: skip this one if you don't read them.",
     files: ['orders.skel'],
     times: [undefined],
     channelTimes: [],

@@ -18,8 +18,8 @@ export function testKit(): ReadonlyMap<string, string> {
 /** Lists of numbers are on one line each. */
 function answersJson(sets: readonly SetAnswers[]): string {
   const about =
-    'Doubles, angles in radians. world and local: 16 numbers by columns, the last four x y z 1 of the position. ' +
-    'A frame without a time is the pose of the file.';
+    'Double precision, angles in radians. world and local: 16 numbers, column-major; the last four are the position, x y z 1. ' +
+    'A frame without a time is the file pose.';
   const text = JSON.stringify({ about, tolerance: DEFAULT_TOLERANCE, sets }, null, 1);
   return `${text.replace(/\[\n([-+\d.e,\s]+?)\n *\]/g, (_, list: string) => `[${list.trim().replace(/\s+/g, ' ')}]`)}\n`;
 }

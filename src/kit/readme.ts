@@ -11,39 +11,39 @@ export function readme(sets: readonly SetAnswers[]): string {
   );
   return `# Test kit
 
-Small files that a program with a known mistake gets wrong, and the right numbers. Many mistakes do not show in larger
-files: most characters turn each joint about one axis, and most keys are evenly spaced.
+Small files that a program with a known mistake gets wrong, and the right numbers. Many mistakes stay hidden in larger
+files: most characters rotate each joint about one axis only, and most keys are evenly spaced.
 
 - \`answers.json\` has the right numbers: world and local matrices of each joint, vertices, normals, values of channels.
-- \`answers.txt\` has the same, a line each: \`set time kind index numbers…\`, with \`pose\` for the time of the file pose.
+- \`answers.txt\` has the same, one per line: \`set time kind index numbers…\`, with \`pose\` for the time of the file pose.
 
-Matrices are 16 numbers by columns: the last four are x y z 1 of the position. A frame without a time is the pose of the
+Matrices are 16 numbers, column-major: the last four are the position, x y z 1. A frame without a time is the pose in the
 file, without the animation and with morphs at 0. Joints are in depth-first order. Compare with a tolerance of 0.0001, more
 if you use floats.
 
-Marrow warns about weights that do not add up to 1, a vertex without attachments, two keys at one time and a pose beyond
-its limits: all are meant here.
+Marrow warns about weights that do not sum to 1, a vertex without attachments, two keys at one time and a pose beyond
+its limits. All of these are intentional here.
 
 What the files rely on:
 
 - A pose beyond a limit is clamped to it; the translation of the root is not.
-- The first three channels move the root, the next ones are x y z of each joint, the last ones weights of morphs in the
-  order of their names.
+- The first three channels move the root, the next ones rotate each joint, x y z, and the last ones are the morph weights, in the
+  order of the morphs' names.
 - All attachments of a vertex are used, with weights as given; a vertex without any stays where it is.
-- A normal is Σ w·(W·B⁻¹)⁻ᵀ·n, normalised: bindings are scaled here, so W·B⁻¹ itself will not do.
-- The axis-angle form has degrees; a joint's frame is its parent's tip, turned; children are attached at the tip.
+- A normal is Σ w·(W·B⁻¹)⁻ᵀ·n, normalised: bindings are scaled here, so W·B⁻¹ alone is wrong.
+- The axis-angle form uses degrees; a joint's frame is its parent's tip frame, rotated; children attach at the tip.
 - Captured angles are degrees, position channels replace OFFSET, rotations are multiplied in the order of the channels.
 
 ## How to use it
 
-Print your numbers, and let Marrow name the mistake: drop \`tree.skel\` and \`mine.txt\` on the page, or run
+Print your numbers and let Marrow name the mistake: drop \`tree.skel\` and \`mine.txt\` on the page, or run
 
     marrow compare tree.skel mine.txt
     marrow compare reed.skel reed.skin reed_bulge.morph reed_twist.morph reed_move.anim mine.txt --time 0.35
     marrow compare curves.anim values.csv
 
-Or check them in a test of your own. Each of these needs one function of yours, and fails at what is wrong, NaN too: it is
-neither larger nor smaller than a tolerance, so they ask for \`error <= tolerance\`.
+Or check them in your own test. Each of these needs one function of yours and fails on wrong numbers, NaN included: NaN is
+neither larger nor smaller than a tolerance, so the tests ask for \`error <= tolerance\`.
 
 C++, with \`answers.txt\`:
 

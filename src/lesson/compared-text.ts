@@ -43,7 +43,7 @@ export function unexplainedSentences(
   const what = unexplained ? `all of the ${subjectText(unexplained, hasSeveral)}` : 'these numbers';
   return [
     ...reached,
-    ...(unexplained || isOfNone ? [`No known mistake, nor two together, explains ${what}.`] : []),
+    ...(unexplained || isOfNone ? [`No known mistake, alone or with another, explains ${what}.`] : []),
     ...(pattern ? [`What differs: ${pattern}`] : []),
   ];
 }
@@ -72,5 +72,5 @@ export function comparedText({ channels, ...ofFrames }: Compared, times: number)
 
 /** Of what no mistake explains: where to begin. Only of joints it is known which are wrong by themselves. */
 export function beginText({ own }: Pick<Comparison, 'own'>): string {
-  return `Begin with ${own.length > 0 ? 'the first joint that is wrong by itself' : 'the first that differs'}.`;
+  return `Start with ${own.length > 0 ? 'the first joint with an error of its own' : 'the first one that differs'}.`;
 }

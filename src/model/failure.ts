@@ -9,9 +9,9 @@ const MEMORY = 'There is not enough memory for this. Close other tabs, or use sm
 const OF_BROWSERS: readonly (readonly [RegExp, string])[] = [
   [/^(Range|Internal)Error.*(call stack|recursion)/, 'This is nested too deeply.'],
   [/^DataCloneError|^RangeError.*(memory|alloc|length|size)/i, MEMORY],
-  [/^Not(Found|Readable)Error/, 'The file has moved, or may not be read any more. Open it again.'],
+  [/^Not(Found|Readable)Error/, 'The file has moved or can no longer be read. Open it again.'],
   [/^QuotaExceededError/, 'The browser has no storage left.'],
-  [/^TypeError.*import/i, 'A script of the page could not be fetched: check the connection first.'],
+  [/^TypeError.*import/i, 'Part of the page could not be loaded. Check your connection.'],
   [/^(NotAllowed|Security)Error/, 'The browser does not allow it.'],
 ];
 
@@ -26,5 +26,5 @@ export function sentenceOf(error: unknown): string {
   const known = OF_BROWSERS.find(([pattern]) => pattern.test(said))?.[1];
   if (known !== undefined) return known;
   const isOurs = !OF_THE_LANGUAGE.test(error.name) && error.constructor.name !== 'DOMException';
-  return isOurs ? error.message : `Something unexpected failed. Try again. (${said.slice(0, MAX_QUOTED)})`;
+  return isOurs ? error.message : `Something went wrong. Try again. (${said.slice(0, MAX_QUOTED)})`;
 }

@@ -27,7 +27,7 @@ export function capturedContent(read: readonly CapturedFigure[], fileName: strin
   });
   const message =
     'Position channels stay near 0 where OFFSETs do not, so they are added to OFFSET. ' +
-    'If the figure comes apart, change "Positions" in the Character section.';
+    'If the skeleton comes apart, change Positions in the Character section.';
   return {
     value: { kind: 'bvh', figures, guessed: { ...guessSharedSpace(meant), positions } },
     diagnostics: isAdded

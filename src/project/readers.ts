@@ -108,7 +108,11 @@ function isImported(format: FormatKind): format is ImportedKind & FormatKind {
 /** For files that `imports` reads. */
 function notStreamed(name: string): Reader<ContentOf<'character'>> {
   return bytesReader<ContentOf<'character'>>(name, (_, report) => {
-    report.error('import-needed', 'Files of other programs are not read here. Convert it to text first.', NO_PLACE);
+    report.error(
+      'import-needed',
+      'Files from other programs are not read here. Convert it to Marrow’s own formats first.',
+      NO_PLACE,
+    );
     return undefined;
   });
 }

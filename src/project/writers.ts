@@ -59,7 +59,7 @@ export const WRITERS: { readonly [K in SavedKind]: Writer<HeldBy<K>> } = {
     write: ({ skeletons }, name) => writeSkel(skeletons, name),
     detail: joints,
     copies: axskelCopies,
-    lost: ({ skeleton }) => (skeleton?.joints.some(({ name }) => name) ? ['Joints have no names in it.'] : []),
+    lost: ({ skeleton }) => (skeleton?.joints.some(({ name }) => name) ? ['It stores no joint names.'] : []),
   },
   skin: {
     write: ({ skin }, name) => writeSkin(skin, name),
@@ -98,7 +98,7 @@ export const WRITERS: { readonly [K in SavedKind]: Writer<HeldBy<K>> } = {
       if (isBvh(character)) return [];
       const isKeyed = character.clips.some(({ channels }) => channels.some(({ kind }) => kind === 'keys'));
       return [
-        'Limits are applied, but not kept.',
+        'Limits are applied, but not stored.',
         ...(isKeyed ? ['Keys and tangents become one value per frame.'] : []),
         ...(character.skins.length ? ['Skins and their morphs are left out.'] : []),
       ];

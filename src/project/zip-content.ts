@@ -46,7 +46,7 @@ export function zipContent(
 }
 
 export function tooManyFiles(maxFiles: number): string {
-  return `at most ${maxFiles.toLocaleString('en')} are opened at once, such as a folder at a time`;
+  return `at most ${maxFiles.toLocaleString('en')} can be opened at once; try one folder at a time`;
 }
 
 export function isZip(name: string): boolean {

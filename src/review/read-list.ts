@@ -134,7 +134,11 @@ function readJson(text: string, list: List): void {
     if (typeof each === 'string') addTake({ path: each }, 0, list);
     else if (typeof each === 'object' && each !== null) addTake(each, 0, list);
     else {
-      list.fail('take-expected', `Expected a path or a record with one as take ${i + 1}, found ${String(each)}.`, 0);
+      list.fail(
+        'take-expected',
+        `Expected take ${i + 1} to be a path, or a record with one, found ${String(each)}.`,
+        0,
+      );
     }
   });
 }

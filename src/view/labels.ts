@@ -77,7 +77,7 @@ export class Labels {
 
   constructor() {
     const pen = this.canvas.getContext('2d');
-    if (!pen) throw new Error('This browser gives no 2D canvas.');
+    if (!pen) throw new Error('This browser does not provide a 2D canvas.');
     this.pen = pen;
     this.sprites = new NameSprites(pen);
     this.candidates = this.jointCandidates();

@@ -50,7 +50,7 @@ export class NameSprites {
   /** @param target in device pixels */
   constructor(private readonly target: CanvasRenderingContext2D) {
     const pen = this.canvas.getContext('2d');
-    if (!pen) throw new Error('This browser gives no 2D canvas.');
+    if (!pen) throw new Error('This browser does not provide a 2D canvas.');
     this.pen = pen;
     this.setRatio(1);
   }

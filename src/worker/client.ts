@@ -24,7 +24,7 @@ export interface Runs<K extends JobName> {
   run(job: K, input: Jobs[K]['takes'], options?: JobOptions): Promise<Jobs[K]['gives']>;
 }
 
-const AGAIN = 'Try again; if it stops again, with fewer or smaller files.';
+const AGAIN = 'Try again; if it stops again, use fewer or smaller files.';
 
 function whenReleased(lock: string, tell: () => void): void {
   // The type says it always exists; a page may lack it all the same.

@@ -135,6 +135,6 @@ function withEarlier(name: string, parts: readonly SourceFile[]): Diagnostic {
 
 /** What is told of a buffer that no file names yet. */
 export function waitingBuffer({ name }: SourceFile): Diagnostic {
-  const message = 'No .gltf file that was given names it as a buffer. Drop that file, too.';
+  const message = 'No open .gltf file uses it as a buffer. Drop that file too.';
   return withoutPlace('info', 'file-unused', message, name, 'kept for a matching file');
 }

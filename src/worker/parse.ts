@@ -39,7 +39,7 @@ export async function parse(
   if (given.length > maxFiles) {
     const of = given.length.toLocaleString('en');
     diagnostics.push(
-      withoutPlace('error', 'too-many-files', `Of ${of} files nothing was opened: ${tooManyFiles(maxFiles)}.`, ''),
+      withoutPlace('error', 'too-many-files', `None of the ${of} files was opened: ${tooManyFiles(maxFiles)}.`, ''),
     );
     return { files, broken, diagnostics, facts: [], keeps: [] };
   }
@@ -97,7 +97,7 @@ export async function parse(
   for (const source of passedOver) diagnostics.push(skipped(source, unreadMessage(source.name), severity));
   for (const { source, count } of uncounted) {
     const several = `${count.toLocaleString('en')} files in it`;
-    const message = `${several} are of kinds that Marrow does not read; it reads ${readableList()}.`;
+    const message = `${several} are of types that Marrow does not read; it reads ${readableList()}.`;
     diagnostics.push(skipped(source, message, severity));
   }
   for (const source of withoutNumbers) diagnostics.push(skipped(source, emptyDumpMessage(source.bytes), severity));

@@ -16,7 +16,7 @@ export function tooLargeToPost(
 ): Diagnostic | undefined {
   const largest = buffers.reduce((most, { byteLength }) => Math.max(most, byteLength), 0);
   if (largest <= MOST_BYTES) return undefined;
-  const found = `Its values take ${(largest / 1e9).toFixed(1)} GB; the page takes up to ${(MOST_BYTES / 1e9).toFixed(1)} GB of a file.`;
+  const found = `Its values need ${(largest / 1e9).toFixed(1)} GB; the page can hold up to ${(MOST_BYTES / 1e9).toFixed(1)} GB per file.`;
   const now = 'The command reads larger files: "marrow convert IN OUT --fps N" writes fewer frames.';
   return withoutPlace('error', 'file-too-large', `${found} ${now}`, name);
 }

@@ -103,7 +103,7 @@ it('a list gives the takes in review their verdicts by their paths, and says whi
   ]);
   expect(await takeForReview(parts, [given('review.csv', list)])).toEqual([]);
   expect(verdicts()?.slice(0, 3)).toEqual(['lab/take1.bvh', 'lab/take2.bvh good', 'lab/take3.bvh']);
-  expect(notes.at(-1)).toContain('1 of the list are not in review');
+  expect(notes.at(-1)).toContain('1 take in that list is not in review');
 });
 
 it('a list alone is the review, until its takes are given; other tables and JSON are left to be opened', async () => {

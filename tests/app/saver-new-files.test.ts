@@ -34,7 +34,7 @@ describe('saving several files that have no place yet', () => {
     expect(page.messages.list.get()).toEqual([]);
     expect(said(page)).toBe(
       'Saved character.skel. Not saved: character2.skel, character3.skel. ' +
-        'The browser asks for one file at a time. Save again.',
+        'The browser saves one file at a time. Save again for the next.',
     );
     page.disk.dialogs = 1;
     await page.saver.saveChanged();

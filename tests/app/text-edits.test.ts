@@ -156,7 +156,7 @@ describe('a text that is edited', () => {
     const { texts, edits } = new Opened('a.skel', SKEL);
     texts.note([{ path: 'a.skel', blob: new Blob([new Uint8Array(MAX_COMPARED_BYTES + 1)]) }]);
     await expect(edits.changes('a.skel')).rejects.toThrow(
-      'Changes are shown in files up to 5.0 MB; this one has 5.0 MB.',
+      'Changes can be shown in files of up to 5.0 MB; this one has 5.0 MB.',
     );
   });
 });

@@ -48,7 +48,7 @@ export function optionsOf(args: readonly string[]): AttackOptions | Usage {
     const unknown = only.find((name) => !names.includes(name));
     if (unknown !== undefined) throw new Error(`There is no attack "${unknown}".`);
     const minutes = Number(values.minutes);
-    if (!(minutes > 0)) throw new Error(`--minutes must be above 0, found ${values.minutes}.`);
+    if (!(minutes > 0)) throw new Error(`--minutes must be greater than 0, found ${values.minutes}.`);
     const seed = values.seed === undefined ? Math.floor(Math.random() * MAX_SEED) : Number(values.seed);
     if (!Number.isInteger(seed)) throw new Error(`--seed must be a whole number, found ${values.seed}.`);
     const attacks = ATTACKS.filter(({ name }) => only.length === 0 || only.includes(name));

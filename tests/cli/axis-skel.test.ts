@@ -103,7 +103,7 @@ describe('the axis-angle form in the command', () => {
     expect(refused.code).toBe(1);
     expect(refused.err).toContain('joint 0 "a" is not a hinge. Use .skel instead.');
     const two = await command(['convert', 'two.skel', 'two.axskel'], folder);
-    expect(two.err).toContain('it holds one tree, and there are 2.');
+    expect(two.err).toContain('it holds one skeleton, and there are 2.');
   });
 
   it('axis-angle files become motion capture with End Sites at the tips', async () => {

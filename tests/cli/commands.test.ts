@@ -96,7 +96,7 @@ describe('marrow info', () => {
     mkdirSync(join(folder, 'nothing'));
     const { code, out, err } = await command(['info', 'nothing'], folder);
     expect([code, out]).toEqual([1, '']);
-    expect(err).toContain('error nothing-found: There is no readable file here');
+    expect(err).toContain('error nothing-found: There are no readable files here');
     const json = await commandJson<InfoJson>(['info', 'nothing', '--json'], folder, 1);
     expect(json).toMatchObject({ files: [], diagnostics: [{ code: 'nothing-found' }] });
   });
@@ -381,7 +381,7 @@ Frame Time: 0.05
     writeFileSync(at('beside', 'walk.anim'), 'mine');
     const { code, err, out } = await convert('beside', '--to', '.anim');
     expect({ code, out }).toEqual({ code: 1, out: '' });
-    expect(err).toContain('--force replaces it');
+    expect(err).toContain('--force to overwrite');
     expect(readFileSync(at('beside', 'walk.anim'), 'utf8')).toBe('mine');
     rmSync(at('beside', 'walk.bvh'));
     writeFileSync(at('beside', 'walk.bvh'), BVH);
@@ -395,10 +395,10 @@ Frame Time: 0.05
     for (const name of ['a.bvh', 'b.bvh']) writeFileSync(at('same', name), BVH);
     const kept = await convert('same', '--to', 'bvh');
     expect(kept).toMatchObject({ code: 0, out: '' });
-    expect(kept.err).toContain('2 files are .bvh files already and stay as they are');
+    expect(kept.err).toContain('2 files are already .bvh files and are left as they are');
     const slower = await convert('same', '--to', 'bvh', '--fps', '20');
     expect(slower).toMatchObject({ code: 1, out: '' });
-    expect(slower.err.match(/This file would be replaced/g)).toHaveLength(2);
+    expect(slower.err.match(/This would overwrite the file/g)).toHaveLength(2);
     for (const name of ['a.bvh', 'b.bvh']) expect(readFileSync(at('same', name), 'utf8')).toBe(BVH);
     expect(await convert('same', '--to', 'bvh', '--fps', '20', '--force')).toMatchObject({ code: 0, err: '' });
     expect(readFileSync(at('same', 'a.bvh'), 'utf8')).toContain('Frame Time: 0.05');
@@ -410,7 +410,7 @@ Frame Time: 0.05
     expect(await convert('walk.bvh', 'x.bvh', '--force')).toMatchObject({ code: 2 });
     const alone = await convert('hero_walk.anim', '--to', 'bvh', '--out', 'none');
     expect(alone.code).toBe(1);
-    expect(alone.err).toContain('Give its skeleton too');
+    expect(alone.err).toContain('Add its skeleton');
     expect(await convert('note.txt', '--to', 'bvh')).toMatchObject({ code: 1 });
   });
 });

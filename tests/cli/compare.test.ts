@@ -108,7 +108,7 @@ describe('marrow compare', () => {
     });
     const { out } = await command(['compare', 'a.skel', 'moved.txt'], folder);
     expect(out).toContain('First wrong: joint 1 "arm"');
-    expect(out).toContain('Wrong only because a parent is: hand.');
+    expect(out).toContain('Inherited (wrong only because a parent is): hand.');
     expect(out).toContain('No known mistake');
   });
 
@@ -163,7 +163,7 @@ describe('marrow compare', () => {
     write('noise.csv', held.map((row) => row.map((v, c) => (c > 0 ? v + Math.sin(9 * c) : v)).join(',')).join('\n'));
     const { out: text } = await command(['compare', 'a.skel', 'a.anim', 'anna@0.8.txt', 'noise.csv'], folder);
     expect(text).toContain('no-parent');
-    expect(text).toContain('No known mistake, nor two together, explains all of the channels of noise.csv.');
+    expect(text).toContain('No known mistake, alone or with another, explains all of the channels of noise.csv.');
   });
 
   it('says errors of lengths in the units of the files, and others as they are', async () => {
@@ -308,19 +308,21 @@ describe('marrow compare', () => {
     write('timed.txt', `time 0.5\n${timed}`);
     write('untimed.txt', (await dumped()).map(({ local }) => local.slice(12, 15).join(' ')).join('\n'));
     const { out } = await command(['compare', 'b.skel', 'b.anim', 'timed.txt', 'untimed.txt'], folder);
-    expect(out).toContain('timed.txt is compared at 0.5 s, as it states.');
-    expect(out).toContain('untimed.txt is compared in the file pose, since it states no time.');
+    expect(out).toContain('timed.txt is compared at 0.5 s, the time it states.');
+    expect(out).toContain('untimed.txt is compared in the file pose, because it states no time.');
     expect(out).toContain('no-parent (W = L), in the joint positions of untimed.txt');
     const late = await command(['compare', 'b.skel', 'b.anim', 'timed.txt', '--time', '0'], folder);
-    expect(late.out).toContain('The dump is compared at 0.5 s, as it states; --time 0 is for dumps that state none.');
+    expect(late.out).toContain(
+      'The dump is compared at 0.5 s, the time it states; --time 0 is only for dumps without a time.',
+    );
     expect(late.code).toBe(0);
     const bare = await command(['compare', 'b.skel', 'timed.txt'], folder);
-    expect(bare.out).toContain('The dump is of 0.5 s; give the .anim too');
+    expect(bare.out).toContain('The dump is from 0.5 s. Give the .anim too');
     const { hints } = await commandJson<{ hints: readonly string[] }>(['compare', 'b.skel', 'timed.txt'], folder, 1);
-    expect(hints).toEqual([expect.stringContaining('give the .anim too')]);
+    expect(hints).toEqual([expect.stringContaining('Give the .anim too')]);
     write('silent.txt', timed);
     const still = await command(['compare', 'b.skel', 'silent.txt'], folder);
-    expect(still.out).toContain('All joints differ. If the dump is of an animation, give the .anim too');
+    expect(still.out).toContain('All joints differ. If the dump is from an animation, give the .anim too');
     const silent = await command(['compare', 'b.skel', 'b.anim', 'silent.txt'], folder);
     expect(silent.out).toContain('give its time with --time T');
     const asked = await command(['compare', 'b.skel', 'b.anim', 'silent.txt', '--time', '0.5'], folder);
@@ -429,7 +431,7 @@ describe('marrow compare', () => {
       }
     }
     const { out } = await command(['compare', 'a.skel', 'lost.txt'], folder);
-    expect(out).toContain('First wrong: joint 2 "hand", which is no finite number.');
+    expect(out).toContain('First wrong: joint 2 "hand", which is not a finite number.');
   });
 
   it('refuses a file without numbers, a missing dump, a missing character, and wrong options', async () => {

@@ -61,7 +61,7 @@ describe('marrow convert, of edited takes', () => {
     const { code, out } = await converted(...args);
     expect([code, out]).toEqual([0, expect.stringMatching(/^out: 4 takes exported/)]);
     expect(filesIn('out')).toEqual(['b/walk.bvh', 'manifest.ndjson', 'two.1.bvh', 'two.2.bvh', 'walk.bvh']);
-    expect((await converted(...args)).out).toBe('out: nothing to do, all 4 takes are exported\n');
+    expect((await converted(...args)).out).toBe('out: nothing to do: 4 takes already exported\n');
     expect((await converted('takes', '--to', 'skel', '--out', 'keys', '--crop', ',0.5')).code).toBe(0);
     expect(filesIn('keys').slice(0, 2)).toEqual(['b/walk.anim', 'b/walk.skel']);
   });

@@ -71,7 +71,7 @@ describe('marrow export', () => {
     await exported('takes', '--to', 'npz', '--out', 'out');
     const before = readFileSync(join(folder, 'out/manifest.ndjson'), 'utf8');
     const again = await exported('takes', '--to', 'npz', '--out', 'out', '--resume');
-    expect(again).toEqual({ code: 0, out: 'out: nothing to do, all 4 takes are exported\n', err: '' });
+    expect(again).toEqual({ code: 0, out: 'out: nothing to do: 4 takes already exported\n', err: '' });
     expect(readFileSync(join(folder, 'out/manifest.ndjson'), 'utf8')).toBe(before);
     writeFileSync(join(folder, 'takes/walk.bvh'), `${WALK}\n`);
     expect((await exported('takes', '--to', 'npz', '--out', 'out', '--resume')).out).toMatch(
@@ -117,7 +117,7 @@ describe('marrow export', () => {
     const last = () => npz('out/wave.npz').local_quat.values.at(-2);
     expect(last()).toBeCloseTo(0.5, 6);
     expect(manifest()[0].beside).toEqual([{ path: 'waves/wave.bin', hash: expect.stringMatching(/^[0-9a-f]{64}$/) }]);
-    expect((await exported(...args)).out).toBe('out: nothing to do, all 1 take is exported\n');
+    expect((await exported(...args)).out).toBe('out: nothing to do: 1 take already exported\n');
     writeFileSync(join(folder, 'waves/wave.bin'), buffer(0.25));
     expect((await exported(...args)).out).toMatch(/^out: 1 take exported/);
     expect(last()).toBeCloseTo(0.25, 6);
@@ -152,7 +152,7 @@ describe('marrow export', () => {
     await exported('takes', '--to', 'npz', '--out', 'out');
     const { code, err } = await exported('takes', '--to', 'npz', '--out', 'out', '--fps', '5');
     expect(code).toBe(1);
-    expect(err).toContain('walk.npz already exists; --resume goes on with an export, --force replaces it.');
+    expect(err).toContain('walk.npz already exists. Use --resume to continue an export, --force to overwrite.');
     expect(npz('out/walk.npz').positions.shape).toEqual([11, 2, 3]);
     expect((await exported('takes', '--to', 'npz', '--out', 'out', '--fps', '5', '--force')).code).toBe(0);
     expect(npz('out/walk.npz').positions.shape).toEqual([6, 2, 3]);
@@ -172,7 +172,7 @@ describe('marrow export', () => {
     expect(parts.join('').split('\n').sort().join('\n').trim()).toBe(
       readFileSync(join(folder, 'out/manifest.ndjson'), 'utf8').trim(),
     );
-    expect((await exported('takes', '--to', 'npz', '--out', 'parts', '--resume')).out).toMatch(/nothing to do, all 4/);
+    expect((await exported('takes', '--to', 'npz', '--out', 'parts', '--resume')).out).toMatch(/nothing to do: 4/);
     expect(filesIn('parts')).toEqual(filesIn('out'));
   });
 
@@ -261,7 +261,7 @@ describe('marrow export', () => {
     const again = await exported('takes', 'other', '--to', 'npz', '--out', 'out', '--resume');
     expect(again.out).toMatch(/^out: 6 takes exported/);
     expect(again.err).toMatch(
-      /^marrow: 5 outputs of earlier runs are no longer listed.*: b\/run\.npz, b\/walk\.npz, two/,
+      /^marrow: 5 outputs from earlier runs are no longer listed.*: b\/run\.npz, b\/walk\.npz, two/,
     );
   });
 
@@ -280,7 +280,7 @@ describe('marrow export', () => {
     for (const out of ['takes/walk.bvh', 'takes/walk.bvh/below']) {
       const { code, err } = await exported('takes', '--to', 'npz', '--out', out);
       expect(code).toBe(2);
-      expect(err).toContain(`marrow: --out takes a folder; ${out} is none and could not be made: `);
+      expect(err).toContain(`marrow: --out takes a folder; ${out} is not one and could not be created: `);
     }
   });
 
@@ -343,15 +343,15 @@ describe('marrow export', () => {
     await exported('--only', 'list.csv', '--to', 'npz', '--out', 'alone');
     expect(filesIn('alone')).toEqual(['manifest.ndjson', 'takes/walk.npz']);
     const again = await exported('takes', '--only', 'list.csv', '--to', 'npz', '--out', 'out', '--resume');
-    expect(again.out).toBe('out: nothing to do, all 1 take is exported\n');
+    expect(again.out).toBe('out: nothing to do: 1 take already exported\n');
     expect(again.err).toMatch(
-      /^marrow: 1 output of earlier runs is no longer listed, and is still there: b\/walk\.npz\.\n$/,
+      /^marrow: 1 output from earlier runs is no longer listed but still exists: b\/walk\.npz\.\n$/,
     );
     writeFileSync(join(folder, 'list.csv'), 'path,verdict\ntakes/walk.bvh,bad\n');
     const bad = await exported('takes', '--only', 'list.csv', '--to', 'npz', '--out', 'no');
     expect([bad.code, bad.err]).toEqual([
       2,
-      expect.stringContaining('--only: all takes of list.csv have the verdict bad.'),
+      expect.stringContaining('--only: every take in list.csv has the verdict bad.'),
     ]);
   });
 
@@ -361,7 +361,7 @@ describe('marrow export', () => {
     expect(code).toBe(0);
     expect(filesIn('out')).toEqual(['manifest.ndjson', 'takes/b/walk.npz', 'takes/walk.npz']);
     const none = await command(['export', '--files-from', '-', '--to', 'npz', '--out', 'no'], folder, async () => '');
-    expect([none.code, none.err]).toEqual([2, expect.stringContaining('expected a path in each line, found none.')]);
+    expect([none.code, none.err]).toEqual([2, expect.stringContaining('expected one path per line, found none.')]);
   });
 
   it('flags of the review’s checks are in the manifest, of the take as it was read', async () => {
@@ -389,7 +389,7 @@ describe('marrow export', () => {
     expect(await wrong('--to', 'npz', '--out', 'out')).toMatch(
       'Give files or folders with takes, --files-from or --only.',
     );
-    expect(await wrong(...all, '--shard', '5/4')).toMatch('--shard takes a part and their number');
+    expect(await wrong(...all, '--shard', '5/4')).toMatch('--shard takes a part and the number of parts');
     expect(await wrong(...all, '--crop', '3')).toMatch('--crop takes two times');
     expect(await wrong(...all, '--crop', '3,1')).toMatch('the earlier one first, found "3,1"');
     expect(await wrong(...all, '--jobs', '1.5')).toMatch('--jobs takes a whole number');

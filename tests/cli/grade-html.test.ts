@@ -58,7 +58,7 @@ it('the overview of a class names all causes that explain the same, and none tha
   expect(overview([cause('rotation-order')])).toContain(
     '<td>Of rotation-order. <span class="faint"><code>rotation-order</code></span></td>',
   );
-  expect(overview([])).toContain('none known');
+  expect(overview([])).toContain('unknown');
 });
 
 it('a page says in sentences what is wrong first and why, with both numbers beside each other, and when', () => {

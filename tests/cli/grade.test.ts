@@ -345,7 +345,7 @@ describe('marrow grade', () => {
     expect(dan.parts[0].shown?.yours).not.toEqual(dan.parts[0].shown?.marrows);
     const { out } = await command([...GRADE, '--html'], folder);
     expect(out).toMatch(
-      /The first that is wrong is joint 1 &quot;arm&quot; at 0\.7 s\. Local matrices are used .* must be multiplied /,
+      /The first that is wrong is joint 1 &quot;arm&quot; at 0\.7 s\. You use local matrices as world matrices. Each should be multiplied /,
     );
   });
 
@@ -360,7 +360,7 @@ describe('marrow grade', () => {
     const [none, pattern] = parts[0].unexplained;
     expect(parts[0].causes).toEqual([]);
     expect([none, pattern]).toEqual([
-      'No known mistake, nor two together, explains these numbers.',
+      'No known mistake, alone or with another, explains these numbers.',
       expect.stringMatching(/^What differs: /),
     ]);
     const compared = await command(['compare', ...files, 'unknown/ann/moved.txt'], folder);
@@ -391,7 +391,7 @@ describe('marrow grade', () => {
     write('cracked/c/good.skel', SKEL);
     const { err } = await command(['grade', 'class', '--reference', 'cracked'], folder);
     expect(err.split('\n')[0]).toBe('Broken in cracked: cracked/a/one.skel, cracked/b/two.skel.');
-    expect(err).toContain('marrow: The reference cracked has errors in 2 files; nothing can be judged by it.');
+    expect(err).toContain("marrow: The reference cracked has errors in 2 files and can't be used for grading.");
   });
 
   it('says that wrong usage is wrong', async () => {
@@ -520,7 +520,7 @@ describe('dumps that the reference has too', () => {
       ['dan', 'wrong', [], 'no-parent'],
       // Without the joints.
       ['eve', 'incomplete', [], undefined],
-      ['fay', 'wrong', ['other numbers than the reference has'], undefined],
+      ['fay', 'wrong', ["numbers that differ from the reference's"], undefined],
     ]);
     expect(grades[1].problems[0]).toMatchObject({ code: 'dump-empty', file: 'times/class/bob/joints.json' });
     expect(grades[5].problems[0]).toMatchObject({ code: 'dump-length', file: 'times/class/fay/locals.txt', line: 1 });

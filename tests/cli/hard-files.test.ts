@@ -47,14 +47,10 @@ it('every subcommand answers odd arguments with a documented exit code and words
 
 const LONG = 'x'.repeat(5000);
 it.each([
-  [
-    ['info', 'loop1.bvh'],
-    1,
-    'loop1.bvh error file-unreadable: The file could not be read: its links lead in a circle.',
-  ],
+  [['info', 'loop1.bvh'], 1, 'loop1.bvh error file-unreadable: The file could not be read: its links form a loop.'],
   [['info', 'a.skel/b.bvh'], 1, 'a part of its path is a file, not a folder.'],
   [['info', LONG], 1, 'its name or path is too long for the system.'],
-  [['export', 'loop1.bvh', '--to', 'npz', '--out', 'new'], 1, 'its links lead in a circle.'],
+  [['export', 'loop1.bvh', '--to', 'npz', '--out', 'new'], 1, 'its links form a loop.'],
   [['review', 'takes', '--list', 'folder.bvh'], 2, '--list: folder.bvh could not be read: it is a folder.'],
   [
     ['export', 'takes', '--to', 'npz', '--out', 'new', '--only', 'none.csv'],
@@ -64,19 +60,19 @@ it.each([
   [
     ['export', 'takes', '--to', 'npz', '--out', 'new', '--retarget', 'right', '--map', 'right'],
     2,
-    '--map takes a file; right is none.',
+    '--map takes a file; right is not one.',
   ],
   [['export', 'takes', '--to', 'npz', '--out', 'new', '--jobs', '1e9'], 2, '--jobs takes a whole number from 1 to 512'],
   [['export', 'takes', '--to', 'npz', '--out', 'a.skel'], 2, 'a file of this name exists.'],
   [
     ['convert', 'takes', '--to', 'anim', '--out', 'a.skel/new'],
     3,
-    'its folder could not be made: a part of its path is a file',
+    'its folder could not be created: a part of its path is a file',
   ],
-  [['convert', 'takes/t0.bvh', 'takes'], 2, 'The format of "takes" is not known'],
+  [['convert', 'takes/t0.bvh', 'takes'], 2, 'The format of "takes" is unknown'],
   [['convert', 'takes/t0.bvh', 'folder.bvh'], 3, 'something other than a file has this name'],
   [['convert', 'takes/t0.bvh', 'none/out.bvh'], 3, 'The file could not be written: there is no such file or folder.'],
-  [['kit', 'list.csv'], 3, 'could not be written: its folder could not be made: a file of this name exists'],
+  [['kit', 'list.csv'], 3, 'could not be written: its folder could not be created: a file of this name exists'],
 ] as const)('with %j the command ends in words', async (args, code, words) => {
   const { code: ended, err } = await held(...args);
   expect([ended, err]).toEqual([code, expect.stringContaining(words)]);
@@ -113,7 +109,7 @@ describe('readPieces', () => {
     const path = at('changing');
     for (const change of [new Uint8Array(3 << 20), 'x']) {
       writeFileSync(path, new Uint8Array(2 << 20));
-      expect(() => readPieces(path, () => writeFileSync(path, change))).toThrow('it changed while it was read');
+      expect(() => readPieces(path, () => writeFileSync(path, change))).toThrow('it changed while it was being read');
     }
   });
 

@@ -67,6 +67,6 @@ describe('marrow review without takes', () => {
 
   it('of an empty folder says so', async () => {
     const { code, err } = await command(['review', '.'], mkdtempSync(join(tmpdir(), 'marrow-review-')));
-    expect([code, err]).toEqual([1, expect.stringContaining('no take here')]);
+    expect([code, err]).toEqual([1, expect.stringContaining('no takes here')]);
   });
 });

@@ -126,7 +126,7 @@ it('marrow channels --json has slopes at the times, and those of each key', asyn
 });
 
 it.each([
-  ['a skin', 'a.skin', 'vertices are those of the file'],
+  ['a skin', 'a.skin', 'vertices are left as in the file'],
   ['an animation', 'a.anim', 'channels alone'],
 ])('%s without a skeleton says so', async (_, file, assumed) => {
   for (const args of [

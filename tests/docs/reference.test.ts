@@ -104,11 +104,11 @@ What the page does with files, without a page: for scripts, tests and folders of
 \`build/marrow.js\`, which needs nothing but Node; \`npm run -s marrow -- info wasp.skel\` runs it from a checkout.
 
 With \`--json\` it prints JSON: angles in radians, times in seconds, matrices column-major, everything in double precision.
-Files are named by their paths everywhere. Outputs are written whole or not at all, also on a full disk or after a kill.
-Instead of a file a pipe will do, of up to 256 MB: \`marrow compare wasp.skel <(./mine)\`.
+Files are named by their paths everywhere. Outputs are either complete or untouched, even on a full disk or after a kill.
+A pipe of up to 256 MB works in place of a file: \`marrow compare wasp.skel <(./mine)\`.
 
-\`marrow COMMAND --help\` explains the options, as this page does. They are written \`--x v\` or \`--x=v\`; values may begin with
-a minus, and after \`--\` all are files. A folder or a zip stands for all files in it. Exit code 3 of any command: the
+\`marrow COMMAND --help\` explains the options, as this page does. Write them as \`--x v\` or \`--x=v\`; values may start with
+a minus, and everything after \`--\` is a file. A folder or a zip means all files in it. Exit code 3, any command:
 standard output could not be written.
 
 ${COMMANDS.map(commandSection).join('\n\n')}

@@ -107,7 +107,7 @@ const STATES: readonly (readonly [name: string, enter: (page: Page) => Promise<u
   ],
   ['takes are shown', (page) => tab(page, 'takes')],
   [
-    'takes are reviewed',
+    'takes to review',
     async (page) => {
       await dropFiles(page, [{ name: 'review.csv', bytes: REVIEW }, ...TAKES]);
       await tab(page, 'review');

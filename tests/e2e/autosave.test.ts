@@ -243,7 +243,7 @@ describe('where nothing can be kept', () => {
       withSmallPage(
         async ({ page }) => {
           await openArm(page);
-          await page.locator('.message-line').getByText('protect your work from a crash or reload').waitFor();
+          await page.locator('.message-line').getByText('keep a backup of your work').waitFor();
           await page.getByRole('button', { name: 'Dismiss' }).click();
           for (const value of [0.5, 0.6]) {
             await page.evaluate(() => {

@@ -31,7 +31,9 @@ describe('faults', () => {
         });
         for (let i = 0; i < 3; i++) window.marrow.seek(i);
       });
-      await line(page).getByText('The picture can’t be drawn. Your work can be saved. planted by the test').waitFor();
+      await line(page)
+        .getByText('The viewport can’t be drawn. Your work can still be saved. planted by the test')
+        .waitFor();
       await page.evaluate(() => window.marrow.run('pose.setDofs', { dofs: [{ index: 6, value: 0.5 }] }));
       await expect.poll(() => page.evaluate(() => document.documentElement.dataset.autosave)).toBe('kept');
       await expect.poll(() => line(page).getByText('more message').count()).toBe(0);
@@ -48,7 +50,7 @@ describe('faults', () => {
     withPage(
       async ({ page }) => {
         await line(page)
-          .getByText(/The picture can’t be drawn\. .*A shader does not compile/)
+          .getByText(/The viewport can’t be drawn\. .*A shader does not compile/)
           .waitFor();
         await openArm(page);
         await page.evaluate(() => {
@@ -185,7 +187,7 @@ describe('faults', () => {
         await page.context().setOffline(true);
         await page.keyboard.press('Control+s');
         await line(page)
-          .getByText('arm.skel: Not saved. Something unexpected failed. Try again. (TypeError: planted by the test)')
+          .getByText('arm.skel: Not saved. Something went wrong. Try again. (TypeError: planted by the test)')
           .waitFor();
         await expect.poll(() => page.title()).toBe('• arm.skel – Marrow');
         const saving = page.waitForEvent('download');
@@ -195,7 +197,7 @@ describe('faults', () => {
         await expect.poll(() => page.title()).toBe('Marrow');
         await page.keyboard.press('?');
         await line(page)
-          .getByText(/could not be loaded.*A script of the page could not be fetched/)
+          .getByText(/could not be loaded.*Part of the page could not be loaded/)
           .waitFor();
         await page.context().setOffline(false);
         await setDof(page, 6, 0.25);

@@ -311,7 +311,7 @@ it('a key acts in the panel under the mouse, which is marked, and never on keys 
       await expect.poll(() => viewport.getAttribute('data-active')).toBe('');
       await expect.poll(() => timeline.getAttribute('data-active')).toBeNull();
       await page.keyboard.press('Delete');
-      await page.getByText('Delete keys: point at the timeline to use this key.').first().waitFor();
+      await page.getByText('Delete selected keys: point at the timeline to use this key.').first().waitFor();
       await expect.poll(() => keys(page, ARM.rz)).toEqual(before);
 
       // Back in the timeline it is the timeline's again.

@@ -105,7 +105,7 @@ it('a pinch on a character zooms in every mode, a swipe scrolls a menu, and dial
       await run(page, 'page.tab.takes');
       await page.locator('.take-row').nth(1).waitFor();
       await run(page, 'take.compare');
-      const parts = page.getByRole('group', { name: 'Part of the comparison' });
+      const parts = page.getByRole('group', { name: 'What to show of the comparison' });
       for (const [part, shown] of [
         ['Joints', '.distance-rows'],
         ['Takes', '.take-table'],

@@ -61,7 +61,9 @@ describe('the text of files', () => {
       await page.getByRole('option', { name: 'Changed: balljoint knee {' }).waitFor();
       const toggle = page.getByRole('button', { name: 'Changes', exact: true });
       await toggle.click();
-      await note.filter({ hasText: 'Edited since it was opened: lines are those of the file as it came' }).waitFor();
+      await note
+        .filter({ hasText: 'Edited since it was opened: line numbers are those of the original file' })
+        .waitFor();
       await expect.poll(() => lit.count()).toBe(0);
       await toggle.click();
       // Given again, it is read again, and stays at its line, whatever rows were shown above it.

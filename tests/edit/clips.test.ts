@@ -27,7 +27,7 @@ describe('clip.setRange', () => {
   it('refuses a reversed range, and a take that does not exist', () => {
     expect(() => setClipRange.run(two, { characterId: 'c1', range: [1, 0] })).toThrow('must start before it ends');
     expect(() => setClipRange.run(two, { characterId: 'c1', clip: 2, range: [0, 1] })).toThrow('no take number 2');
-    expect(() => setClipRange.run(none, { characterId: 'c1', range: [0, 1] })).toThrow('shows no take');
+    expect(() => setClipRange.run(none, { characterId: 'c1', range: [0, 1] })).toThrow('has no current take');
   });
 
   it('returns the same document if the range does not change', () => {

@@ -94,7 +94,7 @@ describe('arguments from scripts', () => {
 describe('frames that can not be counted', () => {
   it('frames that can not be counted, of times beyond any frame, are refused', () => {
     const args = { channels: [1], framesPerSecond: 30, tangents: 'linear' };
-    expect(() => run('channels.resample', { ...args, from: 1e16, to: 1e16 })).toThrow('too large to count frames');
-    expect(() => run('channels.resample', { ...args, from: 0, to: 1e308 })).toThrow('too large to count frames');
+    expect(() => run('channels.resample', { ...args, from: 1e16, to: 1e16 })).toThrow('too large for frame numbers');
+    expect(() => run('channels.resample', { ...args, from: 0, to: 1e308 })).toThrow('too large for frame numbers');
   });
 });

@@ -209,7 +209,7 @@ describe('commands on keys refuse, and change nothing', () => {
     ],
     [
       'a character without a take',
-      'shows no take',
+      'has no current take',
       () => unifyTangents.run(documentOf(character()), { characterId, keys }),
     ],
   ])('a command on keys refuses %s, and changes nothing', (_what, sentence, run) => {

@@ -29,13 +29,13 @@ function textOf(document: Document, index = 0): string[] {
 }
 
 describe('markers of a take', () => {
-  it('markers are kept in the order of their times, and refuse a span that ends before it begins', () => {
+  it('markers are kept in the order of their times, and refuse a span that ends before its start', () => {
     const added = expectEdit(marked, addMarkers, { ...c1, markers: [{ timeSeconds: 0.2, label: ' two\nlines ' }] });
     expect(textOf(added)).toEqual(['two lines 0.2', 'step 0.5', 'stand 1–1.5']);
     const moved = expectEdit(added, changeMarker, { ...c1, index: 0, marker: { timeSeconds: 3, label: 'end' } });
     expect(textOf(moved)).toEqual(['step 0.5', 'stand 1–1.5', 'end 3']);
     const wrong = { ...c1, markers: [{ timeSeconds: 2, endSeconds: 1, label: '' }] };
-    expect(() => addMarkers.run(marked, wrong)).toThrow('before it begins');
+    expect(() => addMarkers.run(marked, wrong)).toThrow('before its start');
   });
 
   it('markers follow what is done to their take: crop, split, reverse, speed, cut, hold', () => {

@@ -93,7 +93,7 @@ describe('a clip and its skeleton', () => {
 
   it('bring a warning with more channels', () => {
     expect(checkClip(channels(12), skeleton(2), 1, 'walk.anim')).toMatchObject([
-      { severity: 'warning', code: 'channels-more', assumed: 'the last 2 channels drive nothing' },
+      { severity: 'warning', code: 'channels-more', assumed: 'the last 2 channels are unused' },
     ]);
   });
 });

@@ -96,7 +96,7 @@ describe('the compared joints of two characters', () => {
     expect(joints.onlySecond).toEqual([2]);
     expect(whyLeftOut(b, a, 2, joints, false)).toBe('The Neck of a is compared with Neck1');
     const tail = named('tail', skeleton(['Pelvis', -1], ['Tail', 0]));
-    expect(whyLeftOut(tail, a, 1, comparedJoints(tail, a), true)).toBe('a has no counterpart of it');
+    expect(whyLeftOut(tail, a, 1, comparedJoints(tail, a), true)).toBe('a has no matching joint');
   });
 });
 

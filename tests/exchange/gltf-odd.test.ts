@@ -73,7 +73,7 @@ describe('rotations', () => {
     const { whole, diagnostics } = await read(glbOf(turning(still, 'LINEAR', [1, 1e308, 1])));
     expect(whole).toBeUndefined();
     expect(diagnostics.map(({ code, message }) => `${code}: ${message}`)).toEqual([
-      'scene-too-large: Node "{tip}" is farther away, or larger, than numbers go: 1.8e308 at most.',
+      'scene-too-large: Node "{tip}" is too far away or too large for a number (1.8e308 at most).',
     ]);
     const vertex = await read(glbOf(turning(still, 'LINEAR', [1.7e308, 1, 1])));
     expect(vertex.diagnostics).toEqual([]);

@@ -30,9 +30,7 @@ describe('the unit of an FBX file', () => {
     expect(space).toMatchObject({ up: 'y', unit, lift: 0, known: 'stated' });
     expect(space && metresPerUnit(space)).toBeCloseTo(centimetres / 100, 9);
     expect(skeleton?.joints[0].offset).toEqual([0, 95, 0]);
-    expect(diagnostics.map(({ message }) => message).join()).toContain(
-      `One unit of length is ${text}, as the file states`,
-    );
+    expect(diagnostics.map(({ message }) => message).join()).toContain(`The length unit is ${text}, as in the file`);
   });
 
   it('is the format’s centimetre where the file states none, whatever it was made in', () => {

@@ -81,7 +81,7 @@ describeShared('where the error of a real file is', () => {
     const { diagnostics } = readAsOpened('wasp.skin', text);
     expect(told({ diagnostics })).toEqual(['error row-incomplete 51:25']);
     expect(diagnostics[0]).toMatchObject({
-      message: 'Expected 3 numbers in this row of positions, as in its neighbours, found 2.',
+      message: 'Expected 3 numbers in this row of positions, as in neighbouring rows, found 2.',
       excerpt: { text: '      0.157529          1.299800' },
     });
   });

@@ -299,7 +299,7 @@ describe('reading .skin', () => {
       {
         code: 'index-out-of-range',
         line: 5,
-        message: 'Expected positions of 3 vertices, which triangles name, found 1; they replace others.',
+        message: 'Triangles use 3 vertices, but these positions, which replace earlier ones, are only 1.',
       },
     ]);
     expect(replaced('0 0 0', '0 1 2').value?.positions).toEqual(Float64Array.of(0, 1, 2));

@@ -72,7 +72,7 @@ describe('images', () => {
       const { value, diagnostics } = read(`a.${extension}`, header(stated));
       expect(value).toBeUndefined();
       expect(diagnostics.map(({ message }) => message)).toEqual([
-        `The image has ${stated.width} × ${stated.height} pixels. Textures have up to 16384 in each direction and 100 million in all. Scale it down.`,
+        `The image has ${stated.width} × ${stated.height} pixels. A texture may have up to 16384 pixels per side and 100 million in total. Scale it down.`,
       ]);
     }
     expect(read('a.png', HEADERS.png({ width: 8192, height: 8192 })).value?.name).toBe('a.png');

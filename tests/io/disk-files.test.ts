@@ -199,10 +199,10 @@ describe('writing', () => {
 
   it.each([
     ['NotFoundError', 'It was moved, renamed or deleted.', true],
-    ['InvalidStateError', 'It has changed meanwhile. Try again.', false],
+    ['InvalidStateError', 'It changed in the meantime. Try again.', false],
     ['AbortError', 'The browser or a virus scanner stopped it. Try again, or choose another place.', false],
-    ['TypeMismatchError', 'There is a folder of that name.', false],
-    ['UnknownError', 'Something unexpected failed. Try again. (UnknownError: no)', false],
+    ['TypeMismatchError', 'A folder has that name.', false],
+    ['UnknownError', 'Something went wrong. Try again. (UnknownError: no)', false],
     ['NoModificationAllowedError', 'Another program or tab is writing to it.', false],
     ['QuotaExceededError', 'There is not enough space.', false],
   ])('writing says %s in a sentence', async (name, message, isGone) => {

@@ -49,11 +49,11 @@ describe('what failed', () => {
       new TypeError('error loading dynamically imported module: https://a.b/c.js'),
       new TypeError('Importing a module script failed.'),
     ];
-    for (const error of imports) expect(sentenceOf(error)).toMatch(/^A script of the page could not be fetched/);
+    for (const error of imports) expect(sentenceOf(error)).toMatch(/^Part of the page could not be loaded/);
     const call = "Failed to execute 'createObjectURL' on 'URL': Overload resolution failed.";
-    expect(sentenceOf(new TypeError(call))).toBe(`Something unexpected failed. Try again. (TypeError: ${call})`);
+    expect(sentenceOf(new TypeError(call))).toBe(`Something went wrong. Try again. (TypeError: ${call})`);
     const odd = new DOMException('x'.repeat(1000), 'UnknownError');
-    expect(sentenceOf(odd)).toMatch(/^Something unexpected failed\. Try again\. \(UnknownError: x{100,160}\)$/);
+    expect(sentenceOf(odd)).toMatch(/^Something went wrong\. Try again\. \(UnknownError: x{100,160}\)$/);
   });
 
   it('our own sentences stay as they are, also where they speak of lengths and memory', () => {

@@ -25,7 +25,7 @@ describe('the parse job', () => {
     expect(tooLargeToPost(source, [{ byteLength: 8 }, { byteLength: 2.6e9 }])).toMatchObject({
       severity: 'error',
       file: 'day.bvh',
-      message: expect.stringContaining('2.6 GB; the page takes up to 2.1 GB'),
+      message: expect.stringContaining('2.6 GB; the page can hold up to 2.1 GB per file'),
     });
   });
 
@@ -70,7 +70,7 @@ describe('the parse job', () => {
     expect(files).toHaveLength(1);
     expect(diagnostics).toMatchObject([{ severity: 'info', code: 'format-unknown', file: 'pack.zip' }]);
     expect(diagnostics[0].message).toMatch(
-      /^1,234 files in it are of kinds that Marrow does not read; it reads \.skel/,
+      /^1,234 files in it are of types that Marrow does not read; it reads \.skel/,
     );
   });
 
@@ -86,11 +86,11 @@ describe('the parse job', () => {
     expect(broken).toEqual([]);
     expect(diagnostics).toMatchObject([{ severity: 'error', code: 'zip-refused', file: 'pack.zip' }]);
     expect(diagnostics[0].message).toBe(
-      'The zip was not unpacked: it holds too many files; at most 20 are opened at once, such as a folder at a time.',
+      'The zip was not unpacked: it holds too many files; at most 20 can be opened at once; try one folder at a time.',
     );
     const drop = await parse({ files: named(2001).map((name) => given(name, skel)) }, ignore, 2000);
     expect(drop).toMatchObject({ files: [], broken: [], diagnostics: [{ code: 'too-many-files', file: '' }] });
-    expect(drop.diagnostics[0].message).toMatch(/^Of 2,001 files nothing was opened: at most 2,000/);
+    expect(drop.diagnostics[0].message).toMatch(/^None of the 2,001 files was opened: at most 2,000/);
   });
 
   it('says of a zip that is in order why it is not unpacked, and not that it is damaged', async () => {

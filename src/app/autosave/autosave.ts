@@ -312,11 +312,10 @@ export class Autosave {
 const LOCK_PATIENCE_MS = 1000;
 
 const FULL =
-  'The browser has no storage left to protect your work from a crash or reload. Everything else works; ' +
+  'This browser is out of storage, so your work is not protected against a crash or reload. Everything else works; ' +
   'save your files often.';
 const NO_STORE =
-  'This browser does not let the page protect your work from a crash or reload. Everything else works; ' +
-  'save your files often.';
+  'This browser does not let Marrow keep a backup of your work. Everything else works; save your files often.';
 
 /** Only has to be unique; `randomUUID` is missing on plain http. */
 function newId(): string {

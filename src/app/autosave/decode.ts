@@ -107,5 +107,5 @@ function partOf(file: ParsedFile, path: readonly (string | number)[]): unknown {
 }
 
 function changed({ source }: ParsedFile): RestoreError {
-  return new RestoreError(`${source.name} now reads differently than before.`);
+  return new RestoreError(`${source.name} is read differently by this version of Marrow.`);
 }

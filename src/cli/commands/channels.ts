@@ -19,7 +19,7 @@ export const channels = shellCommand({
   inputs: files('FILE.anim', { 'FILE.anim': 'An animation; no skeleton is needed, and no limits are enforced.' }),
   options: {
     times: option(numbers('T,T,…'), 'Evaluates the channels at these times, in seconds.', { isRequired: true }),
-    json: flag('Prints JSON, which also has the slopes at the times and the keys of each channel.'),
+    json: flag('Prints JSON, which adds the slopes at the times and the keys of each channel.'),
   },
   examples: ['marrow channels wasp_walk.anim --times -1,0,0.5 --json'],
   exits: FILE_EXITS,

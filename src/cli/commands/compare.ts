@@ -36,7 +36,7 @@ const DISTINCT_TIMES: Kind<readonly number[]> = {
 
 export const compareCommand = shellCommand({
   name: 'compare',
-  summary: "Finds where another program's numbers are wrong, and the mistake that explains them.",
+  summary: "Finds where another program's numbers are wrong, and which mistake explains them.",
   inputs: files('FILE… DUMP…', {
     FILE: 'The files of one character: `.skel`, `.skin`, `.morph`, `.anim`, or `.bvh`, glTF, FBX.',
     DUMP: 'What your program prints, as text, CSV, JSON, OBJ or PLY.',

@@ -35,15 +35,15 @@ import { writeOutput } from '../write-output.ts';
 const OPTIONS = {
   to: option(
     ending(MOTION_KINDS),
-    'Writes all of IN as files of this kind: skel with their animations, rig with all parts, glb a character for each take.',
+    'Writes everything in IN as files of this kind: skel with animations, rig with all parts, glb with one character per take.',
   ),
   out: option(text('DIR', 'a folder'), 'Writes into this folder instead of next to each file.', { needs: 'to' }),
-  force: flag('Overwrites files that exist.', { needs: 'to' }),
+  force: flag('Overwrites existing files.', { needs: 'to' }),
   fps: option(
     positive('N'),
     "Writes `.bvh` at this many frames per second instead of the take's own, or 30 for keys at uneven times, and `.glb` with a key per frame at this rate.",
   ),
-  tolerance: option(positive('X'), 'Lets keys that are made of samples be off by this much.'),
+  tolerance: option(positive('X'), 'Lets keys deviate this much from the samples they replace.'),
   json: flag('Prints the names and sizes of the written files as JSON, with all problems.'),
   ...GLB_OPTIONS,
   ...EDITING,
@@ -53,24 +53,24 @@ type ConvertOptions = OptionValues<typeof OPTIONS>;
 
 export const convert = shellCommand({
   name: 'convert',
-  summary: 'Writes OUT in the format of its extension, or all of IN as files of one kind.',
+  summary: 'Writes OUT in the format its extension names, or everything in IN as files of one kind.',
   inputs: anyInputs(['IN… OUT', `IN… --to ${MOTION_KINDS.join('|')}`], {
     IN: 'Files, folders and zips.',
     OUT: `The file to write, which ends in ${[...WRITABLE_EXTENSIONS, 'glb'].map((each) => `.${each}`).join(', ')}.`,
   }),
   options: OPTIONS,
   about: [
-    'With `--to` and `--out`, options that edit or choose takes write each take by itself, as `marrow export` does, with `DIR/manifest.ndjson`.',
+    'With `--to` and `--out`, options that edit or choose takes write each take separately, as `marrow export` does, with `DIR/manifest.ndjson`.',
   ],
   examples: [
     'marrow convert wasp.skel wasp.skin wasp_walk.anim wasp.glb',
     'marrow convert take.bvh --retarget other.bvh --crop 2,10 out.bvh',
   ],
   exits: {
-    0: 'all was written',
+    0: 'everything was written',
     1: 'a file has errors, is missing or cannot be converted',
     2: 'wrong usage',
-    3: 'all was read, but a file could not be written',
+    3: 'everything was read, but a file could not be written',
   },
   async run({ inputs, options }, io) {
     const { to } = options;
@@ -131,7 +131,7 @@ async function toFile(inputs: readonly string[], given: ConvertOptions, io: Comm
   const format = formatOf(out);
   if (!format || !isSaved(format.format)) {
     const known = [...WRITABLE_EXTENSIONS, 'glb'].map((extension) => `.${extension}`).join(' ');
-    throw new UsageError(`The format of "${out}" is not known; its name must end in one of ${known}.`);
+    throw new UsageError(`The format of "${out}" is unknown; its name must end in one of ${known}.`);
   }
   const options = { ...conversionOf(given), edit: await editOf(given, io) };
   const name = basename(out);

@@ -9,19 +9,19 @@ import { shellCommand } from '../options/shell-command.ts';
 
 export const exportCommand = shellCommand({
   name: 'export',
-  summary: 'Writes the takes of files and folders as arrays of numbers, a file each, with a manifest.',
+  summary: 'Exports each take as a file of numeric arrays, with a manifest.',
   inputs: anyInputs(['PATHS…'], {
     PATHS: 'Motion capture, glTF, FBX, or skeletons with their animations: files, folders and zips.',
   }),
   options: {
     to: option(
       ending(FORMAT_NAMES),
-      'Writes npz, arrays of numpy; parquet or csv, a row per frame with world positions and quaternions of each joint, and the rest in the metadata or in a .json beside it; or json, all arrays as text.',
+      'Writes npz, numpy arrays; parquet or csv, one row per frame with the world position and quaternion of each joint, and the rest in the metadata or in a .json next to it; or json, all arrays as text.',
       { isRequired: true },
     ),
     out: option(
       text('DIR', 'the folder for the exported files'),
-      'Writes into this folder, which is made if it does not exist.',
+      'Writes to this folder, which is created if missing.',
       {
         isRequired: true,
       },
@@ -30,21 +30,21 @@ export const exportCommand = shellCommand({
       positive('N'),
       "Samples at this many frames per second instead of the take's own, or 60 for keys at uneven times.",
     ),
-    float64: flag('Writes numbers in double instead of single precision.'),
+    float64: flag('Writes numbers in double precision instead of single.'),
     raw: flag(
-      "Keeps the file's own unit, axes and origin instead of metres, y up, on the ground, as the file states or as guessed.",
+      "Keeps the file's unit, axes and origin instead of metres, y up, on the ground (stated by the file or guessed).",
     ),
-    force: flag('Overwrites files that exist.'),
+    force: flag('Overwrites existing files.'),
     'no-checks': flag('Leaves the flags out of the manifest; the checks take about a fifth of the time.'),
     json: flag('Prints the summary as JSON.'),
     ...EDITING,
     ...SHARING,
   },
   about: [
-    'Each take becomes `DIR/PATH.npz`, at its path below the folder that was named, or, where that would be the same for two, below the folder that all share; several in one file become `PATH.1.npz`, `PATH.2.npz`. Those in `walks.zip` are in `DIR/walks`. `DIR/manifest.ndjson` has a line for each.',
+    'Each take becomes `DIR/PATH.npz`, where PATH is relative to the folder you name or, if two takes would collide, to the folder that all share; several takes in one file become `PATH.1.npz`, `PATH.2.npz`. Those in `walks.zip` are in `DIR/walks`. `DIR/manifest.ndjson` has a line for each.',
   ],
   examples: ['marrow export takes/ --only list.csv --to npz --out dataset/'],
-  exits: { 0: 'all takes were exported', 1: 'some failed; they are listed', 2: 'wrong usage' },
+  exits: { 0: 'all takes were exported', 1: 'some takes failed; the manifest lists them', 2: 'wrong usage' },
   run({ inputs, options }, io) {
     return exportGiven(inputs, options, io, {
       to: options.to,

@@ -20,12 +20,12 @@ import { UsageError } from '../usage-error.ts';
 
 export const grade = shellCommand({
   name: 'grade',
-  summary: 'Compares each submission of a class with the right files, a line each, or as a report.',
+  summary: 'Compares each submission in CLASS with the right files; prints a line for each, or a report.',
   inputs: oneFolder('CLASS', 'folder of submissions', 'The folder with all submissions.'),
   options: {
     reference: option(
       text('REF', 'the folder or zip with the right files'),
-      'Takes what is right from this folder or zip: files, and numbers in files of the expected names.',
+      'Compares with the files in this folder or zip, and with the numbers in files of the expected names.',
       { isRequired: true },
     ),
     times: option(
@@ -112,7 +112,7 @@ function submissionsIn(path: string, folder: string, referenceFolder: string): C
   if (!isFolder(absolute)) throw new UsageError(`There is no folder "${path}" in ${folder}.`);
   const found = classIn(absolute, referenceFolder);
   if (found.submissions.length === 0) {
-    throw new UsageError(`There are no folders or zips in "${path}"; each submission is expected in one of its own.`);
+    throw new UsageError(`There are no folders or zips in "${path}"; put each submission in one of its own.`);
   }
   return found;
 }

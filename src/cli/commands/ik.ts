@@ -32,7 +32,7 @@ import { UsageError } from '../usage-error.ts';
 
 export const ik = shellCommand({
   name: 'ik',
-  summary: 'Solves for the pose that moves points of joints to their targets, or as close as possible.',
+  summary: 'Finds the pose that brings points on joints to their targets, or as close as possible.',
   inputs: files('FILE.skel', { 'FILE.skel': 'A skeleton, or another file with one.' }),
   options: {
     pin: option(

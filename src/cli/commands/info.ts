@@ -11,7 +11,7 @@ import { printJson, report } from '../report.ts';
 
 export const info = shellCommand({
   name: 'info',
-  summary: 'Lists what files contain, their problems, and which belong together.',
+  summary: 'Shows what files contain, their problems, and which files belong together.',
   inputs: files('FILE…', { FILE: ANY_FILE }),
   options: { json: flag('Prints files, characters and problems as JSON.') },
   examples: ['marrow info wasp.skel wasp.skin'],

@@ -10,16 +10,16 @@ import { writeInFolder } from '../write-output.ts';
 
 export const kit = shellCommand({
   name: 'kit',
-  summary: 'Writes small test files that tell known mistakes apart, with their answers, into a folder.',
-  inputs: oneFolder('OUT', 'folder to write to', 'The folder for the files; it is made if it does not exist.'),
+  summary: 'Writes small test files that reveal known mistakes, with the right answers, to a folder.',
+  inputs: oneFolder('OUT', 'folder to write to', 'The folder for the files, created if missing.'),
   options: {
-    force: flag('Overwrites files of the kit that exist.'),
+    force: flag('Overwrites existing files of the kit.'),
     json: flag('Prints the names of the written files as JSON.'),
   },
   examples: ['marrow kit kit/'],
   exits: {
     0: 'all files were written',
-    1: 'a file of the kit is there already',
+    1: 'a file of the kit already exists',
     2: 'wrong usage',
     3: 'a file could not be written',
   },
@@ -28,7 +28,9 @@ export const kit = shellCommand({
     const files = testKit();
     const there = [...files.keys()].filter((name) => existsSync(join(folder, name)));
     if (there.length > 0 && !force) {
-      io.err(`marrow: ${there.join(', ')} in ${out} ${there.length === 1 ? 'exists' : 'exist'}; --force replaces.\n`);
+      io.err(
+        `marrow: ${there.join(', ')} in ${out} ${there.length === 1 ? 'exists' : 'exist'}; use --force to overwrite.\n`,
+      );
       return 1;
     }
     const failure = writeAll(folder, files);

@@ -34,13 +34,13 @@ const POSE = {
 
 export const pose = shellCommand({
   name: 'pose',
-  summary: 'Prints joints and vertices in a pose or at times of a take.',
+  summary: 'Prints joints and vertices of a pose, or at times of a take.',
   inputs: files('FILE…', { FILE: ANY_FILE }),
   options: {
     ...POSE,
     times: option(numbers('T,T,…', 1), 'Poses the character at each of these times, in seconds.'),
     vertices: flag('Prints the vertices of the skin too, with their normals.'),
-    json: flag('Prints JSON, which also has the local matrix L and the skinning matrix W·B⁻¹ of each joint.'),
+    json: flag('Prints JSON, which adds the local matrix L and the skinning matrix W·B⁻¹ of each joint.'),
   },
   exclusive: [['time', 'times', 'frame']],
   about: [

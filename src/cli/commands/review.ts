@@ -31,11 +31,11 @@ const LIST_NAME: Kind<string> = {
 
 export const review = shellCommand({
   name: 'review',
-  summary: 'Lists takes with what looks wrong in them, as CSV.',
+  summary: 'Lists takes and what looks wrong in them, as CSV.',
   inputs: files('FILE…', { FILE: ANY_FILE }),
   options: {
-    list: option(text('LIST', 'a file'), 'Keeps the verdicts, stars, tags and notes of this list, CSV or JSON.'),
-    out: option(LIST_NAME, 'Writes the list into this file instead of printing it.'),
+    list: option(text('LIST', 'a file'), 'Keeps verdicts, stars, tags and notes from this list, CSV or JSON.'),
+    out: option(LIST_NAME, 'Writes the list to this file instead of printing it.'),
     json: flag('Writes the list as JSON, whatever the file is called.'),
   },
   examples: ['marrow review takes/ --out list.csv'],
@@ -85,7 +85,7 @@ async function takesIn(args: readonly string[], io: CommandIo) {
     takes.push(...takesOf(opened.document.characters));
   }
   if (takes.length === 0 && problems.length === 0) {
-    tell([refusal('nothing-to-review', 'There is no take here.', args.join(' '))]);
+    tell([refusal('nothing-to-review', 'There are no takes here.', args.join(' '))]);
   }
   return { takes, diagnostics };
 }

@@ -48,7 +48,7 @@ function makeFolder(out: string, folder: string): void {
   try {
     mkdirSync(resolve(folder, out), { recursive: true });
   } catch (error) {
-    throw new UsageError(`--out takes a folder; ${out} is none and could not be made: ${reasonOf(error)}.`);
+    throw new UsageError(`--out takes a folder; ${out} is not one and could not be created: ${reasonOf(error)}.`);
   }
 }
 
@@ -90,7 +90,7 @@ async function exportAll(
   if (stale.length > 0) {
     const [verb, s] = stale.length === 1 ? ['is', ''] : ['are', 's'];
     io.err(
-      `marrow: ${stale.length} output${s} of earlier runs ${verb} no longer listed, and ${verb} still there: ${few(stale)}.\n`,
+      `marrow: ${stale.length} output${s} from earlier runs ${verb} no longer listed but still exist${verb === 'is' ? 's' : ''}: ${few(stale)}.\n`,
     );
   }
   if (json) await printJson(summary, io);
@@ -98,7 +98,7 @@ async function exportAll(
     const part = shard ? `part ${shard.index} of ${shard.count}: ` : '';
     const nothing = written === 0 && failures.length === 0;
     const sentence = nothing
-      ? `nothing to do, all ${counted(kept, 'take')} ${kept === 1 ? 'is' : 'are'} exported`
+      ? `nothing to do: ${counted(kept, 'take')} already exported`
       : [
           `${counted(written, 'take')} exported, ${megabytes(bytes)}`,
           ...(kept > 0 ? [`${number(kept)} unchanged`] : []),

@@ -81,7 +81,7 @@ export async function exportTakes(
         told(++done, pieces.length, failures.length);
       },
       lost: ({ input }, reason): ExportResult => ({
-        records: [{ input: input.path, error: `The take stopped its thread: ${reason}.` }],
+        records: [{ input: input.path, error: `This take crashed its thread: ${reason}.` }],
         isKept: false,
       }),
     },

@@ -20,7 +20,7 @@ export async function inputsOf(
 ): Promise<TakeInputs> {
   const list = only === undefined ? undefined : takeListOf(only, 'only', io);
   const wanted = list?.filter(isWanted);
-  if (wanted?.length === 0) throw new UsageError(`--only: all takes of ${only} have the verdict bad.`);
+  if (wanted?.length === 0) throw new UsageError(`--only: every take in ${only} has the verdict bad.`);
   const named = await pathsOf(given, from, io);
   const listed = wanted && new Set(wanted.map(({ path }) => zipOf(path, io.folder)));
   const paths = named.length === 0 && listed ? [...listed] : named;
@@ -45,7 +45,7 @@ function listedIn(inputs: readonly TakeInput[], list: readonly ListedTake[], nam
     return take !== undefined && isWanted(take);
   });
   const absent = missing.filter(isWanted);
-  if (kept.length === 0) throw new UsageError(`--only: none of the takes of ${name} is among these files.`);
+  if (kept.length === 0) throw new UsageError(`--only: none of the takes in ${name} is among these files.`);
   if (absent.length > 0) {
     const some = absent.length === 1 ? '' : ` and ${absent.length - 1} more`;
     io.err(
@@ -61,7 +61,7 @@ async function pathsOf(given: readonly string[], from: string | undefined, io: C
   const listed = from === '-' ? await io.input?.() : textOf(resolve(io.folder, from), from);
   // `find -print0` separates names by zeros, since they may contain line ends.
   const names = (listed ?? '').split(listed?.includes('\0') ? '\0' : /\r?\n/).filter((name) => name !== '');
-  if (names.length === 0) throw new UsageError(`--files-from ${from}: expected a path in each line, found none.`);
+  if (names.length === 0) throw new UsageError(`--files-from ${from}: expected one path per line, found none.`);
   return [...given, ...names];
 }
 

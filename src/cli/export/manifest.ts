@@ -98,7 +98,7 @@ export class Manifest {
   private append(records: readonly TakeRecord[]): void {
     if (!existsSync(this.scratch)) {
       // A scheduler that took this process for dead has started its part again.
-      throw new CommandError(`Another export of the same takes to ${this.out} has begun; this one ends.`);
+      throw new CommandError(`Another export of the same takes to ${this.out} has started; this one stops.`);
     }
     appendFileSync(join(this.scratch, JOURNAL), records.map(lineOf).join(''));
   }

@@ -176,7 +176,7 @@ function writeTake(
   for (const { name, pieces } of named.toReversed()) {
     const path = join(out, name);
     if (!replaces && existsSync(path)) {
-      throw new CommandError(`${name} already exists; --resume goes on with an export, --force replaces it.`);
+      throw new CommandError(`${name} already exists. Use --resume to continue an export, --force to overwrite.`);
     }
     const written = writeInFolder(path, pieces, scratch);
     if ('failure' in written) throw new CommandError(`${name} could not be written: ${written.failure}.`);

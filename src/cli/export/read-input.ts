@@ -39,7 +39,7 @@ export class InputReader {
       for (let read = -1; read !== 0 && length <= size; length += read) {
         read = readSync(file, this.held, length, size + 1 - length, null);
       }
-      if (length !== size) throw new Error('it changed while it was read; try again');
+      if (length !== size) throw new Error('it changed while it was being read; try again');
       const bytes = this.held.subarray(0, length);
       return { hash: hashOfBytes(bytes), bytes };
     } finally {
@@ -59,7 +59,7 @@ export function hashOfGiven({ absolute, bytes }: Pick<GivenPath, 'absolute' | 'b
 
 /** SHA-256 of a file, hexadecimal. @throws Error if it can't be read, or is no file, and so can't be read again */
 export function hashOf(path: string): string {
-  if (!statSync(path).isFile()) throw new Error(`${path} is no file; save it to one first`);
+  if (!statSync(path).isFile()) throw new Error(`${path} is not a file; save it to one first`);
   const hash = createHash('sha256');
   readPieces(path, (piece) => hash.update(piece));
   return hash.digest('hex');

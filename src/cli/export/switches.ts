@@ -27,7 +27,7 @@ export interface Shard {
 
 const SHARD: Kind<Shard> = {
   placeholder: 'I/N',
-  what: 'a part and their number, such as 1/4 to 4/4 for four',
+  what: 'a part and the number of parts, 1/4 to 4/4 for four',
   read(given, misfit) {
     const [, i, n] = /^(\d+)\/(\d+)$/.exec(given.trim()) ?? [];
     const [index, count] = [Number(i), Number(n)];
@@ -39,7 +39,7 @@ const SHARD: Kind<Shard> = {
 const MAX_THREADS = 512;
 
 /** What is done to takes before they are written. */
-export const EDITING = section('What is done to takes before they are written', {
+export const EDITING = section('Changes made to takes before they are written', {
   retarget: option(
     text('FILE', 'a file'),
     'Retargets takes to the character in this file, folder or zip; if it is in several files, name each.',
@@ -47,37 +47,37 @@ export const EDITING = section('What is done to takes before they are written', 
   ),
   map: option(
     text('FILE', 'a file'),
-    'Pairs joints for retargeting by the lines "target,source" of this file instead of by name and shape.',
+    'Pairs joints for retargeting as this file says, one "target,source" per line, instead of by name and shape.',
     { needs: 'retarget' },
   ),
   space: option(
     text('FILE', 'a file'),
-    'Gives takes of the skeleton in this file its unit, up axis and ground; otherwise each take has its own.',
+    'Uses the unit, up axis and ground of this file for all takes of its skeleton instead of guessing them for each take.',
   ),
   mirror: flag('Swaps left and right, before retargeting.'),
-  crop: option(CROP, 'Keeps these seconds of each take; either time may be left out.'),
+  crop: option(CROP, 'Keeps this part of each take, in seconds; either end may be left out.'),
 });
 
 /** Which takes are meant, and how the work is shared. */
-export const SHARING = section('Which takes, and how the work is shared', {
+export const SHARING = section('Which takes, and how the work is divided', {
   only: option(
     text('LIST', 'a list of takes'),
-    'Takes those of a list that do not have the verdict bad: CSV or JSON of a review, or paths; without inputs, the paths of the list are the inputs.',
+    'Limits the takes to those in LIST, except those with the verdict bad: a review as CSV or JSON, or plain paths; without inputs, its paths are the inputs.',
     { needs: 'to' },
   ),
   'files-from': option(
-    text('FILE', 'a file, or - for the standard input'),
-    'Reads paths of inputs from the lines of this file, or of the standard input for -.',
+    text('FILE', 'a file, or - for standard input'),
+    'Reads input paths from this file, one per line; - for standard input.',
     { needs: 'to' },
   ),
-  shard: option(SHARD, 'Does part I of N, every N-th take; all parts may run at the same time, on any machine.', {
+  shard: option(SHARD, 'Handles part I of N, every N-th take; all parts may run at the same time, on any machine.', {
     needs: 'to',
   }),
-  jobs: option(whole('N', 1, MAX_THREADS), 'Runs this many threads instead of as many as there are cores.', {
+  jobs: option(whole('N', 1, MAX_THREADS), 'Runs this many threads instead of one per core.', {
     needs: 'to',
   }),
-  resume: flag('Skips takes whose input, options and version are those of an earlier run.', { needs: 'to' }),
-  'no-times': flag('Leaves milliseconds out of the manifest, so that its bytes depend on inputs and options only.', {
+  resume: flag('Skips takes already written from the same input, options and version.', { needs: 'to' }),
+  'no-times': flag('Leaves milliseconds out of the manifest, so that it depends only on inputs and options.', {
     needs: 'to',
   }),
 });

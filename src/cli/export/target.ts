@@ -75,7 +75,7 @@ async function charactersIn(paths: readonly string[], folder: string, option: st
 
 function readMap(path: string, folder: string): JointMap {
   const absolute = resolve(folder, path);
-  if (existsSync(absolute) && !isFile(absolute)) throw new UsageError(`--map takes a file; ${path} is none.`);
+  if (existsSync(absolute) && !isFile(absolute)) throw new UsageError(`--map takes a file; ${path} is not one.`);
   try {
     return readJointMap(fileText(absolute), path);
   } catch (error) {

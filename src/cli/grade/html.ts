@@ -85,7 +85,7 @@ function causesOf(part: PartGrade): string {
   const equal = equalCauses(part);
   const codes = equal.map(({ code }) => `<code>${escaped(code)}</code>`).join(' or ');
   if (equal.length === 1) return `${escaped(equal[0].sentence)} <span class="faint">${codes}</span>`;
-  return codes || '<span class="faint">none known</span>';
+  return codes || '<span class="faint">unknown</span>';
 }
 
 function pageOf(grade: Grade, index: number, grades: readonly Grade[]): string {
@@ -110,8 +110,8 @@ function partOf(part: PartGrade): string {
     ['Channels right', channels ? `${channels.right} of ${channels.of}` : ''],
     ['Differs', mismatches.join('; ')],
     ['First wrong', first ? `${firstWrongText({ ...part, mismatches: [] })}, ${differenceText(first)}` : ''],
-    ['Wrong by themselves', own.join(', ')],
-    ['Wrong by a parent', inherited.join(', ')],
+    ['Own errors', own.join(', ')],
+    ['Inherited errors', inherited.join(', ')],
   ];
   const shown = facts
     .filter(([, value]) => value !== '')

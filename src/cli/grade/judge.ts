@@ -60,7 +60,7 @@ export function judge(submission: string, reference: Reference, options: JudgeOp
     const path = slashed(relative(options.folder, submission));
     return notJudged(
       path,
-      withoutPlace('error', 'judging-failed', `The submission stopped the judging: ${reasonOf(error)}.`, path),
+      withoutPlace('error', 'judging-failed', `Grading this submission failed: ${reasonOf(error)}.`, path),
     );
   }
 }
@@ -277,7 +277,7 @@ class Judging {
       const diagnostics = first ? fitDumpsAt(first, [named], this.options.times ?? []).diagnostics : [];
       this.problems.push(...diagnostics.map((d): Diagnostic => ({ ...d, severity, assumed })));
       if (severity === 'warning') this.isWhole = false;
-      if (right) this.parts.push(uncompared(file.source.path, ['other numbers than the reference has'], null));
+      if (right) this.parts.push(uncompared(file.source.path, ["numbers that differ from the reference's"], null));
       return;
     }
     const { character, targets } = found;

@@ -42,7 +42,7 @@ export function loadReference(folder: string, path: string, tolerance: number, e
     told(errors);
     const files = broken.length === 1 ? '1 file' : `${broken.length} files`;
     throw new UsageError(
-      `The reference ${path} has errors in ${files}; nothing can be judged by it. Mend or remove them.`,
+      `The reference ${path} has errors in ${files} and can't be used for grading. Correct or remove them.`,
     );
   }
   const { characters } = document;
@@ -51,7 +51,7 @@ export function loadReference(folder: string, path: string, tolerance: number, e
   const dumps = rightDumps(loaded.files, [...characters, ...joined], tolerance, contradicting);
   told(contradicting);
   if (characters.length === 0 && dumps.length === 0) {
-    throw new UsageError(`The reference ${path} has no skeleton, skin, animation or dump to judge by.`);
+    throw new UsageError(`The reference ${path} has no skeleton, skin, animation or dump to grade against.`);
   }
   return { characters, joined, files: loaded.files, dumps };
 }

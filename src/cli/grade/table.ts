@@ -26,7 +26,7 @@ function cellsOf(grade: Grade): readonly string[] {
     errorText(vertexError),
     channels ? `${channels.right} of ${channels.of}` : '',
     wrong ? firstWrongText(wrong) : '',
-    wrong ? causesText(wrong) || 'none known' : '',
+    wrong ? causesText(wrong) || 'unknown' : '',
     problems
       .filter(({ severity }) => severity !== 'info')
       .map((problem) => `${placeOf(problem)} ${problem.code}`)

@@ -55,7 +55,7 @@ export async function judgeAll(
       },
       lost(submission, reason) {
         const path = relative(options.folder, submission);
-        const message = `The submission stopped the judging: ${reason}.`;
+        const message = `Grading this submission failed: ${reason}.`;
         return notJudged(path, withoutPlace('error', 'judging-failed', message, path));
       },
     },

@@ -57,7 +57,7 @@ export function resampleChannel(channel: KeyedChannel, resampling: Resampling): 
   // Beyond, one frame isn't told from the next.
   if (!Number.isSafeInteger(firstFrame) || !Number.isSafeInteger(lastFrame)) {
     throw new CommandError(
-      `Times from ${from} s to ${to} s are too large to count frames at ${framesPerSecond} per second.`,
+      `Times from ${from} s to ${to} s are too large for frame numbers at ${framesPerSecond} fps.`,
     );
   }
   if (lastFrame - firstFrame >= MAX_KEYS) {

@@ -41,7 +41,7 @@ export function filterCharacter(
     }
     const first = starts[dof.joint];
     if (followed.has(index) || !turningDofs(joint.motion)[index - first]) {
-      const why = followed.has(index) ? 'another DOF follows it' : 'a whole turn of it is not the same pose';
+      const why = followed.has(index) ? 'another DOF is linked to it' : 'a full turn of it is a different pose';
       notes.push(`${dof.name} of ${jointName(skeleton, dof.joint)}: ${why}; left unchanged.`);
       done.add(index);
       continue;
@@ -61,7 +61,7 @@ export function filterCharacter(
         continue;
       }
       if (!noted.has(dof.joint)) {
-        notes.push(`${joint.name || `Joint ${dof.joint}`} of ${name}: ${rotation}; only whole turns were removed.`);
+        notes.push(`${joint.name || `Joint ${dof.joint}`} of ${name}: ${rotation}; only full turns were removed.`);
       }
       noted.add(dof.joint);
     }

@@ -277,6 +277,6 @@ function units(document: Document, { characterId }: OfChannels): (channel: numbe
 }
 
 function interval(start: number, end: number): readonly [number, number] {
-  if (start > end) throw new CommandError(`The range ends at ${end} s, before it starts at ${start} s.`);
+  if (start > end) throw new CommandError(`The range ends at ${end} s, before its start at ${start} s.`);
   return [start, end];
 }

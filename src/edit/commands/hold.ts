@@ -70,7 +70,7 @@ export function* holdSteps(document: Document, args: HoldPins): Steps<Held> {
   if (!skeleton) throw new CommandError(`${character.name} has no skeleton, so there is nothing to hold.`);
   refuseMoved(character);
   if (!shownClip(character))
-    throw new CommandError(`${character.name} shows no take, so there is no motion to hold pins in.`);
+    throw new CommandError(`${character.name} has no current take, so there is no motion to hold pins in.`);
   const pins = checkedPins(character, args.pins);
   const [from, to] = args.range;
   const { atSeconds: at, easeSeconds = EASE_SECONDS } = args;

@@ -94,6 +94,6 @@ function checkedMarker({ timeSeconds: time, endSeconds: end, label }: Marker): M
   // A file has one line for each.
   const plain = label.replace(/\s+/g, ' ').trim();
   if (end === undefined) return { timeSeconds: time, label: plain };
-  if (end < time) throw new CommandError(`A span ends at ${end} s, before it begins at ${time} s.`);
+  if (end < time) throw new CommandError(`A span ends at ${end} s, before its start at ${time} s.`);
   return { timeSeconds: time, endSeconds: end, label: plain };
 }

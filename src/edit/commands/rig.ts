@@ -203,7 +203,7 @@ export const removeJoint = command({
 
 function rootStays(staying: boolean, children: number): string {
   if (!staying || children === 0) return 'The root can’t be deleted. Remove the character instead.';
-  return `The root has ${children} children. It can only be deleted when it has one, which becomes the root.`;
+  return `The root has ${children} children. It can only be deleted when it has exactly one, which then becomes the root.`;
 }
 
 /**

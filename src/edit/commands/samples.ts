@@ -163,7 +163,7 @@ function checkedFilter({ filter: kind = 'gaussian', sigmaSeconds, frames }: Smoo
 
 function interval(from: number, to: number): readonly [number, number] {
   if (from <= to) return [from, to];
-  throw new CommandError(`The range ends at ${to} s, before it begins at ${from} s.`);
+  throw new CommandError(`The range ends at ${to} s, before its start at ${from} s.`);
 }
 
 export interface ConvertToKeys extends OfSamples {

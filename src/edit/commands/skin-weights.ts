@@ -111,7 +111,7 @@ export function* autoWeightsSteps(document: Document, args: AutoWeights): Steps<
 
 const WHY_NOT: Readonly<Record<BindPlace, string>> = {
   bound: 'does not have bindings for all joints.',
-  drawn: 'already has weights, so it is drawn deformed. Bind it as it is in its file.',
+  drawn: 'already has weights, so what you see is deformed. Bind the mesh as in the file instead.',
   file: 'can’t be bound there.',
 };
 

@@ -59,7 +59,8 @@ export const joinTakes = command({
 /** The same in steps, yielding progress every few milliseconds. */
 export function* joinSteps(document: Document, args: JoinTakes): Steps<Document> {
   const refs = takesToChange(document, args.takes);
-  if (refs.length < 2) throw new CommandError('Joining needs two takes. Select them in the order of the list.');
+  if (refs.length < 2)
+    throw new CommandError('Joining needs at least two takes. They are joined in the order of the list.');
   const how = checkedHow(args);
   const character = requireCharacter(document, refs[0].characterId);
   const skeleton = skeletonOf(character);
@@ -114,7 +115,7 @@ export const cutOutOfTakes = command({
 export function cutOutSteps(document: Document, args: CutOut): Steps<Document> {
   const how = checkedHow(args);
   const [from, to] = [args.from, args.to];
-  if (from > to) throw new CommandError(`The range ends at ${to} s, before it begins at ${from} s.`);
+  if (from > to) throw new CommandError(`The range ends at ${to} s, before its start at ${from} s.`);
   return changingTakes(document, args.takes, function* (character, clip) {
     const samples = framesOnly(character, clip);
     const offset = args.areOfTransport ? character.timeOffsetSeconds : 0;

@@ -58,7 +58,7 @@ export function* lockingFeet(
 ): Steps<LockedFeet> {
   const { balls, leg } = feetOf(skeleton, character.space);
   if (balls.length === 0) {
-    throw new CommandError(`${character.name} has no legs that are recognised: thigh, shin and foot of either side.`);
+    throw new CommandError(`No legs were recognised in ${character.name}: each needs a thigh, a shin and a foot.`);
   }
   const paths = yield* within(trackingFeet(character, clip, balls, framesPerSecond), 0, 0.1);
   const contacts = balls.map((joint, column) => {

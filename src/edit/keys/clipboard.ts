@@ -101,7 +101,7 @@ function destinations(clip: ChannelClip, { channels }: CopiedKeys, into: readonl
   const targets = into ?? channels.map((c) => c.channel);
   if (channels.length !== 1 && targets.length !== channels.length) {
     throw new CommandError(
-      `Keys of ${channels.length} channels paste into ${channels.length} channels, and keys of one channel into any number; ` +
+      `Keys copied from ${channels.length} channels can only be pasted into ${channels.length} channels, keys from one channel into any number; ` +
         `found ${targets.length}.`,
     );
   }

@@ -43,7 +43,7 @@ function refuseOtherSpace(target: Character, source: Character): void {
 /** The source's channel for each of the target's; −1 for a morph that it doesn't have. */
 function sourcesOf(target: Character, own: Skeleton, source: Character, theirs: Skeleton): number[] {
   const match = matchJoints(own, theirs);
-  const other = `${source.name} has other joints than ${target.name}. Retarget one to the other and bake it first.`;
+  const other = `${source.name} and ${target.name} have different joints. Retarget one to the other and bake it first.`;
   if (!isSameSkeleton(match) || rootDofCount(own) !== rootDofCount(theirs)) throw new CommandError(other);
   const [first, second] = [firstDofs(own), firstDofs(theirs)];
   const from = Array.from({ length: characterDofs(own, target.morphs).length }, (_, c) => c);
@@ -52,7 +52,7 @@ function sourcesOf(target: Character, own: Skeleton, source: Character, theirs: 
     const { motion, name } = own.joints[j];
     if (!sameValue(motion, theirs.joints[k].motion)) {
       throw new CommandError(
-        `${name} has other DOFs in ${source.name} than in ${target.name}. Retarget one to the other and bake it first.`,
+        `${name} has different DOFs in ${source.name} and ${target.name}. Retarget one to the other and bake it first.`,
       );
     }
     dofsOf(motion).forEach((_, d) => {

@@ -53,7 +53,7 @@ export function framesOnly({ skeleton }: Pick<Character, 'skeleton'>, clip: Chan
     );
   }
   if (isAll && clip.channels.every(({ kind }) => kind === 'samples')) return samples;
-  throw new CommandError(`${clip.name} has keys beside its samples, and frames can't be moved without them.`);
+  throw new CommandError(`${clip.name} has keys as well as samples, and frames can't be moved without the keys.`);
 }
 
 /** A clip of frames, with their whole time as its range. */

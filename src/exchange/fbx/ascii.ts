@@ -70,7 +70,7 @@ class AsciiReader {
   private record(depth: number): FbxRecord {
     const { bytes, report } = this;
     const offset = this.at;
-    if (depth > MAX_DEPTH) report.fail('too-deep', `Records inside each other more than ${MAX_DEPTH} deep.`, offset);
+    if (depth > MAX_DEPTH) report.fail('too-deep', `Records are nested more than ${MAX_DEPTH} deep.`, offset);
     while (this.at < bytes.length && bytes[this.at] !== COLON && isOfName(bytes[this.at])) this.at++;
     if (bytes[this.at] !== COLON || this.at === offset) {
       report.fail('name-expected', `Expected a name and a colon, found ${this.found(offset)}.`, offset);
@@ -148,7 +148,7 @@ class AsciiReader {
     while (bytes[this.at] >= 48 && bytes[this.at] <= 57) count = 10 * count + bytes[this.at++] - 48;
     // Each number takes a digit and a comma.
     if (count > bytes.length)
-      report.fail('bad-array', `An array of ${count} numbers in a file of ${bytes.length} bytes.`, offset);
+      report.fail('bad-array', `An array claims ${count} numbers in a file of ${bytes.length} bytes.`, offset);
     this.skip();
     if (bytes[this.at] !== OPEN)
       report.fail('brace-missing', `Expected { with the array, found ${this.found(this.at)}.`, this.at);

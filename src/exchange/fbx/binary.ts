@@ -93,15 +93,14 @@ class BinaryReader {
     const rest = values + valueBytes;
     if (end > limit) {
       const what = end > this.bytes.length ? 'the file: it was cut off' : 'the record around it';
-      report.fail('file-cut', `A record ends at byte ${end}, behind the end of ${what}.`, offset);
+      report.fail('file-cut', `A record ends at byte ${end}, past the end of ${what}.`, offset);
     }
     if (rest > end) report.fail('bad-record', 'A record is shorter than its name and values.', offset);
-    if (depth > MAX_DEPTH) report.fail('too-deep', `Records inside each other more than ${MAX_DEPTH} deep.`, offset);
+    if (depth > MAX_DEPTH) report.fail('too-deep', `Records are nested more than ${MAX_DEPTH} deep.`, offset);
     const name = UTF8.decode(this.bytes.subarray(cursor.at, values));
     cursor.at = values;
     // Each value has a byte for its type.
-    if (count > valueBytes)
-      report.fail('bad-record', `${name} says it has ${count} values in ${valueBytes} bytes.`, offset);
+    if (count > valueBytes) report.fail('bad-record', `${name} claims ${count} values in ${valueBytes} bytes.`, offset);
     const read: FbxValue[] = [];
     for (let i = 0; i < count; i++) read.push(this.value(cursor, rest));
     cursor.at = rest;
@@ -195,18 +194,18 @@ class BinaryReader {
     if (encoding > 1) {
       this.report.fail(
         'bad-array',
-        `Expected an array as it is (0) or packed (1), found encoding ${encoding}.`,
+        `Expected an uncompressed (0) or compressed (1) array, found encoding ${encoding}.`,
         offset,
       );
     }
     // Copied, since numbers have to be aligned.
     if (encoding === 0) return data.slice();
     if (canUnpackTo(data.length, size)) {
-      this.report.budget.spend(size / 8, 'A packed array');
+      this.report.budget.spend(size / 8, 'A compressed array');
       const unpacked = inflateExactly(data, size);
       if (unpacked) return unpacked;
     }
-    return this.report.fail('bad-array', `A packed array is damaged: it does not unpack to ${size} bytes.`, offset);
+    return this.report.fail('bad-array', `A compressed array is damaged: it does not expand to ${size} bytes.`, offset);
   }
 }
 

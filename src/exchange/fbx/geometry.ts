@@ -61,7 +61,12 @@ export function meshOf(record: FbxRecord, report: FbxReport, effort: Effort): Fb
   }
   if (skipped > 0) {
     const what = skipped === 1 ? 'A polygon has' : `${skipped} polygons have`;
-    report.warn('bad-index', `${what} corners beyond the ${points.length / 3} points.`, record.offset, 'left out');
+    report.warn(
+      'bad-index',
+      `${what} corners that refer to missing points; there are ${points.length / 3}.`,
+      record.offset,
+      'left out',
+    );
   }
   vertices.addUnused();
   return {

@@ -17,7 +17,8 @@ export function lostOf(document: FbxDocument, nodes: readonly FbxNode[]): string
     return count === 0 ? [] : [`${count} ${count === 1 ? one : many}`];
   });
   const unplaced = document.objects.filter(({ kind }) => kind === 'Model').length - nodes.length;
-  if (unplaced > 0) lost.push(`${unplaced} ${unplaced === 1 ? 'model' : 'models'} outside the scene or too deep in it`);
+  if (unplaced > 0)
+    lost.push(`${unplaced} ${unplaced === 1 ? 'model' : 'models'} outside the scene or nested too deeply`);
   const isHidden = nodes.some(({ object }) => object.properties.number('Visibility') === 0);
   const isHiding = document.objects.some(
     ({ id, kind }) =>

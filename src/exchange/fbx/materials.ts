@@ -55,7 +55,7 @@ export class Materials {
     if (emits && !isEmitter) this.lost.add('emissive colours');
     const { color, link } = isEmitter ? emitted : base;
     if (links.some((own) => own !== link && own !== emitted.link)) {
-      this.lost.add('textures other than the diffuse one');
+      this.lost.add('textures other than diffuse');
     }
     const texture = link && this.textureOf(link.object);
     return texture === undefined ? { name, color } : { name, texture };
@@ -65,7 +65,7 @@ export class Materials {
   private textureOf(object: FbxObject): string | undefined {
     if (object.kind === 'LayeredTexture') {
       const [first, ...others] = partsOfKind(this.document, object, 'Texture');
-      if (others.length > 0) this.lost.add('layers of textures but the first');
+      if (others.length > 0) this.lost.add('texture layers after the first');
       return first && this.textureOf(first);
     }
     const known = this.names.get(object.id);
@@ -81,7 +81,7 @@ export class Materials {
   private embed(file: string, bytes: Uint8Array<ArrayBuffer>): string {
     const type = imageType(bytes);
     if (!type) {
-      this.lost.add(`the image ${file}, which is no PNG, JPEG, WebP or BMP`);
+      this.lost.add(`the image ${file}, which is not PNG, JPEG, WebP or BMP`);
       return file;
     }
     const pixels = tooManyPixels(bytes);

@@ -45,14 +45,14 @@ export function meshesOf(source: MeshSource, report: FbxReport): BuiltMesh[] {
     document.partsOf(object.id).flatMap(({ object: geometry }) => {
       if (geometry.kind !== 'Geometry') return [];
       if (geometry.type !== 'Mesh') {
-        lost.add(`shapes of the kind ${geometry.type || 'without a name'}`);
+        lost.add(`shapes of type ${geometry.type || 'unnamed'}`);
         return [];
       }
       const mesh = read.get(geometry.id) ?? meshOf(geometry.record, report, effort);
       read.set(geometry.id, mesh);
       if (mesh.vertexPoints.length === 0) return [];
       if (mesh.hasColors) lost.add('vertex colours');
-      if (mesh.texcoordSets > 1) lost.add('texture coordinates but the first set');
+      if (mesh.texcoordSets > 1) lost.add('texture coordinate sets after the first');
       // A mesh may be on many models.
       report.budget.spend(PER_MESH + PER_VERTEX * mesh.vertexPoints.length, 'A mesh');
       return [built(source, skins, i, geometry, mesh, (id) => indices.get(id) ?? -1)];
@@ -70,9 +70,9 @@ function built(
 ): BuiltMesh {
   const { object } = joints[index].node;
   const all = skinsOf(document, geometry, nodeOf).filter(({ clusters }) => clusters.length > 0);
-  if (all.length > 1) lost.add('skins of one mesh but the first');
+  if (all.length > 1) lost.add('skins of a mesh after the first');
   if (all.some(({ method }) => method === 'DualQuaternion' || method === 'Blend')) {
-    lost.add('dual quaternion skinning (the skin is linear)');
+    lost.add('dual quaternion skinning (linear skinning is used)');
   }
   const place = geometricMatrix(object);
   const skin = all.at(0);

@@ -12,18 +12,18 @@ export function readFbxFile(bytes: Uint8Array<ArrayBuffer>, report: Report): { f
   const isBinary = isBinaryFbx(bytes);
   const version = isBinary ? binaryVersion(bytes) : textVersion(bytes);
   if (version === undefined) {
-    const found = bytes.length === 0 ? 'an empty file' : 'neither the header of a binary one nor the comment of a text';
+    const found = bytes.length === 0 ? 'an empty file' : 'neither a binary header nor the comment of a text file';
     return refuse(report, 'not-fbx', `Expected an FBX file, found ${found}.`);
   }
   if (version < 7000) {
     const name = `${Math.floor(version / 1000)}.${Math.floor((version % 1000) / 100)}`;
-    const advice = 'Save it again as FBX 2011 or later, or convert it by Autodesk’s FBX Converter.';
+    const advice = 'Save it again as FBX 2011 or later, or convert it with Autodesk’s FBX Converter.';
     return refuse(report, 'old-version', `Expected FBX 7.0 or later, found version ${name}. ${advice}`);
   }
   const own = new FbxReport(report, bytes, !isBinary);
   const file = isBinary ? readBinary(bytes, own) : readAscii(bytes, own);
   if (file.records.some(({ name, values }) => /^(Encryption|Password)/.test(name) && values.length > 0)) {
-    return refuse(report, 'encrypted', 'The file is encrypted by a password. Save it again without one.');
+    return refuse(report, 'encrypted', 'The file is password-protected. Save it again without a password.');
   }
   return { file, report: own };
 }

@@ -203,16 +203,16 @@ function weightOf(
 
 function tellSpace({ isIdentity, up, isLeftHanded }: FbxAxes, metres: number, report: FbxReport): void {
   const unit = metres >= 1 ? `${Number(metres.toPrecision(6))} m` : `${Number((100 * metres).toPrecision(6))} cm`;
-  const turned = isIdentity ? 'y is up in the file, too' : `${up} is up in the file: it was turned so that y is`;
+  const turned = isIdentity ? 'y is up in the file as well' : `${up} is up in the file: it was turned so that y is`;
   const mirrored = isLeftHanded ? ', and mirrored, since its axes are left-handed' : '';
-  report.info('fbx-space', `One unit of length is ${unit}, as the file states; ${turned}${mirrored}.`);
+  report.info('fbx-space', `The length unit is ${unit}, as in the file; ${turned}${mirrored}.`);
 }
 
 function tellFitting({ nodes, keysBefore, keysAfter, spare }: Fitting, report: FbxReport): void {
   if (nodes.size === 0) return;
   if (spare <= 0) {
     const message = `Curves repeat or bend so often that they would need more than ${keysAfter} keys.`;
-    report.warn('curves-too-long', message, 0, 'fewer, further off than the tolerance');
+    report.warn('curves-too-long', message, 0, 'used fewer keys, outside the tolerance');
   }
   const what = nodes.size === 1 ? 'One node has' : `${nodes.size} nodes have`;
   report.info(

@@ -32,7 +32,7 @@ export function lossesOf(written: Written): readonly Loss[] {
       (name): Loss => ({
         code: 'texture-left-out',
         severity: 'warning',
-        message: `The texture ${name} is not in the file: it was not given, or is no image that viewers read.`,
+        message: `The texture ${name} is not in the file: it was not given, or is not an image that viewers read.`,
       }),
     ),
     ...leftOut(written),
@@ -103,7 +103,7 @@ function attachmentLosses({ character, options, figure, motions }: Written): rea
       code: 'weights-normalised',
       severity: 'warning',
       displacement,
-      message: `The weights of ${off.length} of ${vertexCount(skin)} vertices don't sum to 1. glTF needs that, so they were normalised, which moves a vertex by up to ${displacementText(displacement, size)}.`,
+      message: `The weights of ${off.length} of ${vertexCount(skin)} vertices don't sum to 1. glTF requires it, so they were normalised, which moves a vertex by up to ${displacementText(displacement, size)}.`,
     });
   }
   return losses;
@@ -163,7 +163,7 @@ function bindings({ figure: { skin }, character }: Written): readonly Loss[] {
     {
       code: 'bindings-in-blender',
       severity: 'info',
-      message: `${whose} scale or shear, which Blender's bones leave out: vertices are off there, but not in three.js and Babylon.`,
+      message: `${whose} scale or shear, which Blender's bones ignore: vertices are wrong there, but right in three.js and Babylon.`,
     },
   ];
 }
@@ -194,7 +194,7 @@ function chains({ figure: { joints } }: Written): readonly Loss[] {
     {
       code: 'joints-split',
       severity: 'info',
-      message: `Nodes of glTF can't shear: ${listed(names)} ${names.length === 1 ? 'is' : 'are'} written as chains of nodes, ${more} more than joints. The shape is the same.`,
+      message: `glTF nodes can't shear: ${listed(names)} ${names.length === 1 ? 'is' : 'are'} written as chains of nodes, ${more} more than joints. The shape is the same.`,
     },
   ];
 }
@@ -205,7 +205,8 @@ function splines({ options, motions }: Written): readonly Loss[] {
     {
       code: 'splines-in-blender',
       severity: 'info',
-      message: 'Blender ignores the tangents of cubic keys, and is off between them. Use linear keys for it.',
+      message:
+        'Blender ignores the tangents of cubic keys, so poses between keys are off there. Use linear keys for Blender.',
     },
   ];
 }
@@ -228,7 +229,7 @@ function leftOut({ character, options, motions, figure }: Written): readonly Los
     ),
     ...count(Math.max(0, skins.length - 1), 'other skin'),
     ...(skins.length === 0 ? count(morphs.length, 'morph without a skin', 'morphs without a skin') : []),
-    ...count(poses?.length ?? 0, 'pose of the library', 'poses of the library'),
+    ...count(poses?.length ?? 0, 'pose in the library', 'poses in the library'),
     ...count(placements.length - 1, 'further instance'),
     ...(driver ? count(clips.length, 'take of its own', 'takes of its own') : []),
     ...(options.take === undefined || driver ? [] : count(clips.length - motions.length, 'other take')),

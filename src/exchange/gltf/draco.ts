@@ -60,7 +60,7 @@ function unpacked(
   const mesh = new module.Mesh();
   try {
     buffer.Init(new Int8Array(bytes), bytes.length);
-    if (decoder.GetEncodedGeometryType(buffer) !== module.TRIANGULAR_MESH) throw new Error('it is no mesh');
+    if (decoder.GetEncodedGeometryType(buffer) !== module.TRIANGULAR_MESH) throw new Error('it is not a mesh');
     const status = decoder.DecodeBufferToMesh(buffer, mesh);
     if (!status.ok()) throw new Error(status.error_msg());
     const points = mesh.num_points();

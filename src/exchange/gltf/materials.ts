@@ -55,8 +55,8 @@ export async function readMaterials(
     const webp = extensionOf(texture, 'EXT_texture_webp')?.source;
     const index = countOf(texture.source ?? webp);
     if (index === undefined) {
-      if (extensionOf(texture, 'KHR_texture_basisu')) remarks.leaveOut('textures of Basis Universal (KTX2)');
-      if (extensionOf(texture, 'EXT_texture_avif')) remarks.leaveOut('textures of AVIF');
+      if (extensionOf(texture, 'KHR_texture_basisu')) remarks.leaveOut('Basis Universal textures (KTX2)');
+      if (extensionOf(texture, 'EXT_texture_avif')) remarks.leaveOut('AVIF textures');
       return undefined;
     }
     if (!images.has(index)) images.set(index, await readImage(document.at('images', index, 'A texture'), index));
@@ -88,7 +88,7 @@ export async function readMaterials(
     const mime = mimeOf(bytes) ?? stated;
     const extension = EXTENSIONS[mime ?? ''];
     if (!mime || !extension) {
-      remarks.leaveOut(`the image ${index}, which is ${mime ?? 'of no known type'}`);
+      remarks.leaveOut(`the image ${index}, which is ${mime ?? 'of unknown type'}`);
       return undefined;
     }
     const file = uri === undefined || uri.startsWith('data:') ? undefined : baseName(unescaped(uri));

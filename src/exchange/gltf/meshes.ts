@@ -104,7 +104,7 @@ export class Meshes {
     if (!positions) return undefined;
     const wrong = firstNotFinite(positions);
     if (wrong >= 0) {
-      const message = `${called} has a position of vertex ${Math.floor(wrong / 3)} that is no finite number.`;
+      const message = `${called} has a position of vertex ${Math.floor(wrong / 3)} that is not a finite number.`;
       throw new ImportError('number-not-finite', message);
     }
     const normals = this.joined(parts, 'NORMAL', 3, total, called);
@@ -168,7 +168,7 @@ export class Meshes {
         if (/^TEXCOORD_/.test(name) && name !== `TEXCOORD_${part.mapping?.set ?? 0}`) {
           this.remarks.leaveOut('further texture coordinates');
         }
-        if (/^COLOR_/.test(name)) this.remarks.leaveOut('colours of vertices');
+        if (/^COLOR_/.test(name)) this.remarks.leaveOut('vertex colours');
       }
       const found = this.attribute(part, `TEXCOORD_${part.mapping?.set ?? 0}`, 2, called);
       if (!found || found.count !== part.count || firstNotFinite(found.values) >= 0) continue;
@@ -190,7 +190,10 @@ export class Meshes {
       : undefined;
     const beyond = corners?.find((v) => !(v < part.count));
     if (beyond !== undefined) {
-      throw new ImportError('index-out-of-range', `${called} has the index ${beyond}, but ${part.count} vertices.`);
+      throw new ImportError(
+        'index-out-of-range',
+        `${called} has the index ${beyond}, but only ${part.count} vertices.`,
+      );
     }
     const at = (i: number) => part.first + (corners ? corners[i] : i);
     const n = corners ? corners.length : part.count;
@@ -213,7 +216,7 @@ export class Meshes {
     const joints = listOf(json.joints).map((joint) => {
       const own = indexOf.get(countOf(joint) ?? -1);
       if (own !== undefined) return own;
-      throw new ImportError('index-out-of-range', `Skin ${index} has the joint ${shown(joint)}, which is no node.`);
+      throw new ImportError('index-out-of-range', `Skin ${index} has the joint ${shown(joint)}, which is not a node.`);
     });
     const inverseBinds = new Float64Array(16 * joints.length);
     if (json.inverseBindMatrices === undefined) {

@@ -64,7 +64,7 @@ function listOthers(document: Document, remarks: Remarks): void {
   }
   const shapes = required.filter((e) => !looks.includes(e));
   if (shapes.length) {
-    const message = `The file requires ${shapes.join(', ')}, which Marrow doesn't read: joints or vertices may be wrong without. Open it in a program that reads it, such as Blender, and export it without.`;
+    const message = `The file requires ${shapes.join(', ')}, which Marrow doesn't read: without it, joints or vertices could be wrong. Open the file in a program that reads it, such as Blender, and export it without.`;
     throw new ImportError('extension-unsupported', message);
   }
 }

@@ -150,7 +150,7 @@ function readSampler(
   const times = input.values.subarray(0, keys);
   const values = output.values.subarray(0, keys * perKey);
   const wrong = firstNotFinite(times) >= 0 || firstNotFinite(values) >= 0;
-  if (wrong) throw new ImportError('number-not-finite', `${called} has a key that is no finite number.`);
+  if (wrong) throw new ImportError('number-not-finite', `${called} has a key that is not a finite number.`);
   return sorted({ interpolation, times, width, values }, called, remarks);
 }
 

@@ -139,7 +139,12 @@ export class KeySink implements NumberSink {
     if (!doubled) return;
     const more = doubled.count > 1 ? ` (and ${doubled.count - 1} more such pairs)` : '';
     const message = `Found two keys at time ${doubled.time}${more}.`;
-    t.report.warn('keys-at-one-time', message, doubled.place, 'made a step: the later key applies from that time on');
+    t.report.warn(
+      'keys-at-one-time',
+      message,
+      doubled.place,
+      'read as a step: the later key applies from that time on',
+    );
   }
 
   private grow(rows: number): void {

@@ -22,7 +22,7 @@ import { Text, UnwritableError } from '../write-text.ts';
 export function writeAnim(clip: ChannelClip, fileName = ''): WriteResult {
   // No reader takes such a file.
   if (clip.channels.length === 0)
-    throw new UnwritableError(`Expected channels in ${clip.name}, found none: key a DOF.`);
+    throw new UnwritableError(`Expected channels in ${clip.name}, found none. Key a DOF first.`);
   const text = new Text(fileName);
   text.line(0, 'animation {');
   text.about('the range');

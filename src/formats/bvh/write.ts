@@ -41,7 +41,8 @@ export function fitOneBvh(figures: readonly CapturedFigure[]): boolean {
  * @throws Error for figures with different frames (see `fitOneBvh`), other motions, and keyed channels
  */
 export function writeBvh(figures: readonly CapturedFigure[], fileName = ''): WrittenPieces {
-  if (!fitOneBvh(figures)) throw new Error('Figures in one .bvh file need the same frames: write one file per figure.');
+  if (!fitOneBvh(figures))
+    throw new Error('Skeletons in one .bvh file must have the same frames. Write one file per skeleton.');
   const text = new Text(fileName);
   text.line(0, 'HIERARCHY');
   for (const { skeleton } of figures) writeTree(text, skeleton.joints);
@@ -93,7 +94,7 @@ function writeTree(text: Text, joints: readonly Joint[]): void {
 function channelsOf({ name, motion }: Joint): readonly BvhChannel[] {
   const channels = bvhChannelsOf(motion);
   if (channels) return channels;
-  throw new Error(`${name || 'A joint'} is no joint of BVH, but a ${jointTypeOf(motion).keyword}: make it one first.`);
+  throw new Error(`${name || 'A joint'} is a ${jointTypeOf(motion).keyword}, not a BVH joint. Convert it first.`);
 }
 
 /** Source of a column in the file: value · factor + plus, at every `width`th value. */
@@ -112,7 +113,7 @@ function columnsOf({ skeleton, clip }: CapturedFigure): readonly Column[] {
   return skeleton.joints.flatMap((joint, j) =>
     dofsOf(joint.motion).map(({ name, unit }, d): Column => {
       const channel = clip?.channels[starts[j] + d];
-      if (channel?.kind === 'keys') throw new Error(`${joint.name}.${name} has keys: sample them first.`);
+      if (channel?.kind === 'keys') throw new Error(`${joint.name}.${name} has keys. Resample them to frames first.`);
       const unitOfFile = unit === 'angle' ? RADIANS_PER_DEGREE : 1;
       const plus = unit === 'angle' ? 0 : addedTo(skeleton, j, name);
       const { samples } = clip ?? {};

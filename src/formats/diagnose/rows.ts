@@ -89,7 +89,7 @@ function regular(lines: TextLines, block: string, row: Row, length: number, layo
   const words = wordsOf(lines, row.line);
   const texts = words.map((word) => numberOf(lines, word, layout));
   const where = block === '' ? 'in this row' : `in this row of ${block}`;
-  const message = `Expected ${length} numbers ${where}, as in its neighbours, found ${words.length}.`;
+  const message = `Expected ${length} numbers ${where}, as in neighbouring rows, found ${words.length}.`;
   const edit = (kept: readonly string[]) => rewritten(lines, row.line, kept, words, length, message);
   if (texts.length === length) return [edit(texts)];
   if (texts.length > length) return [edit(texts.slice(0, length)), edit(texts.slice(texts.length - length))];
@@ -112,12 +112,12 @@ function pairs(lines: TextLines, block: string, row: Row, layout: TextLayout): r
   const texts = words.map((word) => numberOf(lines, word, layout));
   if (isCount && Math.abs(words.length - length) <= 1) {
     const kept = words.length < length ? [...texts, '0'] : texts.slice(0, length);
-    const message = `Expected ${length} numbers in this row of ${block}, ${count}, then a joint and a weight for each; found ${words.length}.`;
+    const message = `This row of ${block} needs ${length} numbers: the count ${count}, then a joint and a weight for each. It has ${words.length}.`;
     return [rewritten(lines, row.line, kept, words, length, message)];
   }
   // The count itself is missing, or wrong.
   const rest = words.length % 2 === 0 ? texts : texts.slice(1);
-  const expected = `Expected ${rest.length / 2} at the start of this row of ${block}, the number of its attachments`;
+  const expected = `Expected the number of attachments, ${rest.length / 2}, at the start of this row of ${block}`;
   const message = `${expected}, found ${quoted(lines, first)}.`;
   return [rewritten(lines, row.line, [`${rest.length / 2}`, ...rest], words, 0, message)];
 }

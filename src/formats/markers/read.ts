@@ -21,7 +21,7 @@ function rowsIn(text: string, report: Report): readonly unknown[] | undefined {
     found = JSON.parse(text);
   } catch (error) {
     const why = error instanceof Error ? error.message : String(error);
-    report.error('json-wrong', `Expected JSON, found something else: ${why}`, WHOLE_FILE);
+    report.error('json-wrong', `Expected JSON: ${why}`, WHOLE_FILE);
     return undefined;
   }
   if (Array.isArray(found)) return found;

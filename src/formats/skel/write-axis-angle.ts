@@ -22,6 +22,6 @@ export function writeAxisAngleTree(text: Text, { joints, name }: Skeleton): void
   const named = joints.filter((joint) => joint.name !== '').length;
   if (named) {
     const what = named === 1 ? '1 named joint' : `${named} named joints`;
-    text.left('names-left-out', `The axis-angle form stores no joint names; ${name} has ${what}.`);
+    text.left('names-left-out', `The axis-angle form stores no joint names, and ${name} has ${what}.`);
   }
 }

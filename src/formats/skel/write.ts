@@ -25,7 +25,7 @@ export function writeSkel(skeletons: readonly Skeleton[], fileName = ''): WriteR
     tellForm(text, skeleton, skeletons.length);
     const { joints } = skelSkeleton(skeleton);
     const ends = joints.reduce((sum, { endSites = [] }) => sum + endSites.length, 0);
-    if (ends) text.left('end-sites-left-out', `A .skel file stores no End Sites; ${skeleton.name} has ${ends}.`);
+    if (ends) text.left('end-sites-left-out', `A .skel file stores no End Sites, and ${skeleton.name} has ${ends}.`);
     const turned = joints.filter(({ restAngles }) => restAngles).length;
     if (turned) {
       const message = `A .skel file stores no rest orientations; ${skeleton.name} has ${turned}.`;
@@ -39,7 +39,7 @@ export function writeSkel(skeletons: readonly Skeleton[], fileName = ''): WriteR
 /** Reports a skeleton from the axis-angle form that no longer fits it. */
 function tellForm(text: Text, skeleton: Skeleton, count: number): void {
   if (skeleton.form !== 'axis-angle') return;
-  const why = axisAngleObstacle(skeleton) ?? `it holds one tree, and there are ${count}.`;
+  const why = axisAngleObstacle(skeleton) ?? `it holds one skeleton, and there are ${count}.`;
   text.changedForm(`${skeleton.name} can't be written in axis-angle form: ${why}`);
 }
 

@@ -80,7 +80,7 @@ export class TriangleSink implements NumberSink {
     } else if (positions && this.vertices !== undefined && vertices < this.vertices) {
       const named = this.namedBelow(this.vertices);
       if (named <= vertices) return;
-      const message = `Expected positions of ${named} vertices, which triangles name, found ${vertices}; they replace others.`;
+      const message = `Triangles use ${named} vertices, but these positions, which replace earlier ones, are only ${vertices}.`;
       t.report.error('index-out-of-range', message, t.placeOf(positions, 'error'));
     }
   }

@@ -32,7 +32,7 @@ export function textureReader(fileName: string): Reader<Texture> {
   return bytesReader(fileName, (bytes, report) => {
     const found = tooManyPixels(bytes);
     if (found !== undefined) {
-      const now = `Textures have up to ${MAX_SIDE} in each direction and 100 million in all. Scale it down.`;
+      const now = `A texture may have up to ${MAX_SIDE} pixels per side and 100 million in total. Scale it down.`;
       report.error('texture-too-large', `The image has ${found} pixels. ${now}`, NO_PLACE);
       return undefined;
     }

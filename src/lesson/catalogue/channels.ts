@@ -34,7 +34,7 @@ export const CHANNELS: readonly Mistake[] = [
     code: 'tangent-smooth-mean',
     subject: 'channels',
     sentence: () =>
-      "Smooth tangents are the mean of the two segments' slopes; take the slope from the key before to the key after.",
+      "Your smooth tangents are the mean of the two segments' slopes. They should be the slope from the previous key to the next one.",
     formula: SMOOTH_FORMULA,
     variants: [inCurves('', { smooth: 'mean of segments' })],
   },
@@ -52,21 +52,24 @@ export const CHANNELS: readonly Mistake[] = [
   {
     code: 'tangent-smooth-flat-ends',
     subject: 'channels',
-    sentence: () => 'Smooth tangents of the first and last key are 0; they have the slope of their segment.',
+    sentence: () =>
+      'Your smooth tangents are 0 at the first and last key. They should be the slope of the adjoining segment.',
     formula: SMOOTH_FORMULA,
     variants: [inCurves('', { smoothEnds: 'flat' })],
   },
   {
     code: 'tangent-linear-neighbour',
     subject: 'channels',
-    sentence: () => "Linear tangents take the other side's segment; in is the segment before, out the one after.",
+    sentence: () =>
+      'Your linear tangents use the segment on the other side. In should be the slope of the segment before the key, out that of the segment after it.',
     formula: 'in: (v[i] − v[i−1]) / (t[i] − t[i−1]); out: (v[i+1] − v[i]) / (t[i+1] − t[i])',
     variants: [inCurves('', { linear: 'other side' })],
   },
   {
     code: 'tangents-swapped',
     subject: 'channels',
-    sentence: () => 'In and out tangents are exchanged: a key has time, value, in, out; a segment uses out, then in.',
+    sentence: () =>
+      'You swap in and out tangents. A key lists time, value, in, out; a segment should use the out of its first key and the in of its second.',
     formula: 'keys { time value tan_in tan_out }',
     variants: SWAPPED.flatMap(([swapped, detail]) => [
       inCurves(detail, { swapped }),
@@ -76,14 +79,15 @@ export const CHANNELS: readonly Mistake[] = [
   {
     code: 'tangents-unscaled',
     subject: 'channels',
-    sentence: () => 'Slopes are not multiplied by the length of the segment.',
+    sentence: () =>
+      "You don't multiply slopes by the length of the segment. They are per second and should be multiplied by t₁ − t₀.",
     formula: HERMITE_FORMULA,
     variants: [inCurves('', { isScaled: false })],
   },
   {
     code: 'tangents-ignored',
     subject: 'channels',
-    sentence: () => 'Keys are joined by straight lines; each segment is a cubic by its tangents.',
+    sentence: () => 'You join keys by straight lines. Each segment should be a cubic Hermite curve.',
     formula: HERMITE_FORMULA,
     variants: [
       inCurves('lines', { between: 'line' }),
@@ -93,14 +97,14 @@ export const CHANNELS: readonly Mistake[] = [
   {
     code: 'stepped',
     subject: 'channels',
-    sentence: () => 'The value of the key before is held; each segment is a cubic.',
+    sentence: () => "You hold the previous key's value. Each segment should be a cubic Hermite curve.",
     formula: HERMITE_FORMULA,
     variants: [inCurves('', { between: 'step' })],
   },
   {
     code: 'extrapolation-ignored',
     subject: 'channels',
-    sentence: (detail) => `The end value is held ${detail}, whatever the channel says; extrapolate as it says.`,
+    sentence: (detail) => `You hold the end value ${detail}. The channel's extrapolation should be used.`,
     formula: 'extrapolate IN OUT: constant, linear, cycle, cycle_offset, bounce',
     variants: [
       inCurves('before the first and after the last key', { held: 'outside' }),
@@ -119,7 +123,7 @@ export const CHANNELS: readonly Mistake[] = [
   {
     code: 'cycle-offset-missing',
     subject: 'channels',
-    sentence: () => 'cycle_offset repeats without its offset; add the change over a period for each period.',
+    sentence: () => 'Your cycle_offset repeats without its offset. Each period should add v_last − v_first.',
     formula: OFFSET_FORMULA,
     variants: [inCurves('', { cycleOffset: 'none' })],
   },
@@ -158,21 +162,22 @@ export const CHANNELS: readonly Mistake[] = [
     code: 'cycle-offset-before',
     subject: 'channels',
     sentence: () =>
-      'Before the first key the offset of cycle_offset is added; n is negative there, so it is subtracted.',
+      'Your cycle_offset adds its offset before the first key. There n is negative, so the offset should be subtracted.',
     formula: 'n = ⌊(t − t_first) / P⌋',
     variants: [inCurves('', { cycleOffset: 'always added' })],
   },
   {
     code: 'bounce-as-cycle',
     subject: 'channels',
-    sentence: () => 'bounce repeats like cycle; every other period runs backwards.',
+    sentence: () => 'Your bounce repeats like cycle. Every other period should run backwards.',
     formula: 'n odd: p(t_last − (t − t_first − n·P))',
     variants: [inCurves('', { bounce: 'none' })],
   },
   {
     code: 'bounce-parity',
     subject: 'channels',
-    sentence: (detail) => `bounce runs backwards in the wrong periods (${detail}); it does in those with odd n.`,
+    sentence: (detail) =>
+      `Your bounce runs backwards in the wrong periods (${detail}). It should run backwards where n is odd.`,
     formula: 'n odd: p(t_last − (t − t_first − n·P))',
     variants: [
       inCurves('even ones', { bounce: 'even periods' }),
@@ -183,7 +188,7 @@ export const CHANNELS: readonly Mistake[] = [
     code: 'modulo-negative',
     subject: 'channels',
     sentence: (detail) =>
-      `fmod of a negative time is negative, so ${detail}; fold times before the first key with floor.`,
+      `Your fmod of a negative time is negative, so ${detail}. Times before the first key should be folded with floor.`,
     formula: 'n = ⌊(t − t_first) / P⌋, t − n·P',
     variants: MODULO.flatMap(([modulo, detail]) => [
       modulo.endsWith('first') ? finer(inCurves(detail, { modulo })) : inCurves(detail, { modulo }),
@@ -193,7 +198,7 @@ export const CHANNELS: readonly Mistake[] = [
   {
     code: 'period-of-range',
     subject: 'channels',
-    sentence: () => "The period is that of the range; it is from the channel's first key to its last.",
+    sentence: () => "You use the range as the period. It should be the time from the channel's first key to its last.",
     formula: 'P = t_last − t_first',
     variants: [
       inCurves("counted from the range's start", { period: 'range' }),
@@ -205,7 +210,8 @@ export const CHANNELS: readonly Mistake[] = [
   {
     code: 'linear-extrapolation-slope',
     subject: 'channels',
-    sentence: () => 'Linear extrapolation continues the end segment; its slope is that of the tangent.',
+    sentence: () =>
+      'Your linear extrapolation uses the slope of the end segment. It should use the tangent of the end key.',
     formula: 'tan_in of the first key, tan_out of the last',
     variants: [inCurves('', { linearSlope: 'segment' })],
   },
@@ -226,7 +232,7 @@ export const CHANNELS: readonly Mistake[] = [
   {
     code: 'hermite-basis',
     subject: 'channels',
-    sentence: (detail) => `A coefficient of the cubic is wrong: ${detail}.`,
+    sentence: (detail) => `A coefficient of your cubic is wrong: ${detail}.`,
     formula: 'a = 2p₀ − 2p₁ + m₀ + m₁; b = −3p₀ + 3p₁ − 2m₀ − m₁; c = m₀; d = p₀',
     variants: hermiteVariants(),
   },
@@ -259,7 +265,7 @@ function hermiteVariants(): readonly Variant[] {
     for (const [c1, c2] of PAIRS) {
       const [i, j] = [4 * row + c1, 4 * row + c2];
       add(
-        `${INPUTS[c1]} and ${INPUTS[c2]} exchanged in ${ROWS[row]}`,
+        `${INPUTS[c1]} and ${INPUTS[c2]} swapped in ${ROWS[row]}`,
         HERMITE.map((v, k) => (k === i ? HERMITE[j] : k === j ? HERMITE[i] : v)),
       );
     }
@@ -267,11 +273,11 @@ function hermiteVariants(): readonly Variant[] {
   for (const [x, y] of PAIRS) {
     const other = (at: number) => (at === x ? y : at === y ? x : at);
     add(
-      `${ROWS[x]} and ${ROWS[y]} exchanged`,
+      `${ROWS[x]} and ${ROWS[y]} swapped`,
       HERMITE.map((_, k) => HERMITE[4 * other(Math.floor(k / 4)) + (k % 4)]),
     );
     add(
-      `${INPUTS[x]} and ${INPUTS[y]} exchanged`,
+      `${INPUTS[x]} and ${INPUTS[y]} swapped`,
       HERMITE.map((_, k) => HERMITE[4 * Math.floor(k / 4) + other(k % 4)]),
     );
   }

@@ -47,7 +47,7 @@ export const KINEMATICS: readonly Mistake[] = [
     code: 'rotation-sign',
     subject: 'kinematics',
     sentence: (detail) =>
-      `Rotations turn the wrong way: ${detail}. Positive angles turn counter-clockwise about the axis.`,
+      `Your rotations turn the wrong way: ${detail}. Positive angles should turn counter-clockwise about the axis.`,
     formula: 'Rx(φ) = (1 0 0; 0 cos φ −sin φ; 0 sin φ cos φ)',
     variants: overJoints([
       ...SIGNS.map(([detail, are]): Rule => [detail, (breadth) => ({ signs: { are, for: breadth } })]),
@@ -57,14 +57,14 @@ export const KINEMATICS: readonly Mistake[] = [
   {
     code: 'degrees-for-radians',
     subject: 'kinematics',
-    sentence: () => 'Angles in degrees are used as radians. Convert degrees to radians once; sin and cos take radians.',
+    sentence: () => 'You use degrees as radians. Angles should be converted to radians once; sin and cos take radians.',
     formula: 'φ [rad] = φ [°]·π/180',
     variants: angles(1 / DEGREE),
   },
   {
     code: 'radians-for-degrees',
     subject: 'kinematics',
-    sentence: () => 'Angles in radians are converted as if they were degrees. They are radians in the file already.',
+    sentence: () => 'You convert angles to radians although they already are. They should be used as in the file.',
     formula: 'φ [rad] as in the file',
     variants: angles(DEGREE),
   },
@@ -81,28 +81,28 @@ export const KINEMATICS: readonly Mistake[] = [
   {
     code: 'concatenation-order',
     subject: 'kinematics',
-    sentence: () => 'You multiply L·W of the parent; it should be W of the parent times L.',
+    sentence: () => 'You multiply L·W_parent; it should be W_parent·L.',
     formula: 'W = W_parent·L',
     variants: [inJoints('L·W_parent', { concatenation: 'parent last' })],
   },
   {
     code: 'no-parent',
     subject: 'kinematics',
-    sentence: () => "Local matrices are used as world matrices; each must be multiplied by its parent's world matrix.",
+    sentence: () => "You use local matrices as world matrices. Each should be multiplied by its parent's world matrix.",
     formula: 'W = W_parent·L',
     variants: [inJoints('W = L', { concatenation: 'no parent' })],
   },
   {
     code: 'parent-offset-missing',
     subject: 'kinematics',
-    sentence: () => "The offset of joints is ignored; it is the joint's position in its parent's space.",
+    sentence: () => "You ignore joint offsets. The offset should place a joint in its parent's space.",
     formula: 'L = T(offset)·J(φ)',
     variants: [inJoints('offset 0', { offset: 'none' })],
   },
   {
     code: 'no-root-translation',
     subject: 'kinematics',
-    sentence: () => 'The translation of the root is ignored: the first three channels move the whole character.',
+    sentence: () => 'You ignore the root translation. The first three channels should move the whole character.',
     formula: 'L_root = T(offset + t)·J(φ)',
     variants: [
       inJoints('t = 0', { root: 'stays at 0' }),
@@ -112,14 +112,15 @@ export const KINEMATICS: readonly Mistake[] = [
   {
     code: 'limits-not-applied',
     subject: 'kinematics',
-    sentence: () => 'Limits are not applied: clamp each DOF to its limits before making the matrix.',
+    sentence: () => "You don't apply limits. Each DOF should be clamped to its limits before its matrix is built.",
     formula: 'φ = min(max, max(min, φ))',
     variants: [inJoints('', { hasLimits: false })],
   },
   {
     code: 'pose-ignored',
     subject: 'kinematics',
-    sentence: () => 'The pose is ignored: all DOFs are at rest.',
+    sentence: () =>
+      'You ignore the pose: all DOFs are at rest. They should have the values of the pose, or of the channels at that time.',
     formula: 'φ = pose, or the channel at the time',
     variants: (['rest', 'rest, root at 0', 'rest, root at offset'] as const).flatMap((pose) => [
       pose === 'rest' ? inJoints(pose, { pose }) : finer(inJoints(pose, { pose })),
@@ -130,11 +131,11 @@ export const KINEMATICS: readonly Mistake[] = [
     code: 'breadth-first',
     subject: 'kinematics',
     sentence: (detail) =>
-      `You count ${detail} level by level; the order is depth-first: a joint, then all its descendants.`,
+      `You count ${detail} level by level; the order should be depth-first: a joint, then all its descendants.`,
     formula: 'joints and their DOFs in depth-first pre-order',
     variants: [false, true].flatMap((isInverse) =>
       (['joints', 'dofs', 'both'] as const).map((of) => {
-        const variant = inJoints(`${COUNTED[of]}${isInverse ? ', put in their places' : ''}`, {
+        const variant = inJoints(`${COUNTED[of]}${isInverse ? ', each put in its proper place' : ''}`, {
           breadthFirst: { of, isInverse },
         });
         return isInverse ? finer(variant) : variant;
@@ -144,7 +145,7 @@ export const KINEMATICS: readonly Mistake[] = [
   {
     code: 'dof-order',
     subject: 'kinematics',
-    sentence: () => 'The three angles of a joint are read as z y x; they are x y z.',
+    sentence: () => 'You read the three angles of a joint as z y x; they should be x y z.',
     formula: 'pose x y z; channels x y z of each joint',
     variants: overJoints([
       ['z y x', (breadth) => ({ dofOrder: { isReversed: true, for: breadth, withRoot: true } })],
@@ -153,22 +154,22 @@ export const KINEMATICS: readonly Mistake[] = [
   },
   mapped(
     'matrix-inverse',
-    'World matrices are inverted: they lead from joint space to world space.',
+    'Your world matrices are inverted. They should lead from joint space to world space.',
     'W = W_parent·L',
     ['inverse'],
   ),
-  mapped('handedness', 'The z axis is mirrored: axes are right-handed, y up.', 'x × y = z', [
+  mapped('handedness', 'Your z axis is mirrored. Axes should be right-handed, with y up.', 'x × y = z', [
     'mirror z',
     'mirror z of points',
   ]),
-  mapped('y-z-swapped', 'The axes y and z are exchanged: y is up.', 'x right, y up, z towards you', [
+  mapped('y-z-swapped', 'Your y and z axes are swapped. y should be up.', 'x right, y up, z towards you', [
     'swap y z',
     'swap y z of points',
   ]),
   {
     code: 'bvh-position-added',
     subject: 'kinematics',
-    sentence: () => 'Position channels are added to OFFSET; they replace it.',
+    sentence: () => 'You add position channels to OFFSET. They should replace it.',
     formula: 'L = T(position channels)·R',
     variants: [inJoints('OFFSET + channels', { bvhPositions: 'added' })],
   },
@@ -176,7 +177,7 @@ export const KINEMATICS: readonly Mistake[] = [
     code: 'bvh-channel-order',
     subject: 'kinematics',
     sentence: (detail) =>
-      `Rotation channels are taken in another order (${detail}); multiply them from left to right as listed.`,
+      `You apply rotation channels in another order (${detail}). They should be multiplied from left to right, as listed.`,
     formula: 'CHANNELS 3 Zrotation Xrotation Yrotation: R = Rz·Rx·Ry',
     variants: [
       inJoints('reversed', { bvhOrder: 'reversed' }),
@@ -191,7 +192,7 @@ export const KINEMATICS: readonly Mistake[] = [
   {
     code: 'bvh-degrees',
     subject: 'kinematics',
-    sentence: () => 'Rotation channels are used as radians; they are degrees.',
+    sentence: () => 'You use rotation channels as radians. They are in degrees and should be converted.',
     formula: 'φ [rad] = channel·π/180',
     variants: [inJoints('', { bvhDegrees: true })],
   },

@@ -48,7 +48,7 @@ export function evenly(
     const wrong = entries.find(({ numbers }) => numbers.length !== each) ?? entries[0];
     throw new Misfit(
       'dump-length',
-      `Expected ${each} numbers as for the others, found ${wrong.numbers.length}.`,
+      `Expected ${each} numbers, as in the other entries, found ${wrong.numbers.length}.`,
       wrong.line,
     );
   }

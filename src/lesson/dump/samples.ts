@@ -23,7 +23,7 @@ export function readSamples(
   if (channels === 0)
     throw new Misfit(
       'dump-length',
-      'Expected an animation whose channels these are, found none among the files.',
+      'These look like channel values. Expected the .anim with these channels, found none among the files.',
       line,
     );
   const rows = lines.length;
@@ -104,7 +104,7 @@ function misfitOf({ values, starts, lines }: DumpBlock, times: number, channels:
   const found = times > 1 ? counted(values.length, 'value') : counted(starts[row + 1] - starts[row], 'number');
   return new Misfit(
     'dump-length',
-    `Expected ${expected}, found ${found}. Single channels can be headed "channel N".`,
+    `Expected ${expected}, found ${found}. A single channel can be labelled "channel N".`,
     lines[row] ?? 0,
   );
 }

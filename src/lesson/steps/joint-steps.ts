@@ -106,7 +106,7 @@ function factorsBefore(skeleton: Skeleton, joint: number, dofs: Float64Array): r
   const factors: Factor[] = [
     {
       symbol: ['T(offset)'],
-      law: isReplaced ? 'v + offset; 0 where a position channel replaces it' : 'v + offset',
+      law: isReplaced ? 'v + offset; offset is 0 where a position channel replaces it' : 'v + offset',
       matrix: translation(used),
       dofs: [],
     },

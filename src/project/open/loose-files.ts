@@ -47,7 +47,7 @@ export function openPoses(opening: Opening, file: PoseFile): void {
   const known = opening.characters.withFile(file.source);
   const target = fittingCharacter(file, [...known, ...(meant ? [meant] : []), ...fresh, ...characters]);
   if (!target) {
-    opening.unused.push({ file, why: 'No open character has the joints of its poses.' });
+    opening.unused.push({ file, why: 'No open character has the joints in these poses.' });
     return;
   }
   const { character, diagnostics } = givePoses(target, file, opening.called);
@@ -62,7 +62,7 @@ export function openMarkers(opening: Opening, file: MarkersFile): void {
   const characters = opening.characters.all;
   const found = takeCalled(file.source, [...characters.filter((c) => opening.opened.has(c.id)), ...characters]);
   if (!found) {
-    opening.unused.push({ file, why: 'No open take has the name of these markers.' });
+    opening.unused.push({ file, why: 'No open take has the name of this markers file.' });
     return;
   }
   const { character, clip } = found;
@@ -104,6 +104,6 @@ export function dressAll(opening: Opening): void {
   const shown = opening.characters.all.flatMap((c) => c.textures);
   for (const file of opening.textures) {
     if (file.kind !== 'texture' || shown.includes(file.texture)) continue;
-    opening.unused.push({ file, why: 'No open skin names it as its texture.' });
+    opening.unused.push({ file, why: 'No open skin uses it as a texture.' });
   }
 }

@@ -103,7 +103,7 @@ function takesOutput(name: string, roots: readonly Owned[], { framesPerSecond }:
   });
   if (!fitOneBvh(figures.map(({ figure }) => figure))) {
     throw new Error(
-      `The figures of ${name} now have different frames, but one .bvh file needs the same frames for all: ` +
+      `The skeletons in ${name} now have different frames, but one .bvh file needs the same frames for all: ` +
         'trim and resample them to match, or rename the takes to save each one separately.',
     );
   }

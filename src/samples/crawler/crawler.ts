@@ -13,7 +13,7 @@ export function crawlerSample(): Sample {
   return {
     id: 'crawler',
     label: 'Crawler',
-    description: 'A beetle on six legs: a tripod gait, three feet down while three step.',
+    description: 'A six-legged beetle with a tripod gait: three feet stay down while three step.',
     skeleton: CRAWLER_SKELETON,
     skin: buildCrawlerMesh().skin('crawler', bindingMatrices(posedFrames(CRAWLER_SKELETON)), {
       name: 'crawler',

@@ -24,7 +24,7 @@ export function jointsSample(): Sample {
   return {
     id: 'joints',
     label: 'Joint types',
-    description: 'Every type of joint side by side, each moving one degree of freedom after the other.',
+    description: 'Every joint type side by side, each moving its degrees of freedom in turn.',
     skeleton,
     skin: buildJointsMesh(world).skin('joints', world, { name: 'joints', texture: 'joints.png' }),
     morphs: [],

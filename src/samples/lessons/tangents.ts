@@ -153,7 +153,7 @@ export function tangentsSample(): Sample {
   return {
     id: 'tangents',
     label: 'Tangents',
-    description: 'An arm whose joints show one kind of extrapolation each, and every kind of tangent.',
+    description: 'An arm with every kind of tangent, each joint showing one kind of extrapolation.',
     skeleton: SKELETON,
     skin: mesh.skin('tangents', bindingMatrices(posedFrames(SKELETON)), { name: 'arm', texture: 'tangents.png' }),
     morphs: [],

@@ -12,8 +12,8 @@ export function aboutDialog(wb: Uses<'offline'>): DialogContent {
       {},
       'A workbench for text-based character animation: skeletons, skins, morphs, keyframes and motion capture.',
     ),
-    element('p', {}, 'Drop .bvh, .skel, .skin, .morph, .anim and .rig files anywhere, in folders or a zip.'),
-    element('p', {}, 'Characters of other programs open too: .gltf, .glb, .vrm, .fbx.'),
+    element('p', {}, 'Drop .bvh, .skel, .skin, .morph, .anim and .rig files anywhere, or a folder or zip of them.'),
+    element('p', {}, 'Characters from other programs open too: .gltf, .glb, .vrm, .fbx.'),
     element('p', {}, 'Everything runs in this page. Nothing is uploaded.'),
     worksOffline(wb),
   );

@@ -20,7 +20,7 @@ const isComparing = (wb: Uses<'timeline'>) => wb.timeline.takes.comparison.get()
 const needsSeveral = needs(
   (wb: Uses<'store' | 'timeline'>) =>
     isComparing(wb)
-      ? 'Takes are being compared, one over the other. Stop comparing first (Takes tab).'
+      ? 'Takes are being compared. Stop comparing first (Takes tab).'
       : 'This compares several characters. Open another one first.',
   (wb: Uses<'store' | 'timeline'>) => hasSeveral(wb) && !isComparing(wb),
 );
@@ -50,7 +50,7 @@ export const EDIT_ACTIONS: readonly Action[] = [
   },
   {
     id: 'pose.resetToFile',
-    unchanged: 'The pose is that of the file already.',
+    unchanged: 'This is already the file pose.',
     label: 'Reset to file pose',
     group: 'Edit',
     menu: 'Edit',
@@ -61,7 +61,7 @@ export const EDIT_ACTIONS: readonly Action[] = [
   },
   {
     id: 'pose.resetToZero',
-    unchanged: 'The pose is the zero pose already.',
+    unchanged: 'This is already the zero pose.',
     label: 'Reset to zero pose',
     group: 'Edit',
     menu: 'Edit',
@@ -117,7 +117,7 @@ export const EDIT_ACTIONS: readonly Action[] = [
   {
     id: 'edit.sameHeight',
     name: 'Same height',
-    unchanged: 'All characters have the same height already.',
+    unchanged: 'All characters already have the same height.',
     label: (wb) => (hasSeveral(wb) ? `Same height as ${currentCharacter(wb)?.name ?? ''}` : 'Same height'),
     group: 'Edit',
     menu: 'Edit',
@@ -134,7 +134,7 @@ export const EDIT_ACTIONS: readonly Action[] = [
   {
     id: 'edit.sameUnit',
     name: 'Same unit',
-    unchanged: 'No power of ten brings the characters nearer to the same height.',
+    unchanged: 'No power of ten brings the characters closer to the same height.',
     label: (wb) => (hasSeveral(wb) ? `Same unit as ${currentCharacter(wb)?.name ?? ''}` : 'Same unit'),
     group: 'Edit',
     menu: 'Edit',
@@ -150,7 +150,7 @@ export const EDIT_ACTIONS: readonly Action[] = [
   },
   {
     id: 'edit.ownHeights',
-    unchanged: 'All characters have the height of their files already.',
+    unchanged: 'All characters already have their own heights.',
     label: 'Own heights',
     group: 'Edit',
     menu: 'Edit',

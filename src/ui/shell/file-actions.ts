@@ -32,13 +32,13 @@ export const FILE_ACTIONS: readonly Action[] = [
   {
     id: 'file.reload',
     label: 'Reload from disk',
-    detail: 'Reads the character’s changed files again',
+    detail: 'Rereads the character’s changed files',
     group: 'Files',
     menu: 'Open',
     section: 1,
     // Ctrl+R stays the browser's.
     shortcuts: ['Alt+R'],
-    enabled: needs('The character’s files can’t be read again: open them with Open, or drop them.', (wb) => {
+    enabled: needs('The character’s files can’t be reread. Open or drop them again.', (wb) => {
       const character = currentCharacter(wb);
       return character !== undefined && wb.files.canReload(character.id);
     }),
@@ -142,7 +142,7 @@ export const FILE_ACTIONS: readonly Action[] = [
 const KIT_ACTION: Action = {
   id: 'kit.save',
   label: 'Test kit (.zip)',
-  detail: 'Small files with their right numbers, to test a program of your own',
+  detail: 'Small files with the right numbers, to test your own program',
   group: 'Files',
   menu: 'Examples',
   section: 1,

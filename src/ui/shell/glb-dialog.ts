@@ -32,8 +32,8 @@ export function glbDialog(wb: Uses<'store' | 'transport' | 'files' | 'dialog'>, 
   const take = choice([], '');
   const keys = choice(
     [
-      ['linear', 'As few as hold, linear'],
-      ['cubic', 'As few as hold, cubic'],
+      ['linear', 'Fewest keys, linear'],
+      ['cubic', 'Fewest keys, cubic'],
       ['frames', 'One per frame, linear'],
     ],
     'linear',
@@ -109,9 +109,9 @@ export function glbDialog(wb: Uses<'store' | 'transport' | 'files' | 'dialog'>, 
     const typed = tolerance.value.trim() === '' ? undefined : parseNumber(tolerance.value);
     const isFrames = keys.value === 'frames';
     if (!isFrames && tolerance.value.trim() !== '' && !(typed && typed > 0))
-      return 'Tolerance must be a number above 0.';
+      return 'Tolerance must be a number greater than 0.';
     const framesPerSecond = parseNumber(rate.value) ?? 0;
-    if (isFrames && !(framesPerSecond > 0)) return 'Frames per second must be a number above 0.';
+    if (isFrames && !(framesPerSecond > 0)) return 'Frames per second must be a number greater than 0.';
     return {
       ...DEFAULT_GLB,
       keys: keys.value === 'cubic' ? 'cubic' : 'linear',

@@ -4,7 +4,7 @@ import { bytes, plural, shown } from '../kit/number-text.ts';
 
 /** `walker_walk: 7,646 keys in 31 channels, 6.4 s`; one line per take, further ones summed up. */
 export function takesText({ takes }: GlbReport): string {
-  if (takes.length === 0) return 'No take: the pose only.';
+  if (takes.length === 0) return 'No take, only the pose.';
   const lines = takes
     .slice(0, MOST_NAMED)
     .map(

@@ -84,7 +84,6 @@ export function unitsApart(characters: readonly Character[]): number | undefined
 /** Characters of one unit differ by no more. */
 const ALIKE = 2;
 const UNITS: Readonly<Record<number, readonly [string, string]>> = {
-  10: ['metres', 'decimetres'],
   100: ['metres', 'centimetres'],
   1000: ['metres', 'millimetres'],
 };

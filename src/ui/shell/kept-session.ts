@@ -47,7 +47,7 @@ export function keptSession(wb: Uses<'kept'>): HTMLElement {
       ? `Work from ${when}`
       : `Unsaved work from ${when}: ${contentText(work.characters)}.`;
     setTooltip(text, contentText(work.characters));
-    const restoring = offer.isAside ? 'Restore. Replaces what is open; undo brings that back' : 'Restore';
+    const restoring = offer.isAside ? 'Restore. Replaces what is open; Undo brings it back' : 'Restore';
     line.replaceChildren(
       text,
       button(restoring, { class: 'offer-accept' }, 'Restore', () => offer.restore(work.id)),

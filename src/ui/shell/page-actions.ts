@@ -171,7 +171,7 @@ export function offlineActions(wb: Uses<'offline'>): Action[] {
     found.push({
       id: 'help.install',
       label: 'Install Marrow…',
-      detail: 'With a window of its own, to open files from the system',
+      detail: 'Opens in its own window and opens files from the system',
       group: 'Page',
       menu: 'Help',
       section: 1,

@@ -60,7 +60,7 @@ export const SELECT_ACTIONS: readonly Action[] = [
   },
   {
     id: 'select.hierarchy',
-    unchanged: 'All descendants of the selected joints are selected already.',
+    unchanged: 'All descendants of the selected joints are already selected.',
     label: 'Select hierarchy',
     detail: 'The selected joints and all their descendants',
     group: 'Select',
@@ -73,7 +73,7 @@ export const SELECT_ACTIONS: readonly Action[] = [
     id: 'select.mirrored',
     unchanged: 'The selected joints have no counterparts on the other side.',
     label: 'Select mirrored joints',
-    detail: 'Those on the other side, instead',
+    detail: 'Select those on the other side instead',
     group: 'Select',
     menu: 'Edit/Select',
     section: 1,
@@ -82,7 +82,7 @@ export const SELECT_ACTIONS: readonly Action[] = [
   },
   {
     id: 'select.allJoints',
-    unchanged: 'All joints are selected already.',
+    unchanged: 'All joints are already selected.',
     label: 'Select all joints',
     group: 'Select',
     menu: 'Edit/Select',

@@ -43,11 +43,11 @@ function switches(wb: Uses<'settings'>, said: HTMLElement, refresh: Refresh): HT
     },
   );
   reset.disabled = Object.keys(wb.settings.get().keys).length === 0 && wb.settings.get().singleKeys;
-  const hint = 'Click a single key below and press a new one. Delete removes it.';
+  const hint = 'Click a single-key shortcut below and press a new key. Delete removes it.';
   return element(
     'div',
     { class: 'shortcut-switches' },
-    element('label', {}, box, 'Single keys'),
+    element('label', {}, box, 'Single-key shortcuts'),
     element('span', { class: 'faint' }, hint),
     reset,
     said,

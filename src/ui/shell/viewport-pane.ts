@@ -31,7 +31,7 @@ import { pinsInFk } from './pins-in-fk.ts';
 const VIEWPORT_KEYS =
   'Up and down arrows select the parent or child joint, with Shift left and right the previous or next sibling; left ' +
   'and right step frames, or turn a character without a take; with Control all four orbit the view. V chooses a DOF of the joint, plus and minus change it. F frames the ' +
-  'selection. Shift F10 opens a menu. F6 moves to the next panel, question mark lists all keys.';
+  'selection. Shift F10 opens a menu. F6 moves to the next panel, question mark lists all shortcuts.';
 
 export function viewportPane(wb: Workbench, signal: AbortSignal): HTMLElement {
   const { viewport, viewportElement } = wb;
@@ -81,11 +81,7 @@ export function viewportPane(wb: Workbench, signal: AbortSignal): HTMLElement {
 /** What is compared with another program's numbers is drawn over the viewport. */
 function drawCompared(wb: Workbench, stage: HTMLElement, signal: AbortSignal): void {
   const load = async () => {
-    const module = await onDemand(
-      wb.messages,
-      'The drawing of the comparison',
-      () => import('../editors/compare/drawing.ts'),
-    );
+    const module = await onDemand(wb.messages, 'The comparison overlay', () => import('../editors/compare/drawing.ts'));
     if (module && !signal.aborted) signal.addEventListener('abort', module.drawComparisons(wb, stage));
   };
   const stop = wb.comparing.subscribe((now) => {
@@ -198,7 +194,7 @@ export function withoutWeights({ characters }: Document, { characterId }: Select
 /** A sentence, or empty. */
 export function whatIsMissing(document: Document, selection: Selection, display: Display): string {
   const alone = document.characters.find((c) => !c.skeleton && !c.skins.length && c.clips.length > 0);
-  if (alone) return `${alone.name} has only an animation. Drop its .skel file`;
+  if (alone) return `${alone.name} has only an animation. Drop its .skel file.`;
   const needsJoint = display.skin === 'heat' && selection.joint === undefined;
   return needsJoint && document.characters.some(shownSkin) ? 'Select a joint to see its weights' : '';
 }

@@ -273,7 +273,7 @@ function foldedMessage(all: readonly FileProblems[], severity: Severity): Omit<M
   const isSame = all.every((one) => one.fate === fate);
   const shared = isSame && fate ? { fate } : {};
   const first = summary(file, found, undefined);
-  const text = `${all.length} files${isSame && fate ? `: ${fate}` : ''}. First, ${first}`;
+  const text = `${all.length} files${isSame && fate ? `: ${fate}` : ''}. The first: ${first}`;
   return { text, severity, diagnostics: all.flatMap((one) => one.found), ...shared };
 }
 

@@ -17,7 +17,7 @@ export const POSING_MODES = ['select', 'pose', 'fk', 'ik', 'rig'] as const;
 export type PosingMode = (typeof POSING_MODES)[number];
 
 /** What the skin does when the skeleton is edited: it stays in place, or follows as if posed. */
-export const RIG_SKINS = ['stays', 'follows'] as const;
+export const RIG_SKINS = ['follows', 'stays'] as const;
 export type RigSkin = (typeof RIG_SKINS)[number];
 
 /** The DOF that dragging the bone changes. */

@@ -99,7 +99,7 @@ describe('resampling, looping and baking curves', () => {
     expect(resamplePreview(before, args)).toMatchObject({ changed: 1, keysBefore: 61, keysAfter: 11 });
     expect(resample.run(before, args).keys).toEqual([{ channel: 0, indices: [0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10] }]);
     expect(() => resample.run(before, { ...args, framesPerSecond: 0 })).toThrow('frame rate');
-    expect(() => resample.run(before, { ...args, to: -1 })).toThrow('before it starts');
+    expect(() => resample.run(before, { ...args, to: -1 })).toThrow('before its start');
   });
 
   it('resampling, looping and baking curves makes loops, keeping the offset of the named channels', () => {
@@ -182,8 +182,8 @@ describe('the Euler filter over a character', () => {
       1e-12,
     );
     expect(notes).toEqual([
-      'r of joint1: a whole turn of it is not the same pose; left unchanged.',
-      'r of elbow: another DOF follows it; left unchanged.',
+      'r of joint1: a full turn of it is a different pose; left unchanged.',
+      'r of elbow: another DOF is linked to it; left unchanged.',
     ]);
   });
 
@@ -192,12 +192,12 @@ describe('the Euler filter over a character', () => {
     const before = documentWith(...three, jumping, later, calm, jumping, none, calm);
     const { channels, notes } = filteredBy(before, rotations);
     expect(notes).toEqual([
-      'joint0 of hero: its angles have keys at different times; only whole turns were removed.',
-      'joint1 of hero: not all three of its angles have keys; only whole turns were removed.',
+      'joint0 of hero: its angles have keys at different times; only full turns were removed.',
+      'joint1 of hero: not all three of its angles have keys; only full turns were removed.',
     ]);
     expect([3, 6].map((c) => keysOf(channels[c]).values[1])).toEqual([2 * Math.PI - 3, 2 * Math.PI - 3]);
     expect(filteredBy(before, { ...rotations, channels: [3] }).notes).toEqual([
-      'joint0 of hero: not all three of its angles are selected; only whole turns were removed.',
+      'joint0 of hero: not all three of its angles are selected; only full turns were removed.',
     ]);
     expect(filteredBy(before, { ...rotations, channels: [1] }).notes).toEqual(['ty is not an angle; left unchanged.']);
   });

@@ -63,7 +63,7 @@ describe('locking feet', () => {
     const hero = sliding(0.004);
     expect(() => lockFeet.run(documentOf(hero), { takes, easeSeconds: -1 })).toThrow('negative');
     const skeleton = { name: 'stick', joints: hero.skeleton?.joints.slice(0, 1) ?? [] };
-    expect(() => lockFeet.run(documentOf({ ...hero, skeleton }), { takes })).toThrow('thigh, shin and foot');
+    expect(() => lockFeet.run(documentOf({ ...hero, skeleton }), { takes })).toThrow('thigh, a shin and a foot');
   });
 });
 

@@ -286,7 +286,7 @@ describe('what can not be held', () => {
   });
 
   it('what can not be held is a character without a take, or one driven by retargeting', () => {
-    refused(store({ clips: [], shownClip: -1 }), {}, 'shows no take');
+    refused(store({ clips: [], shownClip: -1 }), {}, 'has no current take');
     const both = documentOf(
       character({ skeleton: LEG, clips: [walk()], shownClip: 0 }),
       character({ id: 's', skeleton: LEG, clips: [walk()], shownClip: 0 }),

@@ -119,7 +119,9 @@ describe('pasting keys', () => {
 
   it('pasting keys refuses channels that don’t fit', () => {
     const both = copyKeys(walk, allKeys(walk, [0, 1]));
-    expect(() => paste(both, 0, 'merge', [2])).toThrow('Keys of 2 channels paste into 2 channels');
+    expect(() => paste(both, 0, 'merge', [2])).toThrow(
+      'Keys copied from 2 channels can only be pasted into 2 channels',
+    );
     expect(() => paste(first, 0, 'merge', [3])).toThrow('no channel 3');
     expect(() => paste(both, 0, 'merge', [2, 2])).toThrow('pasted into only once');
     expect(() => withKeysPasted(clipOf(), first, { timeSeconds: 0, mode: 'merge' })).toThrow('no channel 0');

@@ -223,7 +223,7 @@ describe('the Euler filter, of samples', () => {
     const document = documentWith(take((c, t) => (c === 3 ? (t < 1 ? 179 : -179) : 0)));
     const { edit, notes } = runToEnd(eulerFilterSteps(document, { ...c1, channels: [3] }));
     expect(row(clipOf(edit.document), 100)[3]).toBeCloseTo(181, 10);
-    expect(notes).toEqual([expect.stringContaining('only whole turns were removed')]);
+    expect(notes).toEqual([expect.stringContaining('only full turns were removed')]);
     expect(RADIANS_PER_DEGREE).toBeCloseTo(Math.PI / 180, 15);
   });
 });

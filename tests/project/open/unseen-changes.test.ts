@@ -79,7 +79,7 @@ describe('opening files', () => {
       kind: 'texture',
       texture: { name: 'wood.png', mime: 'image/png', bytes: new Uint8Array(1) },
     });
-    expect(told([picture])).toBe('wood.png is kept for a matching file. No open skin names it as its texture.');
+    expect(told([picture])).toBe('wood.png is kept for a matching file. No open skin uses it as a texture.');
   });
 
   it('counts what does not fit into two sentences', () => {
@@ -105,6 +105,6 @@ describe('opening files', () => {
 it('a buffer that no glTF file names yet is said to be kept, though it is no file of the document', () => {
   const waiting = waitingBuffer({ name: 'tri.bin', path: 'tri.bin', bytes: 8 });
   expect(unseenChanges(EMPTY_DOCUMENT, EMPTY_DOCUMENT, [], [waiting])).toBe(
-    'tri.bin is kept for a matching file. No .gltf file that was given names it as a buffer. Drop that file, too.',
+    'tri.bin is kept for a matching file. No open .gltf file uses it as a buffer. Drop that file too.',
   );
 });

@@ -26,7 +26,7 @@ describe('what is said of a GLB file before it is saved', () => {
 
   it('the keys of a GLB file are told by take, those of many takes together', () => {
     expect(takesText(report())).toBe('walk: 7,646 keys in 31 channels, 6.4 s');
-    expect(takesText(report({ takes: [] }))).toBe('No take: the pose only.');
+    expect(takesText(report({ takes: [] }))).toBe('No take, only the pose.');
     const many = Array.from({ length: 7 }, (_, i) => take(`t${i}`, 10));
     expect(takesText(report({ takes: many })).split('\n')).toHaveLength(5);
     expect(takesText(report({ takes: many }))).toContain('3 further takes: 30 keys');

@@ -8,7 +8,7 @@ import { character, clip, skeleton } from '../builders.ts';
 describe('the note over the viewport', () => {
   it('asks for the skeleton of an animation that stands alone', () => {
     const alone = { ...EMPTY_DOCUMENT, characters: [character({ clips: [clip([0, 1])] })] };
-    expect(whatIsMissing(alone, {}, DEFAULT_DISPLAY)).toBe('wasp has only an animation. Drop its .skel file');
+    expect(whatIsMissing(alone, {}, DEFAULT_DISPLAY)).toBe('wasp has only an animation. Drop its .skel file.');
     const whole = {
       ...EMPTY_DOCUMENT,
       characters: [character({ clips: [clip([0, 1])], skeleton: skeleton(['hips', -1]) })],

@@ -9,8 +9,8 @@ const NO_DUMP = 'Nothing is compared. Drop the numbers that your program printed
 export const COMPARE_ACTIONS: readonly Action[] = [
   {
     id: 'compare.paste',
-    label: 'Compare with other program…',
-    detail: 'Finds where its numbers are wrong, and why',
+    label: 'Compare with your program…',
+    detail: 'Finds where your numbers are wrong, and why',
     group: 'Files',
     menu: 'Open',
     section: 2,
@@ -22,7 +22,7 @@ export const COMPARE_ACTIONS: readonly Action[] = [
   },
   {
     id: 'compare.stop',
-    label: 'Stop comparing with other program',
+    label: 'Stop comparing with your program',
     group: 'Files',
     menu: 'Open',
     section: 2,

@@ -182,7 +182,7 @@ function equalText(best: Cause, causes: readonly Cause[]): string {
   );
   const told = [...best.alternatives.map((other) => `${other}.`), ...equal.map(({ sentences }) => sentences.join(' '))];
   if (told.length === 0) return '';
-  return told.length === 1 ? ` Equally: ${told[0]}` : ` ${told.length} others explain it equally: Compare lists them.`;
+  return told.length === 1 ? ` Equally: ${told[0]}` : ` ${told.length} others explain it equally; see Compare.`;
 }
 
 /** `Explains all 23 joints.`, `Explains 20 of 23 joints.` */

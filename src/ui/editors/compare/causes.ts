@@ -37,7 +37,7 @@ function causeBlock(cause: Cause, comparison: Comparison): HTMLElement {
     element(
       'p',
       { class: 'faint' },
-      `${explainsText(cause, comparison)} What remains is at most ${numberText(residual)}. `,
+      `${explainsText(cause, comparison)} The largest remaining error is ${numberText(residual)}. `,
       element('code', { tooltip: detail || undefined }, code),
     ),
   );

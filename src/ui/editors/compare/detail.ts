@@ -1,4 +1,4 @@
-/** Theirs and ours side by side, and the difference: of a joint, a vertex, a normal or a channel. */
+/** Yours and Marrow’s side by side, and the difference: of a joint, a vertex, a normal or a channel. */
 import { relativeMatrices } from '../../../lesson/relative.ts';
 import type { FrameTarget } from '../../../lesson/targets.ts';
 import { perObject } from '../../../model/per-object.ts';

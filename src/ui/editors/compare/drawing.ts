@@ -270,7 +270,7 @@ function scaleText(character: Character, { frame }: ShownComparison, { top, wors
   const largest = worst === undefined ? undefined : errorsOfSkin(frame)[worst];
   return {
     title: isOfLength ? 'Error of vertices' : 'Error of normals',
-    explanation: `The largest difference of x, y or z of each vertex${isOfLength ? '' : '’s normal'}`,
+    explanation: `Largest difference in x, y or z of each vertex${isOfLength ? '' : '’s normal'}`,
     top: isOfLength ? `${text(top)}, ${partText(top)}` : text(top),
     worst:
       largest === undefined ? '' : `Worst: vertex ${worst}, ${Number.isFinite(largest) ? text(largest) : 'no number'}`,

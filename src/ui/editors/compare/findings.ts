@@ -31,13 +31,13 @@ export class Findings {
   constructor(private readonly wb: Uses<'comparing' | 'transport' | 'messages'>) {
     const refuse = (reason: string) => wb.messages.note(reason, 'warning');
     this.tolerance = new NumberField({
-      label: 'Tolerance, of the size and of 1 radian',
+      label: 'Tolerance, relative to the size and to 1 radian',
       class: 'compare-number',
       text: exact,
       commit: (value) => {
         if (value > 0) this.of?.setTolerance(value);
         else {
-          refuse('The tolerance must be above 0.');
+          refuse('The tolerance must be greater than 0.');
           this.tolerance.refresh();
         }
       },
@@ -141,8 +141,8 @@ export class Findings {
     return [
       element('span', { class: 'faint' }, 'at'),
       field.element,
-      act('Now', 'Compare at the time shown', () => setTime(clipTimeShown(this.wb, this.of?.character))),
-      act('File pose', 'Compare with the pose of the file, without the take', () => setTime(undefined)),
+      act('Now', 'Compare at the current time', () => setTime(clipTimeShown(this.wb, this.of?.character))),
+      act('File pose', 'Compare with the file pose, without the take', () => setTime(undefined)),
     ];
   }
 }

@@ -24,7 +24,7 @@ function errorText(result: ComparedResult, largest: FirstWrong): string {
   const length = Math.hypot(...apart);
   const most = apart.reduce((k, part, i) => (Math.abs(part) > Math.abs(apart[k]) ? i : k), 0);
   const along = `${numberText(length)} apart, ${numberText(Math.abs(apart[most]))} along ${'xyz'[most]}`;
-  return what === 'normal' ? along : `${along}, of a size of ${numberText(result.comparison.frames[f].size)}`;
+  return what === 'normal' ? along : `${along}, for a size of ${numberText(result.comparison.frames[f].size)}`;
 }
 
 /** Theirs − ours, of a point; undefined if the largest element is one of a rotation. */

@@ -13,9 +13,9 @@ import type { ComparedPart } from './drawn.ts';
 
 const SIDES: Readonly<Record<ComparedSide, string>> = { ours: 'Marrow’s', both: 'Both', theirs: 'Yours' };
 const SIDE_TIPS: Readonly<Record<ComparedSide, string>> = {
-  ours: 'Draw only this character',
-  both: 'Draw this character, and the other program’s as a ghost',
-  theirs: 'Draw only what the other program printed',
+  ours: 'Draw only Marrow’s character',
+  both: 'Draw Marrow’s character, and yours as a ghost',
+  theirs: 'Draw only what your program printed',
 };
 const PARTS: Readonly<Record<ComparedPart, string>> = { joints: 'Joints', skin: 'Skin' };
 const PART_TIPS: Readonly<Record<ComparedPart, string>> = {
@@ -61,15 +61,15 @@ export class CompareLegend {
   private readonly inherited: HTMLElement;
   private readonly scale = element('div', { class: 'compare-scale' });
   private readonly title = element('span', { class: 'compare-scale-title' });
-  private readonly ramp = heatLegend('Errors of vertices, from dark for none to light for the largest');
+  private readonly ramp = heatLegend('Vertex errors, from dark (none) to light (largest)');
   private readonly worst: HTMLButtonElement;
 
   constructor(events: LegendEvents) {
     this.sides = new Radios('Drawn', SIDES, SIDE_TIPS, (side) => events.side(side));
     this.parts = new Radios('Compared', PARTS, PART_TIPS, (part) => events.part(part));
     this.inherited = look('inherited', MARK_TEXTS.inherited);
-    setTooltip(this.inherited, 'Wrong only because a parent is');
-    setTooltip(this.own, 'Wrong by itself, relative to its parent');
+    setTooltip(this.inherited, 'Inherited: wrong only because a parent is');
+    setTooltip(this.own, 'Own error: wrong relative to its parent');
     const theirs = look('theirs', 'yours');
     this.joints.append(
       look('agrees', MARK_TEXTS.agrees),

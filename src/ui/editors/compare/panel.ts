@@ -111,7 +111,7 @@ class ComparePanel implements TimelineTab {
       'div',
       { class: 'compare-tools' },
       this.paste,
-      act('Stop comparing', 'Forgets the numbers (Escape)', () => endComparison(wb)),
+      act('Stop comparing', 'Discards the pasted and dropped numbers (Esc)', () => endComparison(wb)),
     );
     this.element.append(this.start, this.body);
     this.element.addEventListener('keydown', (event) => this.onKey(event));

@@ -48,20 +48,20 @@ export function startPage(wb: Uses<'files' | 'messages'>): HTMLElement {
       element(
         'label',
         { for: id },
-        'Print your world matrices, one joint a line, and drop the file here, or paste the numbers:',
+        'Print your world matrices, one joint per line, and drop the file here or paste the numbers:',
       ),
       field,
       element('div', { class: 'compare-run' }, run),
       element(
         'p',
         {},
-        'You are told which joint is wrong first, and which mistake explains all of it. Vertices, normals, joint ' +
-          'positions and channel values (rows of a time and its values) work as well, as do OBJ, PLY and JSON.',
+        'Marrow tells you which joint is wrong first, and which mistake explains all of it. Vertices, normals, joint ' +
+          'positions and channel values (rows of a time and values) work too, as do OBJ, PLY and JSON.',
       ),
       element(
         'p',
         { class: 'faint' },
-        'Numbers are of the selected character, at the time that they state (time 1.5), else at the time shown. ' +
+        'They are compared with the selected character, at the time given in the text (time 1.5) or, if none, the current time. ' +
           'Nothing in the document is changed. ',
         manualLink('How to check a program', 'comparing'),
       ),
@@ -72,7 +72,7 @@ export function startPage(wb: Uses<'files' | 'messages'>): HTMLElement {
 
 function snippet({ messages }: Uses<'messages'>, language: string, code: string): HTMLElement {
   const copy = async () => {
-    if (await copyText(code)) messages.note(`Copied the lines for ${language}.`);
+    if (await copyText(code)) messages.note(`Copied the ${language} lines.`);
     else messages.note(BLOCKED, 'warning');
   };
   return element(

@@ -15,8 +15,8 @@ import { type ComparedRow, inOrder, type RowColumn, type RowOrder } from './comp
 const COLUMNS: readonly SortColumn<RowColumn>[] = [
   ['index', '#', 'number', 'Index, from 0'],
   ['name', 'Name', '', 'Name'],
-  ['mark', 'Found', '', 'Own error: its own local matrix is wrong. Inherited: only because a parent is'],
-  ['error', 'Error', 'number', 'Largest difference: of lengths over the size, of all else as it is'],
+  ['mark', 'Found', '', 'Own error: its local matrix is wrong. Inherited: wrong only because a parent is'],
+  ['error', 'Error', 'number', 'Largest difference; lengths are divided by the size'],
 ];
 
 interface Row extends WindowedRow {

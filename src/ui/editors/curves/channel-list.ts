@@ -378,7 +378,7 @@ function lowerFirst(text: string): string {
 
 function emptyText(wb: Uses<'store'>, list: ListChoice, filter: string): string {
   if (filter) return `No channel matches “${filter}”.`;
-  if (list === 'pinned') return 'No pinned channels. Click the pin at the end of a channel’s row to keep it here.';
-  if (currentCharacter(wb)?.driver) return 'Its own channels are hidden while it is retargeted.';
+  if (list === 'pinned') return 'No pinned channels. Click the pin in a channel’s row to keep it listed.';
+  if (currentCharacter(wb)?.driver) return 'Own channels are hidden while the character is retargeted.';
   return wb.store.selection.joint === undefined ? 'No channels yet.' : 'This joint has no channels.';
 }

@@ -30,7 +30,7 @@ function emptyText(wb: Uses<'store' | 'transport' | 'timeline'>, listed: number)
   if (!listed) {
     if (filter.trim()) return `No channel matches “${filter.trim()}”.`;
     return list === 'pinned'
-      ? 'No pinned channels. Click the pin in a channel’s row to keep it here.'
+      ? 'No pinned channels. Click the pin in a channel’s row to keep it listed.'
       : 'No channels listed.';
   }
   if (hidden.length)

@@ -112,7 +112,7 @@ export function curveToolbar(
       'Keys',
       'key-tools',
       tool('insertKey', 'Insert key at current time', 'insertKey'),
-      tool('delete', 'Delete keys', 'deleteKey'),
+      tool('delete', 'Delete selected keys', 'deleteKey'),
       collision,
     ),
     group(

@@ -9,7 +9,7 @@ import type { Uses } from '../../state/workbench.ts';
 
 /** Switches and their tooltips. */
 const SWITCHES: Readonly<Record<string, string>> = {
-  'dope.ripples': 'Ripple: later keys move with dragged ones. Hold Alt while dragging to invert',
+  'dope.ripples': 'Ripple: later keys move along with dragged ones. Hold Alt while dragging to invert',
   'timeline.snapsToFrames': 'Snap to frames. Hold Ctrl while dragging to invert',
   'dope.allRows': 'Show rows without keys',
 };

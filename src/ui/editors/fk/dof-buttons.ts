@@ -81,7 +81,7 @@ function lockedButton(
   const limit = limitValueText(one, one.limit.min, character, wb.settings.get().angles);
   const why =
     `${one.name} of ${jointName(skeleton, joint)} is locked: both limits are ${limit}. ` +
-    'Change them in rig mode, or turn off Edit ▸ Enforce limits.';
+    'Change them in rig mode, or turn off Edit > Enforce limits.';
   const made = element(
     'button',
     {

@@ -104,7 +104,7 @@ export const IK_ACTIONS: readonly Action[] = [
   {
     id: 'ik.rootFree',
     label: 'Allow root to move',
-    detail: 'The whole character moves when a pin needs it',
+    detail: 'The whole character moves if a pin needs it',
     group: 'Pose',
     menu: MENU,
     section: 2,

@@ -31,7 +31,8 @@ export function holdDialog(
   const character = currentCharacter(wb);
   const pins = character ? ikOf(character).pins : [];
   if (!character || pins.length === 0) return nothing('No point of the character is pinned. Pin one in IK mode first.');
-  if (!shownClip(character)) return nothing(`${character.name} shows no take, so there is no motion to hold pins in.`);
+  if (!shownClip(character))
+    return nothing(`${character.name} has no current take, so there is no motion to hold pins in.`);
   const { range: played, timeSeconds, framesPerSecond } = wb.transport.get();
   const range = firstRange(played, timeSeconds);
   const all = pins.length === 1 ? 'The pin' : `All ${pins.length} pins`;
@@ -111,7 +112,7 @@ export function writtenOutText(before: Character, { clip, channels }: Pick<HeldT
 
 /** `12 curves changed; slides at most 0.0001 where it slid 0.21.` */
 function heldText({ channels, pins, unreached }: HeldTake): string {
-  if (channels.length === 0) return 'Nothing to change: the points already stay there.';
+  if (channels.length === 0) return 'Nothing to change: the points already stay in place.';
   const most = (of: (pin: HeldTake['pins'][number]) => number) => errorSize(Math.max(...pins.map(of)));
   const slides = `largest slide ${most((pin) => pin.slideAfter)}, was ${most((pin) => pin.slideBefore)}`;
   const missed = unreached > 0 ? ` Out of reach in ${plural(unreached, 'frame')}.` : '';

@@ -34,7 +34,7 @@ export function solvePins(wb: Workbench, character: Character): void {
   }
   if (missed !== undefined) {
     wb.messages.note(
-      `${jointName(character.skeleton, missed)} is as close as it can get: ${gapText(character, missed, hindrance)}.`,
+      `${jointName(character.skeleton, missed)} is as close as possible: ${gapText(character, missed, hindrance)}.`,
     );
   } else if (!changes.length) wb.messages.note('All pins are reached.');
   wb.viewport.requestRender();

@@ -90,7 +90,7 @@ function factsOfJoint(wb: Uses<'store' | 'viewport' | 'settings'>, character: Ch
   const list = new FactList(jointName(skeleton, index));
   list.fact('Index', `${index} (0–${skeleton.joints.length - 1})`);
   list.fact('Type', motionText(joint.motion, shown), motionText(joint.motion, exact));
-  list.fact('Parent', joint.parent < 0 ? 'none, it is the root' : parentLink(wb, character, joint.parent));
+  list.fact('Parent', joint.parent < 0 ? 'none (root)' : parentLink(wb, character, joint.parent));
   if (joint.length !== undefined) list.fact('Bone', shown(joint.length), exact(joint.length));
   list.grid({ label: 'Offset', rows: 1, columns: 3, columnLabels: ['x', 'y', 'z'] }).grid.setRow(0, joint.offset);
 

@@ -27,7 +27,7 @@ const UNITS: readonly (readonly [string, LengthUnit | 'automatic'])[] = [
   ['Millimetres', 'millimetres'],
   ['Inches', 'inches'],
   ['CMU (1/0.45 in)', 'cmu'],
-  ['A person’s height', 'own'],
+  ['Human height', 'own'],
 ];
 const UPS = { 'y up': 'y', 'z up': 'z' } as const;
 const POSITIONS: Readonly<Record<string, Positions>> = { 'Replace the offset': 'replace', 'Add to it': 'add' };
@@ -85,9 +85,9 @@ export function addSpaceRows(
   const character = now();
   if (character?.skeleton) {
     const ground = () => put(onGround(now(), spaceNow()));
-    section.add({ ground }, 'ground').name('Feet on the ground');
+    section.add({ ground }, 'ground').name('Put feet on the ground');
   }
-  const all = section.add(binding, 'all').name('All its takes');
+  const all = section.add(binding, 'all').name('All takes of this skeleton');
   setTooltip(all.domElement, 'Up axis, unit and lift are set for all characters with this skeleton');
   const taken = character?.skeleton && positionsTaken(character.skeleton);
   const positions = taken && section.add(binding, 'positions', POSITIONS).name('Positions');

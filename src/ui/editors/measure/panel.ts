@@ -167,7 +167,7 @@ class MeasurePanel implements TimelineTab, TimePlot {
     setText(this.empty, isEmpty ? emptyText(sources, subject, quantity) : '');
     this.exports.disabled = isEmpty;
     const left = sources.length > MOST_OVERLAID ? `The first ${MOST_OVERLAID} of ${sources.length} characters` : '';
-    const tooLong = all.length > 0 && sources.some(isTooLong) ? 'Without takes of too many frames' : '';
+    const tooLong = all.length > 0 && sources.some(isTooLong) ? 'Takes with too many frames are left out' : '';
     const notes = [massText(all, subject, quantity), left, tooLong].filter(Boolean);
     setText(this.note, notes.join('. '));
     this.note.hidden = notes.length === 0;

@@ -137,7 +137,7 @@ export const isTooLong = ({ frames }: Source) => !(frames.frameCount <= MAX_FRAM
 export function emptyText(sources: readonly Source[], subject: Subject, quantity: Quantity): string {
   if (!sources.length) return 'No visible character has a take. Open one, or show its character.';
   if (sources.every(isTooLong)) {
-    return `The take has more than ${count(MAX_FRAMES)} frames. Shorten its range in the inspector, or lower the FPS.`;
+    return `The take has more than ${count(MAX_FRAMES)} frames. Shorten its range in the inspector, or lower the frame rate.`;
   }
   if (quantity === 'contact' || subject === 'feet')
     return 'No feet were recognised: a leg needs a thigh, a shin and a foot.';
@@ -153,7 +153,7 @@ export function massText(all: readonly Measured[], subject: Subject, quantity: Q
   if (isBody) return 'Masses of limb segments by de Leva (1996), men';
   return isNone
     ? 'Mass uniform over the bones'
-    : 'Masses by de Leva (1996) where there are limbs, else uniform over the bones';
+    : 'Masses by de Leva (1996) where limbs are recognised, else uniform over the bones';
 }
 
 /** Frames closer than this are the same row; seconds. */

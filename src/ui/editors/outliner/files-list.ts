@@ -60,7 +60,7 @@ export function filesList(wb: Uses<'store'>): FilesList {
     const nothing =
       document.isOpeningSample && document.characters.length > 0
         ? 'An example is open. It closes when you open your own files.'
-        : 'Files you open are listed here. Unused ones show the reason.';
+        : 'Files you open are listed here. Files that were not used say why.';
     list.replaceChildren(...(files.length ? [] : [element('p', { class: 'empty' }, nothing)]), end);
     listMore();
   };

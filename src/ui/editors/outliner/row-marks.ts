@@ -42,7 +42,7 @@ export function rowMarks(row: OutlineRow, { characterId, marks }: Marks, joints:
   const isTold = worst !== undefined && (worst !== 'agrees' || own === undefined);
   return [
     ...(own === undefined ? [] : [{ mark: own, text: MARK_TEXTS[own], isBelow: false }]),
-    ...(isTold ? [{ mark: worst, text: `${countsText(below)} below`, isBelow: true }] : []),
+    ...(isTold ? [{ mark: worst, text: `${countsText(below)} in descendants`, isBelow: true }] : []),
   ];
 }
 

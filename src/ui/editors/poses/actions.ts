@@ -61,7 +61,7 @@ export const POSE_ACTIONS: readonly Action[] = [
     id: 'pose.resetJoints',
     name: 'Reset selected joints to file pose',
     label: (wb) => `Reset ${selectedJointsText(wb)} to file pose`,
-    unchanged: 'The selected joints are in the file pose already.',
+    unchanged: 'The selected joints are already in the file pose.',
     group: 'Edit',
     menu: MENU,
     section: 1,
@@ -120,8 +120,8 @@ export const POSE_ACTIONS: readonly Action[] = [
       const pose = focusedPose(wb);
       return pose ? `Update ${pose.name} in library` : 'Update pose in library';
     },
-    detail: 'Replaces the focused one by the current pose',
-    unchanged: 'The current pose is saved like this already.',
+    detail: 'Replaces the focused pose with the current one',
+    unchanged: 'The pose is already saved like this.',
     group: 'Edit',
     menu: MENU,
     section: 3,

@@ -119,7 +119,8 @@ function gizmoSize(what: 'larger' | 'smaller', label: string, key: string, facto
     shortcuts: [key],
     repeats: true,
     enabled: (wb) => hasGizmo(wb) && next(wb.settings.get().gizmoScale) !== wb.settings.get().gizmoScale,
-    whyNot: (wb) => (hasGizmo(wb) ? `The gizmo is as ${what === 'larger' ? 'large' : 'small'} as it gets.` : NO_GIZMO),
+    whyNot: (wb) =>
+      hasGizmo(wb) ? `The gizmo is already as ${what === 'larger' ? 'large' : 'small'} as it gets.` : NO_GIZMO,
     run: (wb) => wb.settings.update((s) => ({ ...s, gizmoScale: next(s.gizmoScale) })),
   };
 }

@@ -31,7 +31,7 @@ const shownTake = (wb: Uses<'store'>) => {
 export const KEYING_ACTIONS: readonly Action[] = [
   {
     id: 'key.changed',
-    label: 'Key changed values, else selected joints',
+    label: 'Key changes (or the selected joints)',
     group: 'Keys',
     menu: 'Keys',
     shortcuts: ['K'],
@@ -154,7 +154,7 @@ export const KEYING_ACTIONS: readonly Action[] = [
   {
     id: 'take.rangeFromPlayed',
     also: 'save animation file start end',
-    unchanged: 'The take has that range already.',
+    unchanged: 'The take already has that range.',
     label: 'Set take range to playback range',
     group: 'Keys',
     menu: 'Keys/Take',
@@ -167,7 +167,7 @@ export const KEYING_ACTIONS: readonly Action[] = [
   },
   {
     id: 'take.rangeFromKeys',
-    unchanged: 'The take has that range already.',
+    unchanged: 'The take already has that range.',
     label: 'Fit take range to keys and samples',
     group: 'Keys',
     menu: 'Keys/Take',
@@ -244,7 +244,7 @@ function keyAndTell(
   const before = wb.store.document;
   const isOffered = keyNow(wb, character.id, dofs);
   if (isOffered || wb.store.document !== before) return;
-  wb.messages.note(`Keyed already at ${shown(wb.transport.get().timeSeconds)} s, with these values.`);
+  wb.messages.note(`These values are already keyed at ${shown(wb.transport.get().timeSeconds)} s.`);
 }
 
 function hasKeysHere(wb: Uses<'store' | 'transport'>): boolean {

@@ -79,8 +79,8 @@ function limitsSwitch(wb: Uses<'store' | 'actions' | 'settings'>): HTMLElement {
     const character = currentCharacter(wb);
     if (!character) return 'Enforce joint limits';
     return character.clampsToLimits
-      ? `Limits on: ${character.name}’s joints stop at them`
-      : `Limits off: ${character.name}’s joints can go past them`;
+      ? `Limits on: ${character.name}’s joints stop at their limits`
+      : `Limits off: ${character.name}’s joints can go past their limits`;
   });
   const show = () => {
     const character = currentCharacter(wb);

@@ -16,7 +16,10 @@ export function tellDiscarded(
 ): void {
   const undo = keyNameOf(wb, 'edit.undo');
   const key = canBeKeyed ? keyNameOf(wb, 'key.changed') : undefined;
-  const hints = [undo && `${undo} restores ${count === 1 ? 'it' : 'them'}`, key && `${key} keys such changes`];
+  const hints = [
+    undo && `${undo} restores ${count === 1 ? 'it' : 'them'}`,
+    key && `press ${key} before changing the time to keep them`,
+  ];
   const said = hints.filter(Boolean).join(', ');
   const what = count === 1 ? 'Unkeyed change' : `${count} unkeyed changes`;
   const action = findAction(wb, 'edit.undo');

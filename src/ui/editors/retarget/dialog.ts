@@ -72,7 +72,7 @@ export function retargetDialog(
   const takeOff = element('button', { type: 'button', class: 'plain' }, 'Stop retargeting');
   const again = element('button', { type: 'button', class: 'plain' }, 'Rematch joints');
   const cancel = element('button', { type: 'button', class: 'plain' }, 'Cancel');
-  setTooltip(bake, 'Creates the character’s own take, with a pose for every frame');
+  setTooltip(bake, 'Creates a take of the character’s own, with a pose for every frame');
   setTooltip(apply, 'Live: follows the other character’s take as it is edited');
   const body = element(
     'form',

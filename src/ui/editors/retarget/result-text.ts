@@ -10,10 +10,11 @@ export function retargetText(driver: Driver, skeleton: Skeleton, measured: Measu
 }
 
 function likenessText({ departure, limbs, limbsMean, limbsWorst, tips, tipsMean, tipsWorst }: Measured): string {
-  if (departure !== undefined) return `The skeletons are the same: joints are ${centimetres(departure)} off at most.`;
+  if (departure !== undefined)
+    return `The skeletons are identical: joints are off by at most ${centimetres(departure)}.`;
   if (limbs === 0) return '';
   const ends = tips > 0 ? `; feet and hands within ${degrees(tipsMean)}, ${degrees(tipsWorst)} at most` : '';
-  return `Arms and legs point like the source’s within ${degrees(limbsMean)} on average, ${degrees(limbsWorst)} at most${ends}.`;
+  return `Arms and legs point within ${degrees(limbsMean)} of the source’s on average, ${degrees(limbsWorst)} at most${ends}.`;
 }
 
 function feetText({ options }: Driver, measured: Measured): string {

@@ -6,7 +6,7 @@ import { chosenPaths, hasChosenTake, hasReview } from './at-hand.ts';
 
 const MENU = 'Play/Review';
 const edits = () => import('./edits.ts');
-const NO_REVIEW = 'No takes are reviewed: drop a folder or a zip with more than 20 takes.';
+const NO_REVIEW = 'No takes to review. Drop a folder or a zip with more than 20 takes.';
 const hasTakes = needs(NO_REVIEW, hasReview);
 const hasChosen = needs(
   (wb: Uses<'store' | 'timeline'>) => (hasReview(wb) ? 'Select a take in the Review tab first.' : NO_REVIEW),
@@ -66,14 +66,14 @@ export const REVIEW_ACTIONS: readonly Action[] = [
     (stars): Action => ({
       id: `review.stars${stars}`,
       label: stars === 0 ? 'No stars' : stars === 1 ? '1 star' : `${stars} stars`,
-      unchanged: `The selected takes have ${stars === 0 ? 'no' : stars} star${stars === 1 ? '' : 's'} already.`,
+      unchanged: `The selected takes already have ${stars === 0 ? 'no' : stars} star${stars === 1 ? '' : 's'}.`,
       ...judging(String(stars), async (wb) => (await edits()).judge(wb, { stars })),
     }),
   ),
   {
     id: 'review.clear',
     label: 'Clear verdict, stars, tags and notes',
-    unchanged: 'Nothing is said about the selected takes.',
+    unchanged: 'The selected takes have no verdict, stars, tags or notes.',
     ...judging(undefined, async (wb) => (await edits()).clearReview(wb)),
   },
   {
@@ -106,7 +106,7 @@ export const REVIEW_ACTIONS: readonly Action[] = [
   {
     id: 'review.saveCsv',
     label: 'Save review as CSV',
-    detail: 'For the command: --only review.csv',
+    detail: 'A list for the command line: --only review.csv',
     group: 'Play',
     menu: MENU,
     alsoIn: { menu: 'Save', section: 4 },

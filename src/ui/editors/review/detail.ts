@@ -61,7 +61,7 @@ export class ReviewDetail {
     if (document.activeElement !== this.tags) this.tags.value = take.tags.join(', ');
     if (document.activeElement !== this.notes) this.notes.value = take.notes;
     const found = digest?.found?.facts.flags;
-    const reading = row.hasFile ? 'Reading …' : 'Its file is not here. Drop its folder again.';
+    const reading = row.hasFile ? 'Reading …' : 'Its file is missing. Drop its folder again.';
     setText(this.none, found ? (found.length === 0 ? 'No flags.' : '') : (digest?.problem ?? reading));
     this.none.hidden = this.none.textContent === '';
     if (found === this.listed) return;

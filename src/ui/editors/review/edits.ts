@@ -27,7 +27,7 @@ export function toggleVerdict(wb: Parts, verdict: 'good' | 'bad'): void {
   const [first] = meant;
   const who = meant.length === 1 && first ? baseName(first.path) : plural(meant.length, 'take');
   const how = next === '' ? 'without verdict' : next;
-  wb.messages.note(`${who}: ${how}, so no longer listed by Only > Verdict.`);
+  wb.messages.note(`${who}: ${how}; no longer listed because of Show only > Verdict.`);
 }
 
 export function clearReview(wb: Parts): void {
@@ -43,7 +43,7 @@ export function stepReview(wb: Parts, by: 1 | -1): void {
   if (!to) return;
   const { path } = to.take;
   if (path === focused) {
-    wb.messages.note(by > 0 ? 'This is the last take of the list.' : 'This is the first take of the list.');
+    wb.messages.note(by > 0 ? 'This is the last take in the list.' : 'This is the first take in the list.');
     return;
   }
   wb.timeline.review.change({ focused: path, chosen: new Set([path]) });
@@ -55,7 +55,10 @@ export function openTakes(wb: Parts, paths: readonly string[]): void {
   const there = paths.filter((path) => files?.has(path));
   if (there.length < paths.length) {
     const missing = paths.length - there.length;
-    wb.messages.note(`${missing} of ${paths.length} takes have no file here. Drop their folder again.`, 'warning');
+    wb.messages.note(
+      `The files of ${missing} of ${paths.length} takes are missing. Drop their folder again.`,
+      'warning',
+    );
   }
   if (there.length === 0) return;
   wb.timeline.change({ tab: 'takes' });

@@ -33,8 +33,8 @@ const COLUMNS: readonly SortColumn<ReviewColumn>[] = [
   ['frames', 'Frames', 'number review-frames', 'Number of frames'],
   ['fps', 'FPS', 'number review-fps', 'Frames per second'],
   ['joints', 'Joints', 'number review-joints', 'Joints of the skeleton'],
-  ['flags', 'Flags', 'review-flags', 'What looks wrong, sorted by how many'],
-  ['worst', 'Worst', 'number review-worst', 'Size of the worst flag, of those that are listed'],
+  ['flags', 'Flags', 'review-flags', 'What looks wrong, sorted by number'],
+  ['worst', 'Worst', 'number review-worst', 'Size of the worst listed flag'],
   ['tags', 'Tags', 'review-tags', 'Tags'],
   ['notes', 'Notes', 'review-notes', 'Notes'],
 ];

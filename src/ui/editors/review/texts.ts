@@ -41,8 +41,8 @@ export function atLeastText(kind: FlagKind, bad: number): string {
 /** Of a list that the filters leave empty. */
 export function noneLeft({ text, verdict, flag, tag, stars }: ReviewView): string {
   const isVerdictAlone = text === '' && flag === undefined && tag === undefined && stars === 0;
-  if (verdict === '' && isVerdictAlone) return 'Every take has a verdict. Only > All takes lists them again.';
-  return 'No take is left by the filter. Only > All takes lists all of them.';
+  if (verdict === '' && isVerdictAlone) return 'Every take has a verdict. Show only > All takes lists them again.';
+  return 'No take matches the filter. Show only > All takes lists them all.';
 }
 
 /** `1.23 s`, or `2.1–2.65 s`. */

@@ -55,10 +55,10 @@ export function reviewTools(wb: Workbench): ReviewTools {
     event.preventDefault();
   });
   const only = keepsFocusElsewhere(
-    element('button', { type: 'button', class: 'tool text-tool' }, 'Only', icon('fold')),
+    element('button', { type: 'button', class: 'tool text-tool' }, 'Show only', icon('fold')),
   );
   setTooltip(only, 'List only takes with a verdict, flags, stars or a tag');
-  menuButton(only, 'Only', () => onlyEntries(wb));
+  menuButton(only, 'Show only', () => onlyEntries(wb));
   const open = keepsFocusElsewhere(
     element('button', { type: 'button', class: 'tool text-tool' }, 'Open', icon('fold')),
   );
@@ -95,7 +95,7 @@ export function reviewTools(wb: Workbench): ReviewTools {
       const view = review.view.get();
       if (filter.value !== view.text) filter.value = view.text;
       only.classList.toggle('on', isFiltered({ ...view, text: '' }));
-      setAttribute(only, 'aria-label', `Only: ${onlyText(view)}`);
+      setAttribute(only, 'aria-label', `Show only: ${onlyText(view)}`);
       setText(counted, countText(wb, listed));
     },
   };

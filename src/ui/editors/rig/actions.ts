@@ -119,7 +119,7 @@ export const RIG_ACTIONS: readonly Action[] = [
   inRig({
     id: 'rigging.skinStays',
     label: 'Keep skin in place',
-    detail: 'Rebinds the skin; otherwise it follows the joints',
+    detail: 'Rebinds the skin. Otherwise it follows the joints',
     group: 'Rig',
     menu: 'Rig',
     section: 4,
@@ -139,7 +139,7 @@ export const RIG_ACTIONS: readonly Action[] = [
   inRig({
     id: 'rigging.worldAxes',
     label: 'World-axis handles',
-    detail: 'Otherwise along the parent’s axes, like offsets',
+    detail: 'Otherwise handles follow the parent’s axes, as offsets do',
     group: 'Rig',
     menu: 'Rig',
     section: 4,
@@ -149,7 +149,7 @@ export const RIG_ACTIONS: readonly Action[] = [
   inRig({
     id: 'rigging.snapToGrid',
     label: 'Snap to grid',
-    detail: 'Joints and boxes; not while Shift is held',
+    detail: 'Joints and boxes. Hold Shift to place them freely',
     group: 'Rig',
     menu: 'Rig',
     section: 4,

@@ -13,7 +13,7 @@ export function whyNoCorner(box: Box, side: keyof Box, corner: Vec3): string | u
     if (!(next.min[axis] > next.max[axis]) || box.min[axis] > box.max[axis]) continue;
     const letter = 'xyz'[axis];
     const [from, to] = [next.min[axis], next.max[axis]].map((value) => shown(value));
-    return `The box would go from ${from} to ${to} along ${letter}, but its lower corner must be below its upper one.`;
+    return `The box would go from ${from} to ${to} along ${letter}, but “from” must be below “to”.`;
   }
   return undefined;
 }

@@ -115,7 +115,7 @@ export function addCoupleRow(
     add.value = '';
     if (!dof) return;
     const found = firstToFollow(skeleton, joint, dof);
-    if (!found) return wb.messages.note('There is no other DOF to link to.');
+    if (!found) return wb.messages.note('There is no other DOF to link it to.');
     coupleIt(wb, characterId, { joint, dof: dof.name, follows: { ...found, gain: 1, offset: 0 } });
   });
   return element('div', { class: 'rig-row is-alone' }, add);

@@ -15,7 +15,7 @@ export function nameNote(character: Pick<Character, 'skeleton'>, joint: number):
     if (written !== name) notes.push(`Saved as “${written}”.`);
   }
   if (skeleton.joints.some((other, j) => j !== joint && other.name === name)) {
-    notes.push('Another joint has the same name. They are told apart by index.');
+    notes.push('Another joint has the same name. Files tell them apart by index.');
   }
   return notes.join(' ');
 }

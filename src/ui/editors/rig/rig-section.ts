@@ -216,7 +216,7 @@ export class RigSection {
     const has = { bone: own.length !== undefined };
     const row = this.section.add(has, 'bone').name('Bone along y');
     row.domElement.title =
-      'Gives the joint its own bone along its y axis, of the length you set. Without it, bones lead to its children.';
+      'Gives the joint a bone along its own y axis, with the length you set. Without it, bones lead to its children.';
     row.onChange((bone: boolean) => this.apply(setLength, { ...this.args(), length: bone ? usualLength(own) : null }));
     if (own.length !== undefined) {
       const bounds = [0, Number.POSITIVE_INFINITY] as const;
@@ -274,9 +274,9 @@ export class RigSection {
       element(
         'div',
         { class: 'rig-row rig-buttons' },
-        take(`Saves the current pose of ${which} in the file`, 'Set to current', 'shown', joint),
-        take(`Saves ${which} at zero in the file`, 'Set to zero', 'rest', joint),
-        take('Saves the current pose of all joints in the file', 'Set all to current', 'shown'),
+        take(`Sets the file pose of ${which} to the current pose`, 'Set to current', 'shown', joint),
+        take(`Sets the file pose of ${which} to zero`, 'Set to zero', 'rest', joint),
+        take('Sets the file pose of all joints to the current pose', 'Set all to current', 'shown'),
       ),
     );
   }

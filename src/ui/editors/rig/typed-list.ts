@@ -11,7 +11,7 @@ export function typedList(text: string, choices: readonly string[]): readonly st
     .filter(Boolean);
   const list: string[] = [];
   for (const word of words) {
-    if (!choices.includes(word)) return `“${word.slice(0, 12)}” is none of ${choices.join(' ')}.`;
+    if (!choices.includes(word)) return `“${word.slice(0, 12)}” is not one of ${choices.join(' ')}.`;
     if (list.includes(word)) return `${word} is listed twice. A compound joint can have each DOF only once.`;
     list.push(word);
   }

@@ -45,8 +45,8 @@ class FourCard {
   readonly element = element('section', { class: 'heat-card', 'aria-label': 'Four attachments' });
   private readonly body = element('div', { class: 'heat-card-body', id: uniqueId('four') });
   private readonly head = element('button', { type: 'button', class: 'heat-card-head', 'aria-controls': this.body.id });
-  private readonly legend = heatLegend('Displacement by four attachments, from dark for none to light for the most');
-  private readonly choice = element('select', { 'aria-label': 'Attachments that are kept' });
+  private readonly legend = heatLegend('Displacement with four attachments, from dark (none) to light (most)');
+  private readonly choice = element('select', { 'aria-label': 'Which attachments are kept' });
   private readonly text = element('p');
   private readonly largest = element('div', {}, element('p', { class: 'faint' }, 'Largest displacement'));
   private readonly vertex = element('button', { type: 'button', class: 'link' });
@@ -67,7 +67,7 @@ class FourCard {
     const about = element(
       'p',
       { class: 'faint' },
-      'How far a program that keeps four attachments of each vertex is off.',
+      'How far off a program is that keeps only four attachments per vertex.',
     );
     this.body.append(about, this.choice, this.text, this.largest);
     this.element.append(this.head, this.legend.element, this.body);

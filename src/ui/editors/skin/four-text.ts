@@ -52,6 +52,6 @@ export function attachmentsText(skin: Skin, hasSkeleton: boolean, counts: Counts
     const all = count(vertexCount(skin));
     return `${count(beyondFour)} of ${all} vertices have more than four attachments, up to ${mostAttachments}.${uneven}`;
   }
-  const same = uneven || ' A program with four draws the same.';
+  const same = uneven || ' A program that keeps four draws the same.';
   return `No vertex of ${skin.name} has more than four attachments.${same}`;
 }

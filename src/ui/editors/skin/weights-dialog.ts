@@ -91,7 +91,7 @@ export function idleText(skeleton: Skeleton, idle: readonly number[]): string {
   const names = [...named, ...(idle.length > MAX_NAMED ? ['…'] : [])].join(', ');
   const isOne = idle.length === 1;
   const move = isOne ? 'moves nothing: its bone is' : 'move nothing: their bones are';
-  return `${idle.length} of ${plural(length, 'joint')} ${move} outside the skin, or others are nearer (${names}).`;
+  return `${idle.length} of ${plural(length, 'joint')} ${move} outside the skin, or others are closer (${names}).`;
 }
 
 /** `2,019 vertices follow 27 joints, 2.3 per vertex on average. 4 vertices see no bone; weighted by distance.` */

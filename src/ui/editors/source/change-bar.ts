@@ -32,7 +32,7 @@ export function changeBar(calls: Calls): ChangeBar {
   const next = step('Next change', 1, 'nextTake', 'F7');
   const toggle = keepsFocusElsewhere(element('button', { type: 'button', class: 'tool source-toggle' }, 'Changes'));
   toggle.addEventListener('click', () => calls.toggle());
-  setTooltip(toggle, 'Show what the page changed, against the file as it came');
+  setTooltip(toggle, 'Show what was changed in the page, compared with the original file');
   const own = element('div', { class: 'source-note', hidden: true }, text, previous, next, toggle);
   return {
     element: own,

@@ -48,9 +48,9 @@ export class Editing {
     const name = baseName(path);
     const isOpen = contentKey(this.wb.store.document, path) !== '';
     if (state === 'other' && !hasErrors)
-      return `This text of ${name} is not what is open. Open the file again to edit it.`;
+      return `This is not the version of ${name} that is open. Open the file again to edit it.`;
     // A text with errors is corrected, and opened by that.
-    if (!isOpen && !hasErrors) return `Nothing that is open is saved in ${name}.`;
+    if (!isOpen && !hasErrors) return `Nothing open belongs to ${name}.`;
     if (!map) return `${name} is being read.`;
     const { bytes: size, count: lines } = map.index;
     if (size <= MAX_EDITED.bytes && lines <= MAX_EDITED.lines) return undefined;

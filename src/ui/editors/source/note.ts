@@ -23,7 +23,7 @@ export interface Noted {
   readonly changes: Pick<TextChanges, 'text' | 'problem' | 'isComparing'>;
 }
 
-const AS_IT_CAME = 'lines are those of the file as it came.';
+const AS_IT_CAME = 'line numbers are those of the original file.';
 
 export function noteOf({ state, isEdited, hasDraft, hasErrors, showsChanges, changes }: Noted): Note {
   // The field says itself what is edited.
@@ -44,7 +44,7 @@ export function noteOf({ state, isEdited, hasDraft, hasErrors, showsChanges, cha
 function otherNote(hasErrors: boolean): string {
   const why = hasErrors ? 'This text has errors and was not opened' : 'This text is not the version that is open';
   const how = hasErrors ? ' Edit corrects it here.' : '';
-  return `${why}. The page has another version, so nothing lights up.${how}`;
+  return `${why}. The page has another version, so no lines are highlighted.${how}`;
 }
 
 const capital = (text: string) => text[0].toUpperCase() + text.slice(1);

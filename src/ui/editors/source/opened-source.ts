@@ -82,7 +82,7 @@ export class OpenedSource {
   /** The lines at the start, at once. */
   private async showFirst(text: Blob): Promise<void> {
     const bytes = new Uint8Array(await text.slice(0, FIRST_BYTES).arrayBuffer());
-    if (bytes.includes(0)) throw new Error('It is no text.');
+    if (bytes.includes(0)) throw new Error('It is not text.');
     if (this.abort.signal.aborted || this.map) return;
     const shown = new TextDecoder().decode(bytes).split(/\r*\n|\r/).length;
     const index = { lines: Float64Array.of(1), offsets: Float64Array.of(0), count: shown, bytes: bytes.length };

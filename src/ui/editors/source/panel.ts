@@ -132,7 +132,7 @@ class SourcePanel implements TimelineTab {
     const path =
       files.source.pathOf(place.file) ?? this.paths().find((p) => baseName(p) === place.file) ?? this.text.opened?.path;
     if (path === undefined || baseName(path) !== place.file) {
-      this.say(`The text of ${place.file} is no longer at hand. Open it again.`);
+      this.say(`The text of ${place.file} is no longer available. Open it again.`);
       return;
     }
     this.openFile(path, place.line);

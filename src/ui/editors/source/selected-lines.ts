@@ -91,7 +91,9 @@ export class SelectedLines {
       return { isPicked: false, text: `Line ${count(line)} was ${picked.gone}, which was changed or deleted.` };
     }
     if (!picked) {
-      const text = target ? `Line ${count(line)} holds nothing that is shown.` : `Line ${count(line)} holds no part.`;
+      const text = target
+        ? `Line ${count(line)} has nothing that is shown.`
+        : `Line ${count(line)} has nothing to select.`;
       return { isPicked: false, text };
     }
     const { store, posing, transport } = this.wb;

@@ -54,7 +54,7 @@ export class TextChanges {
     this.loaded ??= this.files.edits().catch((error) => {
       // It may be loaded later.
       this.loaded = undefined;
-      throw new Error(`What compares texts could not be loaded. ${sentenceOf(error)}`);
+      throw new Error(`The text comparison could not be loaded. ${sentenceOf(error)}`);
     });
     return this.loaded;
   }
@@ -100,7 +100,7 @@ export class TextChanges {
       const text = changed && (await this.shown(hunks, changed.text, changed.map));
       if (isOver()) return;
       this.text = text;
-      this.problem = text ? undefined : 'The page was edited, but nothing that this file holds.';
+      this.problem = text ? undefined : 'The page was edited, but nothing from this file was changed.';
     } catch (error) {
       if (isOver()) return;
       this.text = undefined;

@@ -51,7 +51,7 @@ export class TextEditor {
   private readonly gutter = element('div', { class: 'source-gutter', 'aria-hidden': 'true' });
   private readonly list = element('ul', {
     class: 'source-problems',
-    'aria-label': 'Problems of the text',
+    'aria-label': 'Problems in the text',
     hidden: true,
   });
   private readonly apply: HTMLButtonElement;
@@ -73,7 +73,7 @@ export class TextEditor {
     this.apply = button('Apply', { class: 'plain' }, 'Apply', () => void this.applyNow());
     setTooltip(
       this.apply,
-      () => this.whyNot() ?? 'Replace what the page has from this file, as one step',
+      () => this.whyNot() ?? 'Replace what was read from this file, as one undo step',
       () => keys,
     );
     this.discard = button('Discard edits', { class: 'plain' }, 'Discard', () => this.discardNow());
@@ -242,7 +242,7 @@ export class TextEditor {
       this.base = this.field.value;
       this.reset();
       this.calls.applied();
-      this.say(`Applied to ${name} as one step, which Undo takes back.`);
+      this.say(`Applied to ${name}. One Undo reverts it.`);
     } else this.say(`Not applied: the text of ${name} doesn’t fit what is open now.`);
   }
 
@@ -262,7 +262,7 @@ export class TextEditor {
   }
 
   private warnOfChange(): void {
-    this.say('The page has changed since you began to edit. Apply replaces that too.');
+    this.say('The page has changed since you started editing. Apply overwrites those changes too.');
   }
 
   /** Why the text can't be applied; undefined if it can. */
@@ -284,7 +284,7 @@ export class TextEditor {
       this.list.append(element('li', {}, plural(found.length - MAX_PROBLEMS, 'more problem')));
     }
     if (!hasEdits) this.say('Edit the text, then apply it.');
-    else if (!checked) this.say('Reading what was typed…');
+    else if (!checked) this.say('Checking…');
     else this.say(this.whyNot() ?? 'The text can be applied.');
     this.drawSoon();
   }

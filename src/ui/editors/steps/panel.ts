@@ -21,7 +21,7 @@ import type { Stages } from './stages.ts';
 import { vertexView } from './vertex-view.ts';
 import type { StepsView } from './view.ts';
 
-const NOTHING = 'Select a joint, or a vertex of the skin, to see how its numbers come about, step by step.';
+const NOTHING = 'Select a joint, or a vertex of the skin, to see how its numbers are computed, step by step.';
 /** While playing: the eye can't read faster. */
 const FILL_EVERY_MS = 100;
 
@@ -61,7 +61,7 @@ class StepsPanel implements TimelineTab {
     const { stepsOfFile } = wb.timeline;
     this.filePose = button(
       'File pose',
-      { class: 'tool text-tool', tooltip: 'Steps of the pose in the file, without the take' },
+      { class: 'tool text-tool', tooltip: 'Steps of the file pose, without the take' },
       'File pose',
       () => stepsOfFile.update((is) => !is),
     );

@@ -88,7 +88,7 @@ export function vertexView(formulas: FormulaView, character: Character, skin: Sk
     row.append(operator('→'), jointsCard(formulas, character, first, fills));
     const made = columns([
       ['·', 'B⁻¹ · v', 'in the joint’s space', (one) => one.inJoint],
-      ['→', 'W · B⁻¹ · v', 'where it alone takes v', (one) => one.moved],
+      ['→', 'W · B⁻¹ · v', 'where this joint alone would put v', (one) => one.moved],
       ['→', 'w · (W · B⁻¹ · v)', 'weighted', (one) => one.term],
       ['→', 'Σ', 'sum so far', (one) => one.sum],
     ]);
@@ -103,7 +103,7 @@ export function vertexView(formulas: FormulaView, character: Character, skin: Sk
   if (first.normalMorphs.length > 0) morphs('n', (now) => now.normalMorphs);
   if (first.attachments.length > 0) {
     columns([
-      ['→', '(W · B⁻¹)⁻ᵀ · n', 'turned by each joint', (one) => one.turned],
+      ['→', '(W · B⁻¹)⁻ᵀ · n', 'rotated by each joint', (one) => one.turned],
       ['→', 'w · ((W · B⁻¹)⁻ᵀ · n)', 'weighted', (one) => one.normalTerm],
       ['→', 'Σ', 'sum so far', (one) => one.normalSum],
     ]);
@@ -130,7 +130,7 @@ export function vertexView(formulas: FormulaView, character: Character, skin: Sk
 }
 
 function normalSource({ normals }: Skin): string {
-  return normals ? 'normal in the file' : 'normal, of the triangles';
+  return normals ? 'normal in the file' : 'normal, from the triangles';
 }
 
 function fillRows(grid: NumberGrid, all: readonly AttachmentStep[], of: (one: AttachmentStep) => Vec3): void {

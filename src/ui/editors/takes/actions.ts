@@ -30,7 +30,7 @@ import { takesToCompare } from './which-takes.ts';
 const MENU = 'Play/Takes';
 const EDIT_MENU = 'Edit/Edit takes';
 const TWO_TAKES = `Select two takes in the Takes tab: ${isMac ? 'Cmd' : 'Ctrl'}+click the second. Or right-click one: Compare with.`;
-const SEVERAL = 'This needs two characters with takes: select them in the list of takes, or show all.';
+const SEVERAL = 'This needs two characters with takes: select them in the Takes tab, or show all.';
 const isComparing = (wb: Uses<'timeline'>) => wb.timeline.takes.comparison.get() !== undefined;
 const several = needs(SEVERAL, (wb: Uses<'store' | 'timeline'>) => charactersMeant(wb).length > 1);
 
@@ -157,11 +157,11 @@ export const TAKE_ACTIONS: readonly Action[] = [
     ...put('grid', 'Side by side', 'In rows, without overlap'),
     enabled: needs(
       (wb: Uses<'store' | 'timeline'>) =>
-        isComparing(wb) ? 'Takes are being compared, one over the other. Stop comparing first.' : SEVERAL,
+        isComparing(wb) ? 'Takes are being compared. Stop comparing first.' : SEVERAL,
       (wb: Uses<'store' | 'timeline'>) => !isComparing(wb) && charactersMeant(wb).length > 1,
     ),
   },
-  put('spot', 'Same spot', 'All start where the first one does'),
+  put('spot', 'Same spot', 'All start at the first one’s position'),
   put('space', 'Same space', 'All in the coordinates of the first one'),
   {
     id: 'take.mirror',
@@ -174,12 +174,18 @@ export const TAKE_ACTIONS: readonly Action[] = [
     enabled: editsTakes,
     run: async (wb) => (await onDemand(wb.messages, 'Mirroring', () => import('./mirror-takes.ts')))?.runMirror(wb),
   },
-  edited('checkTake', 'Check take…', 'Check take', 'Spikes, sliding feet and others, of what is displayed', playsTake),
-  edited('joinTakes', 'Join…', 'Join takes', 'Cross-fade of the selected takes', joinsTakes),
+  edited(
+    'checkTake',
+    'Check take…',
+    'Check take',
+    'Spikes, sliding feet and other problems in what is displayed',
+    playsTake,
+  ),
+  edited('joinTakes', 'Join…', 'Join takes', 'Cross-fades the selected takes', joinsTakes),
   edited('insertTake', 'Insert take or hold…', 'Insert take or hold', 'At the current time', editsFrames),
-  edited('cutOut', 'Cut out…', 'Cut out of take', 'The playback range, or any other', editsFrames),
-  edited('loopTake', 'Make loop…', 'Make take loop', 'All of the body', editsTakes),
-  edited('lockFeet', 'Lock feet…', 'Lock feet', 'While they are on the ground', editsTakes),
+  edited('cutOut', 'Cut out…', 'Cut out of take', 'Removes the playback range, or any other', editsFrames),
+  edited('loopTake', 'Make loop…', 'Make take loop', 'Blends the whole body', editsTakes),
+  edited('lockFeet', 'Lock feet…', 'Lock feet', 'Holds feet still while they are on the ground', editsTakes),
   edited('takeSpeed', 'Change speed…', 'Change speed of take', 'Selected takes, or the current one', editsTakes),
 ];
 

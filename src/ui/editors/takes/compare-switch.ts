@@ -17,7 +17,11 @@ export interface CompareSwitch {
 
 /** @param panel gets the chosen part as `data-part` */
 export function compareSwitch(panel: HTMLElement): CompareSwitch {
-  const group = element('div', { class: 'compare-switch', role: 'group', 'aria-label': 'Part of the comparison' });
+  const group = element('div', {
+    class: 'compare-switch',
+    role: 'group',
+    'aria-label': 'What to show of the comparison',
+  });
   const choose = (part: ComparePart) => {
     panel.dataset.part = part;
     for (const [name, made] of buttons) made.setAttribute('aria-pressed', String(name === part));

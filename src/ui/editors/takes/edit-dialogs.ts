@@ -35,9 +35,9 @@ const FADE = 0.25;
 const HOLD = 1;
 
 const ALIGNMENTS: readonly (readonly [JoinAlignment, string])[] = [
-  ['root', 'Root: place and heading'],
-  ['foot', 'Foot that stands in both'],
-  ['none', 'Nothing: as recorded'],
+  ['root', 'Root position and heading'],
+  ['foot', 'Foot planted in both'],
+  ['none', 'None, as recorded'],
 ];
 
 function fadeAsked(value = FADE): readonly Asked[] {
@@ -65,7 +65,7 @@ export function joinDialog(wb: Page, close: () => void): DialogContent {
   return timeDialog(wb, close, {
     name: 'joinTakes',
     title: 'Join takes',
-    about: `Makes one new take of ${list}. Each goes on from where the one before ends.`,
+    about: `Makes one new take of ${list}. Each continues where the previous one ends.`,
     asked: [
       ...fadeAsked(),
       {
@@ -75,7 +75,7 @@ export function joinDialog(wb: Page, close: () => void): DialogContent {
         value: 'list',
         options: [
           ['list', 'As in the list'],
-          ['reversed', 'The other way round'],
+          ['reversed', 'Reversed'],
         ],
       },
     ],
@@ -87,7 +87,7 @@ export function joinDialog(wb: Page, close: () => void): DialogContent {
     *steps(document, args) {
       const change = yield* joinSteps(document, args);
       const before = rows.reduce((sum, { durationSeconds }) => sum + durationSeconds, 0);
-      return { change, text: `${shown(before)} s in all become ${lengthText(change, rows[0].characterId)}.` };
+      return { change, text: `${shown(before)} s in total become ${lengthText(change, rows[0].characterId)}.` };
     },
   });
 }
@@ -101,7 +101,7 @@ export function insertDialog(wb: Page, close: () => void): DialogContent {
   return timeDialog<InsertInto>(wb, close, {
     name: 'insertTake',
     title: 'Insert at current time',
-    about: `What ${clip.name} does from ${shown(at)} s on comes later, and goes on from what is inserted.`,
+    about: `Everything in ${clip.name} after ${shown(at)} s moves later and continues from what is inserted.`,
     asked: [
       {
         kind: 'choice',
@@ -137,7 +137,7 @@ export function cutOutDialog(wb: Page, close: () => void): DialogContent {
   return timeDialog<CutOut>(wb, close, {
     name: 'cutOut',
     title: 'Cut out',
-    about: `Removes the frames from one time to the other from ${what}, and closes the gap.`,
+    about: `Removes a range of frames from ${what} and closes the gap.`,
     asked: [
       { kind: 'number', name: 'from', label: 'From', value: Number(from.toFixed(3)), unit: 's' },
       { kind: 'number', name: 'to', label: 'to', value: Number(to.toFixed(3)), unit: 's' },
@@ -153,7 +153,7 @@ export function cutOutDialog(wb: Page, close: () => void): DialogContent {
     }),
     *steps(document, args) {
       const change = yield* cutOutSteps(document, args);
-      const text = change === document ? 'There are no frames there.' : `${lengthText(change, character.id)} are left.`;
+      const text = change === document ? 'There are no frames there.' : `${lengthText(change, character.id)} remain.`;
       return { change, text };
     },
   });
@@ -166,7 +166,7 @@ export function speedDialog(wb: Page, close: () => void): DialogContent {
   return timeDialog(wb, close, {
     name: 'takeSpeed',
     title: 'Change speed',
-    about: `Plays ${what} faster or slower along the same way. The frame rate stays; keys are scaled.`,
+    about: `Plays ${what} faster or slower along the same path. The frame rate is kept; keys are scaled.`,
     asked: [{ kind: 'number', name: 'factor', label: 'Speed ×', value: 1 }],
     command: setTakeSpeed,
     args: (answers) => ({ takes, factor: answers.number('factor') }),
@@ -185,14 +185,14 @@ export function loopDialog(wb: Page, close: () => void): DialogContent {
   return timeDialog(wb, close, {
     name: 'loopTake',
     title: 'Make loop',
-    about: `Blends the end of ${what} into its beginning; a root that travels goes on from where it is. Keys get one value and slope at both ends.`,
+    about: `Blends the end of ${what} into its beginning; a travelling root keeps travelling. Keys get the same value and slope at both ends.`,
     asked: [{ kind: 'number', name: 'blend', label: 'Blend', value: FADE, unit: 's' }],
     command: loopTakes,
     args: (answers) => ({ takes, blendSeconds: answers.number('blend') }),
     *steps(document, args) {
       const change = yield* loopTakesSteps(document, args);
       const text =
-        change === document ? 'It loops already.' : `One round lasts ${lengthText(change, takes[0].characterId)}.`;
+        change === document ? 'It already loops.' : `One cycle lasts ${lengthText(change, takes[0].characterId)}.`;
       return { change, text };
     },
   });
@@ -205,7 +205,7 @@ export function lockFeetDialog(wb: Page, close: () => void): DialogContent {
   const dialog = toolDialog(wb, close, {
     name: 'lockFeet',
     title: 'Lock feet',
-    about: `Finds when the feet of ${what} are on the ground, and holds them still there by the legs.`,
+    about: `Finds when the feet of ${what} are on the ground, and holds them still there, moving only the legs.`,
     asked: [
       { kind: 'number', name: 'slide', label: 'Leave slides below', value: 0.5, unit: 'mm' },
       { kind: 'number', name: 'ease', label: 'Ease in and out', value: 0.1, unit: 's' },
@@ -219,10 +219,10 @@ export function lockFeetDialog(wb: Page, close: () => void): DialogContent {
     *steps(document, args) {
       const { document: change, contacts, locked, unreached } = yield* lockFeetSteps(document, args);
       const worst = contacts.reduce((most, { slidesBefore }) => Math.max(most, slidesBefore), 0);
-      const found = `${plural(contacts.length, 'contact')}; feet slide up to ${shown(1000 * worst, 1)} mm in them.`;
-      const text = `${found} ${locked ? `${locked} of them locked.` : 'None slides more than that.'}`;
+      const found = `${plural(contacts.length, 'contact')}; feet slide up to ${shown(1000 * worst, 1)} mm during them.`;
+      const text = `${found} ${locked ? `${locked} of them locked.` : 'No foot slides more than that.'}`;
       const frames = plural(unreached, 'frame');
-      return { change, text, ...(unreached > 0 && { warning: `In ${frames} a leg doesn’t reach its place.` }) };
+      return { change, text, ...(unreached > 0 && { warning: `In ${frames} a leg can’t reach its target.` }) };
     },
     result: () => '',
   });

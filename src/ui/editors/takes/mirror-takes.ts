@@ -17,12 +17,12 @@ export function runMirror({ store, messages, timeline }: Uses<'store' | 'message
     done(document) {
       if (document === trial.base) {
         trial.putBack();
-        messages.note('Nothing to mirror: both sides move alike already.');
+        messages.note('Nothing to mirror: both sides already move alike.');
         return;
       }
       trial.show(document);
       trial.keep();
-      messages.note(`${label.replace('Mirror', 'Mirrored')}: left and right have changed places.`);
+      messages.note(`${label.replace('Mirror', 'Mirrored')}: left and right are swapped.`);
     },
     failed(error) {
       trial.putBack();

@@ -86,7 +86,7 @@ const retargetOffer = (wb: Uses<'dialog'>) => ({ label: 'Retarget take…', run:
 export function partText(compared: number, left: number): string {
   const are = compared === 1 ? 'is' : 'are';
   const head = `${plural(compared, 'joint')} ${are} compared, matched by name and part of the body`;
-  return left === 0 ? `${head}.` : `${head}; ${shown(left)} ${left === 1 ? 'has' : 'have'} no counterpart.`;
+  return left === 0 ? `${head}.` : `${head}; ${shown(left)} ${left === 1 ? 'has' : 'have'} no matching joint.`;
 }
 
 /** Two takes that share no joint, and what to do. */

@@ -39,7 +39,7 @@ const COLUMNS: readonly SortColumn<TakeColumn>[] = [
   ['name', 'Take', '', 'Name of the take'],
   ['character', 'Character', 'take-character', 'If its name differs from the take'],
   ['duration', 'Length', 'number', 'Seconds from first to last played frame or key'],
-  ['frames', 'Frames', 'number take-frames', 'Faint: keyed, counted at the playback frame rate'],
+  ['frames', 'Frames', 'number take-frames', 'Dimmed: keyed, counted at the playback frame rate'],
   ['rate', 'FPS', 'number take-rate', 'Frames per second'],
   ['start', 'Start time', 'number', 'When the take starts on the timeline, in seconds'],
   ['x', 'x', 'number take-place', 'Place along x'],

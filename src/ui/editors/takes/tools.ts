@@ -26,7 +26,7 @@ const BUTTONS: readonly (readonly [id: string, text: string, tooltip: string])[]
 ];
 /** Takes that are found without a filter. */
 const FEW = 6;
-const COMPARE_TIP = `Overlay two takes and measure the distance between their joints. ${isMac ? 'Cmd' : 'Ctrl'}+click a second take, or choose it in the menu`;
+const COMPARE_TIP = `Overlays two takes and measures the distance between their joints. ${isMac ? 'Cmd' : 'Ctrl'}+click a second take, or choose it in the menu`;
 const ARRANGING = ['take.alignStarts', 'take.resetOffsets', 'line', 'take.put.grid', 'take.put.spot', 'take.put.space'];
 
 export function takeTools(
@@ -125,8 +125,8 @@ function compareButton(
     made.classList.toggle('at-once', atOnce);
     setAttribute(made, 'aria-haspopup', atOnce ? undefined : 'menu');
     setAttribute(made, 'aria-label', atOnce && action ? actionLabel(wb, action) : 'Compare with');
-    const tip = made.disabled ? 'Comparing takes two: open another capture or animation' : COMPARE_TIP;
-    setTooltip(made, isComparing() ? 'Show everything as it was before comparing' : tip);
+    const tip = made.disabled ? 'Comparing needs two takes: open another capture or animation' : COMPARE_TIP;
+    setTooltip(made, isComparing() ? 'Restore the view from before comparing' : tip);
   };
   return { element: made, refresh };
 }

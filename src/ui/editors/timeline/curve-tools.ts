@@ -31,7 +31,10 @@ export function runCurveTool(wb: Uses<'store' | 'timeline' | 'messages'>, tool: 
   const travelling = after.filter(
     (channel, i) => channel !== clip.channels[i] && channel.extrapolateOut === 'cycle_offset',
   );
-  const how = travelling.length > 0 ? `; ${plural(travelling.length, 'of them travels', 'of them travel')} on` : '';
+  const how =
+    travelling.length > 0
+      ? `; ${plural(travelling.length, 'of them keeps travelling', 'of them keep travelling')}`
+      : '';
   wb.messages.note(count ? `${plural(count, 'curve')} now loop${how}.` : nothing);
 }
 

@@ -12,7 +12,7 @@ const TITLE = 'Key outside the cycle';
 export function cycleDialog(wb: Uses<'transport' | 'timeline' | 'messages'>, close: () => void): DialogContent {
   const question = wb.timeline.cycleQuestion.get();
   const kind = 'tool-dialog is-aside cycle-dialog';
-  if (!question) return { title: TITLE, kind, body: element('p', {}, 'No key waits for an answer.') };
+  if (!question) return { title: TITLE, kind, body: element('p', {}, 'No key is waiting for an answer.') };
   const { about, answers } = cycleText(question, wb.transport.get().range);
   const always = element('input', { type: 'checkbox' });
   const first = OUTSIDE_CYCLE.find((how) => answers[how] !== undefined);

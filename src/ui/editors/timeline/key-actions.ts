@@ -73,14 +73,14 @@ function key(id: string, label: string, shortcuts: readonly string[], more: Omit
 
 const edits: readonly Action[] = [
   key('insertKey', 'Insert key at current time', ['I', 'Enter'], {
-    unchanged: 'The shown curves have keys at the current time already.',
+    unchanged: 'The visible curves already have keys at the current time.',
     menu: 'Keys',
     section: 10,
     icon: 'insertKey',
     enabled: inView,
     run: (wb) => insertAtPlayhead(wb),
   }),
-  key('delete', 'Delete keys', ['Delete', 'Backspace'], {
+  key('delete', 'Delete selected keys', ['Delete', 'Backspace'], {
     menu: 'Keys',
     section: 10,
     icon: 'deleteKey',
@@ -126,7 +126,7 @@ const edits: readonly Action[] = [
     run: duplicate,
   }),
   key('snapToFrames', 'Snap keys to frames', ['Shift+S'], {
-    unchanged: 'The selected keys are on frames already.',
+    unchanged: 'The selected keys are already on frames.',
     menu: 'Keys',
     section: 10,
     enabled: hasKeys,

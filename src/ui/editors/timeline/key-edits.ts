@@ -79,7 +79,7 @@ export function paste(
     const names = copied.channels.map(({ channel }) => channelName(namedChannel(take.character, channel)));
     const from = names.length === 1 ? names[0] : `${names[0]} and ${plural(names.length - 1, 'more channel')}`;
     wb.messages.note(
-      `The keys are of ${from}, and no listed channel is like it. Select its joint, or list all channels.`,
+      `These keys are from ${from}, and no listed channel matches it. Select its joint, or list all channels.`,
     );
     return;
   }

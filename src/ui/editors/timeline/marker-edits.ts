@@ -12,7 +12,7 @@ export function addMarkerHere(wb: Page): void {
   const label = String((clip.markers?.length ?? 0) + 1);
   const marker = { timeSeconds: clipTime(wb, character), label };
   wb.store.apply(addMarkers, { characterId: character.id, markers: [marker] });
-  wb.messages.note(`Marker ${label} added to ${clip.name}. Markers… names it.`);
+  wb.messages.note(`Marker ${label} added. Name it in Play > Markers.`);
 }
 
 export function addSpanOfRange(wb: Page): void {

@@ -49,7 +49,7 @@ export function markersDialog(wb: Page, close: () => void): DialogContent {
     element(
       'p',
       { class: 'faint' },
-      `Of ${currentTake(wb)?.clip.name ?? 'no take'}. Saved beside it as .markers.json.`,
+      `For ${currentTake(wb)?.clip.name ?? 'no take'}. Saved next to it as .markers.json.`,
     ),
     rows,
     element('div', { class: 'tool-buttons' }, add, span, done),

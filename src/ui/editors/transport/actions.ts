@@ -24,17 +24,17 @@ export const LOOP_LABELS: Readonly<Record<LoopMode, string>> = {
 export const RATES = [-4, -2, -1, -0.5, -0.25, 0.25, 0.5, 1, 2, 4] as const;
 
 const hasKeys = needs(
-  'There are no keys to step to.',
+  'There are no keys to go to.',
   (wb: Uses<'store'>) => shownKeys(wb.store.document, wb.store.selection).length > 0,
 );
 
-const hasTake = needs('Show a take first: markers belong to one.', (wb: Uses<'store'>) => {
+const hasTake = needs('Markers belong to a take. Show one first.', (wb: Uses<'store'>) => {
   const character = currentCharacter(wb);
   return character !== undefined && shownClip(character) !== undefined;
 });
 
 /** As in Maya, the playback range belongs to the page. */
-const ONLY_PLAYED = 'Of playback; the take is saved with its own range';
+const ONLY_PLAYED = 'Playback only; the take keeps its own range';
 
 export const PLAY_ACTIONS: readonly Action[] = [
   {
@@ -99,7 +99,7 @@ export const PLAY_ACTIONS: readonly Action[] = [
     menu: 'Play',
     section: 2,
     shortcuts: ['Shift+I'],
-    enabled: needs('There is no take whose range could play.', (wb) => clipsRange(wb.store.document) !== undefined),
+    enabled: needs('There is no take to fit the range to.', (wb) => clipsRange(wb.store.document) !== undefined),
     run(wb) {
       const range = clipsRange(wb.store.document);
       if (!range) return;

@@ -175,7 +175,7 @@ export class Scrubber {
     this.element.setAttribute('aria-valuemax', String(range[1]));
     this.element.setAttribute('aria-valuenow', String(timeSeconds));
     const frame = shown(timeSeconds * this.wb.transport.get().framesPerSecond, 2);
-    this.element.setAttribute('aria-valuetext', `${shown(timeSeconds)} seconds, frame ${frame}`);
+    this.element.setAttribute('aria-valuetext', `${shown(timeSeconds)} s, frame ${frame}`);
   }
 
   private dragging = false;

@@ -132,7 +132,7 @@ function rate(wb: Uses<'actions' | 'transport' | 'settings'>): HTMLElement {
   return keepsFocusElsewhere(made);
 }
 
-const KEY_LABEL = 'Key changed values, else selected joint';
+const KEY_LABEL = 'Key changes (or the selected joint)';
 
 /** The record switch: red while on, like the frame of the viewport. */
 function keying(wb: Uses<'actions' | 'timeline' | 'settings'>): HTMLElement {

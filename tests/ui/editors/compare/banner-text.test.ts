@@ -26,7 +26,7 @@ describeShared('the banner of a comparison', () => {
     const [anna, ben] = [{ name: 'd008.txt', time: 1.5 }, { name: 'd009.txt' }];
     const skinned = [...WASP, 'cse169/wasp.skin'];
     const ofBen = bannerText(comparedDumps(skinned, [anna, ben], 1.5)).text;
-    expect(ofBen).toMatch(/^First wrong in d009\.txt at 0\.8 s: vertex \d+\. Rotations turn the wrong way/);
+    expect(ofBen).toMatch(/^First wrong in d009\.txt at 0\.8 s: vertex \d+\. Your rotations turn the wrong way/);
     expect(ofBen).toContain('1 more cause in Compare.');
     const ofAnna = bannerText(comparedDumps(skinned, [ben, anna], 1.5)).text;
     expect(ofAnna).toMatch(/^First wrong in d008\.txt at 1\.5 s: hip_03_r\. You multiply Rx·Ry·Rz/);
@@ -81,7 +81,7 @@ describeShared('the banner of a comparison', () => {
         { ...cause, alternatives: ['a', 'b'] },
         { ...cause, code: 'other' },
       ]),
-    ).toContain('3 others explain it equally: Compare lists them.');
+    ).toContain('3 others explain it equally; see Compare.');
     expect(told([cause, { ...cause, code: 'part', explains: 20 }])).not.toMatch(/equally/i);
   });
 
@@ -112,7 +112,7 @@ describeShared('the banner of a comparison', () => {
 
   it('the banner does not guess where no mistake explains the numbers, and says how they differ', () => {
     expect(bannerText(comparedCase(WASP, 'd039.json', 1.5)).text).toBe(
-      'First wrong: hip_03_r. No known mistake, nor two together, explains these numbers. ' +
+      'First wrong: hip_03_r. No known mistake, alone or with another, explains these numbers. ' +
         'What differs: Joint hip_03_r and all below it, in places alone, by a constant offset (0.2, 0, 0).',
     );
   });

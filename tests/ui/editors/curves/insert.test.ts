@@ -20,6 +20,6 @@ it('a key inserted on a sampled curve is refused in words', () => {
   insertOnCurve(wb, 1, 0.05);
   expect(wb.store.document).toBe(before);
   expect(wb.messages.list.get().map(({ text }) => text)).toEqual([
-    'This curve is sampled. Convert to keys first: Keys > Samples.',
+    'This curve is sampled. Convert to keys first (Keys > Samples).',
   ]);
 });

@@ -55,7 +55,7 @@ describe('solving all pins', () => {
     const { wb } = page;
     wantLeftHandAt([30, 0, 0]);
     solve();
-    expect(said()).toMatch(/^hand_[lr] is as close as it can get: out of reach\.$/);
+    expect(said()).toMatch(/^hand_[lr] is as close as possible: out of reach\.$/);
     const left = wb.posing.ik.targets.leftOf('c1', Float64Array.from(page.pose()));
     expect(left?.targets.get(1)?.target.position).toEqual([30, 0, 0]);
   });
@@ -67,7 +67,7 @@ describe('solving all pins', () => {
     // Closer to the centre than a straight arm gets.
     wantLeftHandAt([0.3, 0.2, 0]);
     solve();
-    expect(said()).toBe('hand_l is as close as it can get: fore_l is locked.');
+    expect(said()).toBe('hand_l is as close as possible: fore_l is locked.');
   });
 
   it('solving all pins keeps locked joints', () => {

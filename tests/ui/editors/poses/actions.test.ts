@@ -32,7 +32,7 @@ describe('poses by menus and keys', () => {
     expect(wb.messages.list.get().at(-1)?.text).toContain('in the middle');
   });
 
-  it('the focused pose of the library is updated to the current one, and says so', async () => {
+  it('the focused pose in the library is updated to the current one, and says so', async () => {
     const { wb } = workbench(documentOf(character({ id: 'c1', skeleton: rig(), pose })));
     expect(() => runAction(wb, 'pose.update')).toThrow();
     await runAction(wb, 'pose.keep');

@@ -186,7 +186,7 @@ describe('keying from the menu', () => {
     runAction(wb, 'key.changed');
     expect(keyCounts(wb)).toEqual([0, 0, 0, 0, 0, 0, 1, 1, 1]);
     runAction(wb, 'key.changed');
-    expect(wb.messages.passing.get()).toBe('Keyed already at 0 s, with these values.');
+    expect(wb.messages.passing.get()).toBe('These values are already keyed at 0 s.');
   });
 
   it('keying from the menu is enabled only if possible: no keying without a skeleton, no removing without a take', () => {

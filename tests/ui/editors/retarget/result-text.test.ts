@@ -32,7 +32,7 @@ describe('what a take on another character comes to', () => {
     const tips = { ...limbs, tips: 2, tipsMean: 12.34, tipsWorst: 20 };
     expect(retargetText(driver, skeleton, tips)).toContain('17° at most; feet and hands within 12.3°, 20° at most.');
     const same = retargetText(driver, skeleton, { ...limbs, departure: 0.0123 });
-    expect(same).toContain('The skeletons are the same: joints are 1.2 cm off at most.');
+    expect(same).toContain('The skeletons are identical: joints are off by at most 1.2 cm.');
     expect(same).not.toContain('Arms');
   });
 });

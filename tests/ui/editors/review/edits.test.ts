@@ -32,7 +32,7 @@ describe('the verdict on a take in review', () => {
     const wb = page();
     wb.timeline.review.change({ verdict: '' });
     toggleVerdict(wb, 'bad');
-    expect(wb.messages.passing.get()).toBe('walk.bvh: bad, so no longer listed by Only > Verdict.');
+    expect(wb.messages.passing.get()).toBe('walk.bvh: bad; no longer listed because of Show only > Verdict.');
     expect(noneLeft(wb.timeline.review.view.get())).toContain('Every take has a verdict');
   });
 });

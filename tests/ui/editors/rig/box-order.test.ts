@@ -5,7 +5,7 @@ import { whyNoCorner } from '../../../../src/ui/editors/rig/box-order.ts';
 describe('a corner of a box that is typed', () => {
   it('a corner of a box that is typed may not pass the other one, and the message names the axis', () => {
     expect(whyNoCorner(DEFAULT_BOX, 'min', [0, 0.5, 0])).toBe(
-      'The box would go from 0.5 to 0.1 along y, but its lower corner must be below its upper one.',
+      'The box would go from 0.5 to 0.1 along y, but “from” must be below “to”.',
     );
     expect(whyNoCorner(DEFAULT_BOX, 'max', [0, 0, -0.2])).toContain('from −0.1 to −0.2 along z');
   });

@@ -21,7 +21,7 @@ describe('what is said of a joint’s name', () => {
 
   it('a joint’s note tells that another joint has the same name', () => {
     const twice = { skeleton: named('a b', 'c', 'a b') };
-    expect(nameNote(twice, 2)).toBe('Saved as “a_b”. Another joint has the same name. They are told apart by index.');
+    expect(nameNote(twice, 2)).toBe('Saved as “a_b”. Another joint has the same name. Files tell them apart by index.');
     expect(nameNote(twice, 1)).toBe('');
     expect(nameNote({ skeleton: named('', '') }, 1)).toBe('');
   });

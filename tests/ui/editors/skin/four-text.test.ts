@@ -39,7 +39,7 @@ it('a skin says how many vertices have more than four attachments', () => {
 
 it('a skin of at most four attachments is drawn the same, unless normalising changes sums', () => {
   expect(attachmentsText(skin, true, counts)).toBe(
-    'No vertex of arm has more than four attachments. A program with four draws the same.',
+    'No vertex of arm has more than four attachments. A program that keeps four draws the same.',
   );
   expect(attachmentsText(skin, true, { ...counts, unevenSums: 1 })).toBe(
     'No vertex of arm has more than four attachments. 1 vertex has weights that don’t sum to 1, so normalising moves it.',

@@ -34,19 +34,19 @@ describe('the note above a text', () => {
       hasSteps: true,
     });
     const asItCame = note({ changes, showsChanges: false });
-    expect(asItCame).toEqual({ text: expect.stringContaining('those of the file as it came'), isOn: false });
+    expect(asItCame).toEqual({ text: expect.stringContaining('those of the original file'), isOn: false });
   });
 
   it('tells a problem of the comparison once the next one has ended', () => {
     const problem = 'It can’t be compared.';
     const told = note({ changes: { text: undefined, problem, isComparing: false } });
-    expect(told).toEqual({ text: `${problem} Lines are those of the file as it came.` });
+    expect(told).toEqual({ text: `${problem} Lines are those of the original file.` });
     const waits = note({ changes: { text: undefined, problem, isComparing: true } });
     expect(waits).toEqual({ text: 'Edited since it was opened. Comparing…', isOn: true });
   });
 
-  it('says of another version why nothing lights up, and offers to correct one with errors', () => {
-    expect(note({ state: 'other' }).text).toMatch(/not the version that is open.*nothing lights up\.$/);
+  it('says of another version why no lines are highlighted, and offers to correct one with errors', () => {
+    expect(note({ state: 'other' }).text).toMatch(/not the version that is open.*no lines are highlighted\.$/);
     expect(note({ state: 'other', hasErrors: true }).text).toMatch(/has errors.*Edit corrects it here\.$/);
     expect(note({ state: 'other', hasDraft: true }).text).toMatch(/were not applied/);
   });

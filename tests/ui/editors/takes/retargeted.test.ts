@@ -197,7 +197,7 @@ describe('comparing after retargeting', () => {
     const entries = leftOutEntries(wb, result);
     expect(entries).toMatchObject([
       { kind: 'note', text: 'Not compared of dancer' },
-      { kind: 'item', label: 'TAIL', detail: 'boxer has no counterpart of it' },
+      { kind: 'item', label: 'TAIL', detail: 'boxer has no matching joint' },
     ]);
     if (entries[1].kind === 'item') entries[1].run();
     expect(wb.store.selection).toEqual({ characterId: 'dancer', joint: 21 });

@@ -83,7 +83,7 @@ describe('the rows of takes', () => {
   });
 });
 
-describe('the list of takes', () => {
+describe('the Takes tab', () => {
   const names = (...args: Parameters<typeof listedTakes>) => listedTakes(...args).map((r) => r.name);
   const rows = takeRows(document);
 

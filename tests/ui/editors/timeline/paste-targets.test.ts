@@ -49,7 +49,7 @@ describe('pasted keys', () => {
     runAction(wb, 'timeline.paste');
     expect(wb.store.document.characters[0]).toBe(wasp);
     expect(wb.messages.passing.get()).toBe(
-      'The keys are of leg_l rx, and no listed channel is like it. Select its joint, or list all channels.',
+      'These keys are from leg_l rx, and no listed channel matches it. Select its joint, or list all channels.',
     );
   });
 });

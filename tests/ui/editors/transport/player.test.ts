@@ -91,7 +91,7 @@ describe('values set by hand and not keyed', () => {
     expect(now()).toBeUndefined();
     await expect
       .poll(() => wb.messages.passing.get())
-      .toBe('Unkeyed change discarded. Ctrl+Z restores it, K keys such changes.');
+      .toBe('Unkeyed change discarded. Ctrl+Z restores it, press K before changing the time to keep them.');
     expect(wb.messages.offers[0]?.label).toBe('Undo');
     const step = wb.store.undoLabel;
     wb.messages.offers[0]?.run();

@@ -223,8 +223,8 @@ function channelsAsked(wb: Uses<'store' | 'timeline'>, inHand: number, all: numb
       label: 'Curves',
       value: isOfJoint ? 'view' : 'all',
       options: [
-        ['all', `All ${count(all)}`],
-        ['view', inHand === 1 ? 'The visible one' : `The ${count(inHand)} visible`],
+        ['all', `All ${count(all)} curves`],
+        ['view', inHand === 1 ? 'Only the visible one' : `Only the ${count(inHand)} visible`],
       ],
     },
   ];

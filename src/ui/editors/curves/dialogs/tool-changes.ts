@@ -35,7 +35,7 @@ function spansText(spans: readonly (readonly [number, number])[]): string {
   const [[was, now]] = spans;
   const what = `${plural(spans.length, 'curve')} will repeat all keys, including the new ones:`;
   const alike = spans.every(([w, n]) => !isOther(w, was) && !isOther(n, now));
-  if (!alike) return `${what} at other intervals than before.`;
+  if (!alike) return `${what} at different intervals than before.`;
   return `${what} every ${shown(now)} s instead of every ${shown(was)} s.`;
 }
 

@@ -63,7 +63,7 @@ function channelOf(
 /** `yours differs by up to 0.12, first at 0.4 s`, in model units. */
 export function theirsText({ largest, firstWrong }: TheirChannel): string {
   if (firstWrong === undefined) return 'yours agrees';
-  const size = Number.isFinite(largest) ? ` by up to ${errorSize(largest)}` : ', with values that are no numbers';
+  const size = Number.isFinite(largest) ? ` by up to ${errorSize(largest)}` : ', with values that are not numbers';
   return `yours differs${size}, first at ${shown(firstWrong)} s`;
 }
 

@@ -36,7 +36,7 @@ export class WhyPane {
     columnLabels: ['a', 'b', 'c', 'd'],
   });
   private readonly at = new NumberGrid({
-    label: 'Place in the segment',
+    label: 'Position in the segment',
     rows: 1,
     columns: 2,
     columnLabels: ['u', 's'],
@@ -53,7 +53,11 @@ export class WhyPane {
       { class: 'why-segment' },
       this.slopePart.element,
       this.inputs.element,
-      element('p', { class: 'step-law' }, 'a·u³ + b·u² + c·u + d, u = (t − t₀) / h; in s since the key as evaluated'),
+      element(
+        'p',
+        { class: 'step-law' },
+        'p = a·u³ + b·u² + c·u + d, with u = (t − t₀) / h from 0 to 1. “in s”: the same cubic over the seconds since the key, which is what is evaluated',
+      ),
       this.cubic.element,
       this.at.element,
     );

@@ -15,20 +15,20 @@ export function keyLines(keys: Keys, key: number): readonly string[] {
 
 /** How the time leads to a segment or a key. */
 export function placeLines(why: ChannelWhy): readonly string[] {
-  if (why.kind === 'rest') return ['No keys: the channel rests at its value.'];
+  if (why.kind === 'rest') return ['No keys: the channel keeps one value.'];
   if (why.kind === 'samples') return [samplesText(why)];
   const { outside, segment, at } = why;
   const lines = outside ? outsideLines(outside) : [];
   if (segment) return [...lines, `Between keys ${segment.key} and ${segment.key + 1}, ${shown(segment.h)} s apart.`];
   return outside?.kind === 'constant' || outside?.kind === 'linear'
     ? lines
-    : [...lines, `At key ${at}: its own value.`];
+    : [...lines, `At key ${at}: the key’s own value.`];
 }
 
 function samplesText({ interpolation, frame, frameCount }: Extract<ChannelWhy, { kind: 'samples' }>): string {
   const row = Math.floor(frame);
   const part = frame - row;
-  if (part === 0) return `Frame ${count(row)} of ${count(frameCount)}, from 0: its own value.`;
+  if (part === 0) return `Frame ${count(row)} of ${count(frameCount)}, from 0: the sample itself.`;
   const how = { nearest: 'the nearer one', linear: 'linear', cubic: 'a Catmull-Rom cubic' }[interpolation];
   return `Between frames ${count(row)} and ${count(row + 1)}, ${shown(part)} of the way: ${how}.`;
 }

@@ -24,7 +24,7 @@ it('tells when a cycle becomes constant, and when it will repeat new keys', () =
 it('gives no numbers if they differ between curves', () => {
   const before = take({ ...channel(0, 2), ...cycle }, { ...channel(0, 1), ...cycle });
   const after = take({ ...channel(0, 2, 4), ...cycle }, { ...channel(0, 1, 4), ...cycle });
-  const sentence = '2 curves will repeat all keys, including the new ones: at other intervals than before.';
+  const sentence = '2 curves will repeat all keys, including the new ones: at different intervals than before.';
   expect(changesBeyond(before, after, [0, 1])).toEqual([`Before the keys, ${sentence}`, `After the keys, ${sentence}`]);
 });
 

@@ -57,7 +57,7 @@ describe('channels of another program', () => {
     };
     expect(told('channel 0\n0 0\n1 0')).toBe('yours agrees');
     expect(told('channel 0\n0 0\n0.5 0.25\n1 0')).toBe('yours differs by up to 0.25, first at 0.5 s');
-    expect(told('channel 0\n0 nan\n1 0')).toBe('yours differs, with values that are no numbers, first at 0 s');
+    expect(told('channel 0\n0 nan\n1 0')).toBe('yours differs, with values that are not numbers, first at 0 s');
   });
 
   it('the value nearest to a time is found, unless it is too far', () => {

@@ -65,7 +65,7 @@ describe('the sentences of Why this curve', () => {
 
   it('tell the segment of a time, and its slopes', () => {
     expect(linesAt(0.6)).toEqual(['Between keys 1 and 2, 0.25 s apart.']);
-    expect(linesAt(0.75)).toEqual(['At key 2: its own value.']);
+    expect(linesAt(0.75)).toEqual(['At key 2: the key’s own value.']);
     const why = whyValue(clip([0, 2], wave()), 0, 0.6);
     if (why?.kind !== 'keys' || !why.segment) throw new Error('No segment.');
     expect(slopeLines(wave(), why.segment)[1]).toBe('m₁, linear in: (0.25 − (−0.3)) / (0.75 − 0.5) = 2.2');
@@ -92,7 +92,7 @@ describe('the sentences of Why this curve', () => {
     expect(placeLines(samples)).toEqual(['Between frames 3 and 4, 0.25 of the way: linear.']);
     expect(placeLines({ ...samples, frame: 3 })).toEqual(['Frame 3 of 10, from 0: its own value.']);
     expect(placeLines({ kind: 'rest', value: restChannel(2).value })).toEqual([
-      'No keys: the channel rests at its value.',
+      'No keys: the channel keeps one value.',
     ]);
   });
 });
