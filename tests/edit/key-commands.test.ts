@@ -183,7 +183,7 @@ describe('commands on keys refuse, and change nothing', () => {
     ],
     [
       'more channels than copied',
-      'paste into 2 channels',
+      'be pasted into 2 channels',
       () =>
         pasteKeys.run(start, {
           characterId,

@@ -57,7 +57,7 @@ describe('poses.mirror', () => {
     expect(() => mirrorPose.run(still, { ...at, way: 'toOther' })).toThrow(CommandError);
     expect(() => mirrorPose.run(still, { ...at, joint: 9, way: 'swap' })).toThrow(CommandError);
     const lone = documentOf(character({ skeleton: { name: 's', joints: [joint(-1), joint(0, { name: 'l_arm' })] } }));
-    expect(() => mirrorPose.run(lone, { ...at, joint: 1, way: 'toOther' })).toThrow('no matching joint');
+    expect(() => mirrorPose.run(lone, { ...at, joint: 1, way: 'toOther' })).toThrow('no counterpart');
   });
 
   it('returns the same document if the pose is its own mirror image', () => {

@@ -28,7 +28,7 @@ describe('what a take on another character comes to', () => {
 
   it('tells how well arms and legs point, or how far the joints of the same skeleton are off', () => {
     const limbs = { ...NOTHING, limbs: 4, limbsMean: 1.23, limbsWorst: 17 };
-    expect(retargetText(driver, skeleton, limbs)).toContain('within 1.2° on average, 17° at most.');
+    expect(retargetText(driver, skeleton, limbs)).toContain('within 1.2° of the source’s on average, 17° at most.');
     const tips = { ...limbs, tips: 2, tipsMean: 12.34, tipsWorst: 20 };
     expect(retargetText(driver, skeleton, tips)).toContain('17° at most; feet and hands within 12.3°, 20° at most.');
     const same = retargetText(driver, skeleton, { ...limbs, departure: 0.0123 });

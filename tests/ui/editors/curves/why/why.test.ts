@@ -84,13 +84,13 @@ describe('the sentences of Why this curve', () => {
       'Before the first key, bounce: period −1 of 2 s.',
       'Folded to 0.6 s, backwards since it is odd.',
     ]);
-    expect(linesAt(4, 'cycle').at(-1)).toBe('At key 0: its own value.');
+    expect(linesAt(4, 'cycle').at(-1)).toBe('At key 0: the key’s own value.');
   });
 
   it('tell of samples the frames between which a time is, and of a channel without keys that it rests', () => {
     const samples = { kind: 'samples', interpolation: 'linear', frame: 3.25, frameCount: 10, value: 1 } as const;
     expect(placeLines(samples)).toEqual(['Between frames 3 and 4, 0.25 of the way: linear.']);
-    expect(placeLines({ ...samples, frame: 3 })).toEqual(['Frame 3 of 10, from 0: its own value.']);
+    expect(placeLines({ ...samples, frame: 3 })).toEqual(['Frame 3 of 10, from 0: the sample itself.']);
     expect(placeLines({ kind: 'rest', value: restChannel(2).value })).toEqual([
       'No keys: the channel keeps one value.',
     ]);
