@@ -40,7 +40,7 @@ describe('the note above a text', () => {
   it('tells a problem of the comparison once the next one has ended', () => {
     const problem = 'It can’t be compared.';
     const told = note({ changes: { text: undefined, problem, isComparing: false } });
-    expect(told).toEqual({ text: `${problem} Lines are those of the original file.` });
+    expect(told).toEqual({ text: `${problem} Line numbers are those of the original file.` });
     const waits = note({ changes: { text: undefined, problem, isComparing: true } });
     expect(waits).toEqual({ text: 'Edited since it was opened. Comparing…', isOn: true });
   });
